@@ -5,22 +5,22 @@ use alloc::sync::Arc;
 use nalgebra::SVector;
 
 use super::grasp::Grasp;
-use super::questions::Questions;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
-use crate::grasp::{Contact, PressOfPart, Wrench};
+use crate::grasp::{Contact, Engine, Face, PressOfPart, Wrench, all_inside, inside};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
     /// A grasp with the engine of other data and the same settings.
-    pub(super) fn changed(&self, engine: Result<Arc<dyn Questions<C>>, Error>) -> Result<Self, Error> {
-        Ok(Self { engine: engine?, settings: self.settings })
+    pub(super) fn changed(&self, engine: Result<Engine, Error>) -> Result<Self, Error> {
+        Ok(Self::of(engine?).with(&self.settings))
     }
 
     /// The grasp of an equilibrium, under the body loads that a load program had applied there.
     pub(super) fn of_equilibrium(&self, equilibrium: &Equilibrium<C>) -> Self {
         let loads = &equilibrium.body_loads;
-        let changed = (!loads.is_empty()).then(|| self.changed(self.engine.with_body_loads(loads)));
+        let changed =
+            (!loads.is_empty()).then(|| self.changed(self.engine.with_body_loads(&all_inside(loads))));
         // An unknown body belongs to another grasp, about which this one has no answers anyway.
         changed.and_then(Result::ok).unwrap_or_else(|| self.clone())
     }
@@ -46,7 +46,7 @@ impl<const C: usize> Grasp<C> {
         &self,
         commands: impl IntoIterator<Item = impl Into<[f64; C]>>,
     ) -> Result<Self, Error> {
-        let commands: Vec<_> = commands.into_iter().map(|u| SVector::from(u.into())).collect();
+        let commands: Vec<_> = commands.into_iter().map(|u| SVector::from(u.into()).enter()).collect();
         self.changed(self.engine.with_commands(&commands))
     }
 
@@ -130,8 +130,8 @@ impl<const C: usize> Grasp<C> {
         load: &Wrench<C>,
         others: impl IntoIterator<Item = (N, Wrench<C>)>,
     ) -> Result<Self, Error> {
-        let named = others.into_iter().map(|(name, load)| (Arc::from(name.into()), load));
-        self.changed(self.engine.growing_together(load, &named.collect::<Vec<_>>()))
+        let named = others.into_iter().map(|(name, load)| (Arc::from(name.into()), load.enter()));
+        self.changed(self.engine.growing_together(&inside(load), &named.collect::<Vec<_>>()))
     }
 
     /// This grasp with other coefficients of friction, from the index of each contact and its present coefficient. Coefficients of [kinetic
@@ -154,7 +154,7 @@ impl<const C: usize> Grasp<C> {
 
     /// This grasp with other data of its contacts, equally many; its joints stay.
     pub(crate) fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
-        self.changed(self.engine.with_contacts(contacts))
+        self.changed(self.engine.with_data(contacts.enter(), &|_| 1.0))
     }
 
     /// The force with which the named part presses, and this grasp with that force multiplied by `factor`.

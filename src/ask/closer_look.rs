@@ -5,7 +5,7 @@ use crate::contact::PolygonCone;
 use crate::equilibrium::{Accuracy, Bracket, Equilibrium, Refutation};
 use crate::error::Error;
 use crate::forms::Form;
-use crate::grasp::Wrench;
+use crate::grasp::{Wrench, inside, outside};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
@@ -30,7 +30,7 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::TooManyStates`] beyond [`Settings::most_states`](crate::Settings::most_states) combinations, [`Error::Wrench`] if the load is not
     /// finite, or beyond 1e50; [`Error::KineticFriction`] as for [`Self::solve`].
     pub fn equilibria(&self, load: &Wrench<C>) -> Result<Vec<Equilibrium<C>>, Error> {
-        self.engine.equilibria(load, &self.settings)
+        self.engine.equilibria(&inside(load), &self.settings).map(outside)
     }
 
     /// Estimated error of an equilibrium of this grasp, and its dependence on the last digits of the question: two more passes over the contacts in
@@ -51,7 +51,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn accuracy(&self, equilibrium: &Equilibrium<C>) -> Option<Accuracy> {
-        self.of_equilibrium(equilibrium).engine.accuracy(equilibrium)
+        self.of_equilibrium(equilibrium).engine.accuracy(&inside(equilibrium))
     }
 
     /// Whether each contact's state is clear of its neighbouring states in working precision.
@@ -76,7 +76,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn distinct(&self, equilibrium: &Equilibrium<C>) -> Option<Vec<bool>> {
-        self.of_equilibrium(equilibrium).engine.distinct(equilibrium)
+        self.of_equilibrium(equilibrium).engine.distinct(&inside(equilibrium))
     }
 
     /// The equilibrium under a load on the round cone, and on the inscribed and the circumscribed polygon with as many facets as `settings.cone`; the
@@ -100,7 +100,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn bracket(&self, load: &Wrench<C>) -> Result<Bracket<C>, Error> {
-        self.engine.bracket(load, &self.settings)
+        self.engine.bracket(&inside(load), &self.settings).map(outside)
     }
 
     /// The proof, case by case, that no equilibrium exists under a load on the round cone. `None` without a proof: an equilibrium exists,
@@ -128,7 +128,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn refutation(&self, load: &Wrench<C>) -> Result<Option<Refutation<C>>, Error> {
-        self.engine.refutation(load, &self.settings)
+        self.engine.refutation(&inside(load), &self.settings).map(outside)
     }
 
     /// The [kinematic form](crate::forms) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything sticks. `None`
@@ -155,7 +155,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn kinematic_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
-        self.engine.kinematic_form(load, cone)
+        self.engine.kinematic_form(&inside(load), cone)
     }
 
     /// The [force form](crate::forms) under a load: forces as unknowns, the twist free and split in two halves
@@ -182,7 +182,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn force_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
-        self.engine.force_form(load, cone)
+        self.engine.force_form(&inside(load), cone)
     }
 }
 
@@ -194,6 +194,6 @@ impl<const C: usize> Refutation<C> {
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
     pub fn check(&self, grasp: &Grasp<C>, load: &Wrench<C>) -> Result<Option<f64>, Error> {
-        grasp.engine.check_refutation(self, load)
+        grasp.engine.check_refutation(&inside(self), &inside(load))
     }
 }

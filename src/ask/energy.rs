@@ -8,7 +8,7 @@ use crate::energy::{
 };
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Wrench, inside, outside};
 use crate::load_path::Ramp;
 
 /// The paper's quadratic programs and laws of friction other than Coulomb's, made by [`Grasp::energy`]; see [`energy`](crate::energy).
@@ -37,7 +37,7 @@ impl<const C: usize> Energy<'_, C> {
     /// # Errors
     /// As for [`Self::onset`](Grasp::onset).
     pub fn agreement(&self, ramp: &Ramp<C>) -> Result<Agreement<C>, Error> {
-        self.0.engine.agreement_with_minimum_energy(ramp, &self.0.settings)
+        self.0.engine.agreement_with_minimum_energy(&inside(ramp), &self.0.settings).map(outside)
     }
 
     /// State under a load by the associated friction law, which [`AssociatedState`](crate::energy::AssociatedState) explains; in space on the
@@ -63,7 +63,7 @@ impl<const C: usize> Energy<'_, C> {
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn associated_friction(&self, load: &Wrench<C>) -> Result<AssociatedOutcome<C>, Error> {
-        self.0.engine.associated_friction(load, &self.0.settings)
+        self.0.engine.associated_friction(&inside(load), &self.0.settings).map(outside)
     }
 
     /// Compares complementarity with the paper's quadratic program; in space on the polygonal cone of the settings.
@@ -87,7 +87,7 @@ impl<const C: usize> Energy<'_, C> {
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn compare(&self, load: &Wrench<C>) -> Result<Comparison<C>, Error> {
-        self.0.engine.compare_with_minimum_energy(load, &self.0.settings)
+        self.0.engine.compare_with_minimum_energy(&inside(load), &self.0.settings).map(outside)
     }
 
     /// The minimum of the paper's quadratic program under a load; in space on the polygonal cone of the settings.
@@ -115,7 +115,7 @@ impl<const C: usize> Energy<'_, C> {
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn minimum(&self, load: &Wrench<C>) -> Result<MinimumOutcome<C>, Error> {
-        self.0.engine.minimum_energy(load, &self.0.settings)
+        self.0.engine.minimum_energy(&inside(load), &self.0.settings).map(outside)
     }
 
     /// The paper's quadratic program under a load (section 5.1), in all displacements; `cone` replaces the round cone in space.
@@ -147,7 +147,7 @@ impl<const C: usize> Energy<'_, C> {
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; [`Error::Contact`] for a contact of which one side is rigid (or its stiffness
     /// not from 1e-50 to 1e50) or whose stiffness is only known in series: the paper's program has a spring on both sides.
     pub fn printed_qp(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<PrintedQp<C>, Error> {
-        self.0.engine.printed_qp(load, cone)
+        self.0.engine.printed_qp(&inside(load), cone).map(outside)
     }
 
     /// The reduced quadratic program under a load; `cone` replaces the round cone in space.
@@ -177,7 +177,7 @@ impl<const C: usize> Energy<'_, C> {
         cone: &PolygonCone,
         unknowns: Unknowns,
     ) -> Result<ReducedQp<C>, Error> {
-        self.0.engine.reduced_qp(load, cone, unknowns)
+        self.0.engine.reduced_qp(&inside(load), cone, unknowns).map(outside)
     }
 
     /// The equilibrium under a load with the second-order displacement of equation 4.1, about the origin of the coordinates: the load's force acts at
@@ -207,7 +207,7 @@ impl<const C: usize> Energy<'_, C> {
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn second_order(&self, load: &Wrench<C>) -> Result<SecondOrderOutcome<C>, Error> {
-        self.0.engine.second_order_equilibrium(load, &self.0.settings)
+        self.0.engine.second_order_equilibrium(&inside(load), &self.0.settings).map(outside)
     }
 
     /// Stability of an equilibrium of this grasp, with its contacts at their initial places (displacements are small).
@@ -230,7 +230,7 @@ impl<const C: usize> Energy<'_, C> {
     /// ```
     #[must_use]
     pub fn stability(&self, equilibrium: &Equilibrium<C>) -> Stability<C> {
-        self.0.of_equilibrium(equilibrium).engine.stability(equilibrium)
+        outside(self.0.of_equilibrium(equilibrium).engine.stability(&inside(equilibrium)))
     }
 
     /// Answers to one load under three laws of friction, which the module [`energy`](crate::energy) compares.
@@ -253,6 +253,6 @@ impl<const C: usize> Energy<'_, C> {
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn three_laws(&self, load: &Wrench<C>) -> Result<ThreeLaws<C>, Error> {
-        self.0.engine.three_laws(load, &self.0.settings)
+        self.0.engine.three_laws(&inside(load), &self.0.settings).map(outside)
     }
 }

@@ -5,15 +5,17 @@ use alloc::sync::Arc;
 use nalgebra::{SMatrix, SVector};
 
 use super::energy::Energy;
-use super::engines;
-use super::questions::Questions;
 use super::sensitivity::Sensitivity;
 use super::statics::Statics;
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
-use crate::grasp::{Bodies, Contact, Hand, HandPart, WholeContact, WholeContacts, Wrench};
+use crate::grasp::{
+    Bodies, Contact, Engine, Face, Finger, Hand, HandPart, WholeContact, WholeContacts, Wrench,
+    assert_plane_or_space, frame_outside, inside, outside,
+};
 use crate::hold::Verdict;
 use crate::load_path::Ramp;
+use crate::numerics::Once;
 use crate::prelude::*;
 
 /// An object held by elastic fingers: a checked list of contacts, and the joints behind them if a [`Hand`] holds it.
@@ -41,8 +43,19 @@ use crate::prelude::*;
 /// | any of these for another cone, or with other limits on work | [`with`](Self::with) settings |
 #[derive(Debug, Clone)]
 pub struct Grasp<const C: usize> {
-    pub(super) engine: Arc<dyn Questions<C>>,
+    pub(super) engine: Arc<Engine>,
     pub(super) settings: Settings,
+    /// Contacts, frames and links as the caller sees them, made when they are asked for.
+    door: Once<Arc<Door<C>>>,
+}
+
+/// The parts of a grasp that callers look at, with vectors of `C` components.
+#[derive(Debug)]
+struct Door<const C: usize> {
+    contacts: Vec<Contact<C>>,
+    frames: Vec<SMatrix<f64, C, C>>,
+    links: Vec<[SVector<f64, C>; 2]>,
+    joint_centres: Vec<Option<SVector<f64, C>>>,
 }
 
 impl<const C: usize> Grasp<C> {
@@ -64,11 +77,26 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// [`Error::EmptyGrasp`], or [`Error::Contact`] with the first contact, field and value out of range.
     pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
-        Self::of(engines::of_contacts(contacts.into_iter().collect())?).installed()
+        const { assert_plane_or_space::<C>() };
+        let contacts: Vec<_> = contacts.into_iter().map(Face::enter).collect();
+        Self::of(engine_of_contacts(contacts)?).installed()
     }
 
-    pub(crate) fn of(engine: Arc<dyn Questions<C>>) -> Self {
-        Self { engine, settings: Settings::default() }
+    pub(super) fn of(engine: Engine) -> Self {
+        Self { engine: Arc::new(engine), settings: Settings::default(), door: Once::new() }
+    }
+
+    /// What callers see of the grasp.
+    fn door(&self) -> &Door<C> {
+        self.door.get_or_init(|| {
+            let engine = &*self.engine;
+            Arc::new(Door {
+                contacts: engine.contacts().iter().cloned().map(outside).collect(),
+                frames: (0..engine.len()).map(|contact| frame_outside(engine.frame(contact))).collect(),
+                links: engine.links().iter().map(|link| link.map(outside)).collect(),
+                joint_centres: engine.joint_centres().iter().copied().map(outside).collect(),
+            })
+        })
     }
 
     /// This grasp with other [`Settings`]: for another cone, or with other limits on work. Contacts and factors are shared with this grasp, not
@@ -93,7 +121,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn with(&self, settings: &Settings) -> Self {
-        Self { engine: self.engine.clone(), settings: *settings }
+        Self { settings: *settings, ..self.clone() }
     }
 
     /// The contacts for which `is_meant` is true, counted as users do: a soft fingertip is one contact, with the number of its points among them.
@@ -138,7 +166,7 @@ impl<const C: usize> Grasp<C> {
     /// As for [`Self::onset`].
     #[doc(alias = "gross slip", alias = "limit load", alias = "grip", alias = "payload", alias = "reserve")]
     pub fn hold(&self, load: impl Into<Ramp<C>>) -> Result<Verdict<C>, Error> {
-        self.engine.hold(&load.into(), &self.settings)
+        self.engine.hold(&inside(&load.into()), &self.settings).map(outside)
     }
 
     /// The equilibrium under a load.
@@ -166,7 +194,7 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50; [`Error::KineticFriction`] if a contact slides whose friction is
     /// [lower](crate::grasp::Contact::kinetic) then.
     pub fn solve(&self, load: &Wrench<C>) -> Result<Outcome<C>, Error> {
-        self.engine.solve(load, &self.settings)
+        self.engine.solve(&inside(load), &self.settings).map(outside)
     }
 
     /// Refuses a question if there are joints or several bodies.
@@ -196,12 +224,12 @@ impl<const C: usize> Grasp<C> {
 
     /// A motion which proves that no contact forces balance this load and the constant loads beside it.
     pub(crate) fn unbalanced_along(&self, load: &Wrench<C>) -> Result<Option<Vec<f64>>, Error> {
-        self.engine.unbalanced_along(load, &self.settings)
+        self.engine.unbalanced_along(&inside(load), &self.settings)
     }
 
     /// The work of this load and of the constant loads beside it along such a motion.
     pub(crate) fn work_along(&self, load: &Wrench<C>, motion: &[f64]) -> Result<f64, Error> {
-        self.engine.work_along(load, motion)
+        self.engine.work_along(&inside(load), motion)
     }
 
     /// Static questions: loads that some contact forces could balance, whatever springs and commands.
@@ -226,13 +254,13 @@ impl<const C: usize> Grasp<C> {
     #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "a grasp is never empty")]
     pub fn len(&self) -> usize {
-        self.contacts().len()
+        self.engine.len()
     }
 
     /// The contacts as given, with their commands in the contact frames.
     #[must_use]
     pub fn contacts(&self) -> &[Contact<C>] {
-        self.engine.contacts()
+        &self.door().contacts
     }
 
     /// The contact frames, orthonormal columns n, t (and t₂): `frame * force` is along the coordinate axes. In space each is a rotation, as for
@@ -252,7 +280,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn frames(&self) -> impl ExactSizeIterator<Item = &SMatrix<f64, C, C>> {
-        (0..self.len()).map(|contact| self.engine.frame(contact))
+        self.door().frames.iter()
     }
 
     /// Commands of the joints of the hand, then of its tendons, rad and m; empty without a hand.
@@ -270,13 +298,13 @@ impl<const C: usize> Grasp<C> {
     /// Ends of the hand's links, from revolute joint to revolute joint and on to the contacts, m, in the initial posture: for pictures.
     #[must_use]
     pub fn links(&self) -> &[[SVector<f64, C>; 2]] {
-        self.engine.links()
+        &self.door().links
     }
 
     /// Centre of each joint of the hand, m, in the initial posture: for pictures. `None` for a joint that slides, or has Jacobians alone.
     #[must_use]
     pub fn joint_centres(&self) -> &[Option<SVector<f64, C>>] {
-        self.engine.joint_centres()
+        &self.door().joint_centres
     }
 }
 
@@ -287,7 +315,8 @@ impl<const C: usize> Hand<C> {
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]
     /// as for [`Grasp::new`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
-        Grasp::of(engines::of_hand(self)?).installed()
+        const { assert_plane_or_space::<C>() };
+        Grasp::of(self.enter().engine(None)?).installed()
     }
 }
 
@@ -297,6 +326,16 @@ impl<const C: usize> Bodies<C> {
     /// # Errors
     /// [`Error::Body`] with the name of the body and the fault; others as for [`Hand::grasp`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
-        Grasp::of(engines::of_bodies(self)?).installed()
+        const { assert_plane_or_space::<C>() };
+        let (hand, bodies) = self.checked()?;
+        Grasp::of(hand.enter().engine(Some(bodies))?).installed()
     }
+}
+
+/// The engine of a grasp without joints; contacts that are held by a force get slides.
+fn engine_of_contacts(contacts: Vec<Contact<3>>) -> Result<Engine, Error> {
+    if contacts.iter().any(|contact| contact.force.is_some()) {
+        return Hand::new(contacts.into_iter().map(Finger::fixed)).engine(None);
+    }
+    Engine::new(contacts)
 }

@@ -3,7 +3,7 @@
 use super::grasp::Grasp;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Face, Wrench, all_inside, inside, outside};
 use crate::load_path::{Onset, Ramp, Turn, TurnOnset};
 use crate::prelude::*;
 use crate::sweep::{Reserve, RobustOnset, Uncertainty, each_answered};
@@ -25,7 +25,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn solve_each(&self, loads: &[Wrench<C>]) -> Vec<Result<Outcome<C>, Error>> {
-        self.engine.solve_each(loads, &self.settings)
+        all_answers(self.engine.solve_each(&all_inside(loads), &self.settings))
     }
 
     /// The onsets of sliding along many ramps, each as from [`Self::onset`], in the order of the ramps; an error in one does not stop the others.
@@ -46,7 +46,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn onset_each(&self, ramps: &[Ramp<C>]) -> Vec<Result<Onset<C>, Error>> {
-        self.engine.onset_each(ramps, &self.settings)
+        all_answers(self.engine.onset_each(&all_inside(ramps), &self.settings))
     }
 
     /// The onsets of sliding while each of many loads turns, each as from [`Self::onset_of_turn`], in the order of the turns; an error in one does
@@ -68,7 +68,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn onset_of_turn_each(&self, turns: &[Turn<C>]) -> Vec<Result<TurnOnset<C>, Error>> {
-        self.engine.onset_of_turn_each(turns, &self.settings)
+        all_answers(self.engine.onset_of_turn_each(&all_inside(turns), &self.settings))
     }
 
     /// The onset of sliding with its mean and standard deviation to first order, from the gradients of the onset. [`Self::onset_of_samples`] has
@@ -92,7 +92,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// As for [`Self::onset`], and [`Error::NotForHands`] for uncertain positions of a hand's contacts.
     pub fn robust_onset(&self, ramp: &Ramp<C>, uncertainty: &Uncertainty) -> Result<RobustOnset<C>, Error> {
-        self.engine.robust_onset(ramp, uncertainty, &self.settings)
+        self.engine.robust_onset(&inside(ramp), uncertainty, &self.settings).map(outside)
     }
 
     /// The load up to which everything sticks with `sigmas` standard deviations in reserve, on top of a base load and in any direction. Of all grasps
@@ -124,7 +124,7 @@ impl<const C: usize> Grasp<C> {
         uncertainty: &Uncertainty,
         sigmas: f64,
     ) -> Result<Reserve<C>, Error> {
-        self.engine.reserve(base, uncertainty, sigmas, &self.settings)
+        self.engine.reserve(&inside(base), uncertainty, sigmas, &self.settings).map(outside)
     }
 
     /// The onsets of sliding ([`Self::onset`]) of the samples 0, 1, …, `samples` - 1 of [`Self::sample`], each under its own load, in this order. The
@@ -136,7 +136,7 @@ impl<const C: usize> Grasp<C> {
         uncertainty: &Uncertainty,
         samples: u64,
     ) -> Vec<Result<Onset<C>, Error>> {
-        self.engine.onset_of_samples(ramp, uncertainty, samples, &self.settings)
+        all_answers(self.engine.onset_of_samples(&inside(ramp), uncertainty, samples, &self.settings))
     }
 
     /// Sample `number` of the grasp within an uncertainty, joint springs of a hand included. It depends on the seed and the number alone, whatever
@@ -146,8 +146,7 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its range (1e50 at most). [`Error::NotForHands`] for
     /// uncertain positions of a hand's contacts, which would move differently with its joints.
     pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
-        let engine = self.engine.sample(uncertainty, number)?;
-        Ok(Self { engine, settings: self.settings })
+        self.changed(self.engine.sample(uncertainty, number))
     }
 }
 
@@ -174,4 +173,9 @@ impl<const C: usize> Grasp<C> {
 #[must_use]
 pub fn onset_of_each<const C: usize>(grasps: &[Grasp<C>], ramp: &Ramp<C>) -> Vec<Result<Onset<C>, Error>> {
     each_answered(grasps, &|grasp| grasp.onset(ramp))
+}
+
+/// The answers as the caller sees them.
+fn all_answers<T: Face>(answers: Vec<Result<T::Inside, Error>>) -> Vec<Result<T, Error>> {
+    answers.into_iter().map(|answer| answer.map(outside)).collect()
 }

@@ -3,7 +3,7 @@
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Wrench, inside, outside};
 use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 
 impl<const C: usize> Grasp<C> {
@@ -57,7 +57,7 @@ impl<const C: usize> Grasp<C> {
     /// there are more or fewer command changes than contacts.
     #[doc(alias = "first slip", alias = "slip margin", alias = "incipient slip")]
     pub fn onset(&self, ramp: &Ramp<C>) -> Result<Onset<C>, Error> {
-        self.engine.onset(ramp, &self.settings)
+        self.engine.onset(&inside(ramp), &self.settings).map(outside)
     }
 
     /// The equilibrium at an onset: everything sticks, and the leaving contacts are on the edge of their cone. `None` for the event of a grasp with
@@ -77,14 +77,14 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn state_at_onset(&self, event: &OnsetEvent<C>) -> Option<Equilibrium<C>> {
-        self.engine.state_at_onset(event, &self.settings)
+        self.engine.state_at_onset(&inside(event), &self.settings).map(outside)
     }
 
     /// The behaviour of the grasp just beyond an onset: see [`Beyond`].
     #[doc(alias = "gross slip")]
     #[must_use]
     pub fn beyond(&self, event: &OnsetEvent<C>) -> Option<Beyond<C>> {
-        self.engine.beyond(event, &self.settings)
+        self.engine.beyond(&inside(event), &self.settings).map(outside)
     }
 
     /// The angle at which the first contact stops sticking while a load turns: in the plane exact, in space on
@@ -115,6 +115,6 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::Wrench`] if a part of the load is not finite, or beyond 1e50. [`Error::Argument`] unless the angle is more than zero, and at
     /// most 1e6.
     pub fn onset_of_turn(&self, turn: &Turn<C>) -> Result<TurnOnset<C>, Error> {
-        self.engine.onset_of_turn(turn, &self.settings)
+        self.engine.onset_of_turn(&inside(turn), &self.settings).map(outside)
     }
 }

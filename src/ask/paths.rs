@@ -2,8 +2,8 @@
 
 use super::grasp::Grasp;
 use crate::error::Error;
-use crate::grasp::Wrench;
-use crate::load_path::{Leg, LoadPath, SteppedPath};
+use crate::grasp::{Wrench, all_inside, inside, outside};
+use crate::load_path::{Leg, LoadPath, SteppedPath, path_outside};
 use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
@@ -19,7 +19,7 @@ impl<const C: usize> Grasp<C> {
     /// [`PathEnd::NoStart`](crate::load_path::PathEnd::NoStart).
     #[doc(alias = "gross slip")]
     pub fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>]) -> Result<LoadPath<'_, C>, Error> {
-        self.engine.follow(start, legs, &self.settings)
+        Ok(path_outside(self.engine.follow(&inside(start), &all_inside(legs), &self.settings)?))
     }
 
     /// Whether the grasp survives a load that repeats: from rest under `base` a closed cycle of legs is followed again and again. The grasp comes to
@@ -49,7 +49,7 @@ impl<const C: usize> Grasp<C> {
     /// As for [`Self::follow`]; [`Error::NotClosed`] for a cycle that does not end where it begins.
     #[doc(alias = "shakedown", alias = "ratcheting", alias = "vibration", alias = "cyclic load")]
     pub fn shake(&self, base: &Wrench<C>, cycle: &[Leg<C>]) -> Result<Shaken<C>, Error> {
-        self.engine.shake(base, cycle, &self.settings)
+        self.engine.shake(&inside(base), &all_inside(cycle), &self.settings).map(outside)
     }
 
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is sheared and
@@ -93,6 +93,7 @@ impl<const C: usize> Grasp<C> {
         legs: &[Leg<C>],
         error: f64,
     ) -> Result<SteppedPath<'_, C>, Error> {
-        self.engine.follow_in_steps(start, legs, error, &self.settings)
+        let path = self.engine.follow_in_steps(&inside(start), &all_inside(legs), error, &self.settings)?;
+        Ok(path_outside(path))
     }
 }

@@ -3,6 +3,7 @@
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
+use crate::grasp::{inside, outside};
 use crate::load_path::{
     Derivative, GeometryGradient, OnsetEvent, OnsetGradient, Parameter, Ramp, Response, StickingRange,
 };
@@ -36,7 +37,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// ```
     #[must_use]
     pub fn onset_gradients(&self, event: &OnsetEvent<C>) -> Vec<OnsetGradient<C>> {
-        self.0.engine.onset_gradients(event)
+        outside(self.0.engine.onset_gradients(&inside(event)))
     }
 
     /// Derivatives of the onset by positions and normals of the contacts, one for each leaving contact, exact to first order: one linear solve for
@@ -69,7 +70,7 @@ impl<const C: usize> Sensitivity<'_, C> {
         &self,
         event: &OnsetEvent<C>,
     ) -> Result<Vec<GeometryGradient<C>>, Error> {
-        self.0.engine.onset_gradients_by_geometry(event)
+        self.0.engine.onset_gradients_by_geometry(&inside(event)).map(outside)
     }
 
     /// Response of an equilibrium of this grasp to its finger commands while every contact keeps its state: one linear solve for each axis of each
@@ -95,7 +96,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// ```
     #[must_use]
     pub fn response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
-        self.0.of_equilibrium(equilibrium).engine.response(equilibrium)
+        self.0.of_equilibrium(equilibrium).engine.response(&inside(equilibrium))
     }
 
     /// Response of an equilibrium to the joint commands of its hand while every contact and every drive keeps its state: as
@@ -120,7 +121,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// ```
     #[must_use]
     pub fn joint_response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
-        self.0.of_equilibrium(equilibrium).engine.joint_response(equilibrium)
+        self.0.of_equilibrium(equilibrium).engine.joint_response(&inside(equilibrium))
     }
 
     /// Derivative of an equilibrium of this grasp by one parameter while every contact keeps its state: one linear solve, exact. On a load path the
@@ -144,7 +145,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// ```
     #[must_use]
     pub fn of(&self, equilibrium: &Equilibrium<C>, by: Parameter) -> Option<Derivative<C>> {
-        self.0.of_equilibrium(equilibrium).engine.sensitivity(equilibrium, by)
+        self.0.of_equilibrium(equilibrium).engine.sensitivity(&inside(equilibrium), by).map(outside)
     }
 
     /// Spread of an onset, of a ramp or of a load that turns. `None` where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients)
@@ -157,7 +158,7 @@ impl<const C: usize> Sensitivity<'_, C> {
         event: &OnsetEvent<C>,
         uncertainty: &Uncertainty,
     ) -> Result<Option<OnsetSpread>, Error> {
-        self.0.engine.onset_spread(event, uncertainty)
+        self.0.engine.onset_spread(&inside(event), uncertainty)
     }
 
     /// The range of factors of a ramp, around 0, in which everything that touches sticks: all values of an affine load or command that a planner may
@@ -179,6 +180,6 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// # Errors
     /// As for [`Grasp::onset`].
     pub fn sticking_range(&self, ramp: &Ramp<C>) -> Result<Option<StickingRange>, Error> {
-        self.0.engine.sticking_range(ramp, &self.0.settings)
+        self.0.engine.sticking_range(&inside(ramp), &self.0.settings)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::grasp::Grasp;
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Face, Wrench, inside, outside};
 use crate::load_path::Ramp;
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 
@@ -38,7 +38,7 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::NotForHands`] for a grasp by a hand.
     #[doc(alias = "grip force", alias = "clamp preload", alias = "gripping force")]
     pub fn least_squeeze(&self, loads: &Loads<C>) -> Result<LeastSqueeze<C>, Error> {
-        self.engine.least_squeeze(loads, &self.settings)
+        self.engine.least_squeeze(&inside(loads), &self.settings).map(outside)
     }
 
     /// The least onset of sliding along a ramp over all commands and loads within bounds, with the case in which it is attained; in space on the
@@ -65,7 +65,7 @@ impl<const C: usize> Grasp<C> {
     /// As for [`Self::onset`]; [`Error::Argument`] or [`Error::Size`] for bounds below zero or beyond 1e50, or of another number of contacts;
     /// [`Error::NotForHands`] for a grasp by a hand.
     pub fn least_onset_within(&self, ramp: &Ramp<C>, bounds: &Bounds<C>) -> Result<LeastOnset<C>, Error> {
-        self.engine.least_onset_within(ramp, bounds, &self.settings)
+        self.engine.least_onset_within(&inside(ramp), &inside(bounds), &self.settings).map(outside)
     }
 
     /// The direction in which the least force through a point (m) makes a contact stop sticking, in addition to a base load; in space on the round
@@ -96,6 +96,6 @@ impl<const C: usize> Grasp<C> {
         base: &Wrench<C>,
         point: impl Into<[f64; C]>,
     ) -> Result<WeakestDirection<C>, Error> {
-        self.engine.weakest_direction(base, point.into(), &self.settings)
+        self.engine.weakest_direction(&inside(base), point.into().enter(), &self.settings).map(outside)
     }
 }

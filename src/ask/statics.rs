@@ -3,7 +3,7 @@
 use super::grasp::Grasp;
 use crate::equilibrium::{Decomposition, Equilibrium};
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Wrench, all_inside, inside, outside};
 use crate::shake::Shakedown;
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 
@@ -52,7 +52,7 @@ impl<const C: usize> Statics<'_, C> {
     /// [`Error::NotForHands`] for a grasp by a hand, [`Error::NotForJoints`] for bodies that a hand holds or a given force presses. [`Error::Vacuum`]
     /// if contacts alone do not hold the object and suction cups hold some loads.
     pub fn force_closure(&self) -> Result<Closure<C>, Error> {
-        self.0.engine.force_closure(&self.0.settings)
+        self.0.engine.force_closure(&self.0.settings).map(outside)
     }
 
     /// Whether the contacts hold the object without any friction: normal forces could balance any load, and no motion is left, to first
@@ -61,7 +61,7 @@ impl<const C: usize> Statics<'_, C> {
     /// # Errors
     /// As for [`Self::force_closure`].
     pub fn form_closure(&self) -> Result<Closure<C>, Error> {
-        self.0.engine.form_closure()
+        self.0.engine.form_closure().map(outside)
     }
 
     /// The largest factor λ for which *some* contact forces with normal forces within a budget balance the load `base + λ direction`: limit analysis,
@@ -90,7 +90,7 @@ impl<const C: usize> Statics<'_, C> {
         direction: &Wrench<C>,
         budget: Budget,
     ) -> Result<LoadLimit<C>, Error> {
-        self.0.engine.load_limit(base, direction, budget, &self.0.settings)
+        self.0.engine.load_limit(&inside(base), &inside(direction), budget, &self.0.settings).map(outside)
     }
 
     /// The measure ε of Ferrari and Canny for normal forces within a budget, with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round
@@ -130,7 +130,7 @@ impl<const C: usize> Statics<'_, C> {
         budget: Budget,
         scale: &WrenchScale<C>,
     ) -> Result<WrenchBall<C>, Error> {
-        self.0.engine.ferrari_canny(budget, scale, &self.0.settings)
+        self.0.engine.ferrari_canny(budget, &inside(scale), &self.0.settings).map(outside)
     }
 
     /// Budget that a load needs, as a lower and an upper bound: with `Budget::Each(1.0)` the least largest normal force that balances it, N, with
@@ -179,7 +179,7 @@ impl<const C: usize> Statics<'_, C> {
     /// ```
     #[must_use]
     pub fn decompose(&self, equilibrium: &Equilibrium<C>) -> Decomposition<C> {
-        self.0.of_equilibrium(equilibrium).engine.decompose(equilibrium)
+        outside(self.0.of_equilibrium(equilibrium).engine.decompose(&inside(equilibrium)))
     }
 
     /// The shakedown factor: the largest multiple of these loads, in addition to a base load and in any order, under which some slips could keep
@@ -204,6 +204,6 @@ impl<const C: usize> Statics<'_, C> {
     /// # Errors
     /// [`Error::Wrench`] if a load is not finite, or beyond 1e50.
     pub fn shakedown(&self, base: &Wrench<C>, loads: &[Wrench<C>]) -> Result<Option<Shakedown<C>>, Error> {
-        self.0.engine.shakedown(base, loads, &self.0.settings)
+        self.0.engine.shakedown(&inside(base), &all_inside(loads), &self.0.settings).map(outside)
     }
 }

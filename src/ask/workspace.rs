@@ -4,7 +4,7 @@ use super::grasp::Grasp;
 use crate::contact::PolygonCone;
 use crate::equilibrium::Settings;
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Wrench, inside, outside};
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::Memory;
 use crate::structured::{Search, SearchSettings};
@@ -37,7 +37,11 @@ pub struct OnsetWorkspace<const C: usize> {
     settings: Settings,
     memory: Memory,
     /// The last answer.
+    /// The last onset, as the caller sees it and as the engine does.
     told: Option<Onset<C>>,
+    kept: Option<Onset<3>>,
+    /// The last ramp as the engine sees it.
+    ramp: Option<Ramp<3>>,
 }
 
 impl<const C: usize> OnsetWorkspace<C> {
@@ -52,8 +56,19 @@ impl<const C: usize> OnsetWorkspace<C> {
     /// # Errors
     /// As for [`Grasp::onset`].
     pub fn onset(&mut self, grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<&Onset<C>, Error> {
-        let onset = grasp.engine.onset_in(ramp, &self.settings, &mut self.memory, self.told.take())?;
-        Ok(self.told.insert(onset))
+        if let (Some(Onset::At(told)), Some(Onset::At(kept))) = (&mut self.told, &mut self.kept) {
+            told.exchange(kept);
+        }
+        let kept = self.kept.take();
+        let inside = self.ramp.get_or_insert_with(|| Ramp::load(Wrench::ZERO, Wrench::ZERO));
+        ramp.enter_into(inside);
+        let onset = grasp.engine.onset_in(inside, &self.settings, &mut self.memory, kept)?;
+        let onset = self.kept.insert(onset);
+        match (&mut self.told, onset) {
+            (Some(Onset::At(told)), Onset::At(kept)) => told.take_over(kept),
+            (told, onset) => *told = Some(outside(onset.clone())),
+        }
+        Ok(self.told.get_or_insert(Onset::Never))
     }
 }
 
@@ -151,7 +166,7 @@ impl<const C: usize> Workspace<C> {
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
     pub fn solve(&mut self, grasp: &Grasp<C>, load: &Wrench<C>) -> Result<Search<'_, C>, Error> {
-        grasp.engine.search_in(load, &self.asked, &mut self.memory)
+        grasp.engine.search_in(&inside(load), &self.asked, &mut self.memory).map(Search::outside)
     }
 
     /// As [`Self::solve`], along Lemke's first path only, with the covering vector of ones, for any number of contacts. On the round cone Newton's
@@ -165,6 +180,6 @@ impl<const C: usize> Workspace<C> {
         load: &Wrench<C>,
     ) -> Result<Search<'_, C>, Error> {
         let asked = SearchSettings { one_path: true, ..self.asked };
-        grasp.engine.search_in(load, &asked, &mut self.memory)
+        grasp.engine.search_in(&inside(load), &asked, &mut self.memory).map(Search::outside)
     }
 }

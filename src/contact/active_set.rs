@@ -21,14 +21,14 @@ const TURNED: f64 = 1e-6;
 
 /// The edges, or the apex, of its cone that a contact has reached.
 #[derive(Debug, Clone)]
-pub(crate) struct ActiveSet<const C: usize> {
+pub(crate) struct ActiveSet {
     /// Normals of the facets without margin: facets on which the contact slides, and others that it has reached.
-    pub(crate) facets: Vec<SVector<f64, C>>,
+    pub(crate) facets: Vec<SVector<f64, 3>>,
     /// Closed without force, or open with a gap of zero.
     pub(crate) apex: bool,
 }
 
-impl<const C: usize> ActiveSet<C> {
+impl ActiveSet {
     /// Inside the cone, or open with a gap.
     pub(crate) const NOWHERE: Self = Self { facets: Vec::new(), apex: false };
 
@@ -43,12 +43,12 @@ impl<const C: usize> ActiveSet<C> {
     }
 
     /// Whether a force is small enough to be zero, at the apex of the cone.
-    pub(crate) fn is_weightless(force: &SVector<f64, C>, force_size: f64) -> bool {
+    pub(crate) fn is_weightless(force: &SVector<f64, 3>, force_size: f64) -> bool {
         force.norm() <= WEIGHTLESS * force_size
     }
 
     /// Adds the facets, or the apex, of these exits.
-    pub(crate) fn reach(&mut self, state: &State<C>, exits: &[Exit<C>]) {
+    pub(crate) fn reach(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
             // Without a facet the normal force itself vanishes, or the gap.
             if state.is_open() || exit.facet.norm() == 0.0 {
@@ -57,14 +57,14 @@ impl<const C: usize> ActiveSet<C> {
                 self.facets.push(exit.facet);
             }
         }
-        // C or more facets meet only at the apex.
-        self.apex |= self.facets.len() >= C;
+        // As many facets as axes meet only at the apex.
+        self.apex |= self.facets.len() >= axes;
     }
 }
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// The law of the rates of a contact with this active set.
-    pub(crate) fn law_of_rates(&self, stand: &ActiveSet<C>, state: &State<C>) -> Law<C> {
+    pub(crate) fn law_of_rates(&self, stand: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
         } else if stand.apex {
@@ -79,14 +79,14 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// The active set of a closed contact with this force.
-    pub(crate) fn stand(&self, line: &Line<C>) -> ActiveSet<C> {
+    pub(crate) fn stand(&self, line: &Line) -> ActiveSet {
         if !self.has_edges() {
             return ActiveSet::NOWHERE;
         }
         let apex = line.force.norm() <= ZERO_SLACK * line.force_size;
         let cone = self.cone();
         if !self.on_round_cone {
-            let no_margin = |h: &&SVector<f64, C>| {
+            let no_margin = |h: &&SVector<f64, 3>| {
                 cone.facet_margin(&line.force, h) <= ZERO_SLACK * (line.force_size * cone.facet_weight(h))
             };
             return ActiveSet { apex, facets: self.facets().iter().filter(no_margin).copied().collect() };
@@ -100,7 +100,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// The sliding state in which a sticking contact on an edge of its cone may have the same force; `None` away from an edge.
-    pub(crate) fn on_its_edge(&self, line: &Line<C>) -> Option<State<C>> {
+    pub(crate) fn on_its_edge(&self, line: &Line) -> Option<State> {
         let ActiveSet { facets, apex } = self.stand(line);
         if apex || facets.is_empty() {
             return None;
@@ -113,7 +113,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Removes the facets, or the apex, from which the contact moves away.
-    pub(crate) fn leave(&self, stand: &mut ActiveSet<C>, state: &State<C>, line: &Line<C>, gap: &GapLine) {
+    pub(crate) fn leave(&self, stand: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
         let cone = self.cone();
@@ -145,7 +145,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Removes the facets, or the apex, that the contact has left with this force.
-    pub(crate) fn leave_behind(&self, stand: &mut ActiveSet<C>, state: &State<C>, line: &Line<C>) {
+    pub(crate) fn leave_behind(&self, stand: &mut ActiveSet, state: &State, line: &Line) {
         let there = self.stand(line);
         stand.apex &= there.apex;
         if !self.on_round_cone {
@@ -156,14 +156,14 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Whether the contact slides on this facet.
-    fn slides_on(&self, state: &State<C>, facet: &SVector<f64, C>) -> bool {
+    fn slides_on(&self, state: &State, facet: &SVector<f64, 3>) -> bool {
         let facets = self.facets();
         state.own_facets(facets.len()).iter().flatten().any(|&j| facets[j] == *facet)
     }
 
     /// Whether a sticking contact on the edge of the round cone moves along a tangent of the cone with these rates. The tangent leads outside: the
     /// contact slides, with a rate that may be zero at first.
-    pub(crate) fn grazes(&self, state: &State<C>, rate: &SVector<f64, C>, size: f64) -> bool {
+    pub(crate) fn grazes(&self, state: &State, rate: &SVector<f64, 3>, size: f64) -> bool {
         let (Law::Edge(facets), Mode::Sticking) = (self.law, state) else { return false };
         let (p, cone) = (&facets[0], self.cone());
         let across = (tangential(rate) - p * p.dot(rate)).norm();
@@ -172,7 +172,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Whether the force of a sticking contact on the edge of the round cone moves along a tangent: a straight line that leads outside.
-    pub(crate) fn leaves_by_a_tangent(&self, line: &Line<C>) -> bool {
+    pub(crate) fn leaves_by_a_tangent(&self, line: &Line) -> bool {
         let (friction, cone) = (tangential(&line.force), self.cone());
         if !self.on_round_cone || !self.may_slide() || friction.norm() == 0.0 {
             return false;
@@ -188,7 +188,7 @@ impl<const C: usize> LocalLaw<'_, C> {
 
     /// A state of the rates, with facets numbered among those of the edge, as a state among the facets of the whole law. On the round cone it is the
     /// slide along that edge. `None` for facets that the law does not have.
-    pub(crate) fn of_the_rates(&self, rates: &Law<C>, state: State<C>) -> Option<State<C>> {
+    pub(crate) fn of_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         let Law::Edge(edge) = rates else { return Some(state) };
         let [first, second] = state.own_facets(edge.len());
         let Some(first) = first else { return Some(state) };
@@ -206,7 +206,7 @@ impl<const C: usize> LocalLaw<'_, C> {
 
     /// The inverse of [`Self::of_the_rates`]: a state among the facets of the whole law as a state of the rates, with facets numbered among those of
     /// the edge. `None` where the rates do not determine it.
-    pub(crate) fn in_the_rates(&self, rates: &Law<C>, state: State<C>) -> Option<State<C>> {
+    pub(crate) fn in_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         if !state.slides() {
             return Some(state);
         }

@@ -34,22 +34,22 @@ const NO_FRICTION: f64 = 1e-200;
 
 /// State and force of a contact at a stretch.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct ContactResponse<const C: usize> {
-    pub(crate) state: State<C>,
+pub(crate) struct ContactResponse {
+    pub(crate) state: State,
     /// N, contact frame.
-    pub(crate) force: SVector<f64, C>,
+    pub(crate) force: SVector<f64, 3>,
 }
 
-impl<const C: usize> ContactResponse<C> {
+impl ContactResponse {
     /// No force.
     pub(crate) fn open() -> Self {
         Self { state: Mode::Open, force: SVector::zeros() }
     }
 }
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// The force at a stretch, on the round cone or on the edge of the law. `near` is the λ of a nearby stretch, or zero.
-    pub(crate) fn answer(&self, stretch: &SVector<f64, C>, near: f64) -> ContactResponse<C> {
+    pub(crate) fn answer(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         let mut force = self.springs.force(stretch);
         let sticking = ContactResponse { state: Mode::Sticking, force };
         match self.law {
@@ -78,11 +78,11 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Puts a trial force on the cone of radius r. Its traction, softened by a slip of λ per force, gives the direction.
-    fn slide_onto_the_cone(&self, force: &mut SVector<f64, C>, r: f64, lambda: f64) -> Slide<C> {
+    fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
         let softened =
             SVector::from_fn(|a, _| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
         let slide = Slide::new(&softened, lambda);
-        for a in 1..C {
+        for a in 1..3 {
             force[a] = slide.direction[a] * r;
         }
         slide
@@ -92,8 +92,8 @@ impl<const C: usize> LocalLaw<'_, C> {
     #[inline]
     pub(crate) fn answer_on_polygon(
         &self,
-        stretch: &SVector<f64, C>,
-    ) -> (PolygonState, SVector<f64, C>, Tangent<C>) {
+        stretch: &SVector<f64, 3>,
+    ) -> (PolygonState, SVector<f64, 3>, Tangent) {
         let trial = self.springs.force(stretch);
         let facets = self.facets();
         let state = self.state_on_polygon(facets, &trial);
@@ -116,7 +116,7 @@ impl<const C: usize> LocalLaw<'_, C> {
 
     /// The state at a trial force `K v`, the force of springs without opening or slip.
     #[inline]
-    fn state_on_polygon(&self, facets: &[SVector<f64, C>], trial: &SVector<f64, C>) -> PolygonState {
+    fn state_on_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>) -> PolygonState {
         if trial[0] <= 0.0 && self.may_open() {
             return Mode::Open;
         }
@@ -124,7 +124,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             return Mode::Sticking;
         }
         let r = self.cone().limit(trial[0]);
-        if C == 3 {
+        if !self.is_planar() {
             self.nearest_of_polygon(facets, trial, r)
         } else if trial[1].abs() <= r {
             Mode::Sticking
@@ -136,8 +136,8 @@ impl<const C: usize> LocalLaw<'_, C> {
     /// The state on the polygon `h·F_t <= r` at the point nearest to a trial force.
     fn nearest_of_polygon(
         &self,
-        facets: &[SVector<f64, C>],
-        trial: &SVector<f64, C>,
+        facets: &[SVector<f64, 3>],
+        trial: &SVector<f64, 3>,
         r: f64,
     ) -> PolygonState {
         let after = |j: u16| if usize::from(j) + 1 == facets.len() { 0 } else { j + 1 };
@@ -184,13 +184,7 @@ impl<const C: usize> LocalLaw<'_, C> {
 ///
 /// The secular equation 1/|S v| = 1/r of trust regions is nearly linear in λ and concave. From any start Newton's steps
 /// lead left of the root; from there they increase towards the root and never pass it.
-fn slip_per_force<const C: usize>(
-    springs: &Compliance<C>,
-    trial: &SVector<f64, C>,
-    traction: f64,
-    r: f64,
-    near: f64,
-) -> f64 {
+fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
     let excess = traction / r.max(traction * NO_FRICTION);
     if springs.is_isotropic() {
         return springs.give_along(1, excess - 1.0);
@@ -204,7 +198,7 @@ fn slip_per_force<const C: usize>(
     for _ in 0..STEPS {
         let softened = springs.softened(lambda);
         let (mut square, mut slope) = (0.0, 0.0);
-        for a in 1..C {
+        for a in 1..3 {
             let f = unit[a] * springs.softening(a, lambda);
             square += f * f;
             slope += f * f * softened[a];

@@ -14,16 +14,16 @@ use crate::prelude::*;
 
 /// The series springs of body and finger along the axes of the contact frame, normal first.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Compliance<const C: usize> {
+pub(crate) struct Compliance {
     /// Stiffness, N/m; zero along an axis without a spring.
-    k: SVector<f64, C>,
-    /// Axes with a spring: 1 without friction, else `C`.
+    k: SVector<f64, 3>,
+    /// Axes with a spring: 1 without friction, else all axes of the plane or of space.
     axes: usize,
 }
 
-impl<const C: usize> Compliance<C> {
+impl Compliance {
     /// Springs along the first `axes` axes, of stiffnesses that are positive there.
-    pub(crate) fn new(series: &SVector<f64, C>, axes: usize) -> Self {
+    pub(crate) fn new(series: &SVector<f64, 3>, axes: usize) -> Self {
         Self { k: SVector::from_fn(|a, _| if a < axes { series[a] } else { 0.0 }), axes }
     }
 
@@ -35,12 +35,12 @@ impl<const C: usize> Compliance<C> {
 
     /// Whether the contact has tangential springs, and so can carry a tangential force.
     pub(crate) fn resists_tangentially(&self) -> bool {
-        self.axes == C
+        self.axes > 1
     }
 
     /// `K v`.
     #[inline(always)]
-    pub(crate) fn force(&self, stretch: &SVector<f64, C>) -> SVector<f64, C> {
+    pub(crate) fn force(&self, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {
         self.k.component_mul(stretch)
     }
 
@@ -52,12 +52,12 @@ impl<const C: usize> Compliance<C> {
 
     /// The diagonal of K.
     #[inline(always)]
-    pub(crate) fn diagonal(&self) -> SVector<f64, C> {
+    pub(crate) fn diagonal(&self) -> SVector<f64, 3> {
         self.k
     }
 
     /// `K⁻¹F`, zero along axes without a spring.
-    pub(crate) fn give(&self, force: &SVector<f64, C>) -> SVector<f64, C> {
+    pub(crate) fn give(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         SVector::from_fn(|a, _| if a < self.axes { force[a] / self.k[a] } else { 0.0 })
     }
 
@@ -73,19 +73,19 @@ impl<const C: usize> Compliance<C> {
     }
 
     /// The slip of the surfaces: the tangential part of `v - K⁻¹F`, or of v itself along axes without a spring.
-    pub(crate) fn slip(&self, stretch: &SVector<f64, C>, force: &SVector<f64, C>) -> SVector<f64, C> {
+    pub(crate) fn slip(&self, stretch: &SVector<f64, 3>, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut slip = stretch - self.give(force);
         slip[0] = 0.0;
         slip
     }
 
     /// `½ F·K⁻¹F`, J.
-    pub(crate) fn stored(&self, force: &SVector<f64, C>) -> f64 {
+    pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         (0..self.axes).map(|a| 0.5 * force[a] * force[a] / self.k[a]).sum()
     }
 
     /// `K^{1/2}`, a diagonal: from energy units to forces, and from stretches to energy units.
-    pub(crate) fn root(&self) -> SVector<f64, C> {
+    pub(crate) fn root(&self) -> SVector<f64, 3> {
         self.k.map(f64::sqrt)
     }
 
@@ -102,7 +102,12 @@ impl<const C: usize> Compliance<C> {
 
     /// Whether both tangential springs are equal, as in the plane, which has only one.
     pub(crate) fn is_isotropic(&self) -> bool {
-        C == 2 || self.k[1] == self.k[C - 1]
+        self.axes < 3 || self.k[1] == self.k[2]
+    }
+
+    /// The stiffness along the normal over that along the last tangent.
+    pub(crate) fn ratio_to_the_last(&self) -> f64 {
+        self.k[0] / self.k[self.axes - 1]
     }
 
     /// The largest stiffness, N/m.
@@ -118,12 +123,13 @@ impl<const C: usize> Compliance<C> {
 
     /// The softer and the stiffer of two tangential springs, N/m.
     pub(crate) fn tangential_range(&self) -> [f64; 2] {
-        [self.k[1].min(self.k[C - 1]), self.k[1].max(self.k[C - 1])]
+        let last = self.k[self.axes - 1];
+        [self.k[1].min(last), self.k[1].max(last)]
     }
 
     /// The diagonal of `S = (K_t⁻¹ + λ)⁻¹`, zero along the normal: tangential springs in series with a slip of λ per force.
     #[inline(always)]
-    pub(crate) fn softened(&self, lambda: f64) -> SVector<f64, C> {
+    pub(crate) fn softened(&self, lambda: f64) -> SVector<f64, 3> {
         SVector::from_fn(|a, _| if a == 0 { 0.0 } else { self.k[a] * self.softening(a, lambda) })
     }
 

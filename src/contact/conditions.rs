@@ -17,33 +17,28 @@ use super::tolerances::SMALLEST;
 
 /// Stretch and force of a contact, or the rates of both.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct At<'s, const C: usize> {
+pub(crate) struct At<'s> {
     /// `a - G_iᵀq`, m.
-    pub(crate) stretch: SVector<f64, C>,
+    pub(crate) stretch: SVector<f64, 3>,
     /// N.
-    pub(crate) force: &'s SVector<f64, C>,
+    pub(crate) force: &'s SVector<f64, 3>,
     /// Size of the displacements whose difference is the stretch, m.
     pub(crate) span: f64,
     /// Size of the largest force of the scene, N.
     pub(crate) largest: f64,
 }
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// Size that scales the rounding of the contact's force, N. The force of a stiff contact follows from equilibrium with the others, since its
     /// displacements cancel; the force of a soft contact follows from its displacements.
     #[inline(always)]
-    pub(crate) fn force_size(&self, force: &SVector<f64, C>, span: f64, largest: f64) -> f64 {
+    pub(crate) fn force_size(&self, force: &SVector<f64, 3>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)
     }
 
     /// Calls `visit(value, size)` for every condition `value >= 0` of a state; rounding errors of the value are of the order of
     /// `size` times the machine precision.
-    pub(crate) fn for_each_condition(
-        &self,
-        state: &State<C>,
-        at: &At<'_, C>,
-        mut visit: impl FnMut(f64, f64),
-    ) {
+    pub(crate) fn for_each_condition(&self, state: &State, at: &At<'_>, mut visit: impl FnMut(f64, f64)) {
         let f = at.force;
         let force_size = self.force_size(f, at.span, at.largest);
         if !matches!(state, Mode::Open) {
@@ -66,7 +61,7 @@ impl<const C: usize> LocalLaw<'_, C> {
 
     /// The components of a slip that cannot decrease in a sliding state, each with its rounding scale for a unit slip. They lie along the facet
     /// or the round slide, or along both facets of a corner.
-    pub(super) fn slips_along(&self, state: &State<C>, slip: &SVector<f64, C>) -> [Option<[f64; 2]>; 2] {
+    pub(super) fn slips_along(&self, state: &State, slip: &SVector<f64, 3>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();
         match state {
             Mode::Open | Mode::Sticking => [None; 2],
@@ -90,8 +85,8 @@ impl<const C: usize> LocalLaw<'_, C> {
     /// Friction in reserve at every edge of the cone on which the contact does not slide.
     fn for_each_margin(
         &self,
-        state: &State<C>,
-        f: &SVector<f64, C>,
+        state: &State,
+        f: &SVector<f64, 3>,
         force_size: f64,
         visit: &mut impl FnMut(f64, f64),
     ) {

@@ -40,11 +40,11 @@ impl Coulomb {
     }
 
     /// A cone with edges in place of infinite friction, for contacts that can open only with facets; a finite cone stays unchanged.
-    pub(crate) fn with_edges<const C: usize>(self, springs: &Compliance<C>) -> Self {
+    pub(crate) fn with_edges(self, springs: &Compliance) -> Self {
         if self.mu.is_finite() {
             return self;
         }
-        Self { mu: INSTEAD_OF_INFINITE_FRICTION * springs.ratio(0, C - 1).sqrt().max(1.0) }
+        Self { mu: INSTEAD_OF_INFINITE_FRICTION * springs.ratio_to_the_last().sqrt().max(1.0) }
     }
 
     /// `μ F_n`, the most that a tangential force can be.
@@ -54,14 +54,14 @@ impl Coulomb {
     }
 
     /// `e_n + μ t`: a force on the cone with a tangential part along t, for a normal force of one.
-    pub(crate) fn generator<const C: usize>(self, t: &SVector<f64, C>) -> SVector<f64, C> {
+    pub(crate) fn generator(self, t: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut force = t * self.mu;
         force[0] = 1.0;
         force
     }
 
     /// `(μ, -h)`: its product with a force is the margin `μ F_n - h·F_t` of a facet.
-    pub(crate) fn facet_row<const C: usize>(self, h: &SVector<f64, C>) -> SVector<f64, C> {
+    pub(crate) fn facet_row(self, h: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut row = -h;
         row[0] = self.mu;
         row
@@ -69,19 +69,19 @@ impl Coulomb {
 
     /// Friction in reserve at a facet, `μ F_n - h·F_t`, N.
     #[inline(always)]
-    pub(crate) fn facet_margin<const C: usize>(self, force: &SVector<f64, C>, h: &SVector<f64, C>) -> f64 {
+    pub(crate) fn facet_margin(self, force: &SVector<f64, 3>, h: &SVector<f64, 3>) -> f64 {
         self.mu * force[0] - h.dot(force)
     }
 
     /// Friction in reserve on the round cone, `μ F_n - |F_t|`, N.
     #[inline(always)]
-    pub(crate) fn round_margin<const C: usize>(self, force: &SVector<f64, C>) -> f64 {
+    pub(crate) fn round_margin(self, force: &SVector<f64, 3>) -> f64 {
         self.mu * force[0] - tangential_norm(force)
     }
 
     /// Rounding scale of a facet's margin, relative to the scale of the force.
     #[inline(always)]
-    pub(crate) fn facet_weight<const C: usize>(self, h: &SVector<f64, C>) -> f64 {
+    pub(crate) fn facet_weight(self, h: &SVector<f64, 3>) -> f64 {
         self.mu + h.norm()
     }
 

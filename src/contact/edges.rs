@@ -8,9 +8,9 @@ use crate::prelude::*;
 
 /// Conditions on the force of a sticking contact.
 #[derive(Debug, Clone)]
-pub(crate) enum Edges<const C: usize> {
+pub(crate) enum Edges {
     /// `a·F >= 0` for each row: facets, or the normal force alone.
-    Rows(Vec<SVector<f64, C>>),
+    Rows(Vec<SVector<f64, 3>>),
     /// `limit F_n >= |F_t|`.
     Round {
         /// The coefficient of friction.
@@ -18,9 +18,9 @@ pub(crate) enum Edges<const C: usize> {
     },
 }
 
-impl<const C: usize> Edges<C> {
+impl Edges {
     /// The row with the least value for a force, and that value; `None` without conditions.
-    pub(crate) fn worst(&self, force: &SVector<f64, C>) -> Option<(SVector<f64, C>, f64)> {
+    pub(crate) fn worst(&self, force: &SVector<f64, 3>) -> Option<(SVector<f64, 3>, f64)> {
         match self {
             Self::Rows(rows) => {
                 let values = rows.iter().map(|row| (*row, row.dot(force)));
@@ -37,9 +37,9 @@ impl<const C: usize> Edges<C> {
     }
 }
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// The conditions of sticking.
-    pub(crate) fn edges(&self) -> Edges<C> {
+    pub(crate) fn edges(&self) -> Edges {
         if self.has_a_round_edge() {
             return Edges::Round { limit: self.cone().limit(1.0) };
         }

@@ -18,24 +18,24 @@ const MOST_DESCENTS: usize = 60;
 
 /// An exit from the cone: the step to it, and the uncertainty of that step from rounding.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Exit<const C: usize> {
+pub(crate) struct Exit {
     pub(crate) step: f64,
     pub(crate) uncertainty: f64,
     /// Outward normal of the facet, in the scale `h·F_t <= μ F_n`; zero where the normal force itself vanishes.
-    pub(crate) facet: SVector<f64, C>,
+    pub(crate) facet: SVector<f64, 3>,
 }
 
 /// Force, its rate, and the sizes that scale their rounding.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Line<const C: usize> {
-    pub(crate) force: SVector<f64, C>,
-    pub(crate) rate: SVector<f64, C>,
+pub(crate) struct Line {
+    pub(crate) force: SVector<f64, 3>,
+    pub(crate) rate: SVector<f64, 3>,
     pub(crate) force_size: f64,
     pub(crate) rate_size: f64,
 }
 
-impl<const C: usize> Line<C> {
-    fn linear(&self, value: f64, rate: f64, weight: f64, facet: SVector<f64, C>) -> Option<Exit<C>> {
+impl Line {
+    fn linear(&self, value: f64, rate: f64, weight: f64, facet: SVector<f64, 3>) -> Option<Exit> {
         if rate >= -ZERO_SLACK * self.rate_size * weight {
             return None;
         }
@@ -56,7 +56,7 @@ pub(crate) struct GapLine {
 
 impl GapLine {
     /// The step at which the gap closes.
-    pub(crate) fn closing<const C: usize>(&self) -> Option<Exit<C>> {
+    pub(crate) fn closing(&self) -> Option<Exit> {
         (self.rate < -ZERO_SLACK * self.rate_size).then(|| {
             let step = (self.gap / -self.rate).max(0.0);
             let uncertainty = ZERO_SLACK * (self.size + step * self.rate_size) / -self.rate;
@@ -65,9 +65,9 @@ impl GapLine {
     }
 }
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// All exits from a state: facets that a closed contact reaches and does not slide on, or the closing of a gap.
-    pub(crate) fn ways_out(&self, state: &State<C>, line: &Line<C>, gap: &GapLine) -> Vec<Exit<C>> {
+    pub(crate) fn ways_out(&self, state: &State, line: &Line, gap: &GapLine) -> Vec<Exit> {
         match state {
             Mode::Open => gap.closing().into_iter().collect(),
             Mode::Sticking => self.exits(line),
@@ -83,8 +83,8 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// The first exit of a sticking contact's line from its cone, and the step to the second.
-    pub(crate) fn first_exit(&self, line: &Line<C>) -> Option<(Exit<C>, f64)> {
-        let mut first: Option<Exit<C>> = None;
+    pub(crate) fn first_exit(&self, line: &Line) -> Option<(Exit, f64)> {
+        let mut first: Option<Exit> = None;
         let mut next = f64::INFINITY;
         self.for_each_exit(line, |exit| match first {
             Some(nearest) if exit.step >= nearest.step => next = next.min(exit.step),
@@ -99,14 +99,14 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// All exits of the line from the cone.
-    fn exits(&self, line: &Line<C>) -> Vec<Exit<C>> {
+    fn exits(&self, line: &Line) -> Vec<Exit> {
         let mut exits = Vec::new();
         self.for_each_exit(line, |exit| exits.push(exit));
         exits
     }
 
     /// Visits all exits from the cone.
-    fn for_each_exit(&self, line: &Line<C>, visit: impl FnMut(Exit<C>)) {
+    fn for_each_exit(&self, line: &Line, visit: impl FnMut(Exit)) {
         if self.has_a_round_edge() {
             self.round_exit(line).into_iter().for_each(visit);
         } else if !self.is_bonded() {
@@ -115,7 +115,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Visits every facet of the polygon that the line reaches, or the vanishing normal force where no facets exist.
-    fn for_each_polygon_exit(&self, line: &Line<C>, mut visit: impl FnMut(Exit<C>)) {
+    fn for_each_polygon_exit(&self, line: &Line, mut visit: impl FnMut(Exit)) {
         let (cone, facets) = (self.cone(), self.facets());
         if facets.is_empty() && self.may_open() {
             line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()).into_iter().for_each(&mut visit);
@@ -127,8 +127,8 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// The step from a force along a straight line of this rate to an exit.
-    pub(crate) fn way_to(&self, exit: &Exit<C>, force: &SVector<f64, C>, rate: &SVector<f64, C>) -> f64 {
-        let slack = |f: &SVector<f64, C>| {
+    pub(crate) fn way_to(&self, exit: &Exit, force: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> f64 {
+        let slack = |f: &SVector<f64, 3>| {
             if exit.facet.norm() == 0.0 { f[0] } else { self.cone().facet_margin(f, &exit.facet) }
         };
         slack(force) / -slack(rate)
@@ -142,14 +142,14 @@ impl<const C: usize> LocalLaw<'_, C> {
     ///
     /// computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which does not cancel. From the edge itself (c₀ = 0) a line that points
     /// inwards can only return at `s = -2c₁/c₂`.
-    fn round_exit(&self, line: &Line<C>) -> Option<Exit<C>> {
+    fn round_exit(&self, line: &Line) -> Option<Exit> {
         let cone = self.cone();
         let (t0, t1) = (tangential(&line.force), tangential(&line.rate));
         let (n0, n1) = (cone.limit(line.force[0]), cone.limit(line.rate[0]));
         let friction = t0.norm();
         let weight = cone.round_weight();
         let on_edge = n0 - friction <= ZERO_SLACK * line.force_size * weight;
-        let leaves = |at: &SVector<f64, C>| at / at.norm().max(f64::MIN_POSITIVE);
+        let leaves = |at: &SVector<f64, 3>| at / at.norm().max(f64::MIN_POSITIVE);
         if on_edge {
             // At the apex the rates themselves must lie in the cone.
             let outward =
@@ -235,7 +235,10 @@ mod tests {
     #[test]
     fn a_line_beside_the_apex_leaves_before_it() {
         let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);
-        let polygon = Polygon::shared(&PolygonCone::new(8, Fit::Circumscribed).expect("a cone"));
+        let polygon = Polygon::shared(
+            crate::grasp::Space::Spatial,
+            &PolygonCone::new(8, Fit::Circumscribed).expect("a cone"),
+        );
         for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {
             let local =
                 LocalLaw::new(&springs, Coulomb::new(mu), &Law::Cone { gap: true }, &polygon, [true, false]);

@@ -61,9 +61,9 @@ pub(crate) enum Label {
 
 /// A generator of the hull in energy units, `K^{-1/2}ξ` and `K^{-1/2}F`, of length one together.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct HullRay<const C: usize> {
-    pub(crate) stretch: SVector<f64, C>,
-    pub(crate) force: SVector<f64, C>,
+pub(crate) struct HullRay {
+    pub(crate) stretch: SVector<f64, 3>,
+    pub(crate) force: SVector<f64, 3>,
 }
 
 impl Label {
@@ -102,7 +102,7 @@ impl Sector {
     const WHOLE: Self = Self { from: -PI, to: PI };
 
     /// The unit tangent in the sector that is farthest along a vector.
-    pub(super) fn most_along<const C: usize>(&self, a: &SVector<f64, C>) -> SVector<f64, C> {
+    pub(super) fn most_along(&self, a: &SVector<f64, 3>) -> SVector<f64, 3> {
         let angle = self.from + self.inside(a[2].atan2(a[1]));
         vector(0.0, on_circle(angle))
     }
@@ -157,13 +157,13 @@ fn on_circle(angle: f64) -> [f64; 2] {
 }
 
 /// The vector with this normal and this tangential part.
-fn vector<const C: usize>(normal: f64, tangential: [f64; 2]) -> SVector<f64, C> {
+fn vector(normal: f64, tangential: [f64; 2]) -> SVector<f64, 3> {
     SVector::from_fn(|a, _| if a == 0 { normal } else { tangential[a - 1] })
 }
 
 const AXES: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// The label of the contact before any division.
     pub(crate) fn first_label(&self) -> Label {
         match self.law {
@@ -174,20 +174,20 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Generators of the hull of the law under a label.
-    pub(crate) fn hull(&self, label: &Label) -> Vec<HullRay<C>> {
+    pub(crate) fn hull(&self, label: &Label) -> Vec<HullRay> {
         let root = self.springs.root();
         let rubs = self.springs.resists_tangentially();
         let mut rays = Vec::new();
-        let mut push = |stretch: SVector<f64, C>, force: SVector<f64, C>| {
-            let energy = |x: &SVector<f64, C>| {
-                SVector::<f64, C>::from_fn(|a, _| if root[a] > 0.0 { x[a] / root[a] } else { 0.0 })
+        let mut push = |stretch: SVector<f64, 3>, force: SVector<f64, 3>| {
+            let energy = |x: &SVector<f64, 3>| {
+                SVector::<f64, 3>::from_fn(|a, _| if root[a] > 0.0 { x[a] / root[a] } else { 0.0 })
             };
             let (stretch, force) = (energy(&stretch), energy(&force));
             let size = stretch.norm().hypot(force.norm());
             rays.push(HullRay { stretch: stretch / size, force: force / size });
         };
         let (normal, none) = (vector(1.0, [0.0; 2]), SVector::zeros());
-        let slips_anyhow = |push: &mut dyn FnMut(SVector<f64, C>, SVector<f64, C>)| {
+        let slips_anyhow = |push: &mut dyn FnMut(SVector<f64, 3>, SVector<f64, 3>)| {
             if rubs {
                 for t in AXES {
                     push(vector(0.0, t), none);
@@ -248,13 +248,13 @@ impl<const C: usize> LocalLaw<'_, C> {
     pub(crate) fn divide(
         &self,
         label: &Label,
-        stretch: &SVector<f64, C>,
-        force: &SVector<f64, C>,
+        stretch: &SVector<f64, 3>,
+        force: &SVector<f64, 3>,
     ) -> Option<[Label; 2]> {
         let pushed = self.springs.force(stretch);
         let slip = self.springs.slip(stretch, force);
         let (traction, friction) = (tangential_norm(&pushed), tangential_norm(force));
-        let angle = |x: &SVector<f64, C>| x[2].atan2(x[1]);
+        let angle = |x: &SVector<f64, 3>| x[2].atan2(x[1]);
         let towards =
             if friction > NO_DIRECTION * (force[0].abs() + traction) { angle(force) } else { angle(&pushed) };
         let slips = tangential_norm(&self.springs.force(&slip)) > NO_DIRECTION * (friction + traction);

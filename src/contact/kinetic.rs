@@ -13,10 +13,10 @@ use nalgebra::SVector;
 use super::answer::ContactResponse;
 use super::law::LocalLaw;
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// State and force on the sliding cone of a contact that has just begun to slide, at the stretch at which it left the cone of rest. `None`
     /// where its force does not change: from an apex it starts without force.
-    pub(crate) fn relaxed(&self, stretch: &SVector<f64, C>) -> Option<ContactResponse<C>> {
+    pub(crate) fn relaxed(&self, stretch: &SVector<f64, 3>) -> Option<ContactResponse> {
         let answer = if self.on_round_cone {
             self.answer(stretch, 0.0)
         } else {

@@ -14,7 +14,7 @@ use crate::prelude::*;
 
 /// The conditions that a contact has.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Law<const C: usize> {
+pub(crate) enum Law {
     /// The contact is and stays open: no conditions, no force.
     Absent,
     /// The springs act both ways, without limit: no conditions.
@@ -24,17 +24,17 @@ pub(crate) enum Law<const C: usize> {
         /// Whether the contact may also open.
         gap: bool,
     },
-    /// On an edge of its cone with F_n > 0: only these facets `h·F_t <= μ F_n`, at most C - 1 of them.
-    Edge(Vec<SVector<f64, C>>),
+    /// On an edge of its cone with F_n > 0: only these facets `h·F_t <= μ F_n`, at most one for each tangent.
+    Edge(Vec<SVector<f64, 3>>),
 }
 
 /// One contact with its law, independent of the scene.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct LocalLaw<'c, const C: usize> {
-    pub(crate) springs: &'c Compliance<C>,
-    pub(crate) law: &'c Law<C>,
+pub(crate) struct LocalLaw<'c> {
+    pub(crate) springs: &'c Compliance,
+    pub(crate) law: &'c Law,
     /// The polygon in place of the round cone.
-    pub(crate) polygon: &'c Polygon<C>,
+    pub(crate) polygon: &'c Polygon,
     pub(super) friction: Coulomb,
     /// In space: the round cone limits a sticking contact, and the polygon only proposes states.
     pub(super) on_round_cone: bool,
@@ -42,12 +42,12 @@ pub(crate) struct LocalLaw<'c, const C: usize> {
     pub(super) infinite_friction_has_edges: bool,
 }
 
-impl<'c, const C: usize> LocalLaw<'c, C> {
+impl<'c> LocalLaw<'c> {
     pub(crate) fn new(
-        springs: &'c Compliance<C>,
+        springs: &'c Compliance,
         friction: Coulomb,
-        law: &'c Law<C>,
-        polygon: &'c Polygon<C>,
+        law: &'c Law,
+        polygon: &'c Polygon,
         [on_round_cone, infinite_friction_has_edges]: [bool; 2],
     ) -> Self {
         Self { springs, law, polygon, friction, on_round_cone, infinite_friction_has_edges }
@@ -56,6 +56,12 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
     /// The cone to which the facets belong.
     pub(crate) fn cone(&self) -> Coulomb {
         if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
+    }
+
+    /// Whether the contact has one tangent only.
+    #[inline(always)]
+    pub(crate) fn is_planar(&self) -> bool {
+        self.polygon.is_interval()
     }
 
     /// Whether the contact has the condition `0 <= gap ⟂ F_n >= 0`.
@@ -115,7 +121,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
 
     /// Outward normals of the facets that are conditions of the contact.
     #[inline]
-    pub(crate) fn facets(&self) -> &'c [SVector<f64, C>] {
+    pub(crate) fn facets(&self) -> &'c [SVector<f64, 3>] {
         match self.law {
             Law::Edge(normals) => normals,
             Law::Cone { .. } if self.cone().has_edges() => &self.polygon.normals,
@@ -135,14 +141,14 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
     }
 
     /// The state that needs no jump: sticking, or open where the contact is absent.
-    pub(crate) fn unjumped(&self) -> State<C> {
+    pub(crate) fn unjumped(&self) -> State {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
     /// The state in which the contact yields most: on an edge it slides along it, at the apex it opens.
-    pub(crate) fn yielding(&self) -> State<C> {
+    pub(crate) fn yielding(&self) -> State {
         match self.law {
-            Law::Edge(facets) if C == 3 && facets.len() == 2 => Mode::Corner(0),
+            Law::Edge(facets) if facets.len() == 2 => Mode::Corner(0),
             Law::Edge(_) => Mode::Facet(0),
             Law::Cone { gap: true } => Mode::Open,
             _ => self.unjumped(),
@@ -150,7 +156,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
     }
 
     /// The possible states on the polygon, the one without a jump first.
-    pub(crate) fn states(&self) -> Vec<State<C>> {
+    pub(crate) fn states(&self) -> Vec<State> {
         if self.is_absent() {
             return vec![Mode::Open];
         }
@@ -158,7 +164,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         let numbers = || (0_u16..).zip(facets).map(|(j, _)| j);
         let mut states = vec![Mode::Sticking];
         states.extend(numbers().map(Mode::Facet));
-        if C == 3 && facets.len() > 1 {
+        if !self.is_planar() && facets.len() > 1 {
             let corners = if self.is_on_an_edge() { 1 } else { facets.len() };
             states.extend(numbers().take(corners).map(Mode::Corner));
         }
@@ -175,14 +181,15 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         match *facets {
             [] => Mode::Sticking,
             [facet] => Mode::Facet(facet),
-            [a, b] if C == 3 && b == a + 1 => Mode::Corner(a),
-            [a, b] if C == 3 && a == 0 && usize::from(b) + 1 == count => Mode::Corner(b),
+            _ if self.is_planar() => Mode::Open,
+            [a, b] if b == a + 1 => Mode::Corner(a),
+            [a, b] if a == 0 && usize::from(b) + 1 == count => Mode::Corner(b),
             _ => Mode::Open,
         }
     }
 
     /// The middle of the directions in which a sliding contact may slip, of any length.
-    pub(crate) fn outward(&self, state: &State<C>) -> Option<SVector<f64, C>> {
+    pub(crate) fn outward(&self, state: &State) -> Option<SVector<f64, 3>> {
         if let Mode::Round(slide) = state {
             return Some(slide.direction);
         }
@@ -193,19 +200,19 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
     }
 
     /// Friction in reserve at a force, on the round cone or at the nearest facet, N; infinite for infinite friction.
-    pub(crate) fn margin(&self, force: &SVector<f64, C>) -> f64 {
+    pub(crate) fn margin(&self, force: &SVector<f64, 3>) -> f64 {
         if self.never_slides() {
             return f64::INFINITY;
         }
         if self.on_round_cone {
             return self.friction.round_margin(force);
         }
-        let margin = |h: &SVector<f64, C>| self.friction.facet_margin(force, h);
+        let margin = |h: &SVector<f64, 3>| self.friction.facet_margin(force, h);
         self.polygon.normals.iter().map(margin).fold(f64::INFINITY, f64::min)
     }
 
     /// Whether the law rules out this state: a forbidden opening, or a slide under infinite friction.
-    pub(crate) fn excludes(&self, state: &State<C>) -> bool {
+    pub(crate) fn excludes(&self, state: &State) -> bool {
         match state {
             Mode::Open => !self.is_absent() && !self.may_open(),
             Mode::Sticking => false,

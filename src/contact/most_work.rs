@@ -22,17 +22,17 @@ use crate::numerics::unit;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// The most work along φ (N) and u (m) of a stretch and a force of length one in energy units that the label allows.
-    pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, C>, u: &SVector<f64, C>) -> f64 {
+    pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, 3>, u: &SVector<f64, 3>) -> f64 {
         let c = self.springs.give(phi);
         let mut most = f64::NEG_INFINITY;
         // Work of a generator (ξ, F) in force units.
-        let mut note = |xi: &SVector<f64, C>, force: &SVector<f64, C>| {
+        let mut note = |xi: &SVector<f64, 3>, force: &SVector<f64, 3>| {
             let size = (2.0 * (self.springs.stored(xi) + self.springs.stored(force))).sqrt();
             most = most.max((c.dot(xi) + u.dot(force)) / size);
         };
-        let (normal, none) = (unit::<C>(0), SVector::zeros());
+        let (normal, none) = (unit::<3>(0), SVector::zeros());
         if let Law::Edge(facets) = self.law {
             self.for_each_force_at_an_edge(facets, |force| note(&force, &force));
             for h in facets {
@@ -52,7 +52,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         // Where slips may have any direction, the tangential stretch is free, and only the force counts.
         let slips_anyhow = may_be_open || *label == Label::Closed && self.may_slide();
         if slips_anyhow {
-            for axis in tangents.clone().map(unit::<C>) {
+            for axis in tangents.clone().map(unit::<3>) {
                 note(&axis, &none);
                 note(&-axis, &none);
             }
@@ -64,7 +64,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             if self.may_pull() {
                 note(&-normal, &-normal);
             }
-            for axis in tangents.map(unit::<C>) {
+            for axis in tangents.map(unit::<3>) {
                 note(&axis, &axis);
                 note(&-axis, &-axis);
             }
@@ -81,7 +81,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// The friction force for μ F_n = 1 with the most work along a stretch, in a sector of the round cone or at a corner of the polygon.
-    fn most_along(&self, sector: &Sector, along: &SVector<f64, C>) -> SVector<f64, C> {
+    fn most_along(&self, sector: &Sector, along: &SVector<f64, 3>) -> SVector<f64, 3> {
         if self.on_round_cone {
             return sector.most_along(along);
         }
@@ -91,10 +91,10 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Visits generators of the forces of a contact on the edge of these facets.
-    fn for_each_force_at_an_edge(&self, facets: &[SVector<f64, C>], mut visit: impl FnMut(SVector<f64, C>)) {
+    fn for_each_force_at_an_edge(&self, facets: &[SVector<f64, 3>], mut visit: impl FnMut(SVector<f64, 3>)) {
         let edge = self.edge(&self.yielding());
         let on_the_edge = self.cone().generator(&edge.pull);
-        let mut both_ways = |force: SVector<f64, C>| {
+        let mut both_ways = |force: SVector<f64, 3>| {
             visit(force);
             visit(-force);
         };
@@ -104,7 +104,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
         match facets {
             // Into the cone away from one facet and along the other.
-            [first, second] if C == 3 => {
+            [first, second] => {
                 let turn = cross(first, second);
                 visit(right_angle(second) / turn);
                 visit(right_angle(first) / -turn);

@@ -10,6 +10,7 @@ use nalgebra::SVector;
 
 use super::tangential::cross;
 use crate::error::Error;
+use crate::grasp::Space;
 use crate::numerics::Once;
 use crate::prelude::*;
 
@@ -100,31 +101,31 @@ impl Default for PolygonCone {
 
 /// The polygon in the frame of a contact: vectors with a zero normal component.
 #[derive(Debug, Clone)]
-pub(crate) struct Polygon<const C: usize> {
+pub(crate) struct Polygon {
     /// Facet normals h_j, scaled so that the facet is h_j·x = 1.
-    pub(crate) normals: Vec<SVector<f64, C>>,
+    pub(crate) normals: Vec<SVector<f64, 3>>,
     /// Corners d_j; in space corner j lies between facets j and j + 1, in the plane it is facet j itself.
-    pub(crate) corners: Vec<SVector<f64, C>>,
+    pub(crate) corners: Vec<SVector<f64, 3>>,
 }
 
 /// The polygons of the plane and of the default cone, made once.
 static SHARED: [Once<Arc<dyn Any + Send + Sync>>; 2] = [const { Once::new() }; 2];
 
-impl<const C: usize> Polygon<C> {
+impl Polygon {
     /// The polygon of a cone; in the plane and for the default cone it is made once.
-    pub(crate) fn shared(cone: &PolygonCone) -> Arc<Self> {
-        let made = || Arc::new(Self::new(cone));
-        let place = match C {
-            2 => 0,
-            3 if *cone == PolygonCone::default() => 1,
-            _ => return made(),
+    pub(crate) fn shared(space: Space, cone: &PolygonCone) -> Arc<Self> {
+        let made = || Arc::new(Self::new(space, cone));
+        let place = match space {
+            Space::Planar => 0,
+            Space::Spatial if *cone == PolygonCone::default() => 1,
+            Space::Spatial => return made(),
         };
         let shared = SHARED[place].get_or_init(|| made()).clone();
         shared.downcast().unwrap_or_else(|_| made())
     }
 
-    pub(crate) fn new(cone: &PolygonCone) -> Self {
-        if C == 2 {
+    pub(crate) fn new(space: Space, cone: &PolygonCone) -> Self {
+        if space == Space::Planar {
             let sides = vec![in_the_tangent_plane(&[1.0]), in_the_tangent_plane(&[-1.0])];
             return Self { normals: sides.clone(), corners: sides };
         }
@@ -146,11 +147,17 @@ impl<const C: usize> Polygon<C> {
         }
     }
 
+    /// Whether it is the interval of the plane.
+    #[inline(always)]
+    pub(crate) fn is_interval(&self) -> bool {
+        self.normals.len() == 2
+    }
+
     /// The same polygon with its first corner along a tangent direction (of any length but zero).
-    pub(crate) fn turned_to(&self, to: &SVector<f64, C>) -> Self {
+    pub(crate) fn turned_to(&self, to: &SVector<f64, 3>) -> Self {
         let (cos, sin) = (to[1] / to[1].hypot(to[2]), to[2] / to[1].hypot(to[2]));
         let turn =
-            |v: &SVector<f64, C>| in_the_tangent_plane(&[cos * v[1] - sin * v[2], sin * v[1] + cos * v[2]]);
+            |v: &SVector<f64, 3>| in_the_tangent_plane(&[cos * v[1] - sin * v[2], sin * v[1] + cos * v[2]]);
         Self {
             normals: self.normals.iter().map(turn).collect(),
             corners: self.corners.iter().map(turn).collect(),
@@ -159,7 +166,7 @@ impl<const C: usize> Polygon<C> {
 }
 
 /// The corner p between two facets: h₁·p = h₂·p = 1, no normal component.
-pub(crate) fn corner<const C: usize>(h1: &SVector<f64, C>, h2: &SVector<f64, C>) -> SVector<f64, C> {
+pub(crate) fn corner(h1: &SVector<f64, 3>, h2: &SVector<f64, 3>) -> SVector<f64, 3> {
     let turn = cross(h1, h2);
     let mut p = SVector::zeros();
     p[1] = (h2[2] - h1[2]) / turn;
@@ -174,7 +181,7 @@ fn direction(angle: f64) -> [f64; 2] {
     [cos, sin].map(|x| if x.abs() < ROUNDED_ZERO { 0.0 } else { x })
 }
 
-fn in_the_tangent_plane<const C: usize>(components: &[f64]) -> SVector<f64, C> {
+fn in_the_tangent_plane(components: &[f64]) -> SVector<f64, 3> {
     let mut v = SVector::zeros();
     for (a, &x) in components.iter().enumerate() {
         v[a + 1] = x;
@@ -190,7 +197,7 @@ mod tests {
     fn corners_lie_on_their_two_facets() {
         for fit in [Fit::Inscribed, Fit::Circumscribed, Fit::Balanced] {
             for m in [3, 4, 7, 8, 64] {
-                let polygon = Polygon::<3>::new(&PolygonCone { facets: m, fit });
+                let polygon = Polygon::new(Space::Spatial, &PolygonCone { facets: m, fit });
                 for j in 0..m {
                     for facet in [j, (j + 1) % m] {
                         assert!((polygon.normals[facet].dot(&polygon.corners[j]) - 1.0).abs() < 1e-14);

@@ -16,18 +16,18 @@ use super::tangential::tangential;
 
 /// A bound of `-F·u` by the stretch v of the contact, W for a velocity, J for a virtual motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Resistance<const C: usize> {
+pub(crate) enum Resistance {
     /// This multiple, N, of the normal stretch where the stretch is positive.
     ByFriction(f64),
     /// The product of this row and the stretch, exactly, N.
-    BySprings(SVector<f64, C>),
+    BySprings(SVector<f64, 3>),
     /// None: infinite friction holds against the motion.
     Unlimited,
 }
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// The bound of the contact's power against a velocity u of the body, in the contact frame.
-    pub(crate) fn resistance(&self, u: &SVector<f64, C>) -> Resistance<C> {
+    pub(crate) fn resistance(&self, u: &SVector<f64, 3>) -> Resistance {
         if self.is_bonded() || self.may_pull() {
             return Resistance::BySprings(-self.springs.force(u));
         }

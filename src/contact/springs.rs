@@ -21,18 +21,18 @@ use crate::prelude::*;
 
 /// `F = left (right · v)`, v the stretch of a contact.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Spring<const C: usize> {
-    pub(crate) right: SVector<f64, C>,
-    pub(crate) left: SVector<f64, C>,
+pub(crate) struct Spring {
+    pub(crate) right: SVector<f64, 3>,
+    pub(crate) left: SVector<f64, 3>,
     /// Rounding error of `right`, so that `left right` along the normal or an axis is exactly the given stiffness.
-    pub(crate) right_rest: SVector<f64, C>,
+    pub(crate) right_rest: SVector<f64, 3>,
     /// Rounding error of `left`, so that friction is exactly μ F_n.
-    pub(crate) left_rest: SVector<f64, C>,
+    pub(crate) left_rest: SVector<f64, 3>,
 }
 
-impl<const C: usize> Spring<C> {
+impl Spring {
     /// A spring whose force points along its stretch: `left = right`.
-    pub(crate) fn straight(along: SVector<f64, C>) -> Self {
+    pub(crate) fn straight(along: SVector<f64, 3>) -> Self {
         let none = SVector::zeros();
         Self { right: along, left: along, right_rest: none, left_rest: none }
     }
@@ -47,7 +47,7 @@ impl<const C: usize> Spring<C> {
     }
 
     /// The normal spring of a sliding contact, which drags friction `μ F_n pull` along.
-    fn dragging(k: f64, mu: f64, pull: &SVector<f64, C>) -> Self {
+    fn dragging(k: f64, mu: f64, pull: &SVector<f64, 3>) -> Self {
         let root = k.sqrt();
         // The same spring as (right c, left / c): with a large μ the left side would otherwise be far longer than its row.
         let balance = (1.0 + mu * pull.norm()).sqrt();
@@ -55,7 +55,7 @@ impl<const C: usize> Spring<C> {
         (right[0], left[0]) = (root * balance, root / balance);
         let (mut right_rest, mut left_rest) = (SVector::zeros(), SVector::zeros());
         right_rest[0] = rest_of_factor(k, left[0], right[0]);
-        for axis in 1..C {
+        for axis in 1..3 {
             let drag = mu * pull[axis];
             left[axis] = drag * left[0];
             left_rest[axis] =
@@ -71,9 +71,9 @@ fn rest_of_factor(product: f64, known: f64, factor: f64) -> f64 {
     ((product - rounded) - rounding_of(rounded, known, factor)) / known
 }
 
-impl<const C: usize> LocalLaw<'_, C> {
-    /// Visits the springs of the contact in a state, at most C of them.
-    pub(crate) fn for_each_spring(&self, state: &State<C>, mut visit: impl FnMut(Spring<C>)) {
+impl LocalLaw<'_> {
+    /// Visits the springs of the contact in a state, at most one an axis.
+    pub(crate) fn for_each_spring(&self, state: &State, mut visit: impl FnMut(Spring)) {
         match state {
             Mode::Open => {}
             Mode::Sticking => {
@@ -93,7 +93,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     /// The edge of the cone on which a contact in this state slides: the point `P = K_t h / (h·K_t h)` of a facet with the spring
     /// across, or a corner.
     #[inline]
-    pub(crate) fn edge(&self, state: &State<C>) -> Edge<C> {
+    pub(crate) fn edge(&self, state: &State) -> Edge {
         if let Mode::Round(slide) = state {
             return slide.edge(self.springs);
         }

@@ -27,7 +27,7 @@ pub(crate) enum Mode<R> {
 }
 
 /// A state on any cone.
-pub(crate) type State<const C: usize> = Mode<Slide<C>>;
+pub(crate) type State = Mode<Slide>;
 
 /// A state on a polygon, in few bytes: memory limits passes over many contacts.
 pub(crate) type PolygonState = Mode<Infallible>;
@@ -66,19 +66,19 @@ impl<R> Mode<R> {
     }
 }
 
-impl<const C: usize> State<C> {
+impl State {
     /// The slide on the round cone, if the contact is in that state.
-    pub(crate) fn slide(&self) -> Option<&Slide<C>> {
+    pub(crate) fn slide(&self) -> Option<&Slide> {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }
 
     /// A slide on the round cone with a friction force along a tangent, whose slip so far is part of the drive.
-    pub(crate) fn sliding_along(friction: &SVector<f64, C>) -> Self {
+    pub(crate) fn sliding_along(friction: &SVector<f64, 3>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
     }
 }
 
-impl<const C: usize> From<PolygonState> for State<C> {
+impl From<PolygonState> for State {
     fn from(state: PolygonState) -> Self {
         match state {
             Mode::Open => Self::Open,

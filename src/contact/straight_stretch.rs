@@ -28,15 +28,15 @@ const ON_THE_CONE: f64 = 1e-12;
 /// Below this relative difference of radii the logarithm is replaced by the first terms of its series.
 const ALIKE: f64 = 1e-7;
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// State and force after a straight stretch from `before`, at rest on the contact's law, to `stretch`. The slip until then is the part of
     /// `before` beyond the springs, [`Compliance::slip`](super::Compliance::slip). In the plane and without sliding equal to [`Self::answer`], but for a contact
     /// that closes on the way: friction acts from there on.
     pub(crate) fn answer_after(
         &self,
-        before: &SVector<f64, C>,
-        stretch: &SVector<f64, C>,
-    ) -> ContactResponse<C> {
+        before: &SVector<f64, 3>,
+        stretch: &SVector<f64, 3>,
+    ) -> ContactResponse {
         if self.friction.is_frictionless() {
             return self.answer(stretch, 0.0);
         }
@@ -51,7 +51,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             since[0] = stretch[0];
             return self.answer(&since, 0.0);
         }
-        if C == 2 || !self.is_round() || from[0] <= 0.0 {
+        if !self.is_round() || from[0] <= 0.0 {
             return self.answer(stretch, 0.0);
         }
         match self.stops_sticking(&from, &rate) {
@@ -61,7 +61,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// The time τ at which a traction reaches its limit; zero where it is at the limit and grows faster than the limit.
-    fn stops_sticking(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>) -> Option<f64> {
+    fn stops_sticking(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> Option<f64> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
@@ -81,7 +81,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// The contact after sliding from a force on its cone for the time `rest`.
-    fn slid_on(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>, rest: f64) -> ContactResponse<C> {
+    fn slid_on(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>, rest: f64) -> ContactResponse {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].map(|f| self.friction.limit(f.max(0.0)));
         // ∫dτ/r over the rest of the way.
@@ -91,19 +91,19 @@ impl<const C: usize> LocalLaw<'_, C> {
         let size = friction.norm();
         let mut direction = tangential(rate);
         if size > 0.0 {
-            let across = |v: SVector<f64, C>| [v[1], v[C - 1]];
+            let across = |v: SVector<f64, 3>| [v[1], v[2]];
             let slide = RelaxingSlide {
                 tangential: across(self.springs.diagonal()),
                 stretched: across(self.springs.give(rate)),
                 growth: self.friction.limit(rate[0]),
             };
-            [direction[1], direction[C - 1]] = slide.direction_after(across(friction / size), per_radius);
+            [direction[1], direction[2]] = slide.direction_after(across(friction / size), per_radius);
         }
         self.sliding_at(normal, &direction, r1, r1 * per_radius)
     }
 
     /// A contact that slides along `direction`. Its springs across act with the part `holds` of their stiffness: softened by the slip.
-    fn sliding_at(&self, normal: f64, direction: &SVector<f64, C>, r: f64, holds: f64) -> ContactResponse<C> {
+    fn sliding_at(&self, normal: f64, direction: &SVector<f64, 3>, r: f64, holds: f64) -> ContactResponse {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();
             force[0] = normal;

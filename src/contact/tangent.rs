@@ -16,25 +16,25 @@ use super::state::{Mode, State};
 
 /// C of a contact in a state, N/m.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Tangent<const C: usize> {
+pub(crate) enum Tangent {
     /// Zero force at any stretch.
     Open,
     /// The diagonal of K.
-    Sticking(SVector<f64, C>),
+    Sticking(SVector<f64, 3>),
     /// On an edge of the cone.
     Sliding {
         /// `k_n (e_n + μ P)`.
-        drag: SVector<f64, C>,
+        drag: SVector<f64, 3>,
         /// d.
-        across: SVector<f64, C>,
+        across: SVector<f64, 3>,
         /// κ.
         stiffness: f64,
     },
 }
 
-impl<const C: usize> Tangent<C> {
+impl Tangent {
     /// C with all its entries.
-    pub(crate) fn matrix(&self) -> SMatrix<f64, C, C> {
+    pub(crate) fn matrix(&self) -> SMatrix<f64, 3, 3> {
         match self {
             Self::Open => SMatrix::zeros(),
             Self::Sticking(k) => SMatrix::from_diagonal(k),
@@ -47,10 +47,10 @@ impl<const C: usize> Tangent<C> {
     }
 }
 
-impl<const C: usize> Tangent<C> {
+impl Tangent {
     /// `C v`.
     #[inline]
-    pub(crate) fn force(&self, stretch: &SVector<f64, C>) -> SVector<f64, C> {
+    pub(crate) fn force(&self, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {
         match self {
             Self::Open => SVector::zeros(),
             Self::Sticking(k) => k.component_mul(stretch),
@@ -61,10 +61,10 @@ impl<const C: usize> Tangent<C> {
     }
 }
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// C of the contact in a state.
     #[inline]
-    pub(crate) fn tangent(&self, state: &State<C>) -> Tangent<C> {
+    pub(crate) fn tangent(&self, state: &State) -> Tangent {
         match state {
             Mode::Open => Tangent::Open,
             Mode::Sticking => Tangent::Sticking(self.springs.diagonal()),
@@ -74,7 +74,7 @@ impl<const C: usize> LocalLaw<'_, C> {
 
     /// C of a contact that slides on this edge.
     #[inline]
-    pub(super) fn sliding_tangent(&self, edge: &Edge<C>) -> Tangent<C> {
+    pub(super) fn sliding_tangent(&self, edge: &Edge) -> Tangent {
         let drag = self.cone().generator(&edge.pull) * self.springs.force_along(0, 1.0);
         Tangent::Sliding { drag, across: edge.across, stiffness: edge.stiffness }
     }

@@ -10,7 +10,7 @@ const SAFE_SQUARE: f64 = 1e-280;
 
 /// The vector without its normal component.
 #[inline(always)]
-pub(crate) fn tangential<const C: usize>(v: &SVector<f64, C>) -> SVector<f64, C> {
+pub(crate) fn tangential(v: &SVector<f64, 3>) -> SVector<f64, 3> {
     let mut t = *v;
     t[0] = 0.0;
     t
@@ -18,7 +18,7 @@ pub(crate) fn tangential<const C: usize>(v: &SVector<f64, C>) -> SVector<f64, C>
 
 /// The length of the tangential part, also where its square underflows, as for a contact that hardly presses.
 #[inline(always)]
-pub(crate) fn tangential_norm<const C: usize>(v: &SVector<f64, C>) -> f64 {
+pub(crate) fn tangential_norm(v: &SVector<f64, 3>) -> f64 {
     let square: f64 = v.iter().skip(1).map(|x| x * x).sum();
     if (SAFE_SQUARE..1.0 / SAFE_SQUARE).contains(&square) {
         square.sqrt()
@@ -29,14 +29,14 @@ pub(crate) fn tangential_norm<const C: usize>(v: &SVector<f64, C>) -> f64 {
 
 /// `a × b` of two tangents in space, along the normal.
 #[inline(always)]
-pub(crate) fn cross<const C: usize>(a: &SVector<f64, C>, b: &SVector<f64, C>) -> f64 {
+pub(crate) fn cross(a: &SVector<f64, 3>, b: &SVector<f64, 3>) -> f64 {
     a[1] * b[2] - a[2] * b[1]
 }
 
 /// A tangent in space turned by a right angle, `e_n × t`.
 #[inline]
-pub(crate) fn right_angle<const C: usize>(t: &SVector<f64, C>) -> SVector<f64, C> {
-    let mut turned = SVector::<f64, C>::zeros();
-    (turned[1], turned[C - 1]) = (-t[C - 1], t[1]);
+pub(crate) fn right_angle(t: &SVector<f64, 3>) -> SVector<f64, 3> {
+    let mut turned = SVector::<f64, 3>::zeros();
+    (turned[1], turned[2]) = (-t[2], t[1]);
     turned
 }

@@ -22,39 +22,39 @@ const NEAR: f64 = 1e-3;
 
 /// A force, or a motion of the body over the finger, as a function of the angle φ from the present load.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Wave<const C: usize> {
-    pub(crate) of: Harmonic<SVector<f64, C>>,
+pub(crate) struct Wave {
+    pub(crate) of: Harmonic<SVector<f64, 3>>,
     /// Size that scales the rounding of its values.
     pub(crate) size: f64,
     /// Size that scales the rounding of its rates: the turning part of `size`.
     pub(crate) turning_size: f64,
 }
 
-impl<const C: usize> Wave<C> {
+impl Wave {
     /// The scalar wave of a linear function of this one.
-    fn seen(&self, by: impl Fn(&SVector<f64, C>) -> f64) -> Trigonometric {
+    fn seen(&self, by: impl Fn(&SVector<f64, 3>) -> f64) -> Trigonometric {
         Trigonometric::linear(&self.of.map(by))
     }
 }
 
 /// An event of a contact while the load turns.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum TurningExit<const C: usize> {
+pub(crate) enum TurningExit {
     /// The contact leaves its state; the step of the exit is the angle.
-    Leaves(Exit<C>),
+    Leaves(Exit),
     /// At this angle the contact touches an edge to within rounding, without crossing it.
     Touches(f64),
 }
 
-impl<const C: usize> LocalLaw<'_, C> {
+impl LocalLaw<'_> {
     /// All exits from a state within an angle of `most`, each at its first angle, from the waves of force and stretch. Slides on the
     /// round cone do not turn with the load and give none.
     pub(crate) fn turning_exits(
         &self,
-        state: &State<C>,
-        [force, stretch]: [&Wave<C>; 2],
+        state: &State,
+        [force, stretch]: [&Wave; 2],
         most: f64,
-    ) -> Vec<TurningExit<C>> {
+    ) -> Vec<TurningExit> {
         let nowhere = SVector::zeros();
         let mut exits = Vec::new();
         match state {
@@ -69,7 +69,7 @@ impl<const C: usize> LocalLaw<'_, C> {
                     exits.extend(linear_exit(force, |f| f[0], 1.0, nowhere, most));
                 }
                 for (j, h) in facets.iter().enumerate().filter(|(j, _)| !own.contains(&Some(*j))) {
-                    let margin = |f: &SVector<f64, C>| cone.facet_margin(f, h);
+                    let margin = |f: &SVector<f64, 3>| cone.facet_margin(f, h);
                     exits.extend(linear_exit(force, margin, cone.facet_weight(h), facets[j], most));
                 }
                 exits.extend(self.stops(state, [force, stretch], most));
@@ -81,16 +81,16 @@ impl<const C: usize> LocalLaw<'_, C> {
     /// The angle at which a sliding contact stops: a component of its slip that cannot decrease would begin to. The contact stays on its facets.
     fn stops(
         &self,
-        state: &State<C>,
-        [force, stretch]: [&Wave<C>; 2],
+        state: &State,
+        [force, stretch]: [&Wave; 2],
         most: f64,
-    ) -> impl Iterator<Item = TurningExit<C>> {
+    ) -> impl Iterator<Item = TurningExit> {
         let rate = Harmonic {
             constant: SVector::zeros(),
             cosine: self.springs.slip(&stretch.of.sine, &force.of.sine),
             sine: -self.springs.slip(&stretch.of.cosine, &force.of.cosine),
         };
-        let give = |force: &SVector<f64, C>| self.springs.give(force).lp_norm(1);
+        let give = |force: &SVector<f64, 3>| self.springs.give(force).lp_norm(1);
         let size = stretch.turning_size + give(&force.of.cosine) + give(&force.of.sine);
         let rate = Wave { of: rate, size, turning_size: size };
         let facets = self.facets();
@@ -98,13 +98,13 @@ impl<const C: usize> LocalLaw<'_, C> {
         (0..2).filter_map(move |k| {
             let (facet, [_, weight]) = (facets[own[k]?], self.slips_along(state, &rate.of.cosine)[k]?);
             let along =
-                |slip: &SVector<f64, C>| self.slips_along(state, slip)[k].map_or(0.0, |[value, _]| value);
+                |slip: &SVector<f64, 3>| self.slips_along(state, slip)[k].map_or(0.0, |[value, _]| value);
             linear_exit(&rate, along, weight, facet, most)
         })
     }
 
     /// The exit of a force from the round cone: `(μF_n)² - |F_t|²` falls below zero, or at the apex F_n does.
-    fn round_turning_exit(&self, wave: &Wave<C>, most: f64) -> Option<TurningExit<C>> {
+    fn round_turning_exit(&self, wave: &Wave, most: f64) -> Option<TurningExit> {
         let cone = self.cone();
         let weight = cone.round_weight();
         let slack = ZERO_SLACK * wave.size * weight;
@@ -137,7 +137,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// The first angle at which `(μF_n)² - |F_t|²` falls below zero.
-    fn fall_of_the_square(&self, wave: &Wave<C>, most: f64) -> Option<Fall> {
+    fn fall_of_the_square(&self, wave: &Wave, most: f64) -> Option<Fall> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
         let difference = margin.square();
@@ -150,7 +150,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 
     /// Close to a double root the square has lost half its digits. The margin μF_n - |F_t| itself has not.
-    fn polished(&self, wave: &Wave<C>, angle: f64) -> f64 {
+    fn polished(&self, wave: &Wave, angle: f64) -> f64 {
         let cone = self.cone();
         let mut step = angle;
         for _ in 0..POLISHING_STEPS {
@@ -166,7 +166,7 @@ impl<const C: usize> LocalLaw<'_, C> {
 }
 
 /// The direction of friction.
-fn outward<const C: usize>(force: &SVector<f64, C>) -> SVector<f64, C> {
+fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
     let friction = tangential(force);
     friction / friction.norm().max(f64::MIN_POSITIVE)
 }
@@ -203,13 +203,13 @@ impl Start {
 }
 
 /// The exit at which a linear function of a wave falls below zero.
-fn linear_exit<const C: usize>(
-    wave: &Wave<C>,
-    seen: impl Fn(&SVector<f64, C>) -> f64,
+fn linear_exit(
+    wave: &Wave,
+    seen: impl Fn(&SVector<f64, 3>) -> f64,
     weight: f64,
-    facet: SVector<f64, C>,
+    facet: SVector<f64, 3>,
     most: f64,
-) -> Option<TurningExit<C>> {
+) -> Option<TurningExit> {
     let margin = wave.seen(&seen);
     let (slack, fastest) = (ZERO_SLACK * weight * wave.size, weight * wave.turning_size);
     let step = match Start::of(&margin, slack, ZERO_SLACK * fastest) {

@@ -54,14 +54,14 @@ impl<const C: usize> Agreement<C> {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Energy::agreement`](crate::ask::Energy::agreement).
     pub(crate) fn agreement_with_minimum_energy(
         &self,
-        ramp: &Ramp<C>,
+        ramp: &Ramp<3>,
         settings: &Settings,
-    ) -> Result<Agreement<C>, Error> {
-        ramp.base.check("base load")?;
+    ) -> Result<Agreement<3>, Error> {
+        ramp.base.check_in(self.space(), "base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
         let change = ramp.drive_changes(self)?;
         let start = self.minimum_energy(&ramp.base, settings)?;
@@ -77,22 +77,22 @@ impl<const C: usize> Engine<C> {
 }
 
 /// The program along a ramp.
-struct Line<'g, const C: usize> {
-    program: EnergyProgram<'g, C>,
-    change: Vec<SVector<f64, C>>,
+struct Line<'g> {
+    program: EnergyProgram<'g>,
+    change: Vec<SVector<f64, 3>>,
     direction: Vector,
 }
 
-impl<const C: usize> Line<'_, C> {
+impl Line<'_> {
     /// The forces of these springs at factor 0, and their rates.
-    fn forces(&self, springs: &Piece<C>) -> Option<[Vec<SVector<f64, C>>; 2]> {
+    fn forces(&self, springs: &Piece) -> Option<[Vec<SVector<f64, 3>>; 2]> {
         let problem = &self.program.problem;
         let start = springs.solve(problem.sites, &problem.drives, problem.load()).ok()?;
         let rates = springs.solve(problem.sites, &self.change, &self.direction).ok()?;
         Some([start.forces, rates.forces])
     }
 
-    fn follow(&self, settings: &Settings) -> Option<Agreement<C>> {
+    fn follow(&self, settings: &Settings) -> Option<Agreement<3>> {
         let program = &self.program;
         let [forces, rates] = self.forces(&program.stuck)?;
         let lcp = Lcp::new(program.matrix()?, program.vector(&forces)).ok()?;
@@ -112,15 +112,15 @@ impl<const C: usize> Line<'_, C> {
     }
 
     /// The factor at which a row begins to bind, computed from the springs that are active below it.
-    fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<C>> {
+    fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
         // The factor of the pivots, if the row does not change with the load.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
-        let most = |list: &[SVector<f64, C>]| list.iter().map(SVector::norm).fold(0.0, f64::max);
+        let most = |list: &[SVector<f64, 3>]| list.iter().map(SVector::norm).fold(0.0, f64::max);
         let size = most(&forces) + factor * most(&rates);
-        let binds = |(r, other): &(usize, &ForceCondition<C>)| {
+        let binds = |(r, other): &(usize, &ForceCondition)| {
             let (value, rate) = (other.value(&forces), other.value(&rates));
             *r == row || (rate < 0.0 && (value + factor * rate).abs() <= ROUNDING * size * other.weight)
         };

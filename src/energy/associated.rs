@@ -91,13 +91,13 @@ impl<const C: usize> AssociatedContact<C> {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Energy::associated_friction`](crate::ask::Energy::associated_friction).
     pub(crate) fn associated_friction(
         &self,
-        load: &Wrench<C>,
+        load: &Wrench<3>,
         settings: &Settings,
-    ) -> Result<AssociatedOutcome<C>, Error> {
+    ) -> Result<AssociatedOutcome<3>, Error> {
         self.refuse_hands("associated_friction")?;
         let law = AssociatedLaw::new(self.on_polygons(load, &settings.cone)?);
         if !law.stuck.resists(&law.problem.wrench) {
@@ -122,12 +122,12 @@ impl<const C: usize> Engine<C> {
 
     fn at_rest(
         &self,
-        load: &Wrench<C>,
-        law: &AssociatedLaw<C>,
-        state: &PieceState<C>,
+        load: &Wrench<3>,
+        law: &AssociatedLaw,
+        state: &PieceState,
         binding: &[usize],
-    ) -> AssociatedState<C> {
-        let contact = |(i, local): (usize, LocalLaw<'_, C>)| {
+    ) -> AssociatedState<3> {
+        let contact = |(i, local): (usize, LocalLaw<'_>)| {
             let (force, jump) = (state.forces[i], law.jump(i, state));
             let binds = binding.iter().any(|r| law.rows[*r].contact == i);
             let slips = binds || local.is_frictionless();
@@ -148,14 +148,14 @@ impl<const C: usize> Engine<C> {
 }
 
 /// The associated law for one grasp and load, in inside coordinates.
-struct AssociatedLaw<'g, const C: usize> {
-    problem: Problem<'g, C>,
-    stuck: Piece<C>,
-    rows: Vec<ForceCondition<C>>,
+struct AssociatedLaw<'g> {
+    problem: Problem<'g>,
+    stuck: Piece,
+    rows: Vec<ForceCondition>,
 }
 
-impl<'g, const C: usize> AssociatedLaw<'g, C> {
-    fn new(problem: Problem<'g, C>) -> Self {
+impl<'g> AssociatedLaw<'g> {
+    fn new(problem: Problem<'g>) -> Self {
         let stuck = axis_springs(problem.sites, &|_, _| true);
         let rows = rows(&problem, &stuck, &|local| local.may_open() && local.facets().is_empty(), true);
         Self { problem, stuck, rows }
@@ -164,7 +164,7 @@ impl<'g, const C: usize> AssociatedLaw<'g, C> {
     /// A state that satisfies the law, its binding rows, and the twist that the pivots give.
     ///
     /// Lemke's method on `0 <= z ⟂ N x⁰ + N (1 - Π) Nᵀ z >= 0` finds the binding rows. If everything sticks, no row binds.
-    fn solve(&self, settings: &Settings) -> Option<(PieceState<C>, Vec<usize>, Vector)> {
+    fn solve(&self, settings: &Settings) -> Option<(PieceState, Vec<usize>, Vector)> {
         let (rows, problem) = (&self.rows, &self.problem);
         let trial = self.stuck.solve(problem.sites, &problem.drives, problem.load()).ok()?;
         let vector = values(rows, &trial.forces);
@@ -182,7 +182,7 @@ impl<'g, const C: usize> AssociatedLaw<'g, C> {
 
     /// The state on the faces of the cones where the rows `binding` are active; `None` if it does not satisfy the law. The twist is the least one. If
     /// that lets a contact slip against its force, the free part of `near` is added.
-    fn on_faces(&self, binding: &[usize], near: &Vector) -> Option<PieceState<C>> {
+    fn on_faces(&self, binding: &[usize], near: &Vector) -> Option<PieceState> {
         let problem = &self.problem;
         let springs = Piece::of_springs(problem.sites, &|contact, list| {
             let own = binding.iter().map(|r| &self.rows[*r]).filter(|row| row.contact == contact);
@@ -200,13 +200,13 @@ impl<'g, const C: usize> AssociatedLaw<'g, C> {
     }
 
     /// The jump between the surfaces of a contact, m: (gap, -slip).
-    fn jump(&self, contact: usize, state: &PieceState<C>) -> SVector<f64, C> {
+    fn jump(&self, contact: usize, state: &PieceState) -> SVector<f64, 3> {
         let give = self.problem.sites[contact].springs.give(&state.forces[contact]);
         give - self.problem.stretch(contact, &state.twist)
     }
 
     /// Whether every jump lies in the cone of outward normals, so that its work with every force of the friction cone is not negative.
-    fn jumps_outwards(&self, state: &PieceState<C>) -> bool {
+    fn jumps_outwards(&self, state: &PieceState) -> bool {
         self.problem.locals().enumerate().filter(|(_, local)| !local.is_bonded()).all(|(i, local)| {
             let (jump, cone) = (self.jump(i, state), local.cone());
             let slack = -ROUNDING * self.problem.span(i, &state.twist);
@@ -220,12 +220,9 @@ impl<'g, const C: usize> AssociatedLaw<'g, C> {
 }
 
 /// An orthonormal basis of the vectors in the first `axes` components that are orthogonal to `normals`.
-fn face<'n, const C: usize>(
-    normals: impl Iterator<Item = &'n SVector<f64, C>>,
-    axes: usize,
-) -> Vec<SVector<f64, C>> {
-    let mut taken: Vec<SVector<f64, C>> = Vec::new();
-    let rest = |mut v: SVector<f64, C>, taken: &[SVector<f64, C>]| {
+fn face<'n>(normals: impl Iterator<Item = &'n SVector<f64, 3>>, axes: usize) -> Vec<SVector<f64, 3>> {
+    let mut taken: Vec<SVector<f64, 3>> = Vec::new();
+    let rest = |mut v: SVector<f64, 3>, taken: &[SVector<f64, 3>]| {
         // The second pass removes rounding left by the first.
         for t in taken.iter().chain(taken) {
             v -= t * t.dot(&v);

@@ -146,13 +146,13 @@ impl<const C: usize> MinimumEnergy<C> {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Energy::compare`](crate::ask::Energy::compare).
     pub(crate) fn compare_with_minimum_energy(
         &self,
-        load: &Wrench<C>,
+        load: &Wrench<3>,
         settings: &Settings,
-    ) -> Result<Comparison<C>, Error> {
+    ) -> Result<Comparison<3>, Error> {
         let equilibrium = self.solve(load, &(*settings).on_the_polygon())?;
         let minimum = self.minimum_energy(load, settings)?;
         let difference = equilibrium
@@ -178,7 +178,7 @@ impl<const C: usize> Engine<C> {
         Ok(Comparison { equilibrium, minimum, difference, verdict })
     }
 
-    fn difference(&self, equilibrium: &Equilibrium<C>, minimum: &MinimumEnergy<C>) -> Difference {
+    fn difference(&self, equilibrium: &Equilibrium<3>, minimum: &MinimumEnergy<3>) -> Difference {
         let mut d = Difference {
             displacement: 0.0,
             force: 0.0,

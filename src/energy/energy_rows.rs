@@ -25,14 +25,14 @@ const MOST_OPERATIONS: f64 = 2e11;
 
 /// A condition `normal·x_i >= 0` on the force of a contact.
 #[derive(Debug, Clone)]
-pub(super) struct ForceCondition<const C: usize> {
+pub(super) struct ForceCondition {
     pub(super) contact: usize,
     /// The facet of the friction cone; `None` for the normal force.
     pub(super) facet: Option<usize>,
     /// The same condition on forces: `law·F_i` is `μ F_n - h·F_t`, or F_n.
-    law: SVector<f64, C>,
+    law: SVector<f64, 3>,
     /// Unit vector along `K^{1/2} law`.
-    pub(super) normal: SVector<f64, C>,
+    pub(super) normal: SVector<f64, 3>,
     /// `|K^{1/2} law|`.
     pub(super) length: f64,
     /// Scale of the rounding of [`Self::value`] for forces of size one.
@@ -41,12 +41,12 @@ pub(super) struct ForceCondition<const C: usize> {
     pub(super) seen: Vector,
 }
 
-impl<const C: usize> ForceCondition<C> {
+impl ForceCondition {
     fn new(
-        (contact, local): (usize, &LocalLaw<'_, C>),
+        (contact, local): (usize, &LocalLaw<'_>),
         facet: Option<usize>,
-        law: SVector<f64, C>,
-        seen: &Map<C>,
+        law: SVector<f64, 3>,
+        seen: &Map,
     ) -> Self {
         let normal = law.component_mul(&local.springs.root());
         let length = normal.norm();
@@ -56,17 +56,17 @@ impl<const C: usize> ForceCondition<C> {
     }
 
     /// `μ F_n - h·F_t`, or F_n, N.
-    pub(super) fn value(&self, forces: &[SVector<f64, C>]) -> f64 {
+    pub(super) fn value(&self, forces: &[SVector<f64, 3>]) -> f64 {
         self.law.dot(&forces[self.contact])
     }
 
     /// Whether the row is satisfied up to rounding, with forces up to `largest`.
-    pub(super) fn holds(&self, forces: &[SVector<f64, C>], largest: f64) -> bool {
+    pub(super) fn holds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) >= -ROUNDING * largest * self.weight
     }
 
     /// Whether the row is on its edge, with forces up to `largest`.
-    pub(super) fn binds(&self, forces: &[SVector<f64, C>], largest: f64) -> bool {
+    pub(super) fn binds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) <= ROUNDING * largest * self.weight
     }
 
@@ -83,10 +83,7 @@ impl<const C: usize> ForceCondition<C> {
 }
 
 /// The springs of all axes for which `holds(contact, axis)` is true.
-pub(super) fn axis_springs<const C: usize>(
-    sites: &[Site<C>],
-    holds: &dyn Fn(usize, usize) -> bool,
-) -> Piece<C> {
+pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool) -> Piece {
     Piece::of_springs(sites, &|contact, list| {
         let springs = &sites[contact].springs;
         let held = (0..springs.axes()).filter(|axis| holds(contact, *axis));
@@ -95,12 +92,12 @@ pub(super) fn axis_springs<const C: usize>(
 }
 
 /// The rows contact by contact: `F_n >= 0` if `presses` is true, and the facets of the cone if `with_facets` is true.
-pub(super) fn rows<const C: usize>(
-    problem: &Problem<C>,
-    stuck: &Piece<C>,
-    presses: &dyn Fn(&LocalLaw<'_, C>) -> bool,
+pub(super) fn rows(
+    problem: &Problem,
+    stuck: &Piece,
+    presses: &dyn Fn(&LocalLaw<'_>) -> bool,
     with_facets: bool,
-) -> Vec<ForceCondition<C>> {
+) -> Vec<ForceCondition> {
     let mut rows = Vec::new();
     for (i, local) in problem.locals().enumerate() {
         let seen = stuck.seen(i);
@@ -116,9 +113,9 @@ pub(super) fn rows<const C: usize>(
 }
 
 /// `n·x` of every row, where x are the scaled forces.
-pub(super) fn values<'r, const C: usize>(
-    rows: impl IntoIterator<Item = &'r ForceCondition<C>>,
-    forces: &[SVector<f64, C>],
+pub(super) fn values<'r>(
+    rows: impl IntoIterator<Item = &'r ForceCondition>,
+    forces: &[SVector<f64, 3>],
 ) -> DVector<f64> {
     let mut values = Vec::new();
     for row in rows {

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use super::optimality::{EnergyProgram, Faces, NotOptimal, ProgramPoint};
 use crate::Settings;
 use crate::error::Error;
-use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench, object_alone};
+use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench};
 use crate::numerics::Vector;
 use crate::object::Unbalanced;
 use crate::prelude::*;
@@ -83,14 +83,14 @@ pub struct MinimumEnergy<const C: usize> {
     pub(super) forces_size: f64,
     /// Size of the imbalance, with moments divided by the size of the grasp, N.
     pub(super) imbalance_size: f64,
-    pub(super) inside: Inside<C>,
+    pub(super) inside: Inside,
 }
 
 /// Motions of a minimum in inside coordinates, where free motions are orthonormal.
 #[derive(Debug, Clone)]
-pub(super) struct Inside<const C: usize> {
-    pub(super) twist: Coordinates<C>,
-    pub(super) free_motions: Vec<Coordinates<C>>,
+pub(super) struct Inside {
+    pub(super) twist: Coordinates,
+    pub(super) free_motions: Vec<Coordinates>,
 }
 
 /// One contact of a [`MinimumEnergy`].
@@ -120,13 +120,13 @@ pub struct Binding {
     pub multiplier: f64,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Energy::minimum`](crate::ask::Energy::minimum).
     pub(crate) fn minimum_energy(
         &self,
-        load: &Wrench<C>,
+        load: &Wrench<3>,
         settings: &Settings,
-    ) -> Result<MinimumOutcome<C>, Error> {
+    ) -> Result<MinimumOutcome<3>, Error> {
         let program = EnergyProgram::new(self.on_polygons(load, &settings.cone)?);
         let problem = &program.problem;
         let stuck = match program.stuck.solve(problem.sites, &problem.drives, problem.load()) {
@@ -158,11 +158,11 @@ impl<const C: usize> Engine<C> {
 
     fn write_out(
         &self,
-        load: &Wrench<C>,
-        program: &EnergyProgram<C>,
-        point: &ProgramPoint<C>,
+        load: &Wrench<3>,
+        program: &EnergyProgram,
+        point: &ProgramPoint,
         pivots: usize,
-    ) -> MinimumEnergy<C> {
+    ) -> MinimumEnergy<3> {
         let most = program.problem.largest_force(&point.forces, &point.twist);
         let rows = program.friction.iter().zip(&point.multipliers);
         let binding = rows
@@ -170,7 +170,7 @@ impl<const C: usize> Engine<C> {
             .map(|(row, l)| Binding { contact: row.contact, facet: row.facet, multiplier: l / row.length });
         let held = program.held_from_outside(&point.multipliers);
         let pushed: Vector = self.sites().iter().zip(&held).map(|(site, f)| &site.map * f).sum();
-        let object = object_alone::<C>(&point.twist);
+        let object = self.space().object_alone(&point.twist);
         let contact = |i: usize| {
             let site = &self.sites()[i];
             MinimumContact {
@@ -187,7 +187,9 @@ impl<const C: usize> Engine<C> {
             stored_energy += drives.map(|(drive, force)| drive.stored(force)).sum::<f64>();
         }
         let own_work = match self.bodies() {
-            None => self.with_vacuum(load).coordinates().dot(&self.outside_coordinates(&point.twist)),
+            None => {
+                self.with_vacuum(load).coordinates(self.space()).dot(&self.outside_coordinates(&point.twist))
+            }
             Some(_) => self.load_unchecked(load).dot(&point.twist),
         };
         MinimumEnergy {

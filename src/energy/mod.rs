@@ -36,6 +36,7 @@ mod agreement;
 mod associated;
 mod comparison;
 mod energy_rows;
+mod face;
 mod minimum;
 mod optimality;
 mod printed;

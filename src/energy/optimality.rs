@@ -32,11 +32,11 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
 /// The gaps that may open, the rows that may bind, and the springs with all of them active.
-pub(super) struct EnergyProgram<'g, const C: usize> {
-    pub(super) problem: Problem<'g, C>,
-    pub(super) stuck: Piece<C>,
-    pub(super) gaps: Vec<ForceCondition<C>>,
-    pub(super) friction: Vec<ForceCondition<C>>,
+pub(super) struct EnergyProgram<'g> {
+    pub(super) problem: Problem<'g>,
+    pub(super) stuck: Piece,
+    pub(super) gaps: Vec<ForceCondition>,
+    pub(super) friction: Vec<ForceCondition>,
 }
 
 /// The open gaps and the binding friction rows.
@@ -48,8 +48,8 @@ pub(super) struct Faces {
 
 /// A point of the program.
 #[derive(Debug, Clone)]
-pub(super) struct ProgramPoint<const C: usize> {
-    pub(super) forces: Vec<SVector<f64, C>>,
+pub(super) struct ProgramPoint {
+    pub(super) forces: Vec<SVector<f64, 3>>,
     pub(super) twist: Vector,
     pub(super) gaps: Vec<f64>,
     /// Multipliers of all friction rows, scaled to unit length.
@@ -62,8 +62,8 @@ pub(super) enum NotOptimal {
     Unsolved,
 }
 
-impl<'g, const C: usize> EnergyProgram<'g, C> {
-    pub(super) fn new(problem: Problem<'g, C>) -> Self {
+impl<'g> EnergyProgram<'g> {
+    pub(super) fn new(problem: Problem<'g>) -> Self {
         let stuck = axis_springs(problem.sites, &|_, _| true);
         Self {
             gaps: rows(&problem, &stuck, &|local| local.may_open() && !local.never_slides(), false),
@@ -73,12 +73,12 @@ impl<'g, const C: usize> EnergyProgram<'g, C> {
         }
     }
 
-    fn rows(&self) -> impl Iterator<Item = &ForceCondition<C>> {
+    fn rows(&self) -> impl Iterator<Item = &ForceCondition> {
         self.gaps.iter().chain(&self.friction)
     }
 
     /// The vector of the complementarity problem, from the forces if everything sticks.
-    pub(super) fn vector(&self, stuck: &[SVector<f64, C>]) -> DVector<f64> {
+    pub(super) fn vector(&self, stuck: &[SVector<f64, 3>]) -> DVector<f64> {
         values(self.rows(), stuck)
     }
 
@@ -96,7 +96,7 @@ impl<'g, const C: usize> EnergyProgram<'g, C> {
     /// The open gaps and binding rows found by Lemke's method, the number of pivots, and the twist that the pivots give.
     pub(super) fn faces(
         &self,
-        stuck: &PieceState<C>,
+        stuck: &PieceState,
         settings: &Settings,
     ) -> Result<(Faces, usize, Vector), NotOptimal> {
         let matrix = self.matrix().ok_or(NotOptimal::Unsolved)?;
@@ -126,12 +126,12 @@ impl<'g, const C: usize> EnergyProgram<'g, C> {
     }
 
     /// The springs that act on these faces: an open gap removes the normal spring of its contact.
-    pub(super) fn springs(&self, faces: &Faces) -> Piece<C> {
+    pub(super) fn springs(&self, faces: &Faces) -> Piece {
         axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
 
     /// The point at which everything sticks.
-    pub(super) fn sticking(&self, stuck: &PieceState<C>) -> ProgramPoint<C> {
+    pub(super) fn sticking(&self, stuck: &PieceState) -> ProgramPoint {
         ProgramPoint {
             forces: stuck.forces.clone(),
             twist: stuck.twist.clone(),
@@ -143,12 +143,7 @@ impl<'g, const C: usize> EnergyProgram<'g, C> {
 
     /// The minimum on these faces; `None` if the binding rows are linearly dependent, or no forces there balance the load. If the least twist makes a
     /// gap negative, the free part of `near` is added.
-    pub(super) fn on_faces(
-        &self,
-        faces: &Faces,
-        stuck: &PieceState<C>,
-        near: &Vector,
-    ) -> Option<ProgramPoint<C>> {
+    pub(super) fn on_faces(&self, faces: &Faces, stuck: &PieceState, near: &Vector) -> Option<ProgramPoint> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));
         let (springs, PieceState { mut forces, mut twist }) = match &opened {
@@ -191,8 +186,8 @@ impl<'g, const C: usize> EnergyProgram<'g, C> {
     fn bind(
         &self,
         faces: &Faces,
-        springs: &Piece<C>,
-        forces: &mut [SVector<f64, C>],
+        springs: &Piece,
+        forces: &mut [SVector<f64, 3>],
         multipliers: &mut [f64],
     ) -> Option<Vector> {
         let problem = &self.problem;
@@ -238,7 +233,7 @@ impl<'g, const C: usize> EnergyProgram<'g, C> {
     }
 
     /// The forces of the multipliers on the object, contact by contact, in the contact frames, N.
-    pub(super) fn held_from_outside(&self, multipliers: &[f64]) -> Vec<SVector<f64, C>> {
+    pub(super) fn held_from_outside(&self, multipliers: &[f64]) -> Vec<SVector<f64, 3>> {
         let mut held = vec![SVector::zeros(); self.problem.len()];
         for (row, multiplier) in self.friction.iter().zip(multipliers) {
             let root = self.problem.sites[row.contact].springs.root();
@@ -248,7 +243,7 @@ impl<'g, const C: usize> EnergyProgram<'g, C> {
     }
 
     /// Whether a point satisfies every condition of the minimum up to rounding.
-    pub(super) fn holds(&self, point: &ProgramPoint<C>, faces: &Faces) -> bool {
+    pub(super) fn holds(&self, point: &ProgramPoint, faces: &Faces) -> bool {
         let problem = &self.problem;
         let most = problem.largest_force(&point.forces, &point.twist);
         // Multipliers of rows of unit length have the unit of x = K^{-1/2} F.
@@ -260,7 +255,7 @@ impl<'g, const C: usize> EnergyProgram<'g, C> {
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
         // The multiplier of a gap is √k_n (x - Nᵀλ)_n.
         let held = self.held_from_outside(&point.multipliers);
-        let gap_holds = |row: &ForceCondition<C>| {
+        let gap_holds = |row: &ForceCondition| {
             let i = row.contact;
             let (push, held) = (point.forces[i][0], held[i][0]);
             let span = problem.span(i, &point.twist) + problem.sites[i].springs.give_along(0, push);

@@ -6,7 +6,8 @@ use super::program::QuadraticProgram;
 use super::program_rows::ProgramRows;
 use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::{Error, Field, LARGEST};
-use crate::grasp::{Contact, Engine, Stiffness, Twist, Wrench, grasp_map};
+use crate::grasp::{Contact, Engine, Space, Stiffness, Twist, Wrench, of_axes};
+use crate::numerics::Vector;
 use crate::prelude::*;
 
 /// The meaning of an equality row of the printed program.
@@ -113,7 +114,8 @@ pub struct PrintedQp<const C: usize> {
     pub inequalities: Vec<Inequality>,
     /// `Σ ½ k_f u_f²`, J, which the printed cost omits.
     pub constant: f64,
-    contacts: usize,
+    pub(super) contacts: usize,
+    pub(super) space: Space,
 }
 
 /// The three displacements of one contact in its frame, m.
@@ -135,7 +137,8 @@ impl<const C: usize> PrintedQp<C> {
     /// If x is not a vector of unknowns of this program.
     #[must_use]
     pub fn twist(&self, x: &DVector<f64>) -> Twist<C> {
-        Twist::from_components(&x.as_slice()[3 * C * self.contacts..])
+        let own = &x.as_slice()[3 * self.space.axes() * self.contacts..];
+        Twist::among(self.space, &Vector::from_slice(own))
     }
 
     /// The displacements Q_i of a contact from a vector of unknowns.
@@ -144,7 +147,8 @@ impl<const C: usize> PrintedQp<C> {
     /// If x is not a vector of unknowns of this program, or there is no such contact.
     #[must_use]
     pub fn displacements(&self, x: &DVector<f64>, contact: usize) -> Displacements<C> {
-        let part = |k: usize| x.fixed_rows::<C>(C * (3 * contact + k)).into_owned();
+        let axes = self.space.axes();
+        let part = |k: usize| of_axes(axes, |a| x[axes * (3 * contact + k) + a]);
         Displacements { body_core: part(0), body_surface: part(1), finger_surface: part(2) }
     }
 
@@ -158,7 +162,9 @@ impl<const C: usize> PrintedQp<C> {
     pub fn force(&self, x: &DVector<f64>, contact: usize) -> SVector<f64, C> {
         let u = self.displacements(x, contact);
         let stretch = u.body_surface - u.body_core;
-        SVector::from_fn(|a, _| self.program.h[(C * 3 * contact + a, C * 3 * contact + a)] * stretch[a])
+        let axes = self.space.axes();
+        let of = |a: usize| 3 * axes * contact + a;
+        of_axes(axes, |a| self.program.h[(of(a), of(a))] * stretch[a])
     }
 
     /// The force at a contact in the balance of the object, in the contact frame, N: minus the multipliers of its [`Equality::BodyMotion`] rows.
@@ -170,19 +176,21 @@ impl<const C: usize> PrintedQp<C> {
     /// If y does not belong to this program, or there is no such contact.
     #[must_use]
     pub fn force_on_object(&self, equality_multipliers: &DVector<f64>, contact: usize) -> SVector<f64, C> {
-        let first = self.equalities.len() - C * (self.contacts - contact);
-        -equality_multipliers.fixed_rows::<C>(first).into_owned()
+        let axes = self.space.axes();
+        let first = self.equalities.len() - axes * (self.contacts - contact);
+        of_axes(axes, |a| -equality_multipliers[first + a])
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Energy::printed_qp`](crate::ask::Energy::printed_qp).
-    pub(crate) fn printed_qp(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<PrintedQp<C>, Error> {
+    pub(crate) fn printed_qp(&self, load: &Wrench<3>, cone: &PolygonCone) -> Result<PrintedQp<3>, Error> {
         self.refuse_hands("printed_qp")?;
         let problem = self.on_polygons(load, cone)?;
         let size = self.size();
         let count = size.count();
-        let columns = 3 * C * self.len() + count;
+        let (space, axes) = (self.space(), self.space().axes());
+        let columns = 3 * axes * self.len() + count;
         let mut written = Written {
             g: DVector::zeros(columns),
             h: DMatrix::zeros(columns, columns),
@@ -192,25 +200,27 @@ impl<const C: usize> Engine<C> {
         };
         for (i, (local, contact)) in problem.locals().zip(self.contacts()).enumerate() {
             let sides = both_sides(i, contact)?;
-            written.springs(i, &contact.command, &sides);
-            written.surfaces(i, &local, contact, &sides);
+            written.springs(axes, i, &contact.command, &sides);
+            written.surfaces(axes, i, &local, contact, &sides);
         }
         for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
-            let map = grasp_map(size, &contact.point, &site.frame);
-            for axis in 0..C {
+            let map = space.grasp_map(size, &contact.point, &site.frame);
+            for axis in 0..axes {
                 let moved = (0..count).map(|k| (columns - count + k, -map[(k, axis)]));
-                let terms = core::iter::once((column::<C>(i, BODY_CORE, axis), 1.0)).chain(moved);
+                let terms = core::iter::once((column(axes, i, BODY_CORE, axis), 1.0)).chain(moved);
                 written.equalities.push_terms(Equality::BodyMotion { contact: i, axis }, terms, 0.0);
             }
         }
         let Written { mut g, h, equalities, inequalities, constant } = written;
-        for (g, load) in g.iter_mut().skip(columns - count).zip(self.with_vacuum(load).components()) {
+        for (g, load) in
+            g.iter_mut().skip(columns - count).zip(self.with_vacuum(load).coordinates(space).iter())
+        {
             *g = -load;
         }
         let (equalities, a, c) = equalities.finish();
         let (inequalities, b, d) = inequalities.finish();
         let program = QuadraticProgram { g, h, a, c, b, d };
-        Ok(PrintedQp { program, equalities, inequalities, constant, contacts: self.len() })
+        Ok(PrintedQp { program, equalities, inequalities, constant, contacts: self.len(), space })
     }
 }
 
@@ -222,12 +232,12 @@ const BODY_SURFACE: usize = 1;
 const FINGER_SURFACE: usize = 2;
 
 /// The column of one displacement of a contact along an axis.
-fn column<const C: usize>(contact: usize, displacement: usize, axis: usize) -> usize {
-    C * (3 * contact + displacement) + axis
+fn column(axes: usize, contact: usize, displacement: usize, axis: usize) -> usize {
+    axes * (3 * contact + displacement) + axis
 }
 
 /// The stiffnesses of body and finger of a contact.
-fn both_sides<const C: usize>(index: usize, contact: &Contact<C>) -> Result<[SVector<f64, C>; 2], Error> {
+fn both_sides(index: usize, contact: &Contact<3>) -> Result<[SVector<f64, 3>; 2], Error> {
     const ALLOWED: &str = "from 1e-50 to 1e50 on both sides (the paper's program has two springs a contact)";
     let fault =
         |field, value| Err(Error::Contact { contact: contact.label(index), field, value, allowed: ALLOWED });
@@ -254,14 +264,15 @@ struct Written {
 
 impl Written {
     /// Adds the energy of both springs of a contact, and the rows that make their forces equal.
-    fn springs<const C: usize>(
+    fn springs(
         &mut self,
+        axes: usize,
         contact: usize,
-        u_f: &SVector<f64, C>,
-        [body, finger]: &[SVector<f64, C>; 2],
+        u_f: &SVector<f64, 3>,
+        [body, finger]: &[SVector<f64, 3>; 2],
     ) {
-        for axis in 0..C {
-            let [c, d, e] = [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| column::<C>(contact, u, axis));
+        for axis in 0..axes {
+            let [c, d, e] = [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| column(axes, contact, u, axis));
             let (k_b, k_f) = (body[axis], finger[axis]);
             (self.h[(c, c)], self.h[(d, d)], self.h[(e, e)]) = (k_b, k_b, k_f);
             (self.h[(c, d)], self.h[(d, c)]) = (-k_b, -k_b);
@@ -273,15 +284,16 @@ impl Written {
     }
 
     /// Adds the rows for the motion between the surfaces of a contact and for its forces.
-    fn surfaces<const C: usize>(
+    fn surfaces(
         &mut self,
+        axes: usize,
         i: usize,
-        local: &LocalLaw<'_, C>,
-        contact: &Contact<C>,
-        [body, _]: &[SVector<f64, C>; 2],
+        local: &LocalLaw<'_>,
+        contact: &Contact<3>,
+        [body, _]: &[SVector<f64, 3>; 2],
     ) {
         let [c, d, e] =
-            [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| move |axis| column::<C>(i, u, axis));
+            [BODY_CORE, BODY_SURFACE, FINGER_SURFACE].map(|u| move |axis| column(axes, i, u, axis));
         let apart = |axis| [(d(axis), 1.0), (e(axis), -1.0)];
         for axis in 1..local.springs.axes() {
             self.equalities.push_terms(Equality::Sticking { contact: i, axis }, apart(axis), 0.0);
@@ -296,7 +308,7 @@ impl Written {
         }
         for (facet, normal) in local.facets().iter().enumerate() {
             let row = local.cone().facet_row(normal).component_mul(&(body / body[0]));
-            let terms = (0..C).flat_map(|axis| [(c(axis), -row[axis]), (d(axis), row[axis])]);
+            let terms = (0..axes).flat_map(|axis| [(c(axis), -row[axis]), (d(axis), row[axis])]);
             self.inequalities.push_terms(Inequality::Friction { contact: i, facet }, terms, 0.0);
         }
     }

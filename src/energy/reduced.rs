@@ -6,7 +6,7 @@ use super::program::QuadraticProgram;
 use super::program_rows::ProgramRows;
 use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::Error;
-use crate::grasp::{Engine, Wrench, grasp_map};
+use crate::grasp::{Engine, Wrench};
 use crate::numerics::unit;
 use crate::prelude::*;
 
@@ -71,17 +71,17 @@ pub struct ReducedQp<const C: usize> {
     pub constant: f64,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Energy::reduced_qp`](crate::ask::Energy::reduced_qp).
     pub(crate) fn reduced_qp(
         &self,
-        load: &Wrench<C>,
+        load: &Wrench<3>,
         cone: &PolygonCone,
         unknowns: Unknowns,
-    ) -> Result<ReducedQp<C>, Error> {
+    ) -> Result<ReducedQp<3>, Error> {
         self.refuse_hands("reduced_qp")?;
         let problem = self.on_polygons(load, cone)?;
-        let may_open = |local: &LocalLaw<'_, C>| {
+        let may_open = |local: &LocalLaw<'_>| {
             unknowns == Unknowns::TwistAndGaps && local.may_open() && !local.never_slides()
         };
         let gaps = problem.locals().enumerate().filter(|(_, local)| may_open(local));
@@ -89,15 +89,15 @@ impl<const C: usize> Engine<C> {
         let (size, count) = (self.size(), self.size().count());
         let n = count + gaps.len();
         let (mut g, mut h) = (DVector::zeros(n), DMatrix::zeros(n, n));
-        for (g, load) in g.iter_mut().zip(load.components()) {
+        for (g, load) in g.iter_mut().zip(load.coordinates(self.space()).iter()) {
             *g = -load;
         }
         let mut rows = ProgramRows::new(n);
         let mut constant = 0.0;
         for (i, (local, drive)) in problem.locals().zip(&problem.drives).enumerate() {
             // Stretch of the springs: a - S x, with S = [G_iᵀ, -e_n at the gap].
-            let mut s = DMatrix::zeros(C, n);
-            let map = grasp_map(size, &self.contacts()[i].point, &self.sites()[i].frame);
+            let mut s = DMatrix::zeros(3, n);
+            let map = self.space().grasp_map(size, &self.contacts()[i].point, &self.sites()[i].frame);
             for k in 0..count {
                 s.set_column(k, &map.row(k));
             }
@@ -109,7 +109,7 @@ impl<const C: usize> Engine<C> {
             h += s.transpose() * SMatrix::from_diagonal(&local.springs.diagonal()) * &s;
             g -= s.tr_mul(&pushed);
             constant += 0.5 * drive.dot(&pushed);
-            let mut push = |says: ReducedRow, law: &SVector<f64, C>| {
+            let mut push = |says: ReducedRow, law: &SVector<f64, 3>| {
                 rows.push(says, -s.tr_mul(&local.springs.force(law)), -law.dot(&pushed));
             };
             if local.may_open() && gap.is_none() {

@@ -7,7 +7,7 @@ use crate::Settings;
 use crate::contact::{LocalLaw, Mode, Polygon, State};
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
-use crate::grasp::{Engine, Site, Twist, Wrench, displacement_of};
+use crate::grasp::{Engine, Site, Space, Twist, Wrench};
 use crate::numerics::{Map, Size, Square, Vector};
 use crate::object::{Lists, Load, Problem};
 use crate::prelude::*;
@@ -91,19 +91,19 @@ pub struct SecondOrder<const C: usize> {
     pub stability: Stability<C>,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Energy::second_order`](crate::ask::Energy::second_order).
     pub(crate) fn second_order_equilibrium(
         &self,
-        load: &Wrench<C>,
+        load: &Wrench<3>,
         settings: &Settings,
-    ) -> Result<SecondOrderOutcome<C>, Error> {
+    ) -> Result<SecondOrderOutcome<3>, Error> {
         self.refuse_hands("second_order_equilibrium")?;
         let first_order = match self.solve(load, settings)? {
             Outcome::Equilibrium(equilibrium) => *equilibrium,
             other => return Ok(SecondOrderOutcome::NoFirstOrder(Box::new(other))),
         };
-        let mut twist: Vector = first_order.twist.coordinates();
+        let mut twist: Vector = first_order.twist.coordinates(self.space());
         let mut last = f64::INFINITY;
         for iterations in 1..=MOST_ITERATIONS {
             let Some(found) = self.iterate(&twist, load, settings) else {
@@ -127,26 +127,28 @@ impl<const C: usize> Engine<C> {
     }
 
     /// Solves the first-order problem linearised about a twist.
-    fn iterate(&self, twist: &Vector, load: &Wrench<C>, settings: &Settings) -> Option<Step<C>> {
+    fn iterate(&self, twist: &Vector, load: &Wrench<3>, settings: &Settings) -> Option<Step> {
         let size = self.size();
-        let in_units = Vector::from_fn(size, |k| if k < C { 1.0 } else { 1.0 / self.length() });
+        let in_units =
+            Vector::from_fn(size, |k| if k < self.space().axes() { 1.0 } else { 1.0 / self.length() });
         let mut drives = self.drives();
-        let sites: Vec<Site<C>> = self
+        let sites: Vec<Site> = self
             .sites()
             .iter()
             .zip(self.contacts())
             .zip(&mut drives)
             .map(|((site, contact), drive)| {
-                let tangent = tangent(size, &contact.point, twist);
-                let rest = second_order_displacement(&contact.point, twist) - tangent.tr_mul(twist);
+                let tangent = tangent(self.space(), size, &contact.point, twist);
+                let rest =
+                    second_order_displacement(self.space(), &contact.point, twist) - tangent.tr_mul(twist);
                 *drive -= site.frame.tr_mul(&rest);
                 let in_units = Map::from_fn(size, |k, a| in_units[k] * tangent[(k, a)]);
                 site.with_map(in_units.times(&site.frame))
             })
             .collect();
-        let wrench: Vector = load.coordinates().component_mul(&in_units);
-        let polygon = Polygon::shared(&settings.cone);
-        let round = settings.is_round::<C>();
+        let wrench: Vector = load.coordinates(self.space()).component_mul(&in_units);
+        let polygon = Polygon::shared(self.space(), &settings.cone);
+        let round = settings.is_round(self.space());
         let problem = Problem::at_rest(
             &sites,
             polygon,
@@ -164,25 +166,26 @@ impl<const C: usize> Engine<C> {
 
     fn second_order(
         &self,
-        first_order: Equilibrium<C>,
+        first_order: Equilibrium<3>,
         twist: &Vector,
-        step: Step<C>,
+        step: Step,
         iterations: usize,
-    ) -> SecondOrder<C> {
+    ) -> SecondOrder<3> {
         let (mut dropped, mut force, mut displacement) = (0.0_f64, 0.0_f64, 0.0_f64);
         let (mut arms, mut world) = (Vec::new(), Vec::new());
         for (i, (site, contact)) in self.sites().iter().zip(self.contacts()).enumerate() {
-            let u = second_order_displacement(&contact.point, twist);
-            dropped = dropped.max(0.5 * turned(&turned(&contact.point, twist), twist).norm());
+            let u = second_order_displacement(self.space(), &contact.point, twist);
+            dropped = dropped
+                .max(0.5 * turned(self.space(), &turned(self.space(), &contact.point, twist), twist).norm());
             displacement = displacement.max((u - first_order.contacts[i].body_core).norm());
             force = force.max((step.forces[i] - first_order.contacts[i].force).norm());
-            arms.push(contact.point + u - SVector::<f64, C>::from_fn(|a, _| twist[a]));
+            arms.push(contact.point + u - self.space().linear_part(twist));
             world.push(site.frame * step.forces[i]);
         }
         SecondOrder {
             stability: self.stability_with(&arms, &world, &step.states, (Square::zeros(self.size()), false)),
             first_order,
-            twist: Twist::among(twist),
+            twist: Twist::among(self.space(), twist),
             forces: step.forces,
             states: step.states,
             dropped_displacement: dropped,
@@ -193,22 +196,20 @@ impl<const C: usize> Engine<C> {
     }
 
     fn largest_displacement(&self, twist: &Vector) -> f64 {
-        let at = |point: &SVector<f64, C>| displacement_of::<C>(point, twist).norm();
+        let at = |point: &SVector<f64, 3>| self.space().displacement_of(point, twist).norm();
         self.contacts().iter().map(|contact| at(&contact.point)).fold(0.0, f64::max)
     }
 }
 
 /// The result of one outer iteration.
-struct Step<const C: usize> {
+struct Step {
     twist: Vector,
-    forces: Vec<SVector<f64, C>>,
-    states: Vec<ContactState<C>>,
+    forces: Vec<SVector<f64, 3>>,
+    states: Vec<ContactState<3>>,
 }
 
 /// The state of a contact, with directions along the coordinate axes.
-fn as_physics<const C: usize>(
-    ((local, site), state): ((LocalLaw<'_, C>, &Site<C>), &State<C>),
-) -> ContactState<C> {
+fn as_physics(((local, site), state): ((LocalLaw<'_>, &Site), &State)) -> ContactState<3> {
     match state {
         Mode::Open => ContactState::Separated,
         Mode::Sticking if local.is_frictionless() => ContactState::Frictionless,
@@ -221,25 +222,25 @@ fn as_physics<const C: usize>(
 }
 
 /// `θ × v`.
-fn turned<const C: usize>(v: &SVector<f64, C>, twist: &Vector) -> SVector<f64, C> {
+fn turned(space: Space, v: &SVector<f64, 3>, twist: &Vector) -> SVector<f64, 3> {
     let mut rotation = twist.clone();
-    rotation.iter_mut().take(C).for_each(|x| *x = 0.0);
-    displacement_of::<C>(v, &rotation)
+    rotation.iter_mut().take(space.axes()).for_each(|x| *x = 0.0);
+    space.displacement_of(v, &rotation)
 }
 
 /// `δ + θ × r + ½ θ × (θ × r)`.
-fn second_order_displacement<const C: usize>(point: &SVector<f64, C>, twist: &Vector) -> SVector<f64, C> {
-    displacement_of::<C>(point, twist) + turned(&turned(point, twist), twist) * 0.5
+fn second_order_displacement(space: Space, point: &SVector<f64, 3>, twist: &Vector) -> SVector<f64, 3> {
+    space.displacement_of(point, twist) + turned(space, &turned(space, point, twist), twist) * 0.5
 }
 
 /// Jᵀ: the columns are the derivatives of the components of the displacement.
-fn tangent<const C: usize>(size: Size, point: &SVector<f64, C>, twist: &Vector) -> Map<C> {
-    let once = turned(point, twist);
+fn tangent(space: Space, size: Size, point: &SVector<f64, 3>, twist: &Vector) -> Map {
+    let once = turned(space, point, twist);
     let mut tangent = Map::zeros(size);
     for k in 0..size.count() {
         let unit = Vector::unit(size, k);
-        let twice = turned(&once, &unit) + turned(&turned(point, &unit), twist);
-        tangent.set_row(k, &(displacement_of::<C>(point, &unit) + twice * 0.5));
+        let twice = turned(space, &once, &unit) + turned(space, &turned(space, point, &unit), twist);
+        tangent.set_row(k, &(space.displacement_of(point, &unit) + twice * 0.5));
     }
     tangent
 }

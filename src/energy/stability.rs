@@ -5,7 +5,7 @@ use core::ops::Range;
 use nalgebra::{DMatrix, SVector, SymmetricEigen};
 
 use crate::equilibrium::{ContactState, Equilibrium};
-use crate::grasp::{Engine, Motion, grasp_map, of_the_object};
+use crate::grasp::{Engine, Motion, Space};
 use crate::numerics::{Size, Square, Vector};
 use crate::prelude::*;
 
@@ -75,9 +75,9 @@ impl<const C: usize> Stability<C> {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Energy::stability`](crate::ask::Energy::stability).
-    pub(crate) fn stability(&self, equilibrium: &Equilibrium<C>) -> Stability<C> {
+    pub(crate) fn stability(&self, equilibrium: &Equilibrium<3>) -> Stability<3> {
         let arms = self.contacts().iter().map(|contact| contact.point);
         let forces = equilibrium.contacts.iter().map(|c| c.force_world);
         let states: Vec<_> = equilibrium.contacts.iter().map(|c| c.state).collect();
@@ -86,7 +86,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// Elastic stiffness of the drives of a hand, and whether one of them slips.
-    fn drives_that_hold(&self, equilibrium: &Equilibrium<C>) -> (Square, bool) {
+    fn drives_that_hold(&self, equilibrium: &Equilibrium<3>) -> (Square, bool) {
         let (mut elastic, mut slips) = (Square::zeros(self.size()), false);
         let Some(linkage) = self.linkage() else { return (elastic, slips) };
         if !equilibrium.knows_all_of(self.sites().len()) {
@@ -108,16 +108,16 @@ impl<const C: usize> Engine<C> {
     }
 
     /// Adds the geometric stiffness of bodies that are not in the coordinates of the object.
-    fn turning_bodies(&self, contact: usize, force: &SVector<f64, C>, geometric: &mut Square) {
+    fn turning_bodies(&self, contact: usize, force: &SVector<f64, 3>, geometric: &mut Square) {
         let Some(bodies) = self.bodies() else { return };
-        let object = of_the_object::<C>();
+        let object = self.space().of_the_object();
         for (body, place) in bodies.places.iter().enumerate() {
             let sign = bodies.sign(contact, body);
             if sign == 0.0 || body == bodies.object {
                 continue;
             }
             let arm = self.contacts()[contact].point - place.centre;
-            let part = turning_arm::<C>(Size::of(object), &arm, force);
+            let part = turning_arm(self.space(), Size::of(object), &arm, force);
             for (row, column) in (0..object).flat_map(|row| (0..object).map(move |column| (row, column))) {
                 geometric[(place.first + row, place.first + column)] += sign * part[(row, column)];
             }
@@ -127,11 +127,11 @@ impl<const C: usize> Engine<C> {
     /// Stability with given arms from the object's point at the origin.
     pub(super) fn stability_with(
         &self,
-        arms: &[SVector<f64, C>],
-        forces: &[SVector<f64, C>],
-        states: &[ContactState<C>],
+        arms: &[SVector<f64, 3>],
+        forces: &[SVector<f64, 3>],
+        states: &[ContactState<3>],
         (mut elastic, mut slides): (Square, bool),
-    ) -> Stability<C> {
+    ) -> Stability<3> {
         let size = self.size();
         let mut geometric = Square::zeros(size);
         let contacts = arms.iter().zip(forces).zip(states);
@@ -145,14 +145,14 @@ impl<const C: usize> Engine<C> {
                 _ => site.springs.axes(),
             };
             let on_object = self.sign_on_object(i);
-            let mut map = grasp_map(size, arm, &(site.frame * on_object));
+            let mut map = self.space().grasp_map(size, arm, &(site.frame * on_object));
             for (k, motion) in self.linkage().map_or(&[][..], |linkage| &linkage.motions[i]) {
-                map.set_row(of_the_object::<C>() + k, &-site.frame.tr_mul(motion));
+                map.set_row(self.space().of_the_object() + k, &-site.frame.tr_mul(motion));
             }
             for a in 0..holds {
                 add_spring(&mut elastic, &map.column(a), site.springs.force_along(a, 1.0));
             }
-            geometric += &turning_arm(size, arm, &(force * on_object));
+            geometric += &turning_arm(self.space(), size, arm, &(force * on_object));
             self.turning_bodies(i, force, &mut geometric);
         }
         // Columns are the twists about the origin of unit twists in inside coordinates.
@@ -169,7 +169,7 @@ impl<const C: usize> Engine<C> {
         } else {
             StabilityVerdict::Unstable
         };
-        let told = of_the_object::<C>() + self.linkage().map_or(0, |linkage| linkage.joints.len());
+        let told = self.space().of_the_object() + self.linkage().map_or(0, |linkage| linkage.joints.len());
         Stability {
             elastic: condensed(&elastic, told),
             geometric: DMatrix::from_fn(told, told, |i, j| geometric[(i, j)]),
@@ -207,17 +207,17 @@ fn add_spring(stiffness: &mut Square, g: &Vector, k: f64) {
 }
 
 /// `-F · ∂²u/∂q²` of one contact.
-fn turning_arm<const C: usize>(size: Size, arm: &SVector<f64, C>, force: &SVector<f64, C>) -> Square {
+fn turning_arm(space: Space, size: Size, arm: &SVector<f64, 3>, force: &SVector<f64, 3>) -> Square {
     let mut part = Square::zeros(size);
     let along = arm.dot(force);
-    if C == 2 {
+    if space == Space::Planar {
         part[(2, 2)] = along;
         return part;
     }
-    for a in 0..C {
-        for b in 0..C {
+    for a in 0..3 {
+        for b in 0..3 {
             let mixed = 0.5 * (force[a] * arm[b] + arm[a] * force[b]);
-            part[(C + a, C + b)] = if a == b { along - mixed } else { -mixed };
+            part[(3 + a, 3 + b)] = if a == b { along - mixed } else { -mixed };
         }
     }
     part

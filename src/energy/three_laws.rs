@@ -22,12 +22,12 @@ pub struct ThreeLaws<const C: usize> {
     pub comparison: Comparison<C>,
     /// The associated law.
     pub associated: AssociatedOutcome<C>,
-    labels: Vec<String>,
+    pub(super) labels: Vec<String>,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Energy::three_laws`](crate::ask::Energy::three_laws).
-    pub(crate) fn three_laws(&self, load: &Wrench<C>, settings: &Settings) -> Result<ThreeLaws<C>, Error> {
+    pub(crate) fn three_laws(&self, load: &Wrench<3>, settings: &Settings) -> Result<ThreeLaws<3>, Error> {
         self.refuse_hands("three_laws")?;
         Ok(ThreeLaws {
             comparison: self.compare_with_minimum_energy(load, settings)?,

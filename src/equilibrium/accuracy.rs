@@ -38,9 +38,9 @@ pub struct Accuracy {
     pub condition: f64,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
-    pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<C>) -> Option<Accuracy> {
+    pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
         // Slips along a path on the round cone are integrated: its law is not that of a single state.
         let slides = equilibrium.local.states.iter().any(State::slides);
@@ -54,7 +54,7 @@ impl<const C: usize> Engine<C> {
         let piece = Piece::new(&problem, &states);
         let largest = problem.largest_force(&at.forces, &at.twist);
         let missing = piece.correction(&problem, &states, (&at.forces, &twist), largest);
-        let size = |forces: &[SVector<f64, C>]| forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
+        let size = |forces: &[SVector<f64, 3>]| forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
@@ -78,7 +78,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The local problem that an equilibrium solves; `None` for an equilibrium with another number of contacts.
-    pub(super) fn problem_of(&self, equilibrium: &Equilibrium<C>) -> Option<Problem<'_, C>> {
+    pub(super) fn problem_of(&self, equilibrium: &Equilibrium<3>) -> Option<Problem<'_>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;
         }
@@ -86,47 +86,48 @@ impl<const C: usize> Engine<C> {
         let wrench = self.load_unchecked(&equilibrium.load);
         let load = Load { wrench, rest: self.inside_rest(&equilibrium.load) };
         let (round, drives) = (equilibrium.cone == Cone::Round, equilibrium.local.drives.clone());
-        let problem = self.problem(Polygon::shared(&cone), round, drives, &load);
+        let problem = self.problem(Polygon::shared(self.space(), &cone), round, drives, &load);
         let LocalAnswer { slips, cones, .. } = &equilibrium.local;
         Some(Problem { slips: slips.clone(), cones: cones.clone(), ..problem })
     }
 }
 
 /// First-order residual of the conditions if every number of the question changes by its own size, up or down by the pattern of signs.
-struct Variation<const C: usize> {
-    stretches: Vec<SVector<f64, C>>,
+struct Variation {
+    stretches: Vec<SVector<f64, 3>>,
     load: Vector,
     /// Change of the friction forces by their coefficients.
-    dragged: Vec<SVector<f64, C>>,
+    dragged: Vec<SVector<f64, 3>>,
 }
 
-impl<const C: usize> Variation<C> {
+impl Variation {
     fn new(
-        grasp: &Engine<C>,
-        load: &Wrench<C>,
-        problem: &Problem<C>,
-        states: &[State<C>],
-        at: &PieceState<C>,
+        grasp: &Engine,
+        load: &Wrench<3>,
+        problem: &Problem,
+        states: &[State],
+        at: &PieceState,
         pattern: u64,
     ) -> Self {
         let mut signs = Draw::new([pattern, 0, 0]);
-        let load = load.coordinates().map(|w| w * signs.sign());
+        let space = grasp.space();
+        let load = load.coordinates(space).map(|w| w * signs.sign());
         let n = problem.len();
         let mut variation = Self {
             stretches: vec![SVector::zeros(); n],
-            load: grasp.inside_unchecked(&Wrench::among(&load)),
+            load: grasp.inside_unchecked(&Wrench::among(space, &load)),
             dragged: vec![SVector::zeros(); n],
         };
         if let Some(bodies) = grasp.bodies() {
-            let own = bodies.loads.iter().map(|load| load.coordinates().map(|w| w * signs.sign()));
-            let own: Vec<_> = own.map(|load| Wrench::among(&load)).collect();
+            let own = bodies.loads.iter().map(|load| load.coordinates(space).map(|w| w * signs.sign()));
+            let own: Vec<_> = own.map(|load| Wrench::among(space, &load)).collect();
             variation.load += grasp.put_on_each(bodies, &own);
         }
         for (i, site) in problem.sites.iter().enumerate() {
             let (force, drive) = (&at.forces[i], &problem.drives[i]);
             if states[i].slides() {
                 let sign = signs.sign();
-                for a in 1..C {
+                for a in 1..3 {
                     variation.dragged[i][a] = force[a] * sign;
                 }
             }

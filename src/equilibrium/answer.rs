@@ -124,7 +124,7 @@ pub struct Equilibrium<const C: usize> {
     pub work: WorkDone,
     /// The local solution, from which further questions about the answer start.
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub(crate) local: LocalAnswer<C>,
+    pub(crate) local: LocalAnswer,
 }
 
 impl<const C: usize> Equilibrium<C> {
@@ -152,9 +152,11 @@ impl<const C: usize> Equilibrium<C> {
     pub(crate) fn knows_all_of(&self, sites: usize) -> bool {
         self.local.states.len() == sites && self.contacts.len() + self.local.drive_forces.len() == sites
     }
+}
 
+impl Equilibrium<3> {
     /// Forces of all sites: contacts, then the drives of a hand.
-    pub(crate) fn site_forces(&self) -> Vec<SVector<f64, C>> {
+    pub(crate) fn site_forces(&self) -> Vec<SVector<f64, 3>> {
         self.contacts
             .iter()
             .map(|contact| contact.force)
@@ -165,17 +167,17 @@ impl<const C: usize> Equilibrium<C> {
 
 /// The solution of the local problem behind an answer; empty where the answer was read.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct LocalAnswer<const C: usize> {
-    pub(crate) states: Vec<State<C>>,
+pub(crate) struct LocalAnswer {
+    pub(crate) states: Vec<State>,
     /// Forces of the drives of a hand.
-    pub(crate) drive_forces: Vec<SVector<f64, C>>,
+    pub(crate) drive_forces: Vec<SVector<f64, 3>>,
     /// In inside coordinates.
-    pub(crate) twist: Coordinates<C>,
-    pub(crate) free_motions: Vec<Coordinates<C>>,
+    pub(crate) twist: Coordinates,
+    pub(crate) free_motions: Vec<Coordinates>,
     /// Commanded displacements less clearance and less the slips.
-    pub(crate) drives: Vec<SVector<f64, C>>,
+    pub(crate) drives: Vec<SVector<f64, 3>>,
     /// Slips that the drives count from.
-    pub(crate) slips: Vec<SVector<f64, C>>,
+    pub(crate) slips: Vec<SVector<f64, 3>>,
     /// Cones of contacts in place of those at rest: none, or one a contact.
     pub(crate) cones: Vec<Coulomb>,
 }

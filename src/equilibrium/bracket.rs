@@ -46,9 +46,9 @@ pub struct Spread {
     pub displacement: f64,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::bracket`](crate::ask::Grasp::bracket).
-    pub(crate) fn bracket(&self, load: &Wrench<C>, settings: &Settings) -> Result<Bracket<C>, Error> {
+    pub(crate) fn bracket(&self, load: &Wrench<3>, settings: &Settings) -> Result<Bracket<3>, Error> {
         let on = |fit: Fit| {
             let polygon = PolygonCone::new(settings.cone.facets(), fit)?;
             self.solve(load, &(*settings).with_cone(polygon).on_the_polygon())
@@ -72,7 +72,7 @@ impl<const C: usize> Engine<C> {
 }
 
 impl Spread {
-    fn between<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> Self {
+    fn between(a: &Equilibrium<3>, b: &Equilibrium<3>) -> Self {
         let pairs = || a.contacts.iter().zip(&b.contacts);
         Self {
             force: pairs().map(|(x, y)| (x.force - y.force).norm()).fold(0.0, f64::max),

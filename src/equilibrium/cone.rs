@@ -1,6 +1,7 @@
 //! The friction cone of an answer, and the range of its small motions.
 
 use crate::contact::PolygonCone;
+use crate::grasp::Space;
 use crate::search::{Settings, SmallMotions};
 
 /// What an answer is for.
@@ -11,9 +12,9 @@ pub(crate) struct AnswerFor {
 }
 
 impl AnswerFor {
-    /// What answers with C axes a contact are for.
-    pub(crate) fn of<const C: usize>(settings: &Settings) -> Self {
-        Self { cone: Cone::of::<C>(settings), small: settings.small_motions }
+    /// The cone and the limits of answers under these settings.
+    pub(crate) fn of(space: Space, settings: &Settings) -> Self {
+        Self { cone: Cone::of(space, settings), small: settings.small_motions }
     }
 }
 
@@ -32,14 +33,14 @@ pub enum Cone {
 }
 
 impl Cone {
-    /// The cone of answers with C axes a contact.
-    pub(crate) fn of<const C: usize>(settings: &Settings) -> Self {
-        if settings.is_round::<C>() { Self::Round } else { Self::polygonal::<C>(settings) }
+    /// The cone of answers.
+    pub(crate) fn of(space: Space, settings: &Settings) -> Self {
+        if settings.is_round(space) { Self::Round } else { Self::polygonal(space, settings) }
     }
 
     /// The polygonal cone of the settings, in the plane the exact one.
-    pub(crate) fn polygonal<const C: usize>(settings: &Settings) -> Self {
-        if C == 2 { Self::Planar } else { Self::Polygon(settings.cone) }
+    pub(crate) fn polygonal(space: Space, settings: &Settings) -> Self {
+        if space == Space::Planar { Self::Planar } else { Self::Polygon(settings.cone) }
     }
 
     /// Facets of a form with this cone: 2 in the plane, and the one tangent facet of a round cone.

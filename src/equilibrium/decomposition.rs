@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use super::answer::Equilibrium;
 use super::contact_answer::ContactState;
-use crate::grasp::{Engine, Site, object_alone};
+use crate::grasp::{Engine, Site};
 use crate::numerics::Map;
 use crate::object::least_forces;
 use crate::prelude::*;
@@ -21,23 +21,23 @@ pub struct Decomposition<const C: usize> {
     pub interaction: Vec<SVector<f64, C>>,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Statics::decompose`](crate::ask::Statics::decompose).
-    pub(crate) fn decompose(&self, equilibrium: &Equilibrium<C>) -> Decomposition<C> {
+    pub(crate) fn decompose(&self, equilibrium: &Equilibrium<3>) -> Decomposition<3> {
         let contact = |i: usize| equilibrium.contacts.get(i);
         let carries: Vec<bool> =
             (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).collect();
         let load = self.inside_unchecked(&self.with_vacuum(&equilibrium.load));
         // Only forces on the object count, whatever joints are behind the contacts.
-        let load = object_alone::<C>(&load);
-        let on_object = |site: &Site<C>| {
+        let load = self.space().object_alone(&load);
+        let on_object = |site: &Site| {
             let mut map = Map::zeros(site.map.size());
-            for a in 0..C {
-                map.set_column(a, &object_alone::<C>(&site.map.column(a)));
+            for a in 0..3 {
+                map.set_column(a, &self.space().object_alone(&site.map.column(a)));
             }
             site.with_map(map)
         };
-        let sites: Cow<'_, [Site<C>]> = match self.linkage() {
+        let sites: Cow<'_, [Site]> = match self.linkage() {
             None => self.sites().into(),
             Some(_) => self.sites()[..self.len()].iter().map(on_object).collect(),
         };

@@ -15,9 +15,9 @@ const ROUNDING_OF_DATA: f64 = 1e-12;
 /// Value of a condition, over the estimated error, below which it may be that error.
 const ERRORS: f64 = 10.0;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::distinct`](crate::ask::Grasp::distinct).
-    pub(crate) fn distinct(&self, equilibrium: &Equilibrium<C>) -> Option<Vec<bool>> {
+    pub(crate) fn distinct(&self, equilibrium: &Equilibrium<3>) -> Option<Vec<bool>> {
         let problem = self.problem_of(equilibrium)?;
         let [force_error, displacement_error] =
             self.accuracy(equilibrium).map_or([0.0; 2], |accuracy| [accuracy.force, accuracy.displacement]);
@@ -26,7 +26,7 @@ impl<const C: usize> Engine<C> {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites(), &problem.drives, twist, problem.wrench.norm(), sizes);
         let part = |error: f64, size: f64| if size > 0.0 { ERRORS * error / size } else { 0.0 };
-        let distinct = |(i, state): (usize, &State<C>)| {
+        let distinct = |(i, state): (usize, &State)| {
             let at = problem.at(i, &forces[i], twist, largest);
             let of_forces = part(force_error, largest);
             let of_displacements = part(displacement_error, at.span);

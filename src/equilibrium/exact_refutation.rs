@@ -40,7 +40,7 @@ struct Exact {
 }
 
 impl Exact {
-    fn new((site, local): (&Site<3>, LocalLaw<'_, 3>), drive: &SVector<f64, 3>) -> Self {
+    fn new((site, local): (&Site, LocalLaw<'_>), drive: &SVector<f64, 3>) -> Self {
         let entry = |k: usize, axis: usize| exact(site.map[(k, axis)]) + exact(site.map_rest[(k, axis)]);
         let axes = |x: &SVector<f64, 3>| core::array::from_fn(|axis| exact(x[axis]));
         Self {
@@ -139,7 +139,7 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
 
 /// Whether the case is contradicted.
 fn is_contradicted(
-    problem: &Problem<'_, 3>,
+    problem: &Problem,
     contacts: &[Exact],
     labels: &[Label],
     (motion, forces): (&Vector, &[SVector<f64, 3>]),
@@ -172,7 +172,7 @@ fn is_contradicted(
 }
 
 /// Three fingers around a jar, each with different data, pulled with more than they hold.
-fn jar(shift: f64, load: [f64; 3]) -> (Engine<3>, Wrench<3>) {
+fn jar(shift: f64, load: [f64; 3]) -> (Engine, Wrench<3>) {
     let finger = |k: f64| {
         let (sin, cos) = (2.0 * k + shift).sin_cos();
         Contact::new([cos, sin, 0.1 * k], [-cos, -sin, 0.05 * k])

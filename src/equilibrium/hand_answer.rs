@@ -3,9 +3,7 @@
 use nalgebra::SVector;
 
 use crate::contact::State;
-use crate::grasp::{
-    Drive, Engine, HandPart, JointKind, Linkage, Named, Owner, PartLabel, Role, of_the_object,
-};
+use crate::grasp::{Drive, Engine, HandPart, JointKind, Linkage, Named, Owner, PartLabel, Role};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Found;
@@ -90,12 +88,12 @@ struct Own {
     yielded: f64,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// Answers for joints and tendons, from a solution of the local problem.
     pub(super) fn hand_answers(
         &self,
-        problem: &Problem<C>,
-        found: &Found<C>,
+        problem: &Problem,
+        found: &Found,
     ) -> (Vec<JointAnswer>, Vec<TendonAnswer>) {
         let Some(linkage) = self.linkage() else { return (Vec::new(), Vec::new()) };
         let own = |owner: Owner| self.own(linkage, problem, found, owner);
@@ -103,7 +101,7 @@ impl<const C: usize> Engine<C> {
         for (site, force) in self.sites().iter().zip(&found.forces).skip(self.len()) {
             exerted += &site.map * force;
         }
-        let object = of_the_object::<C>();
+        let object = self.space().of_the_object();
         let joint = |j: usize| {
             let length = linkage.lengths[object + j];
             let Own { carried, state, yielded } = own(Owner::Joint(j));
@@ -132,7 +130,7 @@ impl<const C: usize> Engine<C> {
         (joints, linkage.tendons.iter().enumerate().map(tendon).collect())
     }
 
-    fn own(&self, linkage: &Linkage<C>, problem: &Problem<C>, found: &Found<C>, owner: Owner) -> Own {
+    fn own(&self, linkage: &Linkage, problem: &Problem, found: &Found, owner: Owner) -> Own {
         let mut own = Own { carried: 0.0, state: DriveState::Absent, yielded: 0.0 };
         for (k, drive) in linkage.drives.iter().enumerate().filter(|(_, drive)| drive.owner == owner) {
             let i = self.len() + k;
@@ -159,12 +157,12 @@ fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
 }
 
 /// State of a drive, and the displacement by which it has yielded along its own axis.
-fn doing<const C: usize>(
+fn doing(
     drive: &Drive,
-    state: &State<C>,
-    stretch: &SVector<f64, C>,
-    force: &SVector<f64, C>,
-    slipped: &SVector<f64, C>,
+    state: &State,
+    stretch: &SVector<f64, 3>,
+    force: &SVector<f64, 3>,
+    slipped: &SVector<f64, 3>,
 ) -> (DriveState, f64) {
     let open = state.is_open();
     match drive.role {

@@ -29,6 +29,7 @@ mod display;
 mod distinct;
 #[cfg(test)]
 mod exact_refutation;
+mod face;
 mod hand_answer;
 mod no_equilibrium;
 mod pad_answer;

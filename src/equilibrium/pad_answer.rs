@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::answer::Equilibrium;
 use super::contact_answer::{ContactAnswer, ContactState};
 use crate::error::ContactLabel;
-use crate::grasp::{Engine, WholeContacts, Wrench, displacement_of, of_the_object};
+use crate::grasp::{Engine, Space, WholeContacts, Wrench};
 use crate::numerics::Vector;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -68,7 +68,7 @@ impl<const C: usize> PadAnswer<C> {
     /// Its force in the contact frame, N.
     #[must_use]
     pub fn force(&self) -> SVector<f64, C> {
-        SVector::from_column_slice(&self.wrench.components()[..C])
+        self.wrench.force_part()
     }
 
     /// Its moment about its middle, N m: one component in the plane, three in space.
@@ -167,9 +167,9 @@ impl<const C: usize> Equilibrium<C> {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// The soft fingertips among the contacts of a solution.
-    pub(super) fn pads(&self, solved: &[ContactAnswer<C>]) -> Vec<PadAnswer<C>> {
+    pub(super) fn pads(&self, solved: &[ContactAnswer<3>]) -> Vec<PadAnswer<3>> {
         let contacts = self.contacts();
         if contacts.iter().all(|contact| contact.point_of_pad.is_none()) {
             return Vec::new();
@@ -179,7 +179,7 @@ impl<const C: usize> Engine<C> {
         let pad = |(number, range): (usize, Range<usize>)| {
             contacts[range.start].point_of_pad?;
             let of = &solved[range.clone()];
-            let count = |is_so: fn(&ContactState<C>) -> bool| of.iter().filter(|c| is_so(&c.state)).count();
+            let count = |is_so: fn(&ContactState<3>) -> bool| of.iter().filter(|c| is_so(&c.state)).count();
             Some(PadAnswer {
                 contact: parts.whole(number),
                 first: range.start,
@@ -194,9 +194,10 @@ impl<const C: usize> Engine<C> {
     }
 
     /// Forces and their moment about a point, along the axes of the contact frame.
-    fn wrench_of_pad(&self, of: &[ContactAnswer<C>], first: usize, about: &SVector<f64, C>) -> Wrench<C> {
+    fn wrench_of_pad(&self, of: &[ContactAnswer<3>], first: usize, about: &SVector<f64, 3>) -> Wrench<3> {
         let frame = &self.sites()[first].frame;
-        let mut sums = vec![[0.0; 2]; of_the_object::<C>()];
+        let (space, axes) = (self.space(), self.space().axes());
+        let mut sums = vec![[0.0; 2]; space.of_the_object()];
         let mut add = |k: usize, x: f64| {
             sums[k][0] += x;
             sums[k][1] += x.abs();
@@ -207,20 +208,20 @@ impl<const C: usize> Engine<C> {
                 Some(_) => frame.tr_mul(&contact.force_world),
                 None => contact.force,
             };
-            (0..C).for_each(|a| add(a, force[a]));
+            (0..axes).for_each(|a| add(a, force[a]));
             let arm = self.contacts()[i].point - about;
             // The work of a force on a unit rotation about an axis is its moment about that axis.
-            for turn in 0..of_the_object::<C>() - C {
+            for turn in 0..space.planes().len() {
                 let mut unit = Vector::zeros();
-                if C == 2 {
-                    unit[C] = 1.0;
+                if space == Space::Planar {
+                    unit[axes] = 1.0;
                 } else {
-                    (0..C).for_each(|a| unit[C + a] = frame[(a, turn)]);
+                    (0..axes).for_each(|a| unit[axes + a] = frame[(a, turn)]);
                 }
-                add(C + turn, displacement_of::<C>(&arm, &unit).dot(&contact.force_world));
+                add(axes + turn, space.displacement_of(&arm, &unit).dot(&contact.force_world));
             }
         }
         let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= ROUNDING * size { 0.0 } else { *sum };
-        Wrench::from_components(&sums.iter().map(clean).collect::<Vec<_>>())
+        Wrench::among(space, &Vector::from_slice(&sums.iter().map(clean).collect::<Vec<_>>()))
     }
 }

@@ -23,21 +23,21 @@ const ACCURATE_ON_THE_ROUND_CONE: f64 = 1e-12;
 /// Difference of forces and of displacements, over the largest, below which two answers are the same equilibrium.
 const SAME: f64 = 1e-9;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::solve`](crate::ask::Grasp::solve).
-    pub(crate) fn solve(&self, load: &Wrench<C>, settings: &Settings) -> Result<Outcome<C>, Error> {
+    pub(crate) fn solve(&self, load: &Wrench<3>, settings: &Settings) -> Result<Outcome<3>, Error> {
         let problem = self.problem_under(load, settings)?;
         let (mut settled, effort) = settle_at_rest(&problem, settings);
         if let Settled::Found(found, rule) = settled {
             settled = Settled::Found(on_the_whole_line(&problem, found), rule);
         }
-        let outcome = self.outcome(&problem, load, settled, &effort, AnswerFor::of::<C>(settings));
+        let outcome = self.outcome(&problem, load, settled, &effort, AnswerFor::of(self.space(), settings));
         outcome.equilibrium().map_or(Ok(()), |state| self.refuse_kinetic_slides("solve", state))?;
         Ok(outcome)
     }
 
     /// Refuses sliding contacts with kinetic friction, since an equilibrium is computed with friction at rest.
-    fn refuse_kinetic_slides(&self, question: &'static str, state: &Equilibrium<C>) -> Result<(), Error> {
+    fn refuse_kinetic_slides(&self, question: &'static str, state: &Equilibrium<3>) -> Result<(), Error> {
         let slides = |i: &usize| matches!(state.contacts[*i].state, ContactState::Sliding { .. });
         match self.weaker_once_they_slide().find(slides) {
             Some(i) => Err(Error::KineticFriction { question, contact: self.contacts()[i].label(i) }),
@@ -48,9 +48,9 @@ impl<const C: usize> Engine<C> {
     /// [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
     pub(crate) fn equilibria(
         &self,
-        load: &Wrench<C>,
+        load: &Wrench<3>,
         settings: &Settings,
-    ) -> Result<Vec<Equilibrium<C>>, Error> {
+    ) -> Result<Vec<Equilibrium<3>>, Error> {
         let problem = self.problem_under(load, settings)?;
         let combinations = combinations(&problem);
         if combinations > settings.most_states as f64 {
@@ -62,10 +62,10 @@ impl<const C: usize> Engine<C> {
         }
         let search = search(&problem, false);
         let effort = Effort { combinations: search.tried, ..Effort::default() };
-        let mut list: Vec<Equilibrium<C>> = Vec::new();
-        let mut add = |found: Found<C>, rule, effort: &Effort| {
+        let mut list: Vec<Equilibrium<3>> = Vec::new();
+        let mut add = |found: Found, rule, effort: &Effort| {
             let equilibrium =
-                self.equilibrium(&problem, load, found, rule, effort, AnswerFor::of::<C>(settings));
+                self.equilibrium(&problem, load, found, rule, effort, AnswerFor::of(self.space(), settings));
             if accurate(&equilibrium) && !list.iter().any(|known| same(known, &equilibrium)) {
                 list.push(equilibrium);
             }
@@ -84,25 +84,21 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The problem at rest under a load.
-    pub(super) fn problem_under(
-        &self,
-        load: &Wrench<C>,
-        settings: &Settings,
-    ) -> Result<Problem<'_, C>, Error> {
+    pub(super) fn problem_under(&self, load: &Wrench<3>, settings: &Settings) -> Result<Problem<'_>, Error> {
         settings.small_motions.check()?;
-        let polygon = Polygon::shared(&settings.cone);
+        let polygon = Polygon::shared(self.space(), &settings.cone);
         let load = self.load(load, "load")?;
-        Ok(self.problem(polygon, settings.is_round::<C>(), self.drives(), &load))
+        Ok(self.problem(polygon, settings.is_round(self.space()), self.drives(), &load))
     }
 
     pub(crate) fn outcome(
         &self,
-        problem: &Problem<C>,
-        load: &Wrench<C>,
-        settled: Settled<C>,
+        problem: &Problem,
+        load: &Wrench<3>,
+        settled: Settled,
         effort: &Effort,
         answer_for: AnswerFor,
-    ) -> Outcome<C> {
+    ) -> Outcome<3> {
         let none = |proof| Outcome::NoEquilibrium(NoEquilibrium { proof });
         let motion_and_work = |v: &Vector| (self.motion_outside(v), v.dot(&problem.wrench));
         match settled {
@@ -138,16 +134,16 @@ impl<const C: usize> Engine<C> {
 }
 
 /// Whether the residuals are small enough for an equilibrium.
-fn accurate<const C: usize>(equilibrium: &Equilibrium<C>) -> bool {
+fn accurate(equilibrium: &Equilibrium<3>) -> bool {
     let most = if equilibrium.cone == Cone::Round { ACCURATE_ON_THE_ROUND_CONE } else { ACCURATE };
     equilibrium.residuals.worst() <= most
 }
 
 /// Whether two answers to the same question are the same equilibrium.
-fn same<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> bool {
-    let size = |e: &Equilibrium<C>| e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
+fn same(a: &Equilibrium<3>, b: &Equilibrium<3>) -> bool {
+    let size = |e: &Equilibrium<3>| e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
     let force_size = size(a).max(size(b));
-    let travel = |e: &Equilibrium<C>| e.contacts.iter().map(|c| c.body_core.norm()).fold(0.0, f64::max);
+    let travel = |e: &Equilibrium<3>| e.contacts.iter().map(|c| c.body_core.norm()).fold(0.0, f64::max);
     let motion_size = travel(a).max(travel(b));
     let contacts_agree = a.contacts.iter().zip(&b.contacts).all(|(x, y)| {
         (x.force - y.force).norm() <= SAME * force_size

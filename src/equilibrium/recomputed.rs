@@ -6,7 +6,7 @@ use super::cone::Cone;
 use super::contact_answer::{ContactAnswer, ContactState};
 use super::residuals::Residuals;
 use crate::contact::{Coulomb, Polygon};
-use crate::grasp::{Engine, Hold, Site, Wrench, displacement_of, object_alone, of_the_object, wrench_of};
+use crate::grasp::{Engine, Hold, Site, Wrench};
 use crate::numerics::Vector;
 use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
@@ -18,20 +18,20 @@ const SMALLEST: f64 = 1e-250;
 const STILL: f64 = 1e-20;
 
 /// Answer at one site: a contact, or a drive of a hand.
-struct Told<'a, const C: usize> {
-    force: &'a SVector<f64, C>,
+struct Told<'a> {
+    force: &'a SVector<f64, 3>,
     gap: f64,
     separated: bool,
-    stretch: SVector<f64, C>,
+    stretch: SVector<f64, 3>,
     /// Slip since the state was decided, m.
-    slip: SVector<f64, C>,
+    slip: SVector<f64, 3>,
 }
 
 /// Law of one site, and the sizes by which its residuals are divided, N and m.
-struct ContactLaw<'c, const C: usize> {
-    site: &'c Site<C>,
+struct ContactLaw<'c> {
+    site: &'c Site,
     friction: Coulomb,
-    polygon: &'c Polygon<C>,
+    polygon: &'c Polygon,
     cone: Cone,
     force_size: f64,
     travel: f64,
@@ -39,7 +39,7 @@ struct ContactLaw<'c, const C: usize> {
 
 impl Residuals {
     /// Raises each residual to that of one site, if that is larger.
-    fn note<const C: usize>(&mut self, law: &ContactLaw<'_, C>, told: &Told<'_, C>) {
+    fn note(&mut self, law: &ContactLaw<'_>, told: &Told<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
         let Told { force: f, gap: g, separated, stretch, slip: s } = *told;
         let give = site.springs.give(f);
@@ -68,7 +68,7 @@ impl Residuals {
             let (used, support) = if cone == Cone::Round {
                 (f.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f)), s.norm())
             } else {
-                let most = |list: &[SVector<f64, C>], x: &SVector<f64, C>| {
+                let most = |list: &[SVector<f64, 3>], x: &SVector<f64, 3>| {
                     list.iter().fold(0.0_f64, |most, h| most.max(h.dot(x)))
                 };
                 (most(&polygon.normals, f), most(&polygon.corners, &s))
@@ -81,14 +81,14 @@ impl Residuals {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load; for joints from their Jacobians and drives.
     pub(crate) fn residuals(
         &self,
-        problem: &Problem<C>,
-        load: &Wrench<C>,
+        problem: &Problem,
+        load: &Wrench<3>,
         twist: &Vector,
-        (answers, found): (&[ContactAnswer<C>], &Found<C>),
+        (answers, found): (&[ContactAnswer<3>], &Found),
         cone: Cone,
     ) -> Residuals {
         let [force_terms, travel_terms] = found.sizes;
@@ -96,10 +96,10 @@ impl<const C: usize> Engine<C> {
         if !answers.iter().all(is_finite) || !twist.iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
         }
-        let load_force = SVector::<f64, C>::from_fn(|a, _| load.components()[a]);
-        let object = of_the_object::<C>();
-        let turned: f64 = twist.iter().take(object).skip(C).map(|x| x.abs()).sum();
-        let translated = object_alone::<C>(twist);
+        let load_force = load.force_part();
+        let object = self.space().of_the_object();
+        let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
+        let translated = self.space().object_alone(twist);
         // The law is about the slip since the state from which the drives count.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drives_told(problem, twist, found);
@@ -140,7 +140,8 @@ impl<const C: usize> Engine<C> {
         };
         for (i, answer) in answers.iter().enumerate() {
             let point = &self.contacts()[i].point;
-            let moved = displacement_of(point, twist) * self.sign_on_object(i) - self.carried(i, twist).0;
+            let moved = self.space().displacement_of(point, twist) * self.sign_on_object(i)
+                - self.carried(i, twist).0;
             let stretch = problem.drives[i] - self.sites()[i].frame.tr_mul(&moved);
             let separated = answer.state == ContactState::Separated;
             let told = Told { force: &answer.force, gap: answer.gap, separated, stretch, slip: slip(i) };
@@ -153,11 +154,11 @@ impl<const C: usize> Engine<C> {
     }
 
     /// Displacement of a contact by the joints of its finger, along the coordinate axes, and the size of the terms of that sum.
-    fn carried(&self, contact: usize, twist: &Vector) -> (SVector<f64, C>, f64) {
+    fn carried(&self, contact: usize, twist: &Vector) -> (SVector<f64, 3>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
         for (k, motion) in &linkage.motions[contact] {
-            let step = motion * twist[of_the_object::<C>() + k];
+            let step = motion * twist[self.space().of_the_object() + k];
             sum += step;
             size += step.norm();
         }
@@ -165,12 +166,12 @@ impl<const C: usize> Engine<C> {
     }
 
     /// Answers at the drives of a hand.
-    fn drives_told<'a>(&self, problem: &Problem<C>, twist: &Vector, found: &'a Found<C>) -> Vec<Told<'a, C>> {
+    fn drives_told<'a>(&self, problem: &Problem, twist: &Vector, found: &'a Found) -> Vec<Told<'a>> {
         if self.linkage().is_none() {
             return Vec::new();
         }
         let inside = self.inside_motion(twist);
-        let told = |(i, force): (usize, &'a SVector<f64, C>)| {
+        let told = |(i, force): (usize, &'a SVector<f64, 3>)| {
             let (site, separated) = (&self.sites()[i], found.states[i].is_open());
             let stretch = site.stretch(&problem.drives[i], &inside);
             let gap = if separated { (-stretch[0]).max(0.0) } else { 0.0 };
@@ -184,13 +185,13 @@ impl<const C: usize> Engine<C> {
     /// Torques out of balance at the joints, over the largest of their terms.
     fn joints_out_of_balance(
         &self,
-        load: &Wrench<C>,
-        answers: &[ContactAnswer<C>],
-        found: &Found<C>,
+        load: &Wrench<3>,
+        answers: &[ContactAnswer<3>],
+        found: &Found,
         force_size: f64,
     ) -> f64 {
         let Some(linkage) = self.linkage() else { return 0.0 };
-        let (object, count) = (of_the_object::<C>(), self.size().count());
+        let (object, count) = (self.space().of_the_object(), self.size().count());
         let mut from_outside = self.inside_unchecked(load) + &linkage.pulled;
         if let Some(vacuum) = self.vacuum() {
             from_outside += &vacuum.inside;
@@ -210,7 +211,7 @@ impl<const C: usize> Engine<C> {
             }
         }
         for (site, force) in self.sites().iter().zip(&found.forces).skip(self.len()) {
-            for k in site.support.ranges::<C>().into_iter().flatten() {
+            for k in site.support.ranges().into_iter().flatten() {
                 add(k, site.map.row(k).dot(force));
             }
         }
@@ -219,18 +220,19 @@ impl<const C: usize> Engine<C> {
 
     /// Imbalance of forces and moments on the object, over their sizes. `spring_force` is the least force that a spring could have from the
     /// displacements of its contact, or the size of the terms of the forces.
-    fn out_of_balance(&self, load: &Wrench<C>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
-        let mut sum = load.coordinates();
+    fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
+        let (space, axes) = (self.space(), self.space().axes());
+        let mut sum = load.coordinates(space);
         if let Some(bodies) = self.bodies() {
             let on_object = bodies.shared(load)[bodies.object] + bodies.loads[bodies.object];
-            sum = on_object.coordinates();
+            sum = on_object.coordinates(space);
         }
         let (mut force_size, mut moment_size) = (0.0, 0.0);
-        for k in 0..of_the_object::<C>() {
-            *(if k < C { &mut force_size } else { &mut moment_size }) += sum[k].abs();
+        for k in 0..space.of_the_object() {
+            *(if k < axes { &mut force_size } else { &mut moment_size }) += sum[k].abs();
         }
         for (i, (contact, answer)) in self.contacts().iter().zip(answers).enumerate() {
-            sum += &wrench_of::<C>(&contact.point, &answer.force_world) * self.sign_on_object(i);
+            sum += &space.wrench_of(&contact.point, &answer.force_world) * self.sign_on_object(i);
             force_size += answer.force_world.norm();
             moment_size += contact.point.norm() * answer.force_world.norm();
         }
@@ -244,14 +246,14 @@ impl<const C: usize> Engine<C> {
         force_size += spring_force;
         // A moment is compared with the moments, and with the forces at the distance of the contacts.
         moment_size += force_size * self.length();
-        let force = SVector::<f64, C>::from_fn(|a, _| sum[a]).norm();
-        let moment = sum.iter().take(of_the_object::<C>()).skip(C).map(|m| m * m).sum::<f64>().sqrt();
+        let force = space.linear_part::<3>(&sum).norm();
+        let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).sum::<f64>().sqrt();
         let relative = |residual: f64, size: f64| residual / size.max(SMALLEST);
         relative(force, force_size).max(relative(moment, moment_size))
     }
 }
 
-fn is_finite<const C: usize>(answer: &ContactAnswer<C>) -> bool {
+fn is_finite(answer: &ContactAnswer<3>) -> bool {
     let numbers = answer.force.iter().chain(&answer.force_world).chain(&answer.slip);
     answer.gap.is_finite() && numbers.into_iter().all(|x| x.is_finite())
 }
@@ -264,7 +266,7 @@ mod tests {
 
     use crate::contact::{Polygon, PolygonCone};
     use crate::equilibrium::Residuals;
-    use crate::grasp::{Contact, Engine, Wrench};
+    use crate::grasp::{Contact, Engine, Face, Space, Wrench};
     use crate::object::Load;
     use crate::search::{Found, Settings};
 
@@ -272,23 +274,26 @@ mod tests {
     #[test]
     fn what_is_not_finite_holds_nowhere() -> Result<(), Box<dyn core::error::Error>> {
         let jaw = |side: f64| {
-            Contact::new([side, 0.0], [-side, 0.0])
-                .series_stiffness(1e3, 8e2)
-                .friction(0.5)
-                .command([0.01, 0.0])
+            let jaw = Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2);
+            jaw.friction(0.5).command([0.01, 0.0]).enter()
         };
-        let grasp = Engine::<2>::new(vec![jaw(-1.0), jaw(1.0)])?;
-        let load = Wrench::<2>::force([0.0, -1.0]);
+        let grasp = Engine::new(vec![jaw(-1.0), jaw(1.0)])?;
+        let load = Wrench::<2>::force([0.0, -1.0]).enter();
         let answer = grasp.solve(&load, &Settings::default())?.equilibrium().ok_or("the jaws hold")?.clone();
         let wrench = grasp.inside(&load, "load")?;
-        let polygon = Arc::new(Polygon::new(&PolygonCone::default()));
+        let polygon = Arc::new(Polygon::new(Space::Planar, &PolygonCone::default()));
         let problem = grasp.problem(polygon, false, grasp.drives(), &Load::from(&wrench));
         let states = answer.local.states.clone();
         let found = Found::new(states, answer.site_forces(), answer.local.twist.to());
+        let moved = SVector::from([
+            answer.twist.components()[0],
+            answer.twist.components()[1],
+            answer.twist.components()[5],
+        ]);
         let worst = |twist: &SVector<f64, 3>, contacts: &[_]| {
             grasp.residuals(&problem, &load, &(*twist).into(), (contacts, &found), answer.cone).worst()
         };
-        assert!(worst(&answer.twist.to_vector(), &answer.contacts) < 1e-14);
+        assert!(worst(&moved, &answer.contacts) < 1e-14);
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let lost = SVector::from([0.0, bad, 0.0]);
             assert_eq!(worst(&lost, &answer.contacts), f64::INFINITY);
@@ -300,7 +305,7 @@ mod tests {
                     2 => contacts[0].slip[1] = bad,
                     _ => contacts[0].gap = bad,
                 }
-                assert_eq!(worst(&answer.twist.to_vector(), &contacts), f64::INFINITY, "{part} {bad}");
+                assert_eq!(worst(&moved, &contacts), f64::INFINITY, "{part} {bad}");
             }
         }
         for k in 0..5 {

@@ -1,12 +1,9 @@
 //! A proof, case by case, that no equilibrium exists on the round cone.
 
 use alloc::sync::Arc;
-use core::any::Any;
-use core::marker::PhantomData;
 
 use crate::error::Error;
-use crate::grasp::{Engine, Wrench};
-use crate::prelude::*;
+use crate::grasp::{Engine, Face, Wrench};
 use crate::proofs::{self, ProofStep};
 use crate::search::{self, Settings};
 
@@ -18,10 +15,20 @@ use crate::search::{self, Settings};
 /// does not depend on how the proof was found.
 #[derive(Debug, Clone)]
 pub struct Refutation<const C: usize> {
-    /// A list of [`ProofStep`]s in the grasp's number of coordinates.
-    steps: Arc<dyn Any + Send + Sync>,
+    steps: Arc<[ProofStep]>,
     cases: usize,
-    axes: PhantomData<[(); C]>,
+}
+
+impl<const C: usize> Face for Refutation<C> {
+    type Inside = Refutation<3>;
+
+    fn enter(self) -> Refutation<3> {
+        Refutation { steps: self.steps, cases: self.cases }
+    }
+
+    fn leave(inside: Refutation<3>) -> Self {
+        Self { steps: inside.steps, cases: inside.cases }
+    }
 }
 
 impl<const C: usize> Refutation<C> {
@@ -30,36 +37,26 @@ impl<const C: usize> Refutation<C> {
     pub fn cases(&self) -> usize {
         self.cases
     }
-
-    pub(crate) fn steps(&self) -> &(dyn Any + Send + Sync) {
-        &*self.steps
-    }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::refutation`](crate::ask::Grasp::refutation).
     pub(crate) fn refutation(
         &self,
-        load: &Wrench<C>,
+        load: &Wrench<3>,
         settings: &Settings,
-    ) -> Result<Option<Refutation<C>>, Error> {
+    ) -> Result<Option<Refutation<3>>, Error> {
         let problem = self.problem_under(load, &Settings { round: true, ..*settings })?;
-        Ok(search::refute(&problem, settings).map(|(steps, cases)| Refutation {
-            steps: Arc::new(steps),
-            cases,
-            axes: PhantomData,
-        }))
+        Ok(search::refute(&problem, settings).map(|(steps, cases)| Refutation { steps: steps.into(), cases }))
     }
 
     /// [`Refutation::check`].
     pub(crate) fn check_refutation(
         &self,
-        proof: &Refutation<C>,
-        load: &Wrench<C>,
+        proof: &Refutation<3>,
+        load: &Wrench<3>,
     ) -> Result<Option<f64>, Error> {
         let problem = self.problem_under(load, &Settings::default())?;
-        // Steps in another number of coordinates belong to another grasp.
-        let steps = proof.steps().downcast_ref::<Vec<ProofStep<C>>>();
-        Ok(steps.and_then(|steps| proofs::check(&problem, steps)))
+        Ok(proofs::check(&problem, &proof.steps))
     }
 }

@@ -8,7 +8,7 @@ use core::fmt;
 use nalgebra::SVector;
 
 use crate::contact::State;
-use crate::grasp::{Engine, WholeContact, WholeContacts, of_the_object};
+use crate::grasp::{Engine, WholeContact, WholeContacts};
 use crate::numerics::Vector;
 use crate::object::Problem;
 use crate::prelude::*;
@@ -121,23 +121,23 @@ pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
 
 /// Contacts in known states, with the offsets of their springs.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Standing<'s, const C: usize> {
-    pub(crate) drives: &'s [SVector<f64, C>],
-    pub(crate) slips: &'s [SVector<f64, C>],
-    pub(crate) states: &'s [State<C>],
-    pub(crate) forces: &'s [SVector<f64, C>],
+pub(crate) struct Standing<'s> {
+    pub(crate) drives: &'s [SVector<f64, 3>],
+    pub(crate) slips: &'s [SVector<f64, 3>],
+    pub(crate) states: &'s [State],
+    pub(crate) forces: &'s [SVector<f64, 3>],
     pub(crate) twist: &'s Vector,
 }
 
-impl<'s, const C: usize> Standing<'s, C> {
+impl<'s> Standing<'s> {
     /// The solution of a local problem.
-    pub(crate) fn found(problem: &'s Problem<'_, C>, found: &'s Found<C>) -> Self {
+    pub(crate) fn found(problem: &'s Problem<'_>, found: &'s Found) -> Self {
         let (drives, slips) = (&problem.drives, &problem.slips);
         Self { drives, slips, states: &found.states, forces: &found.forces, twist: &found.twist }
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// The root mean square distance of contact points from their centroid, of several bodies the largest; infinite where all are at one point.
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
@@ -153,17 +153,18 @@ impl<const C: usize> Engine<C> {
     pub(crate) fn counted_motions(
         &self,
         small: &SmallMotions,
-        standing: &Standing<'_, C>,
+        standing: &Standing<'_>,
     ) -> Vec<CountedMotion> {
         let mut motions = Vec::with_capacity(self.len() + 1);
         let places = self.bodies().map_or(&[][..], |bodies| &bodies.places);
         let first_of_each = places.iter().map(|place| place.first);
         for first in first_of_each.chain(places.is_empty().then_some(0)) {
             let mut shift = SVector::zeros();
-            for k in first + C..first + of_the_object::<C>() {
+            let axes = self.space().axes();
+            for k in first + axes..first + self.space().of_the_object() {
                 let behind = self.linkage().filter(|_| first > 0);
                 let length = behind.map_or(self.length(), |linkage| linkage.lengths[k]);
-                shift[k - first - C] = standing.twist[k] / length;
+                shift[k - first - axes] = standing.twist[k] / length;
             }
             motions.push(CountedMotion { shift, limit: small.rotation, of: MotionOf::Body(first) });
         }
@@ -183,7 +184,7 @@ impl<const C: usize> Engine<C> {
                 if !standing.states[i].is_sticking() || site.friction.is_frictionless() {
                     slip += site.springs.slip(&(standing.drives[i] - moved), &standing.forces[i]);
                 }
-                (1..C).for_each(|axis| shift[axis - 1] = slip[axis]);
+                (1..3).for_each(|axis| shift[axis - 1] = slip[axis]);
             }
             motions.push(CountedMotion { shift, limit, of });
         }
@@ -207,7 +208,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The motion of an answer that is farthest beyond its limit; `None` where all motions are small.
-    pub(super) fn farthest_beyond(&self, small: &SmallMotions, standing: &Standing<'_, C>) -> Option<TooFar> {
+    pub(super) fn farthest_beyond(&self, small: &SmallMotions, standing: &Standing<'_>) -> Option<TooFar> {
         let motions = self.counted_motions(small, standing);
         farthest(&motions)
             .filter(|motion| motion.over_the_limit() > 1.0)

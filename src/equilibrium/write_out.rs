@@ -14,24 +14,24 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Effort, Found, Rung};
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// The answer in physical quantities for a solution of the local problem.
     pub(crate) fn equilibrium(
         &self,
-        problem: &Problem<C>,
-        load: &Wrench<C>,
-        found: Found<C>,
+        problem: &Problem,
+        load: &Wrench<3>,
+        found: Found,
         rule: Rung,
         effort: &Effort,
         AnswerFor { cone, small }: AnswerFor,
-    ) -> Equilibrium<C> {
+    ) -> Equilibrium<3> {
         let with_joints = |i: usize| {
             let joints = &found.twist - self.body_alone(i, &found.twist);
             self.sites()[i].map.tr_mul(&joints)
         };
         let any = self.linkage().is_some();
         let solved = self.contacts().iter().zip(solved_sites(problem, &found)).enumerate();
-        let answer = |(i, (contact, solved)): (usize, (&Contact<C>, SolvedContact<'_, C>))| {
+        let answer = |(i, (contact, solved)): (usize, (&Contact<3>, SolvedContact<'_>))| {
             solved.answer((contact, i), any.then(|| with_joints(i)))
         };
         let contacts: Vec<_> = solved.map(answer).collect();
@@ -49,7 +49,7 @@ impl<const C: usize> Engine<C> {
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
-            twist: Twist::among(&twist),
+            twist: Twist::among(self.space(), &twist),
             bodies: self.body_motions(&twist),
             body_loads: self.body_loads(),
             too_far,
@@ -115,14 +115,11 @@ impl<const C: usize> Engine<C> {
 }
 
 /// State of every site in a solution of the local problem, in order: contacts, then the drives of a hand.
-pub(crate) fn site_states<const C: usize>(problem: &Problem<C>, found: &Found<C>) -> Vec<ContactState<C>> {
+pub(crate) fn site_states(problem: &Problem, found: &Found) -> Vec<ContactState<3>> {
     solved_sites(problem, found).map(|solved| solved.state().0).collect()
 }
 
-fn solved_sites<'s, const C: usize>(
-    problem: &'s Problem<'s, C>,
-    found: &'s Found<C>,
-) -> impl Iterator<Item = SolvedContact<'s, C>> {
+fn solved_sites<'s>(problem: &'s Problem<'s>, found: &'s Found) -> impl Iterator<Item = SolvedContact<'s>> {
     let solved = problem.locals().zip(problem.sites).zip(&found.states).zip(&found.forces);
     let history = problem.drives.iter().zip(&problem.slips);
     solved.zip(history).map(move |((((local, site), state), force), (drive, memory))| SolvedContact {
@@ -138,22 +135,22 @@ fn solved_sites<'s, const C: usize>(
 }
 
 /// One contact in a solution of the local problem.
-struct SolvedContact<'s, const C: usize> {
-    local: LocalLaw<'s, C>,
-    frame: &'s SMatrix<f64, C, C>,
+struct SolvedContact<'s> {
+    local: LocalLaw<'s>,
+    frame: &'s SMatrix<f64, 3, 3>,
     bonded: bool,
-    state: &'s State<C>,
-    force: SVector<f64, C>,
+    state: &'s State,
+    force: SVector<f64, 3>,
     /// Offset counted from the slip so far, which is `memory`.
-    drive: SVector<f64, C>,
-    memory: SVector<f64, C>,
+    drive: SVector<f64, 3>,
+    memory: SVector<f64, 3>,
     /// Displacement of the body's core relative to the finger's, as far as joints move the finger.
-    moved: SVector<f64, C>,
+    moved: SVector<f64, 3>,
 }
 
-impl<const C: usize> SolvedContact<'_, C> {
+impl SolvedContact<'_> {
     /// State of the contact, and its slip since the memory.
-    fn state(&self) -> (ContactState<C>, SVector<f64, C>) {
+    fn state(&self) -> (ContactState<3>, SVector<f64, 3>) {
         let slip = self.local.springs.slip(&(self.drive - self.moved), &self.force);
         match self.state {
             Mode::Open => (ContactState::Separated, slip),
@@ -173,9 +170,9 @@ impl<const C: usize> SolvedContact<'_, C> {
     /// The answer of the contact. The finger's own motion with joints counts against the body's.
     fn answer(
         &self,
-        (contact, index): (&Contact<C>, usize),
-        moved_with_joints: Option<SVector<f64, C>>,
-    ) -> ContactAnswer<C> {
+        (contact, index): (&Contact<3>, usize),
+        moved_with_joints: Option<SVector<f64, 3>>,
+    ) -> ContactAnswer<3> {
         let (force, frame) = (self.force, self.frame);
         let (state, slip) = self.state();
         let margin = match state {
@@ -192,7 +189,7 @@ impl<const C: usize> SolvedContact<'_, C> {
         }
         let (body_surface, finger_surface) = match contact.stiffness {
             Stiffness::BodyAndFinger { body, finger } => {
-                let give = |k: &SVector<f64, C>| SVector::<f64, C>::from_fn(|a, _| force[a] / k[a]);
+                let give = |k: &SVector<f64, 3>| SVector::<f64, 3>::from_fn(|a, _| force[a] / k[a]);
                 (Some(frame * (body_core + give(&body))), Some(frame * (commanded - give(&finger))))
             }
             Stiffness::Series(_) => (None, None),

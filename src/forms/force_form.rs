@@ -14,7 +14,7 @@ use crate::prelude::*;
 
 /// The force form, or `None` for rates with contacts on an edge (they have no copositive force form) and if a
 /// number overflows.
-pub(crate) fn force_form<const C: usize>(problem: &Problem<C>) -> Option<Form> {
+pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
     }
@@ -49,11 +49,7 @@ pub(crate) fn force_form<const C: usize>(problem: &Problem<C>) -> Option<Form> {
 }
 
 /// The contact states of a complementary basis.
-pub(crate) fn force_states<const C: usize>(
-    problem: &Problem<C>,
-    form: &Form,
-    basis: &Basis,
-) -> Vec<State<C>> {
+pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec<State> {
     let n = problem.len();
     let (mut pressed, mut slips) = (vec![true; n], vec![false; n]);
     let mut corners: Vec<Vec<u16>> = vec![Vec::new(); n];
@@ -67,16 +63,17 @@ pub(crate) fn force_states<const C: usize>(
             _ => {}
         }
     }
-    let state = |(contact, local): (usize, LocalLaw<'_, C>)| {
+    let state = |(contact, local): (usize, LocalLaw<'_>)| {
         let facets = local.facets().len();
         match *corners[contact] {
             _ if !pressed[contact] => Mode::Open,
             _ if !slips[contact] => local.unjumped(),
             // A corner is where two facets meet; on a facet the force lies between two corners.
-            [corner] if C == 3 => Mode::Corner(corner),
-            [corner] => Mode::Facet(corner),
-            [a, b] if C == 3 && b == a + 1 => Mode::Facet(b),
-            [a, b] if C == 3 && a == 0 && usize::from(b) + 1 == facets => Mode::Facet(a),
+            [corner] if local.is_planar() => Mode::Facet(corner),
+            _ if local.is_planar() => Mode::Open,
+            [corner] => Mode::Corner(corner),
+            [a, b] if b == a + 1 => Mode::Facet(b),
+            [a, b] if a == 0 && usize::from(b) + 1 == facets => Mode::Facet(a),
             _ => Mode::Open,
         }
     };
@@ -84,7 +81,7 @@ pub(crate) fn force_states<const C: usize>(
 }
 
 /// Units of the twist components: a unit twist stretches the springs by order one, in root energy.
-fn twist_units<const C: usize>(problem: &Problem<C>) -> Vector {
+fn twist_units(problem: &Problem) -> Vector {
     let mut sums = Vector::all_zero(problem.size());
     for site in problem.sites {
         let springs = site.springs.force(&SVector::repeat(1.0));
@@ -94,8 +91,8 @@ fn twist_units<const C: usize>(problem: &Problem<C>) -> Vector {
     sums.map(|sum| if sum > 0.0 { 1.0 / sum.sqrt() } else { 1.0 })
 }
 
-struct Builder<'p, 'g, const C: usize> {
-    problem: &'p Problem<'g, C>,
+struct Builder<'p, 'g> {
+    problem: &'p Problem<'g>,
     rows: Vec<Row>,
     z_unit: Vec<f64>,
     w_unit: Vec<f64>,
@@ -106,8 +103,8 @@ struct Builder<'p, 'g, const C: usize> {
     load: Vector,
 }
 
-impl<'p, 'g, const C: usize> Builder<'p, 'g, C> {
-    fn new(problem: &'p Problem<'g, C>) -> Self {
+impl<'p, 'g> Builder<'p, 'g> {
+    fn new(problem: &'p Problem<'g>) -> Self {
         Self {
             problem,
             rows: Vec::new(),
@@ -191,7 +188,8 @@ impl<'p, 'g, const C: usize> Builder<'p, 'g, C> {
             m[(row, size_row)] = 1.0;
             m[(size_row, row)] = -1.0;
             for (l, other) in corners.iter().enumerate() {
-                let bent = (1..C).map(|axis| d[axis] * other[axis] * local.springs.ratio(1, axis));
+                let bent = (1..local.springs.axes())
+                    .map(|axis| d[axis] * other[axis] * local.springs.ratio(1, axis));
                 m[(row, next + l)] = bent.sum();
             }
             couple(m, row, &site.map * d * root_t, true);

@@ -20,21 +20,21 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
 /// One row in energy coordinates, x = K^{-1/2} F: `ŵ = row · x`, and x jumps by `column ẑ`.
-struct Jump<const C: usize> {
+struct Jump {
     contact: usize,
-    row: SVector<f64, C>,
-    column: SVector<f64, C>,
+    row: SVector<f64, 3>,
+    column: SVector<f64, 3>,
     w_unit: f64,
     z_unit: f64,
 }
 
 /// The rows that these contacts need, on the trial state in which every contact sticks.
-fn jumps<const C: usize>(problem: &Problem<C>, contacts: impl Iterator<Item = usize>) -> Vec<(Row, Jump<C>)> {
+fn jumps(problem: &Problem, contacts: impl Iterator<Item = usize>) -> Vec<(Row, Jump)> {
     let mut jumps = Vec::new();
     for contact in contacts {
         let local = problem.local(contact);
         let root = local.springs.root();
-        let mut push = |meaning: Row, row: SVector<f64, C>, column: SVector<f64, C>| {
+        let mut push = |meaning: Row, row: SVector<f64, 3>, column: SVector<f64, 3>| {
             let (w_unit, z_unit) = (row.norm(), 1.0 / column.norm());
             let (row, column) = (row / w_unit, column * z_unit);
             jumps.push((meaning, Jump { contact, row, column, w_unit, z_unit }));
@@ -53,11 +53,7 @@ fn jumps<const C: usize>(problem: &Problem<C>, contacts: impl Iterator<Item = us
 
 /// The kinematic form on the trial state in which every contact sticks; `None` if no contact needs a row or a number
 /// overflows.
-pub(crate) fn kinematic_form<const C: usize>(
-    problem: &Problem<C>,
-    trial: &Piece<C>,
-    state: &PieceState<C>,
-) -> Option<Form> {
+pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Form> {
     let (rows, jumps): (Vec<_>, Vec<_>) = jumps(problem, 0..problem.len()).into_iter().unzip();
     if jumps.is_empty() {
         return None;
@@ -83,10 +79,10 @@ pub(crate) fn kinematic_form<const C: usize>(
 pub(crate) struct Moved(BTreeMap<usize, Vec<Vec<f64>>>);
 
 /// The kinematic form of a few contacts among many coordinates, with all others in the trial state.
-pub(crate) fn kinematic_form_among<const C: usize>(
-    problem: &Problem<C>,
-    trial: &Piece<C>,
-    state: &PieceState<C>,
+pub(crate) fn kinematic_form_among(
+    problem: &Problem,
+    trial: &Piece,
+    state: &PieceState,
     contacts: &[usize],
     Moved(known): &mut Moved,
 ) -> Option<Form> {
@@ -113,11 +109,11 @@ pub(crate) fn kinematic_form_among<const C: usize>(
 }
 
 /// The form of these rows; `felt(i, j)` is the product of row i with `Q Qᵀ` and the column of row j.
-fn form<const C: usize>(
-    problem: &Problem<C>,
-    state: &PieceState<C>,
+fn form(
+    problem: &Problem,
+    state: &PieceState,
     rows: Vec<Row>,
-    jumps: &[Jump<C>],
+    jumps: &[Jump],
     felt: impl Fn(usize, usize) -> f64,
 ) -> Option<Form> {
     let n = jumps.len();
@@ -138,11 +134,7 @@ fn form<const C: usize>(
 }
 
 /// The contact states of a complementary basis.
-pub(crate) fn kinematic_states<const C: usize>(
-    problem: &Problem<C>,
-    form: &Form,
-    basis: &Basis,
-) -> Vec<State<C>> {
+pub(crate) fn kinematic_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec<State> {
     let mut slipping: Vec<Vec<u16>> = vec![Vec::new(); problem.len()];
     let mut open = vec![false; problem.len()];
     for (i, row) in form.rows.iter().enumerate() {
@@ -154,7 +146,7 @@ pub(crate) fn kinematic_states<const C: usize>(
             }
         }
     }
-    let state = |(contact, local): (usize, LocalLaw<'_, C>)| {
+    let state = |(contact, local): (usize, LocalLaw<'_>)| {
         if open[contact] {
             Mode::Open
         } else if slipping[contact].is_empty() {

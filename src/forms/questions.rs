@@ -7,9 +7,9 @@ use crate::contact::PolygonCone;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form).
-    pub(crate) fn kinematic_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
+    pub(crate) fn kinematic_form(&self, load: &Wrench<3>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
         let problem = self.on_polygons(load, cone)?;
         let trial = problem.trial();
         let Ok(state) = trial.solve(problem.sites, &problem.drives, problem.load()) else { return Ok(None) };
@@ -17,7 +17,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// [`Grasp::force_form`](crate::ask::Grasp::force_form).
-    pub(crate) fn force_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
+    pub(crate) fn force_form(&self, load: &Wrench<3>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
         Ok(force_form(&self.on_polygons(load, cone)?))
     }
 }

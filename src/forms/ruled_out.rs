@@ -14,7 +14,7 @@ const DEPENDENT: f64 = 1e8;
 
 /// Whether these states clearly break a row of the form; `largest` is the largest force of the trial state in units of the rows. If a contact slips
 /// across two facets, the result is `false`.
-pub(crate) fn clearly_breaks<const C: usize>(form: &Form, states: &[State<C>], largest: f64) -> bool {
+pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], largest: f64) -> bool {
     let (mut slack, mut jumps) = (Vec::new(), Vec::new());
     for (i, row) in form.rows.iter().enumerate() {
         let (Row::Gap { contact } | Row::Slip { contact, .. }) = *row else { return false };
@@ -25,8 +25,8 @@ pub(crate) fn clearly_breaks<const C: usize>(form: &Form, states: &[State<C>], l
             (Mode::Sticking | Mode::Facet(_), _) => slack.push(i),
             (Mode::Open, Row::Gap { .. }) => jumps.push((i, true)),
             // In the plane the slip of an open contact is that of facet 0, with any sign.
-            (Mode::Open, Row::Slip { facet: 0, .. }) if C == 2 => jumps.push((i, false)),
-            (Mode::Open, Row::Slip { .. }) if C == 2 => {}
+            (Mode::Open, Row::Slip { facet: 0, .. }) if is_planar => jumps.push((i, false)),
+            (Mode::Open, Row::Slip { .. }) if is_planar => {}
             _ => return false,
         }
     }

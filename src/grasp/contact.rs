@@ -5,6 +5,7 @@ use alloc::sync::Arc;
 use nalgebra::SVector;
 
 use super::commands::Axes;
+use super::rotation::Space;
 use super::stiffness::Stiffness;
 use crate::error::ContactLabel;
 use crate::prelude::*;
@@ -57,6 +58,8 @@ pub enum Hold {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact<const C: usize> {
+    /// Plane or space; contacts of the plane have a third component of zero in the engine.
+    pub(crate) space: Space,
     pub(crate) name: Option<Arc<str>>,
     pub(crate) point: SVector<f64, C>,
     pub(crate) normal: SVector<f64, C>,
@@ -93,6 +96,7 @@ impl<const C: usize> Contact<C> {
     /// command and clearance are 0 by default; a stiffness must be given.
     pub fn new(point: impl Into<[f64; C]>, normal: impl Into<[f64; C]>) -> Self {
         Self {
+            space: Space::of::<C>(),
             name: None,
             point: SVector::from(point.into()),
             normal: SVector::from(normal.into()),
@@ -265,9 +269,9 @@ impl<const C: usize> Contact<C> {
         self.friction = mu;
     }
 
-    /// Number of axes along which the contact has a spring: 1 without friction, else `C`.
+    /// Number of axes along which the contact has a spring: 1 without friction, else all.
     pub(crate) fn springs(&self) -> usize {
-        if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { C }
+        if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { self.space.axes() }
     }
 
     /// Name of the contact in tables and pictures: its own, or "contact" and `index`, its place in the list.

@@ -3,15 +3,14 @@
 use nalgebra::SVector;
 
 use super::engine::Engine;
-use super::rotation::of_the_object;
 use super::vacuum::Vacuum;
 use crate::error::{Error, Field, MODERATE, is_moderate};
 use crate::numerics::cleared_for;
 use crate::prelude::*;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::with_commands`](crate::ask::Grasp::with_commands).
-    pub(crate) fn with_commands(&self, commands: &[SVector<f64, C>]) -> Result<Self, Error> {
+    pub(crate) fn with_commands(&self, commands: &[SVector<f64, 3>]) -> Result<Self, Error> {
         self.check_commands(commands, "commands", Field::Command)?;
         let mut grasp = self.clone();
         for (contact, command) in grasp.contacts.iter_mut().zip(commands) {
@@ -44,7 +43,7 @@ impl<const C: usize> Engine<C> {
         let mut grasp = self.clone();
         if let Some(linkage) = &mut grasp.linkage {
             for (k, torque) in torques.iter().enumerate() {
-                let k = of_the_object::<C>() + k;
+                let k = self.space.of_the_object() + k;
                 linkage.pulled[k] = torque / linkage.lengths[k];
             }
         }
@@ -62,7 +61,7 @@ impl<const C: usize> Engine<C> {
         let mut grasp = self.clone();
         if let Some(linkage) = &mut grasp.linkage {
             for (j, torque) in torques.iter().enumerate() {
-                let k = of_the_object::<C>() + j;
+                let k = self.space.of_the_object() + j;
                 linkage.held[k] += (torque - linkage.joints[j].held) / linkage.lengths[k];
                 linkage.joints[j].held = *torque;
             }
@@ -81,16 +80,16 @@ impl<const C: usize> Engine<C> {
             contact.force = contact.force.map(|force| force * factor);
             contact.suction *= factor;
         }
-        grasp.vacuum = Vacuum::of(&grasp.contacts, &grasp.sites);
+        grasp.vacuum = Vacuum::of(grasp.space, &grasp.contacts, &grasp.sites);
         if let Some(linkage) = &mut grasp.linkage {
-            linkage.squeeze(factor);
+            linkage.squeeze(grasp.space, factor);
         }
         Ok(grasp)
     }
 
     pub(crate) fn check_commands(
         &self,
-        commands: &[SVector<f64, C>],
+        commands: &[SVector<f64, 3>],
         what: &'static str,
         field: Field,
     ) -> Result<(), Error> {
@@ -133,23 +132,23 @@ impl<const C: usize> Engine<C> {
 
     /// Offset of every site: for contacts a_i, the command in the contact frame with the clearance taken off its normal part; then those for the
     /// drives of a hand.
-    pub(crate) fn drives(&self) -> Vec<SVector<f64, C>> {
+    pub(crate) fn drives(&self) -> Vec<SVector<f64, 3>> {
         let mut drives = Vec::new();
         self.drives_into(&mut drives);
         drives
     }
 
     /// [`Self::drives`] in existing memory.
-    pub(crate) fn drives_into(&self, drives: &mut Vec<SVector<f64, C>>) {
+    pub(crate) fn drives_into(&self, drives: &mut Vec<SVector<f64, 3>>) {
         self.driven_by(self.contacts.iter().map(|contact| contact.command), self.joint_commands(), drives);
     }
 
     /// Offsets of all sites under other commands.
     pub(crate) fn driven_by(
         &self,
-        commands: impl Iterator<Item = SVector<f64, C>>,
+        commands: impl Iterator<Item = SVector<f64, 3>>,
         of_joints: &[f64],
-        drives: &mut Vec<SVector<f64, C>>,
+        drives: &mut Vec<SVector<f64, 3>>,
     ) {
         cleared_for(drives, self.sites.len());
         drives.extend(commands.zip(&self.contacts).map(|(mut a, contact)| {
@@ -164,9 +163,9 @@ impl<const C: usize> Engine<C> {
     /// Change of the offsets for a change of commands; `None` leaves commands unchanged.
     pub(crate) fn drive_changes(
         &self,
-        commands: Option<&[SVector<f64, C>]>,
+        commands: Option<&[SVector<f64, 3>]>,
         of_joints: Option<&[f64]>,
-    ) -> Vec<SVector<f64, C>> {
+    ) -> Vec<SVector<f64, 3>> {
         let mut changes = Vec::new();
         self.changed_by(commands.into_iter().flatten().copied(), of_joints, &mut changes);
         changes
@@ -175,9 +174,9 @@ impl<const C: usize> Engine<C> {
     /// [`Self::drive_changes`] in existing memory; missing commands do not change.
     pub(crate) fn changed_by(
         &self,
-        commands: impl Iterator<Item = SVector<f64, C>>,
+        commands: impl Iterator<Item = SVector<f64, 3>>,
         of_joints: Option<&[f64]>,
-        changes: &mut Vec<SVector<f64, C>>,
+        changes: &mut Vec<SVector<f64, 3>>,
     ) {
         cleared_for(changes, self.sites.len());
         changes.extend(commands);

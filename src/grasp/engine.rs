@@ -6,7 +6,7 @@ use super::bodies::{PlacedBodies, refuse_sides};
 use super::contact::Contact;
 use super::hand::{Drive, HandPart, Linkage};
 use super::remembered::Remembered;
-use super::rotation::{assert_plane_or_space, of_the_object};
+use super::rotation::Space;
 use super::site::Site;
 use super::vacuum::Vacuum;
 use super::wrench::Wrench;
@@ -16,63 +16,65 @@ use crate::prelude::*;
 
 /// A checked list of contacts in coordinates: 3 of the object in the plane or 6 in space, then those of joints and other bodies.
 #[derive(Debug, Clone)]
-pub(crate) struct Engine<const C: usize> {
+pub(crate) struct Engine {
+    /// Plane or space.
+    pub(super) space: Space,
     size: Size,
-    pub(super) contacts: Vec<Contact<C>>,
-    pub(super) sites: Vec<Site<C>>,
+    pub(super) contacts: Vec<Contact<3>>,
+    pub(super) sites: Vec<Site>,
     /// Centroid of the contact points, m. Inside, moments and rotations are taken about it, so that a far reference point costs no digits.
-    pub(super) origin: SVector<f64, C>,
+    pub(super) origin: SVector<f64, 3>,
     /// Root mean square distance of the contact points from their centroid, m. Inside it is the unit of length of arms. Rotations and translations
     /// then have comparable size in any unit of the user.
     pub(super) length: f64,
     /// The joints behind the contacts, if any.
-    pub(super) linkage: Option<Box<Linkage<C>>>,
+    pub(super) linkage: Option<Box<Linkage>>,
     /// Total pull of the vacuums, in addition to the caller's loads.
-    pub(super) vacuum: Option<Box<Vacuum<C>>>,
+    pub(super) vacuum: Option<Box<Vacuum>>,
     /// Factors of the elastic trial, made on first use.
     trial: Remembered,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::new`](crate::ask::Grasp::new).
-    pub(crate) fn new(contacts: Vec<Contact<C>>) -> Result<Self, Error> {
-        const { assert_plane_or_space::<C>() };
+    pub(crate) fn new(contacts: Vec<Contact<3>>) -> Result<Self, Error> {
         refuse_sides(&contacts)?;
-        Self::of(Size::of(of_the_object::<C>()), contacts, &|_| true)
+        let space = space_of(&contacts);
+        Self::of(space, Size::of(space.of_the_object()), contacts, &|_| true)
     }
 
     /// A grasp by contacts that joints move, in `size` coordinates.
-    pub(super) fn by_hand(size: Size, contacts: Vec<Contact<C>>, linkage: Linkage<C>) -> Result<Self, Error> {
+    pub(super) fn by_hand(size: Size, contacts: Vec<Contact<3>>, linkage: Linkage) -> Result<Self, Error> {
         let on_object =
             |i: usize| linkage.bodies.as_ref().map_or(1.0, |bodies| bodies.sign(i, bodies.object));
-        let mut grasp = Self::of(size, contacts, &|i| on_object(i) != 0.0)?;
+        let mut grasp = Self::of(space_of(&contacts), size, contacts, &|i| on_object(i) != 0.0)?;
         for (i, (site, motions)) in grasp.sites.iter_mut().zip(&linkage.motions).enumerate() {
-            site.move_with(motions, &linkage.lengths, on_object(i));
+            site.move_with(grasp.space, motions, &linkage.lengths, on_object(i));
         }
-        grasp.sites.extend(linkage.drives.iter().map(|drive| drive.site(size)));
+        grasp.sites.extend(linkage.drives.iter().map(|drive| drive.site(grasp.space, size)));
         grasp.linkage = Some(Box::new(linkage));
-        grasp.vacuum = Vacuum::of(&grasp.contacts, &grasp.sites);
+        grasp.vacuum = Vacuum::of(grasp.space, &grasp.contacts, &grasp.sites);
         Ok(grasp)
     }
 
     /// This grasp with other data of its contacts at the same places; `stiffer` scales the own springs of joints and tendons.
     pub(crate) fn with_data(
         &self,
-        contacts: Vec<Contact<C>>,
+        contacts: Vec<Contact<3>>,
         stiffer: &dyn Fn(usize) -> f64,
     ) -> Result<Self, Error> {
         match &self.linkage {
-            None => Self::of(self.size, contacts, &|_| true),
+            None => Self::of(self.space, self.size, contacts, &|_| true),
             Some(linkage) => {
                 let mut linkage = linkage.stiffened(stiffer);
-                linkage.press_instead(&self.contacts, &contacts);
+                linkage.press_instead(self.space, &self.contacts, &contacts);
                 Self::by_hand(self.size, contacts, linkage)
             }
         }
     }
 
     /// This grasp with other loads on its bodies.
-    pub(super) fn with_bodies(&self, bodies: PlacedBodies<C>) -> Self {
+    pub(super) fn with_bodies(&self, bodies: PlacedBodies) -> Self {
         let mut grasp = self.clone();
         if let Some(linkage) = &mut grasp.linkage {
             linkage.bodies = Some(Box::new(bodies));
@@ -89,17 +91,22 @@ impl<const C: usize> Engine<C> {
     }
 
     /// [`Grasp::links`](crate::ask::Grasp::links).
-    pub(crate) fn links(&self) -> &[[SVector<f64, C>; 2]] {
+    pub(crate) fn links(&self) -> &[[SVector<f64, 3>; 2]] {
         self.linkage().map_or(&[], |linkage| &linkage.bones)
     }
 
     /// [`Grasp::joint_centres`](crate::ask::Grasp::joint_centres).
-    pub(crate) fn joint_centres(&self) -> &[Option<SVector<f64, C>>] {
+    pub(crate) fn joint_centres(&self) -> &[Option<SVector<f64, 3>>] {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
     /// A grasp by contacts; its origin is the centroid of those for which `is_meant` is true.
-    fn of(size: Size, contacts: Vec<Contact<C>>, is_meant: &dyn Fn(usize) -> bool) -> Result<Self, Error> {
+    fn of(
+        space: Space,
+        size: Size,
+        contacts: Vec<Contact<3>>,
+        is_meant: &dyn Fn(usize) -> bool,
+    ) -> Result<Self, Error> {
         if contacts.is_empty() {
             return Err(Error::EmptyGrasp);
         }
@@ -113,10 +120,16 @@ impl<const C: usize> Engine<C> {
         let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
         // A single point has no size of its own; any unit of length works then.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
-        let site = |(index, contact)| Site::new(size, (contact, index), (&origin, length));
+        let site = |(index, contact)| Site::new(space, size, (contact, index), (&origin, length));
         let sites = contacts.iter().enumerate().map(site).collect::<Result<Vec<_>, Error>>()?;
-        let (vacuum, trial) = (Vacuum::of(&contacts, &sites), Remembered::default());
-        Ok(Self { size, contacts, sites, origin, length, linkage: None, vacuum, trial })
+        let (vacuum, trial) = (Vacuum::of(space, &contacts, &sites), Remembered::default());
+        Ok(Self { space, size, contacts, sites, origin, length, linkage: None, vacuum, trial })
+    }
+
+    /// Plane or space.
+    #[inline]
+    pub(crate) fn space(&self) -> Space {
+        self.space
     }
 
     /// Number of coordinates.
@@ -131,12 +144,12 @@ impl<const C: usize> Engine<C> {
     }
 
     /// [`Grasp::contacts`](crate::ask::Grasp::contacts).
-    pub(crate) fn contacts(&self) -> &[Contact<C>] {
+    pub(crate) fn contacts(&self) -> &[Contact<3>] {
         &self.contacts
     }
 
     /// Frame of one contact, of [`Grasp::frames`](crate::ask::Grasp::frames).
-    pub(crate) fn frame(&self, contact: usize) -> &SMatrix<f64, C, C> {
+    pub(crate) fn frame(&self, contact: usize) -> &SMatrix<f64, 3, 3> {
         &self.sites[contact].frame
     }
 
@@ -205,7 +218,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The joints behind the contacts, if any.
-    pub(crate) fn linkage(&self) -> Option<&Linkage<C>> {
+    pub(crate) fn linkage(&self) -> Option<&Linkage> {
         self.linkage.as_deref()
     }
 
@@ -214,7 +227,12 @@ impl<const C: usize> Engine<C> {
         &self.trial
     }
 
-    pub(crate) fn sites(&self) -> &[Site<C>] {
+    pub(crate) fn sites(&self) -> &[Site] {
         &self.sites
     }
+}
+
+/// The space of a grasp by these contacts.
+pub(super) fn space_of(contacts: &[Contact<3>]) -> Space {
+    contacts.first().map_or(Space::Spatial, |contact| contact.space)
 }

@@ -14,7 +14,7 @@ use nalgebra::{AbstractRotation, Isometry, SVector};
 
 use super::commands::Axes;
 use super::contact::Contact;
-use super::rotation::{moved_twist, moved_wrench};
+use super::rotation::Space;
 use super::wrench::{Twist, Wrench};
 use crate::numerics::Vector;
 #[cfg(not(feature = "std"))]
@@ -94,7 +94,9 @@ macro_rules! in_other_frames {
             /// parallel to the old ones. In its result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
-                Self::among(&moved_wrench::<$c>(&-SVector::from(point.into()), &self.coordinates()))
+                let space = Space::of::<$c>();
+                let from = -SVector::<f64, $c>::from(point.into());
+                Self::among(space, &space.moved_wrench(&from, &self.coordinates(space)))
             }
 
             /// This load in other coordinates: `pose` is the frame in which it was given as seen
@@ -102,8 +104,9 @@ macro_rules! in_other_frames {
             /// p × f'`; in the plane R leaves m as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
-                let turned = turned::<_, $c>(&pose.rotation, &self.coordinates());
-                Self::among(&moved_wrench::<$c>(&pose.translation.vector, &turned))
+                let space = Space::of::<$c>();
+                let turned = turned::<_, $c>(&pose.rotation, &self.coordinates(space));
+                Self::among(space, &space.moved_wrench(&pose.translation.vector, &turned))
             }
         }
 
@@ -112,7 +115,9 @@ macro_rules! in_other_frames {
             /// [`Self::displacement_at`] that point, its rotation stays. In its result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
-                Self::among(&moved_twist::<$c>(&-SVector::from(point.into()), &self.coordinates()))
+                let space = Space::of::<$c>();
+                let from = -SVector::<f64, $c>::from(point.into());
+                Self::among(space, &space.moved_twist(&from, &self.coordinates(space)))
             }
 
             /// This motion in other coordinates: `pose` is the frame in which it was given as seen
@@ -120,8 +125,9 @@ macro_rules! in_other_frames {
             /// p × θ'` for the translation u of the origin; in the plane R leaves θ as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
-                let turned = turned::<_, $c>(&pose.rotation, &self.coordinates());
-                Self::among(&moved_twist::<$c>(&pose.translation.vector, &turned))
+                let space = Space::of::<$c>();
+                let turned = turned::<_, $c>(&pose.rotation, &self.coordinates(space));
+                Self::among(space, &space.moved_twist(&pose.translation.vector, &turned))
             }
         }
     };

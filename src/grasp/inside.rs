@@ -11,20 +11,19 @@ use crate::numerics::Vector;
 use super::bodies::PlacedBodies;
 use super::engine::Engine;
 use super::motion::Motion;
-use super::rotation::{moved_twist, moved_wrench, of_the_object, planes};
 use super::wrench::{Twist, Wrench};
 use crate::error::Error;
 use crate::numerics::DoubleDouble;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// A checked wrench, moved to the centroid and to the inside unit of length.
-    pub(crate) fn inside(&self, wrench: &Wrench<C>, what: &'static str) -> Result<Vector, Error> {
-        wrench.check(what)?;
+    pub(crate) fn inside(&self, wrench: &Wrench<3>, what: &'static str) -> Result<Vector, Error> {
+        wrench.check_in(self.space, what)?;
         Ok(self.inside_unchecked(wrench))
     }
 
     /// A wrench that was checked before, moved to the centroid and to the inside unit of length.
-    pub(crate) fn inside_unchecked(&self, wrench: &Wrench<C>) -> Vector {
+    pub(crate) fn inside_unchecked(&self, wrench: &Wrench<3>) -> Vector {
         match self.bodies() {
             Some(bodies) if bodies.is_shared() => self.put_on_each(bodies, &bodies.shared(wrench)),
             _ => self.on_object(wrench),
@@ -32,29 +31,30 @@ impl<const C: usize> Engine<C> {
     }
 
     /// A wrench on the body in the coordinates of the object, in inside coordinates.
-    pub(crate) fn on_object(&self, wrench: &Wrench<C>) -> Vector {
-        self.per_length(moved_wrench::<C>(&-self.origin, &wrench.coordinates()))
+    pub(crate) fn on_object(&self, wrench: &Wrench<3>) -> Vector {
+        self.per_length(self.space.moved_wrench(&-self.origin, &wrench.coordinates(self.space)))
     }
 
     /// Rounding of a wrench in inside coordinates: exact moments less rounded ones. It is zero where loads are shared among bodies.
-    pub(crate) fn inside_rest(&self, wrench: &Wrench<C>) -> Vector {
-        let (w, inside) = (wrench.coordinates(), self.inside_unchecked(wrench));
+    pub(crate) fn inside_rest(&self, wrench: &Wrench<3>) -> Vector {
+        let (w, inside) = (wrench.coordinates(self.space), self.inside_unchecked(wrench));
+        let axes = self.space.axes();
         let mut rest = Vector::zeros();
         if self.bodies().is_some_and(PlacedBodies::is_shared) {
             return rest;
         }
-        for (k, &(i, j)) in planes::<C>().iter().enumerate() {
-            let mut moment = DoubleDouble::new(w[C + k]);
+        for (k, &(i, j)) in self.space.planes().iter().enumerate() {
+            let mut moment = DoubleDouble::new(w[axes + k]);
             moment.add_product(-self.origin[i], w[j]);
             moment.add_product(self.origin[j], w[i]);
-            moment.add_product(-inside[C + k], self.length);
-            rest[C + k] = moment.value() / self.length;
+            moment.add_product(-inside[axes + k], self.length);
+            rest[axes + k] = moment.value() / self.length;
         }
         rest
     }
 
     /// Centroid of the contact points.
-    pub(crate) fn origin(&self) -> &SVector<f64, C> {
+    pub(crate) fn origin(&self) -> &SVector<f64, 3> {
         &self.origin
     }
 
@@ -64,9 +64,9 @@ impl<const C: usize> Engine<C> {
     }
 
     /// A wrench in the user's coordinates, from inside coordinates.
-    pub(crate) fn wrench_outside(&self, w: &Vector) -> Wrench<C> {
+    pub(crate) fn wrench_outside(&self, w: &Vector) -> Wrench<3> {
         let outside = self.times_length(w.clone());
-        let on_object = Wrench::among(&moved_wrench::<C>(&self.origin, &outside));
+        let on_object = Wrench::among(self.space, &self.space.moved_wrench(&self.origin, &outside));
         match self.bodies() {
             Some(bodies) if bodies.is_shared() => {
                 bodies.others(&outside).fold(on_object, |sum, other| sum + other)
@@ -77,30 +77,30 @@ impl<const C: usize> Engine<C> {
 
     /// All coordinates of a motion, converted from the user's to inside coordinates.
     pub(crate) fn inside_motion(&self, outside: &Vector) -> Vector {
-        self.times_length(moved_twist::<C>(&-self.origin, outside))
+        self.times_length(self.space.moved_twist(&-self.origin, outside))
     }
 
     /// A motion of the object in the user's coordinates, from inside coordinates.
-    pub(crate) fn outside(&self, q: &Vector) -> Twist<C> {
-        Twist::among(&self.outside_coordinates(q))
+    pub(crate) fn outside(&self, q: &Vector) -> Twist<3> {
+        Twist::among(self.space, &self.outside_coordinates(q))
     }
 
     /// A motion of object, joints and bodies in the user's coordinates, from inside coordinates.
-    pub(crate) fn motion_outside(&self, q: &Vector) -> Motion<C> {
+    pub(crate) fn motion_outside(&self, q: &Vector) -> Motion<3> {
         let outside = self.outside_coordinates(q);
         let joints = self.linkage().map_or(0, |linkage| linkage.joints.len());
-        let joints = (0..joints).map(|joint| outside[of_the_object::<C>() + joint]).collect();
-        Motion { object: Twist::among(&outside), joints, bodies: self.body_motions(&outside) }
+        let joints = (0..joints).map(|joint| outside[self.space.of_the_object() + joint]).collect();
+        Motion { object: Twist::among(self.space, &outside), joints, bodies: self.body_motions(&outside) }
     }
 
     /// All coordinates in the user's units; coordinates of saturating drives come after the joints.
     pub(crate) fn outside_coordinates(&self, q: &Vector) -> Vector {
-        moved_twist::<C>(&self.origin, &self.per_length(q.clone()))
+        self.space.moved_twist(&self.origin, &self.per_length(q.clone()))
     }
 
     /// Divides angular components by the inside unit of length, and components of joints by the lengths that measure them.
     fn per_length(&self, mut v: Vector) -> Vector {
-        v.iter_mut().take(of_the_object::<C>()).skip(C).for_each(|x| *x /= self.length);
+        v.iter_mut().take(self.space.of_the_object()).skip(self.space.axes()).for_each(|x| *x /= self.length);
         if let Some(linkage) = self.linkage() {
             v.component_div_assign(&linkage.lengths);
         }
@@ -109,7 +109,7 @@ impl<const C: usize> Engine<C> {
 
     /// Multiplies angular components by the inside unit of length, and components of joints by the lengths that measure them.
     fn times_length(&self, mut v: Vector) -> Vector {
-        v.iter_mut().take(of_the_object::<C>()).skip(C).for_each(|x| *x *= self.length);
+        v.iter_mut().take(self.space.of_the_object()).skip(self.space.axes()).for_each(|x| *x *= self.length);
         if let Some(linkage) = self.linkage() {
             v.component_mul_assign(&linkage.lengths);
         }

@@ -1,7 +1,7 @@
 //! The parts of a question: contacts, soft fingertips, hands, several bodies, wrenches and twists.
 //!
-//! Written once for the plane and for space: `C` is the number of axes of a contact, 2 in the plane and 3 in space. Use the names in
-//! [`crate::planar`] and [`crate::spatial`].
+//! `C` is the number of axes of a contact, 2 in the plane and 3 in space. Use the names in [`crate::planar`] and [`crate::spatial`]. Inside, the
+//! engine has three axes for both.
 //!
 //! # Vectors of other libraries
 //!
@@ -31,6 +31,7 @@ mod contact_springs;
 mod coordinates;
 mod driven;
 mod engine;
+mod face;
 mod fingertip;
 mod frames;
 mod hand;
@@ -61,6 +62,9 @@ pub(crate) use commands::Axes;
 pub use contact::{Contact, Hold};
 pub(crate) use coordinates::Coordinates;
 pub(crate) use engine::Engine;
+pub(crate) use face::{
+    Face, all_inside, face_of_enum, face_of_struct, frame_outside, inside, outside, same_on_both_sides,
+};
 pub use fingertip::SoftFingertip;
 #[cfg(feature = "serde")]
 pub(crate) use hand::JointMotion;
@@ -70,9 +74,7 @@ pub use motion::Motion;
 pub use payload::{ArmMotion, Payload};
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
-pub(crate) use rotation::{
-    displacement_of, grasp_map, moved_twist, moved_wrench, object_alone, of_the_object, wrench_of,
-};
+pub(crate) use rotation::{Space, assert_plane_or_space, of_axes, of_the_object};
 pub(crate) use scaled::PressOfPart;
 pub(crate) use site::{Site, size_of};
 pub(crate) use stiffness::Stiffness;

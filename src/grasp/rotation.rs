@@ -9,6 +9,8 @@
 //! ```
 //!
 //! so that `d = c + c(c-1)/2`: 3 degrees of freedom in the plane (c = 2), 6 in space (c = 3).
+//!
+//! A planar grasp has vectors of three components, too: the last one is zero, and so is the third axis of its contact frames.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -23,113 +25,164 @@ pub(crate) const fn assert_plane_or_space<const C: usize>() {
     );
 }
 
-/// Number of coordinates of the object: its translations and rotations. Those of joints come behind them.
-pub(crate) const fn of_the_object<const C: usize>() -> usize {
-    C + planes::<C>().len()
+/// The number of axes and of rotations: known at run time, so that code for the plane and for space is compiled once.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Space {
+    /// Two axes and one rotation.
+    Planar,
+    /// Three axes and three rotations.
+    Spatial,
 }
 
-/// A vector over all coordinates, with zeros behind the object's.
-pub(crate) fn object_alone<const C: usize>(v: &Vector) -> Vector {
-    let mut alone = v.clone();
-    alone.iter_mut().skip(of_the_object::<C>()).for_each(|x| *x = 0.0);
-    alone
-}
+impl Space {
+    /// The space in which a point has `C` coordinates.
+    pub(crate) const fn of<const C: usize>() -> Self {
+        if C == 2 { Self::Planar } else { Self::Spatial }
+    }
 
-/// The planes of rotation of a space with `C` axes.
-pub(crate) const fn planes<const C: usize>() -> &'static [(usize, usize)] {
-    match C {
-        2 => &[(0, 1)],
-        3 => &[(1, 2), (2, 0), (0, 1)],
-        _ => &[],
-    }
-}
-
-/// Wrench (force, moment about the origin of `arm`) of the force `f` at the end of `arm`.
-pub(crate) fn wrench_of<const C: usize>(arm: &SVector<f64, C>, f: &SVector<f64, C>) -> Vector {
-    let mut w = Vector::zeros();
-    for a in 0..C {
-        w[a] = f[a];
-    }
-    for (k, &(i, j)) in planes::<C>().iter().enumerate() {
-        w[C + k] = arm[i] * f[j] - arm[j] * f[i];
-    }
-    w
-}
-
-/// Displacement, to first order, of the point at the end of `arm` under the twist (translation,
-/// rotation).
-pub(crate) fn displacement_of<const C: usize>(arm: &SVector<f64, C>, twist: &Vector) -> SVector<f64, C> {
-    let mut u = SVector::zeros();
-    for a in 0..C {
-        u[a] = twist[a];
-    }
-    for (k, &(i, j)) in planes::<C>().iter().enumerate() {
-        u[i] -= twist[C + k] * arm[j];
-        u[j] += twist[C + k] * arm[i];
-    }
-    u
-}
-
-/// A wrench about `p`, converted to the origin.
-pub(crate) fn moved_wrench<const C: usize>(p: &SVector<f64, C>, w: &Vector) -> Vector {
-    let moments = wrench_of::<C>(p, &SVector::from_fn(|a, _| w[a]));
-    let mut moved = w.clone();
-    for k in C..of_the_object::<C>() {
-        moved[k] = w[k] + moments[k];
-    }
-    moved
-}
-
-/// A twist of the object's point at `p`, converted to the point at the origin.
-pub(crate) fn moved_twist<const C: usize>(p: &SVector<f64, C>, q: &Vector) -> Vector {
-    let translation = displacement_of::<C>(&-p, q);
-    let mut moved = q.clone();
-    for k in 0..C {
-        moved[k] = translation[k];
-    }
-    moved
-}
-
-/// The grasp map of one contact, `d x c`: the columns are the wrenches of unit forces along the
-/// axes of its frame.
-pub(crate) fn grasp_map<const C: usize>(
-    size: Size,
-    arm: &SVector<f64, C>,
-    frame: &SMatrix<f64, C, C>,
-) -> Map<C> {
-    let mut map = Map::zeros(size);
-    for a in 0..C {
-        map.set_column(a, &wrench_of::<C>(arm, &frame.column(a).into_owned()));
-    }
-    map
-}
-
-/// The grasp map about `origin` in the unit `length`, and its rounding: the exact map of this point and this frame less the first, rounded.
-pub(super) fn grasp_map_in_twice<const C: usize>(
-    size: Size,
-    point: &SVector<f64, C>,
-    origin: &SVector<f64, C>,
-    length: f64,
-    frame: &SMatrix<f64, C, C>,
-) -> (Map<C>, Map<C>) {
-    let arm = (point - origin) / length;
-    let map = grasp_map(size, &arm, frame);
-    let arm_rest = SVector::<f64, C>::from_fn(|a, _| {
-        let mut exact = DoubleDouble::new(point[a]);
-        exact.add(-origin[a]);
-        exact.add_product(-arm[a], length);
-        exact.value() / length
-    });
-    let mut rest = Map::zeros(size);
-    for (k, &(i, j)) in planes::<C>().iter().enumerate() {
-        for a in 0..C {
-            let mut moment = DoubleDouble::new(-map[(C + k, a)]);
-            moment.add_product(arm[i], frame[(j, a)]);
-            moment.add_product(-arm[j], frame[(i, a)]);
-            moment.add(arm_rest[i] * frame[(j, a)]);
-            moment.add(-arm_rest[j] * frame[(i, a)]);
-            rest[(C + k, a)] = moment.value();
+    /// Number of axes of a contact.
+    pub(crate) const fn axes(self) -> usize {
+        match self {
+            Self::Planar => 2,
+            Self::Spatial => 3,
         }
     }
-    (map, rest)
+
+    /// Number of coordinates of the object: its translations, then its rotations. Those of joints come behind them.
+    pub(crate) const fn of_the_object(self) -> usize {
+        self.axes() + self.planes().len()
+    }
+
+    /// The planes of rotation.
+    pub(crate) const fn planes(self) -> &'static [(usize, usize)] {
+        match self {
+            Self::Planar => &[(0, 1)],
+            Self::Spatial => &[(1, 2), (2, 0), (0, 1)],
+        }
+    }
+
+    /// For each coordinate of the object its place among the components of a `Wrench<C>` or a `Twist<C>`.
+    pub(crate) const fn components<const C: usize>(self) -> &'static [usize] {
+        match self {
+            Self::Planar if C == 3 => &[0, 1, 5],
+            Self::Planar => &[0, 1, 2],
+            Self::Spatial => &[0, 1, 2, 3, 4, 5],
+        }
+    }
+
+    /// A vector over all coordinates, with zeros behind the object's.
+    pub(crate) fn object_alone(self, v: &Vector) -> Vector {
+        let mut alone = v.clone();
+        alone.iter_mut().skip(self.of_the_object()).for_each(|x| *x = 0.0);
+        alone
+    }
+
+    /// Wrench (force, moment about the origin of `arm`) of the force `f` at the end of `arm`.
+    pub(crate) fn wrench_of<const C: usize>(self, arm: &SVector<f64, C>, f: &SVector<f64, C>) -> Vector {
+        let (axes, mut w) = (self.axes(), Vector::zeros());
+        for a in 0..axes {
+            w[a] = f[a];
+        }
+        for (k, &(i, j)) in self.planes().iter().enumerate() {
+            w[axes + k] = arm[i] * f[j] - arm[j] * f[i];
+        }
+        w
+    }
+
+    /// Displacement, to first order, of the point at the end of `arm` under the twist (translation, rotation).
+    pub(crate) fn displacement_of<const C: usize>(
+        self,
+        arm: &SVector<f64, C>,
+        twist: &Vector,
+    ) -> SVector<f64, C> {
+        let (axes, mut u) = (self.axes(), SVector::zeros());
+        for a in 0..axes {
+            u[a] = twist[a];
+        }
+        for (k, &(i, j)) in self.planes().iter().enumerate() {
+            u[i] -= twist[axes + k] * arm[j];
+            u[j] += twist[axes + k] * arm[i];
+        }
+        u
+    }
+
+    /// A wrench about `p`, converted to the origin.
+    pub(crate) fn moved_wrench<const C: usize>(self, p: &SVector<f64, C>, w: &Vector) -> Vector {
+        let moments = self.wrench_of::<C>(p, &self.linear_part(w));
+        let mut moved = w.clone();
+        for k in self.axes()..self.of_the_object() {
+            moved[k] = w[k] + moments[k];
+        }
+        moved
+    }
+
+    /// A twist of the object's point at `p`, converted to the point at the origin.
+    pub(crate) fn moved_twist<const C: usize>(self, p: &SVector<f64, C>, q: &Vector) -> Vector {
+        let translation = self.displacement_of::<C>(&-p, q);
+        let mut moved = q.clone();
+        for k in 0..self.axes() {
+            moved[k] = translation[k];
+        }
+        moved
+    }
+
+    /// The force of a wrench, or the translation of a twist.
+    pub(crate) fn linear_part<const C: usize>(self, v: &Vector) -> SVector<f64, C> {
+        let mut part = SVector::zeros();
+        for a in 0..self.axes() {
+            part[a] = v[a];
+        }
+        part
+    }
+
+    /// The grasp map of one contact, `d x c`: the columns are the wrenches of unit forces along the axes of its frame.
+    pub(crate) fn grasp_map(self, size: Size, arm: &SVector<f64, 3>, frame: &SMatrix<f64, 3, 3>) -> Map {
+        let mut map = Map::zeros(size);
+        for a in 0..self.axes() {
+            map.set_column(a, &self.wrench_of(arm, &frame.column(a).into_owned()));
+        }
+        map
+    }
+
+    /// The grasp map about `origin` in the unit `length`, and its rounding: the exact map of this point and this frame less the first, rounded.
+    pub(super) fn grasp_map_in_twice(
+        self,
+        size: Size,
+        point: &SVector<f64, 3>,
+        origin: &SVector<f64, 3>,
+        length: f64,
+        frame: &SMatrix<f64, 3, 3>,
+    ) -> (Map, Map) {
+        let axes = self.axes();
+        let arm = (point - origin) / length;
+        let map = self.grasp_map(size, &arm, frame);
+        let arm_rest = SVector::<f64, 3>::from_fn(|a, _| {
+            let mut exact = DoubleDouble::new(point[a]);
+            exact.add(-origin[a]);
+            exact.add_product(-arm[a], length);
+            exact.value() / length
+        });
+        let mut rest = Map::zeros(size);
+        for (k, &(i, j)) in self.planes().iter().enumerate() {
+            for a in 0..axes {
+                let mut moment = DoubleDouble::new(-map[(axes + k, a)]);
+                moment.add_product(arm[i], frame[(j, a)]);
+                moment.add_product(-arm[j], frame[(i, a)]);
+                moment.add(arm_rest[i] * frame[(j, a)]);
+                moment.add(-arm_rest[j] * frame[(i, a)]);
+                rest[(axes + k, a)] = moment.value();
+            }
+        }
+        (map, rest)
+    }
+}
+
+/// Number of coordinates of the object in a space of `C` axes.
+pub(crate) const fn of_the_object<const C: usize>() -> usize {
+    Space::of::<C>().of_the_object()
+}
+
+/// A vector with these components along the first `axes` axes, and zeros behind them.
+pub(crate) fn of_axes<const C: usize>(axes: usize, component: impl Fn(usize) -> f64) -> SVector<f64, C> {
+    SVector::from_fn(|a, _| if a < axes { component(a) } else { 0.0 })
 }

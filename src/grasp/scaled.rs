@@ -16,7 +16,7 @@ pub(crate) struct PressOfPart {
     pub(crate) size: Option<(f64, &'static str)>,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// Whether a command, a held force or torque, or a vacuum is not zero: the squeeze consists of these.
     pub(crate) fn is_squeezed(&self) -> bool {
         let commanded = |i: usize| {
@@ -98,7 +98,7 @@ impl<const C: usize> Engine<C> {
         {
             let mut grasp = self.clone();
             if let Some(linkage) = &mut grasp.linkage {
-                linkage.hold_joint(joint, factor);
+                linkage.hold_joint(grasp.space, joint, factor);
                 linkage.commands[joint] *= factor;
             }
             return Ok((of(false, None), grasp));

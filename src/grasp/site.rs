@@ -7,7 +7,7 @@ use core::ops::Range;
 use nalgebra::{SMatrix, SVector};
 
 use super::contact::{Contact, Hold};
-use super::rotation::{grasp_map_in_twice, of_the_object};
+use super::rotation::Space;
 use super::support::Support;
 use crate::contact::{Compliance, Coulomb, Law, Polygon};
 use crate::error::Error;
@@ -15,46 +15,50 @@ use crate::numerics::DoubleDouble;
 
 /// Data of one contact or drive, in inside coordinates.
 #[derive(Debug, Clone)]
-pub(crate) struct Site<const C: usize> {
+pub(crate) struct Site {
     /// Grasp map G_i.
-    pub(crate) map: Map<C>,
+    pub(crate) map: Map,
     /// Rounding of G_i for the given points and frame: the exact map less G_i.
-    pub(crate) map_rest: Map<C>,
+    pub(crate) map_rest: Map,
     /// Norm of G_i.
     size: f64,
     /// Coordinates in which G_i has entries.
     pub(crate) support: Support,
     /// Contact frame, columns n, t….
-    pub(crate) frame: SMatrix<f64, C, C>,
-    pub(crate) springs: Compliance<C>,
+    pub(crate) frame: SMatrix<f64, 3, 3>,
+    /// Plane or space.
+    pub(crate) space: Space,
+    pub(crate) springs: Compliance,
     pub(crate) friction: Coulomb,
     /// Friction cone while it slides, if smaller than at rest.
     pub(crate) kinetic: Option<Coulomb>,
     pub(crate) hold: Hold,
     /// Polygon that replaces the friction cone, whatever the settings; for drives that slip.
-    pub(crate) polygon: Option<Arc<Polygon<C>>>,
+    pub(crate) polygon: Option<Arc<Polygon>>,
 }
 
-impl<const C: usize> Site<C> {
+impl Site {
     /// The contact with this index, about the centroid `origin` and in the inside unit of `length`.
     ///
     /// # Errors
     /// [`Error::Contact`] if the contact has no frame.
     pub(super) fn new(
+        space: Space,
         size: Size,
-        (contact, index): (&Contact<C>, usize),
-        (origin, length): (&SVector<f64, C>, f64),
+        (contact, index): (&Contact<3>, usize),
+        (origin, length): (&SVector<f64, 3>, f64),
     ) -> Result<Self, Error> {
         let frame = contact.frame(index)?;
         let axes = contact.springs();
         let series = contact.stiffness.series();
-        let (mut map, mut map_rest) = grasp_map_in_twice(size, &contact.point, origin, length, &frame);
+        let (mut map, mut map_rest) = space.grasp_map_in_twice(size, &contact.point, origin, length, &frame);
         Ok(Self {
             size: map.norm(),
-            support: Support::of(&mut map, &mut map_rest),
+            support: Support::of(space, &mut map, &mut map_rest),
             map,
             map_rest,
             frame,
+            space,
             springs: Compliance::new(&series, axes),
             friction: Coulomb::new(contact.friction),
             kinetic: contact
@@ -67,27 +71,29 @@ impl<const C: usize> Site<C> {
     }
 
     /// This site with another map, taken as exact.
-    pub(crate) fn with_map(&self, mut map: Map<C>) -> Self {
+    pub(crate) fn with_map(&self, mut map: Map) -> Self {
         let mut map_rest = Map::zeros(map.size());
-        let (size, support) = (map.norm(), Support::of(&mut map, &mut map_rest));
+        let (size, support) = (map.norm(), Support::of(self.space, &mut map, &mut map_rest));
         Self { map, map_rest, size, support, ..self.clone() }
     }
 
     /// A site with a force along one of its own axes only: a drive of a hand.
     pub(super) fn of_axis(
+        space: Space,
         size: Size,
         (axis, along): (usize, &Vector),
-        springs: Compliance<C>,
+        springs: Compliance,
         hold: Hold,
     ) -> Self {
         let (mut map, mut map_rest) = (Map::zeros(size), Map::zeros(size));
         map.set_column(axis, along);
         Self {
             size: map.norm(),
-            support: Support::of(&mut map, &mut map_rest),
+            support: Support::of(space, &mut map, &mut map_rest),
             map,
             map_rest,
             frame: SMatrix::identity(),
+            space,
             springs,
             friction: Coulomb::new(0.0),
             kinetic: None,
@@ -100,31 +106,32 @@ impl<const C: usize> Site<C> {
     /// displacements. The contact force acts on the object with the factor `on_object`: 1, -1 or 0.
     pub(super) fn move_with(
         &mut self,
-        motions: &[(usize, SVector<f64, C>)],
+        space: Space,
+        motions: &[(usize, SVector<f64, 3>)],
         lengths: &Vector,
         on_object: f64,
     ) {
-        let object = of_the_object::<C>();
+        let (object, axes) = (space.of_the_object(), space.axes());
         if on_object != 1.0 {
-            for (k, a) in (0..object).flat_map(|k| (0..C).map(move |a| (k, a))) {
+            for (k, a) in (0..object).flat_map(|k| (0..axes).map(move |a| (k, a))) {
                 self.map[(k, a)] *= on_object;
                 self.map_rest[(k, a)] *= on_object;
             }
         }
         for (coordinate, motion) in motions {
             let k = object + coordinate;
-            for a in 0..C {
+            for a in 0..axes {
                 // A motion of the finger stretches the springs like a motion of the object in the opposite direction, hence the sign.
                 let entry = -self.frame.column(a).dot(motion) / lengths[k];
                 let mut rest = DoubleDouble::new(-entry * lengths[k]);
-                for b in 0..C {
+                for b in 0..axes {
                     rest.add_product(-self.frame[(b, a)], motion[b]);
                 }
                 (self.map[(k, a)], self.map_rest[(k, a)]) = (entry, rest.value() / lengths[k]);
             }
         }
         self.size = self.map.norm();
-        self.support = Support::of(&mut self.map, &mut self.map_rest);
+        self.support = Support::of(space, &mut self.map, &mut self.map_rest);
     }
 
     /// Entries of a column of G_i within a range, and their rounding.
@@ -146,7 +153,7 @@ impl<const C: usize> Site<C> {
     }
 
     /// The law of the contact at rest.
-    pub(crate) fn whole_law(&self) -> Law<C> {
+    pub(crate) fn whole_law(&self) -> Law {
         match self.hold {
             Hold::Unilateral => Law::Cone { gap: true },
             Hold::KeptClosed => Law::Cone { gap: false },
@@ -156,25 +163,25 @@ impl<const C: usize> Site<C> {
 
     /// Stretch of the springs, `a - G_iᵀq`.
     #[inline(always)]
-    pub(crate) fn stretch(&self, drive: &SVector<f64, C>, twist: &Vector) -> SVector<f64, C> {
+    pub(crate) fn stretch(&self, drive: &SVector<f64, 3>, twist: &Vector) -> SVector<f64, 3> {
         drive - self.map.tr_mul(twist)
     }
 
     /// Scale of rounding of the displacements at the contact: translation and rotation may cancel there, but their rounding does not.
     #[inline(always)]
-    pub(crate) fn span(&self, drive: &SVector<f64, C>, twist: &Vector) -> f64 {
+    pub(crate) fn span(&self, drive: &SVector<f64, 3>, twist: &Vector) -> f64 {
         self.span_moved(drive, twist.norm())
     }
 
     /// [`Self::span`], of a twist with this norm.
     #[inline(always)]
-    pub(crate) fn span_moved(&self, drive: &SVector<f64, C>, twist: f64) -> f64 {
+    pub(crate) fn span_moved(&self, drive: &SVector<f64, 3>, twist: f64) -> f64 {
         drive.norm() + self.size * twist
     }
 }
 
 /// Number of coordinates of these sites; a grasp has at least one site.
 #[inline]
-pub(crate) fn size_of<const C: usize>(sites: &[Site<C>]) -> Size {
+pub(crate) fn size_of(sites: &[Site]) -> Size {
     sites.first().map_or(Size::default(), Site::coordinates)
 }

@@ -3,7 +3,7 @@
 use crate::numerics::{Map, Size};
 use core::ops::Range;
 
-use super::rotation::of_the_object;
+use super::rotation::Space;
 use crate::prelude::*;
 
 /// Coordinates in which a map has entries, as two ranges: those of the object, if any, and some neighbouring joints; or those of two bodies other
@@ -11,32 +11,34 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Support {
     size: Size,
+    /// Number of coordinates of the object.
+    object: usize,
     ranges: [Range<usize>; 2],
 }
 
 impl Support {
     /// Support of these two maps together; both then store these rows only.
-    pub(super) fn of<const C: usize>(map: &mut Map<C>, rest: &mut Map<C>) -> Self {
+    pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
         let size = map.size();
         let count = size.count();
         let is_felt = |k: &usize| map.row(*k).iter().chain(rest.row(*k).iter()).any(|x| *x != 0.0);
         let mut felt: Vec<usize> = map.rows().chain(rest.rows()).filter(is_felt).collect();
         felt.sort_unstable();
         felt.dedup();
-        let object = of_the_object::<C>().min(count);
+        let object = space.of_the_object().min(count);
         let others = &felt[felt.partition_point(|k| *k < object)..];
         let all = others.first().zip(others.last()).map_or(count..count, |(first, last)| *first..last + 1);
         let of_object = others.len() < felt.len();
         let ranges = if of_object { [0..object, all] } else { apart(all, others) };
         map.keep(&ranges);
         rest.keep(&ranges);
-        Self { size, ranges }
+        Self { size, object, ranges }
     }
 
     /// Its coordinates, as two ranges. Without joints the first one has all coordinates.
     #[inline]
-    pub(crate) fn ranges<const C: usize>(&self) -> [Range<usize>; 2] {
-        let all = of_the_object::<C>();
+    pub(crate) fn ranges(&self) -> [Range<usize>; 2] {
+        let all = self.object;
         if self.size.count() == all { [0..all, all..all] } else { self.ranges.clone() }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::contact::Contact;
 use super::engine::Engine;
-use super::rotation::wrench_of;
+use super::rotation::Space;
 use super::site::Site;
 use super::whole_contact::{WholeContact, WholeContacts};
 use super::wrench::Wrench;
@@ -19,16 +19,16 @@ pub(crate) fn vacuum_is_gone(cups: &[WholeContact]) -> String {
 
 /// Total pull of the vacuums of all contacts.
 #[derive(Debug, Clone)]
-pub(crate) struct Vacuum<const C: usize> {
+pub(crate) struct Vacuum {
     /// On object and joints, in inside coordinates.
     pub(crate) inside: Vector,
     /// On the object, as the caller sees loads.
-    pub(crate) on_object: Wrench<C>,
+    pub(crate) on_object: Wrench<3>,
 }
 
-impl<const C: usize> Vacuum<C> {
+impl Vacuum {
     /// Pulls between fingers and object along the contact normals; `None` without a vacuum.
-    pub(super) fn of(contacts: &[Contact<C>], sites: &[Site<C>]) -> Option<Box<Self>> {
+    pub(super) fn of(space: Space, contacts: &[Contact<3>], sites: &[Site]) -> Option<Box<Self>> {
         if contacts.iter().all(|contact| contact.suction == 0.0) {
             return None;
         }
@@ -37,20 +37,20 @@ impl<const C: usize> Vacuum<C> {
             inside -= &site.map.column(0) * contact.suction;
             outside += contact.pulled(site);
         }
-        Some(Box::new(Self { inside, on_object: Wrench::among(&outside) }))
+        Some(Box::new(Self { inside, on_object: Wrench::among(space, &outside) }))
     }
 }
 
-impl<const C: usize> Contact<C> {
+impl Contact<3> {
     /// Wrench of its vacuum on the object, about the origin.
-    pub(crate) fn pulled(&self, site: &Site<C>) -> Vector {
-        wrench_of::<C>(&self.point, &(site.frame.column(0) * -self.suction))
+    pub(crate) fn pulled(&self, site: &Site) -> Vector {
+        self.space.wrench_of(&self.point, &(site.frame.column(0) * -self.suction))
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// Total pull of the vacuums, if there are any.
-    pub(crate) fn vacuum(&self) -> Option<&Vacuum<C>> {
+    pub(crate) fn vacuum(&self) -> Option<&Vacuum> {
         self.vacuum.as_deref()
     }
 
@@ -78,7 +78,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// A load of the caller's plus the pull of the vacuums.
-    pub(crate) fn with_vacuum(&self, load: &Wrench<C>) -> Wrench<C> {
+    pub(crate) fn with_vacuum(&self, load: &Wrench<3>) -> Wrench<3> {
         self.vacuum().map_or(*load, |vacuum| *load + vacuum.on_object)
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::contact::Contact;
+use super::rotation::Space;
 use super::stiffness::Stiffness;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 
@@ -23,7 +24,7 @@ impl<const C: usize> Contact<C> {
         })?;
         let mut frame: SMatrix<f64, C, C> = SMatrix::zeros();
         frame.set_column(0, &n);
-        if C == 2 {
+        if self.space == Space::Planar {
             let mut t = SVector::zeros();
             t[0] = n[1];
             t[1] = -n[0];

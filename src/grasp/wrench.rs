@@ -6,7 +6,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use nalgebra::{ArrayStorage, Matrix, SVector};
 
-use super::rotation::{displacement_of, of_the_object, wrench_of};
+use super::rotation::{Space, of_the_object};
 use crate::error::{Error, is_moderate};
 
 /// A load on the object: forces first, then moments about the origin of the coordinates, 3
@@ -80,14 +80,20 @@ macro_rules! vector_like {
             }
 
             /// The components of the object, taken from all coordinates.
-            pub(crate) fn among(coordinates: &Vector) -> Self {
-                Self::from_components(coordinates.as_slice())
+            pub(crate) fn among(space: Space, coordinates: &Vector) -> Self {
+                let mut all = SVector::<f64, 6>::zeros();
+                for (k, &place) in space.components::<C>().iter().enumerate() {
+                    all[place] = coordinates[k];
+                }
+                Self(all)
             }
 
             /// As the first of all coordinates, with zeros behind them.
-            pub(crate) fn coordinates(&self) -> Vector {
+            pub(crate) fn coordinates(&self, space: Space) -> Vector {
                 let mut coordinates = Vector::zeros();
-                self.components().iter().enumerate().for_each(|(k, x)| coordinates[k] = *x);
+                for (k, &place) in space.components::<C>().iter().enumerate() {
+                    coordinates[k] = self.0[place];
+                }
                 coordinates
             }
         }
@@ -135,7 +141,7 @@ macro_rules! vector_like {
             /// Its components as a vector: linear ones first, then angular ones.
             #[must_use]
             pub fn to_vector(&self) -> SVector<f64, $size> {
-                self.coordinates().to_svector()
+                self.coordinates(Space::of::<$axes>()).to_svector()
             }
         }
     };
@@ -155,15 +161,29 @@ vector_like!(Twist);
 impl<const C: usize> Wrench<C> {
     /// A force through a point.
     pub(crate) fn force_through(point: &SVector<f64, C>, force: &SVector<f64, C>) -> Self {
-        Self::among(&wrench_of::<C>(point, force))
+        let space = Space::of::<C>();
+        Self::among(space, &space.wrench_of(point, force))
+    }
+
+    /// Its force, N.
+    pub(crate) fn force_part(&self) -> SVector<f64, C> {
+        SVector::from_column_slice(&self.0.as_slice()[..C])
     }
 
     /// Refuses components that are not finite or too large; `what` names the wrench in the message.
     pub(crate) fn check(&self, what: &'static str) -> Result<(), Error> {
-        match self.components().iter().position(|x| !is_moderate(*x)) {
-            Some(component) => Err(Error::Wrench { what, component, value: self.0[component] }),
-            None => Ok(()),
+        self.check_in(Space::of::<C>(), what)
+    }
+
+    /// [`Self::check`] inside the engine, for the plane or for space.
+    pub(crate) fn check_in(&self, space: Space, what: &'static str) -> Result<(), Error> {
+        for (component, &place) in space.components::<C>().iter().enumerate() {
+            let value = self.0[place];
+            if !is_moderate(value) {
+                return Err(Error::Wrench { what, component, value });
+            }
         }
+        Ok(())
     }
 }
 
@@ -191,7 +211,7 @@ impl Wrench<2> {
     /// ```
     #[must_use]
     pub fn force_at(force: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
-        Self::among(&wrench_of::<2>(&point.into().into(), &force.into().into()))
+        Self::force_through(&point.into().into(), &force.into().into())
     }
 
     /// The sum of its forces, N.
@@ -231,7 +251,7 @@ impl Wrench<3> {
     /// ```
     #[must_use]
     pub fn force_at(force: impl Into<[f64; 3]>, point: impl Into<[f64; 3]>) -> Self {
-        Self::among(&wrench_of::<3>(&point.into().into(), &force.into().into()))
+        Self::force_through(&point.into().into(), &force.into().into())
     }
 
     /// The sum of its forces, N.
@@ -244,6 +264,14 @@ impl Wrench<3> {
     #[must_use]
     pub fn moment(&self) -> [f64; 3] {
         [self.0[3], self.0[4], self.0[5]]
+    }
+}
+
+impl<const C: usize> Twist<C> {
+    /// Displacement of the object's point at `point`, to first order.
+    pub(crate) fn moves(&self, point: &SVector<f64, C>) -> SVector<f64, C> {
+        let space = Space::of::<C>();
+        space.displacement_of(point, &self.coordinates(space))
     }
 }
 
@@ -278,7 +306,7 @@ impl Twist<2> {
     /// ```
     #[must_use]
     pub fn displacement_at(&self, point: impl Into<[f64; 2]>) -> [f64; 2] {
-        displacement_of::<2>(&point.into().into(), &self.0.into()).into()
+        self.moves(&point.into().into()).into()
     }
 }
 
@@ -313,6 +341,6 @@ impl Twist<3> {
     /// ```
     #[must_use]
     pub fn displacement_at(&self, point: impl Into<[f64; 3]>) -> [f64; 3] {
-        displacement_of::<3>(&point.into().into(), &self.0.into()).into()
+        self.moves(&point.into().into()).into()
     }
 }

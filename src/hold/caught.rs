@@ -71,7 +71,7 @@ pub struct MovesTo {
 }
 
 impl MovesTo {
-    fn of<const C: usize>(parts: &WholeContacts<C>, jump: &Jump<C>) -> Option<Self> {
+    fn of(parts: &WholeContacts<3>, jump: &Jump<3>) -> Option<Self> {
         let contacts = parts.with(&|i| jump.reaches.iter().any(|contact| contact.index == i));
         let farthest = jump.moved.iter().max_by(|a, b| a.speed().total_cmp(&b.speed()))?;
         let (distance, angle) = (farthest.middle_moves().norm(), farthest.twist.parts().1.size());
@@ -94,9 +94,9 @@ impl fmt::Display for MovesTo {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// The multiple of the load that is held with kinetic friction from the start; `None` where that path does not end in a loss.
-    pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<C>, settings: &Settings) -> Option<f64> {
+    pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<3>, settings: &Settings) -> Option<f64> {
         let sliding = self.with_friction_of_sliding().ok()?;
         let mut path = sliding.follow(&ramp.base, &[Leg::along(ramp)], settings).ok()?;
         path.run();
@@ -130,14 +130,14 @@ impl Caught {
     }
 
     /// The jumps among the events of one leg, along which the whole load is put on: the fraction of the leg is the multiple of the load.
-    pub(super) fn among<const C: usize>(contacts: &[Contact<C>], events: &[Event<C>]) -> Vec<Self> {
+    pub(super) fn among(contacts: &[Contact<3>], events: &[Event<3>]) -> Vec<Self> {
         let parts = WholeContacts::of(contacts);
         let jumps = events.iter().filter_map(|event| Some((event.fraction, event.jump.as_deref()?)));
-        let caught = |(factor, jump): (f64, &Jump<C>)| {
+        let caught = |(factor, jump): (f64, &Jump<3>)| {
             let whole = parts.with(&|i| jump.slips.iter().any(|slip| slip.contact.index == i)).into_iter();
             let far = |contact: WholeContact| {
                 let range = &parts.ranges()[contact.contact];
-                let of_it = |slip: &&JumpSlip<C>| range.contains(&slip.contact.index);
+                let of_it = |slip: &&JumpSlip<3>| range.contains(&slip.contact.index);
                 let distances = jump.slips.iter().filter(of_it).map(|slip| slip.slip.norm());
                 SlippedBy { distance: distances.fold(0.0, f64::max), contact }
             };

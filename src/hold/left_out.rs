@@ -11,7 +11,7 @@ use crate::grasp::Engine;
 /// hides a loss of stability until it is near.
 const WORTH_A_WORD: f64 = 0.1;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// The share of the geometric stiffness in the resistance to the motion q from rest to another state with the same commands:
     /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`, with forces F at rest, arms r about the centroid of the contacts and the rotation θ of q.
     ///
@@ -19,8 +19,8 @@ impl<const C: usize> Engine<C> {
     /// up to a tenth, for several bodies, and where the load does no positive work.
     pub(super) fn left_out_by_small_motions(
         &self,
-        rest: &Equilibrium<C>,
-        there: &Equilibrium<C>,
+        rest: &Equilibrium<3>,
+        there: &Equilibrium<3>,
     ) -> Option<f64> {
         if self.bodies().is_some() {
             return None;
@@ -29,17 +29,15 @@ impl<const C: usize> Engine<C> {
         let moved = twist.iter().zip(rest.twist.components()).map(|(to, from)| to - from);
         let moved: alloc::vec::Vec<f64> = moved.collect();
         let kept: f64 = moved.iter().zip(load.components()).map(|(q, w)| q * w).sum();
-        let rotation = &moved[C..];
+        let rotation = &moved[3..];
         let square: f64 = rotation.iter().map(|x| x * x).sum();
         let mut left_out = 0.0;
         for (contact, answer) in self.contacts().iter().zip(&rest.contacts) {
             let (force, arm) = (answer.force_world, contact.point - self.origin());
             left_out += force.dot(&arm) * square;
-            if C == 3 {
-                let along =
-                    |v: &nalgebra::SVector<f64, C>| v.iter().zip(rotation).map(|(a, b)| a * b).sum::<f64>();
-                left_out -= along(&force) * along(&arm);
-            }
+            let along =
+                |v: &nalgebra::SVector<f64, 3>| v.iter().zip(rotation).map(|(a, b)| a * b).sum::<f64>();
+            left_out -= along(&force) * along(&arm);
         }
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > WORTH_A_WORD)
     }

@@ -24,6 +24,7 @@
 //! cancel in the growth of h until one opens. The radius is the distance from q at which h could reach `W·v`.
 
 mod caught;
+mod face;
 mod left_out;
 mod put_on;
 mod verdict;

@@ -24,9 +24,9 @@ use crate::prelude::*;
 /// rounding choose between tipping and turning; nothing is decided by it.
 const SHUT: f64 = 1e-9;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::hold`](crate::ask::Grasp::hold).
-    pub(crate) fn hold(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Verdict<C>, Error> {
+    pub(crate) fn hold(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Verdict<3>, Error> {
         if !(settings.most_load > 0.0 && is_moderate(settings.most_load)) {
             let (what, allowed) = ("most_load of the settings", "more than 0 and at most 1e50");
             return Err(Error::Argument { what, value: settings.most_load, allowed });
@@ -99,9 +99,9 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The end of a path along which not all of the load was put on.
-    fn not_held(&self, path: &LoadPath<'_, C>, base: &Wrench<C>, settings: &Settings) -> Holding<C> {
+    fn not_held(&self, path: &LoadPath<'_, 3>, base: &Wrench<3>, settings: &Settings) -> Holding<3> {
         let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
-        let or_at_rest = |otherwise: Holding<C>| {
+        let or_at_rest = |otherwise: Holding<3>| {
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {
@@ -119,7 +119,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The loss of the load at rest as it grows from zero together with the commands; `None` where that path has no loss.
-    fn lost_at_rest(&self, base: &Wrench<C>, settings: &Settings) -> Option<Box<Lost<C>>> {
+    fn lost_at_rest(&self, base: &Wrench<3>, settings: &Settings) -> Option<Box<Lost<3>>> {
         let growing = self.growing_from_nothing(base);
         let direction = if growing.is_some() { Wrench::from_components(&[1.0]) } else { *base };
         let commands: Vec<_> = self.contacts().iter().map(|contact| contact.command).collect();
@@ -138,10 +138,10 @@ impl<const C: usize> Engine<C> {
     /// too.
     fn held(
         &self,
-        state: &Equilibrium<C>,
-        events: &[Event<C>],
+        state: &Equilibrium<3>,
+        events: &[Event<3>],
         first_slip: Option<&FirstSlip>,
-    ) -> Holding<C> {
+    ) -> Holding<3> {
         let jumps = || events.iter().filter_map(|event| event.jump.as_deref());
         let slips: Vec<_> = jumps().flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).collect();
         let has_slid = |i: usize| {
@@ -161,23 +161,23 @@ impl<const C: usize> Engine<C> {
         }
     }
 
-    fn first_slip(&self, onset: &Onset<C>, events: &[Event<C>]) -> Option<FirstSlip> {
+    fn first_slip(&self, onset: &Onset<3>, events: &[Event<3>]) -> Option<FirstSlip> {
         let parts = WholeContacts::of(self.contacts());
-        let slides_at_rest = |i: usize, state: &Equilibrium<C>| {
+        let slides_at_rest = |i: usize, state: &Equilibrium<3>| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
         };
         let at_once = || events.iter().take_while(|event| event.leg == 0 && event.fraction == 0.0);
         let slides_at_once = |i: usize| at_once().any(|event| begins_to_slide(event, i));
         match onset {
             Onset::At(event) => {
-                let leaves = |so: fn(&Departure<C>) -> bool| {
+                let leaves = |so: fn(&Departure<3>) -> bool| {
                     let is_meant = |i: usize| {
                         event.leaving.iter().any(|leaving| leaving.contact.index == i && so(&leaving.how))
                     };
                     parts.with(&is_meant)
                 };
                 let slides = |i: usize| {
-                    let slides = |leaving: &Leaving<C>| matches!(leaving.how, Departure::Slides { .. });
+                    let slides = |leaving: &Leaving<3>| matches!(leaving.how, Departure::Slides { .. });
                     event.leaving.iter().any(|leaving| leaving.contact.index == i && slides(leaving))
                 };
                 Some(FirstSlip {
@@ -204,7 +204,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The loss of equilibrium at this multiple of the load.
-    pub(crate) fn lost(&self, factor: f64, loss: &Loss<C>, state: Option<Equilibrium<C>>) -> Lost<C> {
+    pub(crate) fn lost(&self, factor: f64, loss: &Loss<3>, state: Option<Equilibrium<3>>) -> Lost<3> {
         let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * state.largest_force());
         let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
         let presses = |i: usize| of(i).is_none_or(|contact| contact.force.norm() > weightless);
@@ -245,9 +245,9 @@ impl<const C: usize> Engine<C> {
         &self,
         factor: f64,
         what: &TooFar,
-        state: Option<Equilibrium<C>>,
+        state: Option<Equilibrium<3>>,
         everything_slides: bool,
-    ) -> Lost<C> {
+    ) -> Lost<3> {
         let slides = |i: usize| {
             let contact = state.as_ref().map(|state| &state.contacts[i]);
             contact.is_some_and(|contact| matches!(contact.state, ContactState::Sliding { .. }))
@@ -272,17 +272,17 @@ impl<const C: usize> Engine<C> {
     /// The neighbourhood of a loss in which a proof excludes every equilibrium under the whole load.
     fn nothing_near(
         &self,
-        lost: &Lost<C>,
-        loss: &Loss<C>,
-        ramp: &Ramp<C>,
+        lost: &Lost<3>,
+        loss: &Loss<3>,
+        ramp: &Ramp<3>,
         settings: &Settings,
     ) -> Option<NothingNear> {
         let state = lost.state.as_ref()?;
         let load = self.load_alone(&ramp.load_at(1.0), "load").ok()?;
         let mut drives = self.drives();
         drives.iter_mut().zip(ramp.drive_changes(self).ok()?).for_each(|(drive, change)| *drive += change);
-        let polygon = Polygon::shared(&settings.cone);
-        let problem = self.problem(polygon, settings.is_round::<C>(), drives, &Load::from(&load));
+        let polygon = Polygon::shared(self.space(), &settings.cone);
+        let problem = self.problem(polygon, settings.is_round(self.space()), drives, &Load::from(&load));
         let at = state.local.twist.to();
         // Any virtual motion may give the proof: as a rule that of the loss, otherwise the one along the load.
         let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];
@@ -295,15 +295,15 @@ impl<const C: usize> Engine<C> {
 }
 
 /// Whether this contact begins to slide at an event.
-fn begins_to_slide<const C: usize>(event: &Event<C>, contact: usize) -> bool {
-    let begins = |change: &ContactChange<C>| {
+fn begins_to_slide(event: &Event<3>, contact: usize) -> bool {
+    let begins = |change: &ContactChange<3>| {
         matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
     };
     event.changes.iter().any(|change| change.contact.index == contact && begins(change))
 }
 
 /// The end of small motions, if it comes before the loss of equilibrium.
-fn too_far_on<'p, const C: usize>(path: &'p LoadPath<'_, C>) -> Option<&'p EndOfSmallMotions> {
+fn too_far_on<'p>(path: &'p LoadPath<'_, 3>) -> Option<&'p EndOfSmallMotions> {
     let loss = path.end().and_then(PathEnd::loss);
     let before = |far: &&EndOfSmallMotions| {
         loss.is_none_or(|loss| (far.leg, far.fraction) < (loss.leg, loss.fraction * (1.0 - AT_ONCE)))

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts, displacement_of};
+use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -82,8 +82,8 @@ pub struct BodyWay<const C: usize> {
     pub way: WayOut<C>,
 }
 
-impl<const C: usize> BodyWay<C> {
-    fn of(motion: &BodyMotion<C>) -> Self {
+impl BodyWay<3> {
+    fn of(motion: &BodyMotion<3>) -> Self {
         let middle = motion.middle_moves();
         let way = slides_out(&middle, motion.turning_moves())
             .unwrap_or_else(|| turns(&motion.twist, &motion.centre, &middle));
@@ -92,7 +92,7 @@ impl<const C: usize> BodyWay<C> {
 }
 
 /// The motion as [`WayOut::SlidesOut`] along a translation, if the displacement `spin` by rotation is negligible beside it.
-fn slides_out<const C: usize>(along: &SVector<f64, C>, spin: f64) -> Option<WayOut<C>> {
+fn slides_out(along: &SVector<f64, 3>, spin: f64) -> Option<WayOut<3>> {
     let direction = || along.try_normalize(0.0);
     (spin <= STAYS * along.norm())
         .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
@@ -100,21 +100,21 @@ fn slides_out<const C: usize>(along: &SVector<f64, C>, spin: f64) -> Option<WayO
 
 /// The name of a motion, from the contacts that touch. With several bodies `sides` has the indices of both bodies of each contact, `None` for the
 /// ground.
-pub(super) fn way_out<const C: usize>(
-    contacts: &[Contact<C>],
+pub(super) fn way_out(
+    contacts: &[Contact<3>],
     sides: Option<&[(usize, Option<usize>)]>,
-    motion: Option<&Motion<C>>,
+    motion: Option<&Motion<3>>,
     touches: &dyn Fn(usize) -> bool,
-) -> WayOut<C> {
+) -> WayOut<3> {
     let Some(motion) = motion else { return WayOut::NotKnown };
     let Some(sides) = sides else {
         return seen_from(contacts, &motion.object, &|_| 1.0, touches);
     };
     let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
-    let moves = |body: &BodyMotion<C>| body.speed() > STAYS * fastest;
+    let moves = |body: &BodyMotion<3>| body.speed() > STAYS * fastest;
     let mut bodies: Vec<_> = motion.bodies.iter().filter(|body| moves(body)).map(BodyWay::of).collect();
     let Some(first) = motion.bodies.iter().find(|body| moves(body)) else { return WayOut::Apart { bodies } };
-    let as_the_first = |body: &BodyMotion<C>| {
+    let as_the_first = |body: &BodyMotion<3>| {
         let other = BodyMotion { twist: difference(&body.twist, &first.twist), ..body.clone() };
         other.speed() <= STAYS * fastest
     };
@@ -136,35 +136,31 @@ pub(super) fn way_out<const C: usize>(
 }
 
 /// Whether the two surfaces of a contact move relative to each other, by more than [`STAYS`] of the fastest body.
-pub(super) fn comes_apart<const C: usize>(
-    contact: &Contact<C>,
+pub(super) fn comes_apart(
+    contact: &Contact<3>,
     (on, against): (usize, Option<usize>),
-    motion: &Motion<C>,
+    motion: &Motion<3>,
 ) -> bool {
     let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
-    let at_the_point = |body: usize| {
-        let twist = motion.bodies[body].twist.coordinates();
-        displacement_of::<C>(&contact.point, &twist)
-    };
+    let at_the_point = |body: usize| motion.bodies[body].twist.moves(&contact.point);
     let other = against.map_or_else(SVector::zeros, at_the_point);
     (at_the_point(on) - other).norm() > STAYS * fastest
 }
 
-fn difference<const C: usize>(a: &Twist<C>, b: &Twist<C>) -> Twist<C> {
+fn difference(a: &Twist<3>, b: &Twist<3>) -> Twist<3> {
     let components: Vec<_> = a.components().iter().zip(b.components()).map(|(a, b)| a - b).collect();
     Twist::from_components(&components)
 }
 
 /// The name of the motion of an object with this twist, from the contacts that touch it. The sign of a contact is 1 if its normal points into the
 /// object, and -1 if it points out. It is 0 for contacts that the object does not have.
-fn seen_from<const C: usize>(
-    contacts: &[Contact<C>],
-    twist: &Twist<C>,
+fn seen_from(
+    contacts: &[Contact<3>],
+    twist: &Twist<3>,
     sign: &dyn Fn(usize) -> f64,
     touches: &dyn Fn(usize) -> bool,
-) -> WayOut<C> {
-    let coordinates = twist.coordinates();
-    let velocity = |point: &SVector<f64, C>| displacement_of::<C>(point, &coordinates);
+) -> WayOut<3> {
+    let velocity = |point: &SVector<f64, 3>| twist.moves(point);
     let parts = WholeContacts::of(contacts);
     let touches = |i: usize| sign(i) != 0.0 && touches(i);
     let touching = parts.with(&touches);
@@ -176,11 +172,11 @@ fn seen_from<const C: usize>(
     let centre = touching.iter().fold(SVector::zeros(), |sum, part| sum + places[part.contact] / count);
     let along = velocity(&centre);
     let reach = contacts.iter().map(|contact| (contact.point - centre).norm()).fold(0.0, f64::max);
-    let spin = coordinates.iter().skip(C).map(|x| x * x).sum::<f64>().sqrt() * reach;
+    let spin = twist.components().iter().skip(3).map(|x| x * x).sum::<f64>().sqrt() * reach;
     let fastest = touching.iter().map(|part| moves[part.contact].norm()).fold(spin, f64::max);
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STAYS * fastest;
     // A velocity v leads away from the finger if it is more than 45° above its surface.
-    let goes_away = |v: &SVector<f64, C>, n: &SVector<f64, C>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
+    let goes_away = |v: &SVector<f64, 3>, n: &SVector<f64, 3>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
     let opens = |part: &WholeContact| {
         let may_open = part_holds[part.contact] == Hold::Unilateral;
         may_open && !stays(part) && goes_away(&moves[part.contact], &normals[part.contact])
@@ -216,7 +212,7 @@ fn seen_from<const C: usize>(
 }
 
 /// The rotation of a twist, with the point of its axis nearest to the point `near`, which has the displacement `moves`.
-fn turns<const C: usize>(twist: &Twist<C>, near: &SVector<f64, C>, moves: &SVector<f64, C>) -> WayOut<C> {
+fn turns(twist: &Twist<3>, near: &SVector<f64, 3>, moves: &SVector<f64, 3>) -> WayOut<3> {
     let (_, rotation) = twist.parts();
     let (centre, axis) = (near + rotation.way_to_axis(moves), rotation.axis());
     let is_there = centre.iter().chain(axis.iter()).all(|x: &f64| x.is_finite());

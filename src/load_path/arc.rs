@@ -36,9 +36,9 @@ const LEAST_COSINE: f64 = 0.5;
 const CORRECTED: f64 = 1e-6;
 
 /// Contacts in fixed states along an arc.
-pub(super) struct Arc<'s, 'g, const C: usize> {
-    pub(super) segment: &'s Segment<'g, C>,
-    pub(super) states: &'s [State<C>],
+pub(super) struct Arc<'s, 'g> {
+    pub(super) segment: &'s Segment<'g>,
+    pub(super) states: &'s [State],
     /// The contacts that slide.
     pub(super) sliding: Vec<usize>,
     /// u, the displacement that counts in arclength as much as the whole leg, m.
@@ -72,11 +72,11 @@ impl Direction {
     }
 }
 
-impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
+impl<'s, 'g> Arc<'s, 'g> {
     /// The arc in these states, on which motions that nothing resists continue at their rates for one unit of the factor.
     pub(super) fn new<'m>(
-        segment: &'s Segment<'g, C>,
-        states: &'s [State<C>],
+        segment: &'s Segment<'g>,
+        states: &'s [State],
         free_motions: impl IntoIterator<Item = (&'m Vector, f64)>,
         unit: f64,
     ) -> Self {
@@ -92,8 +92,8 @@ impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
             if !states[i].slides() {
                 let pushed = site.map.times(&segment.problem.local(i).tangent(&states[i]).matrix());
                 let (a, b) = (&pushed, &site.map);
-                fixed.add(&site.support.ranges::<C>(), |i, j| {
-                    (1..C).fold(a[(i, 0)] * b[(j, 0)], |sum, k| sum + a[(i, k)] * b[(j, k)])
+                fixed.add(&site.support.ranges(), |i, j| {
+                    (1..3).fold(a[(i, 0)] * b[(j, 0)], |sum, k| sum + a[(i, k)] * b[(j, k)])
                 });
                 push += &pushed * segment.change[i];
             }
@@ -108,7 +108,7 @@ impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
         Self { segment, states, sliding, unit, fixed, push, driven }
     }
 
-    pub(super) fn sites(&self) -> &'g [Site<C>] {
+    pub(super) fn sites(&self) -> &'g [Site] {
         self.segment.grasp.sites()
     }
 
@@ -123,7 +123,7 @@ impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
     }
 
     /// Tangent stiffness of a sliding contact with this friction force; a contact without one slides in the direction of its state.
-    pub(super) fn tangent(&self, contact: usize, friction: &SVector<f64, C>) -> Tangent<C> {
+    pub(super) fn tangent(&self, contact: usize, friction: &SVector<f64, 3>) -> Tangent {
         let local = self.segment.problem.local(contact);
         if tangential_norm(friction) == 0.0 {
             return local.tangent(&self.states[contact]);
@@ -132,32 +132,25 @@ impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
     }
 
     /// Tangent stiffnesses of all sliding contacts.
-    pub(super) fn tangents(&self, frictions: impl Iterator<Item = SVector<f64, C>>) -> Vec<Tangent<C>> {
+    pub(super) fn tangents(&self, frictions: impl Iterator<Item = SVector<f64, 3>>) -> Vec<Tangent> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).collect()
     }
 
     /// Factors of `[T u | -b]` at a factor with a row across the path, and the size of its entries.
-    fn bordered(
-        &self,
-        tangents: &[Tangent<C>],
-        factor: f64,
-        across: &Direction,
-    ) -> Option<(PathFactors, f64)> {
+    fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
     }
 
     /// T and b at a factor.
-    pub(super) fn balance(&self, tangents: &[Tangent<C>], factor: f64) -> (PathStiffness, Vector) {
+    pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
             let map = &self.sites()[i].map;
             if let Tangent::Sliding { drag, across, stiffness } = tangent {
                 let (dragged, held) = (map * drag, map * across);
                 let (normal, pulled) = (map.column(0), &held * *stiffness);
-                t.add(&self.sites()[i].support.ranges::<C>(), |i, j| {
-                    dragged[i] * normal[j] + held[i] * pulled[j]
-                });
+                t.add(&self.sites()[i].support.ranges(), |i, j| dragged[i] * normal[j] + held[i] * pulled[j]);
                 if self.driven {
                     let change = &self.segment.change[i];
                     push += dragged * change[0] + held * (stiffness * across.dot(change));
@@ -189,7 +182,7 @@ impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
     /// The unit direction of the path in arclength at a factor with these tangents, oriented along a given one.
     pub(super) fn direction(
         &self,
-        tangents: &[Tangent<C>],
+        tangents: &[Tangent],
         factor: f64,
         along: &Direction,
     ) -> Option<Direction> {
@@ -201,21 +194,16 @@ impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
     }
 
     /// Rates of stretch and force of a contact with this tangent.
-    pub(super) fn rates(
-        &self,
-        contact: usize,
-        tangent: &Tangent<C>,
-        way: &Direction,
-    ) -> [SVector<f64, C>; 2] {
+    pub(super) fn rates(&self, contact: usize, tangent: &Tangent, way: &Direction) -> [SVector<f64, 3>; 2] {
         let site = &self.sites()[contact];
         let stretch = site.stretch(&(self.segment.change[contact] * way.factor), &way.twist);
         [stretch, tangent.force(&stretch)]
     }
 
     /// Rates of all forces, given the tangents of the sliding contacts.
-    pub(super) fn force_rates(&self, slid: &[Tangent<C>], way: &Direction) -> Vec<SVector<f64, C>> {
+    pub(super) fn force_rates(&self, slid: &[Tangent], way: &Direction) -> Vec<SVector<f64, 3>> {
         let mut slid = slid.iter();
-        let rate = |(i, state): (usize, &State<C>)| {
+        let rate = |(i, state): (usize, &State)| {
             let sliding = state.slides().then(|| slid.next()).flatten();
             let tangent = sliding.copied().unwrap_or_else(|| self.segment.problem.local(i).tangent(state));
             self.rates(i, &tangent, way)[1]
@@ -230,8 +218,8 @@ impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
         mut twist: Vector,
         mut factor: f64,
         across: &Direction,
-        frictions: &[SVector<f64, C>],
-    ) -> Option<(PieceState<C>, f64)> {
+        frictions: &[SVector<f64, 3>],
+    ) -> Option<(PieceState, f64)> {
         let tangents = self.tangents(frictions.iter().copied());
         let (bordered, _) = self.bordered(&tangents, factor, across)?;
         let rounding = BALANCED * ((self.sites().len() + 2) as f64).sqrt();
@@ -264,7 +252,7 @@ impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
     }
 
     /// Forces at a twist and a factor, with friction on the cones in these directions.
-    fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, C>]) -> Vec<SVector<f64, C>> {
+    fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         let drives = self.segment.drives(factor);
         let mut slid = frictions.iter();
         let force = |i: usize| {
@@ -287,16 +275,16 @@ impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
     }
 }
 
-impl<const C: usize> Segment<'_, C> {
+impl Segment<'_> {
     /// State and rates where contacts slide on the round cone: the first order of the path as long as the states last. The state is the one near `at`
     /// with friction on the cones: where a contact has opened, the others take its share. Motions that nothing resists move at the rates `pushed`.
     pub(super) fn tangent(
         &self,
-        states: &[State<C>],
+        states: &[State],
         factor: f64,
-        at: &PieceState<C>,
+        at: &PieceState,
         pushed: Option<&Vector>,
-    ) -> Result<Here<C>, NoEquilibrium<C>> {
+    ) -> Result<Here, NoEquilibrium<3>> {
         let piece = alloc::sync::Arc::new(Piece::new(&self.problem, states));
         let rate = piece
             .solve(self.problem.sites, &self.change, &self.course.rate_at(factor))
@@ -305,7 +293,7 @@ impl<const C: usize> Segment<'_, C> {
         let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).collect();
         let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
-        let is_near = |(there, _): &(PieceState<C>, f64)| {
+        let is_near = |(there, _): &(PieceState, f64)| {
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= CORRECTED * largest)
         };
         let balanced =

@@ -13,9 +13,9 @@ use crate::prelude::*;
 /// Largest ratio of the object's motion to the deflection of the softest spring, in the displacement that counts as much as the whole leg.
 const MOST_AMPLIFIED: f64 = 1e6;
 
-impl<const C: usize> Pieces<'_, C> {
+impl Pieces<'_> {
     /// Displacement of the object for one unit of the factor at the beginning; while the load turns, together with the rate a quarter turn later.
-    pub(super) fn displacement_rate(&self, here: &Here<C>) -> f64 {
+    pub(super) fn displacement_rate(&self, here: &Here) -> f64 {
         let mut size = here.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {
             let later = self.segment.course.rate_at(self.factor + FRAC_PI_2 / angle);
@@ -30,7 +30,7 @@ impl<const C: usize> Pieces<'_, C> {
     }
 
     /// Deflection of the softest spring under all present forces and those that one unit of the factor adds.
-    fn springs_give(&self, here: &Here<C>) -> f64 {
+    fn springs_give(&self, here: &Here) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = sites.iter().map(|site| site.springs.softest()).fold(f64::INFINITY, f64::min);
         let drives = self.segment.change.iter().map(SVector::norm).fold(0.0, f64::max);

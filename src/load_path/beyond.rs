@@ -95,12 +95,7 @@ pub struct Continuation<const C: usize> {
 }
 
 /// The continuation of an equilibrium whose rates have a solution.
-pub(super) fn continuation<const C: usize>(
-    grasp: &Engine<C>,
-    rates: &Problem<C>,
-    found: Found<C>,
-    rule: Rung,
-) -> Beyond<C> {
+pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: Rung) -> Beyond<3> {
     let (mut states, mut force_rates) = (site_states(rates, &found), found.forces);
     states.truncate(grasp.len());
     let cups = grasp.cups_open(|i| states[i] == ContactState::Separated);
@@ -117,21 +112,21 @@ pub(super) fn continuation<const C: usize>(
 }
 
 /// The end of an equilibrium.
-pub(super) struct EquilibriumEnd<'f, const C: usize> {
+pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
-    pub(super) forces: &'f [SVector<f64, C>],
+    pub(super) forces: &'f [SVector<f64, 3>],
     /// The motion with which the object leaves, inside coordinates.
     pub(super) motion: Option<Vector>,
 }
 
 /// The situation beyond an end where the rates have no solution.
-pub(super) fn beyond_end<const C: usize>(
-    segment: &Segment<'_, C>,
-    rates: &Problem<C>,
-    (settled, effort): (Settled<C>, &Effort),
-    end: &EquilibriumEnd<'_, C>,
+pub(super) fn beyond_end(
+    segment: &Segment<'_>,
+    rates: &Problem,
+    (settled, effort): (Settled, &Effort),
+    end: &EquilibriumEnd<'_>,
     settings: &Settings,
-) -> Beyond<C> {
+) -> Beyond<3> {
     let here = segment.problem_at(end.factor);
     // The problem at a finite distance beyond the end, as a part of [`way_beyond`].
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&here, rates));
@@ -168,7 +163,7 @@ pub(super) fn beyond_end<const C: usize>(
 
 /// Whether Farkas' lemma excludes every choice of slips and gaps: then the rates have no solution. The form is computed in floating point, so the
 /// proof holds up to its rounding. It is sought by linear programs with two rows for each row of the form.
-pub(super) fn no_rates<const C: usize>(rates: &Problem<C>) -> bool {
+pub(super) fn no_rates(rates: &Problem) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;
     }
@@ -179,11 +174,11 @@ pub(super) fn no_rates<const C: usize>(rates: &Problem<C>) -> bool {
 }
 
 /// Searches an equilibrium from scratch slightly beyond the end, with the slip so far.
-fn from_scratch<'g, const C: usize>(
-    past: impl Fn(f64) -> Problem<'g, C>,
-    forces: &[SVector<f64, C>],
+fn from_scratch<'g>(
+    past: impl Fn(f64) -> Problem<'g>,
+    forces: &[SVector<f64, 3>],
     settings: &Settings,
-) -> Beyond<C> {
+) -> Beyond<3> {
     // Whether an equilibrium at this distance differs from the end by more than a continued path could.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
@@ -211,7 +206,7 @@ fn from_scratch<'g, const C: usize>(
 }
 
 /// Whether forces could belong to a path that continues by this part: over so short a way they change by at most its square root.
-fn is_near<const C: usize>(found: &[SVector<f64, C>], forces: &[SVector<f64, C>], part: f64) -> bool {
+fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
     let near = part.min(A_LITTLE).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
@@ -219,21 +214,21 @@ fn is_near<const C: usize>(found: &[SVector<f64, C>], forces: &[SVector<f64, C>]
 
 /// The load step that parts beyond the end refer to: [`whole_way`], or the whole leg where there is no load yet. With a zero step all parts would lie
 /// at the end itself.
-fn way_beyond<const C: usize>(here: &Problem<C>, rates: &Problem<C>) -> f64 {
+fn way_beyond(here: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(here, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
 /// The change of the load factor that makes up the whole load, or all commands, whichever is less; zero if there is neither.
-fn whole_way<const C: usize>(here: &Problem<C>, rates: &Problem<C>) -> f64 {
-    let total = |drives: &[SVector<f64, C>]| drives.iter().map(nalgebra::Matrix::norm).sum::<f64>();
+fn whole_way(here: &Problem, rates: &Problem) -> f64 {
+    let total = |drives: &[SVector<f64, 3>]| drives.iter().map(nalgebra::Matrix::norm).sum::<f64>();
     let load_way = here.wrench.norm() / rates.wrench.norm();
     let command_way = total(&here.drives) / total(&rates.drives);
     let way = load_way.min(command_way);
     if way.is_finite() { way } else { 0.0 }
 }
 
-fn search_beyond<const C: usize>(here: &Problem<C>, rates: &Problem<C>) -> Beyond<C> {
+fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
     // The complete laws under the rates of load and commands.
     let rates = &Problem {
         drives: rates.drives.clone(),

@@ -66,12 +66,12 @@ impl<const C: usize> Leg<C> {
     }
 
     /// Refuses loads on bodies that do not exist, two loads on one body, and such loads while the load turns.
-    pub(super) fn check_bodies(&self, grasp: &Engine<C>) -> Result<(), Error> {
+    pub(super) fn check_bodies(&self, grasp: &Engine) -> Result<(), Error> {
         for (k, (name, goal)) in self.bodies.iter().enumerate() {
             let refuse = |fault: &str| Err(Error::Body { name: name.to_string(), fault: fault.to_owned() });
             grasp.body_called(name)?;
             if let LegGoal::By(load) | LegGoal::To(load) = goal {
-                load.check("load of a body along a leg")?;
+                load.check_in(grasp.space(), "load of a body along a leg")?;
             }
             if self.bodies[..k].iter().any(|(other, _)| other == name) {
                 return refuse("is loaded twice by a leg, must be once");
@@ -86,11 +86,11 @@ impl<const C: usize> Leg<C> {
 
 /// The loads of all bodies at the beginning and at the end of a leg; `None` while no leg has had one.
 #[derive(Debug, Clone, Default)]
-pub(super) struct BodyLoads<const C: usize>(Option<Arc<[Vec<Wrench<C>>; 2]>>);
+pub(super) struct BodyLoads(Option<Arc<[Vec<Wrench<3>>; 2]>>);
 
-impl<const C: usize> BodyLoads<C> {
+impl BodyLoads {
     /// Moves on to the next leg: from the loads at the end of the last one, by the goals of this one for bodies with these names.
-    pub(super) fn lead_on(&mut self, names: &[Arc<str>], goals: &[BodyGoal<C>]) {
+    pub(super) fn lead_on(&mut self, names: &[Arc<str>], goals: &[BodyGoal<3>]) {
         if goals.is_empty() && self.0.is_none() {
             return;
         }
@@ -108,20 +108,20 @@ impl<const C: usize> BodyLoads<C> {
     }
 
     /// The sum of these loads in inside coordinates, at the beginning and at the end of the leg.
-    pub(super) fn inside(&self, grasp: &Engine<C>) -> Option<[Vector; 2]> {
+    pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (loads, bodies) = self.0.as_ref().zip(grasp.bodies())?;
         Some([0, 1].map(|end| grasp.put_on_each(bodies, &loads[end])))
     }
 
     /// The loads at the beginning (0) or the end (1) of the leg.
-    pub(super) fn at_end(&self, end: usize) -> &[Wrench<C>] {
+    pub(super) fn at_end(&self, end: usize) -> &[Wrench<3>] {
         self.0.as_ref().map_or(&[], |loads| &loads[end])
     }
 
     /// The grasp with its bodies under their loads at a fraction of the leg.
-    pub(super) fn put_on<'g>(&self, grasp: &'g Engine<C>, fraction: f64) -> Cow<'g, Engine<C>> {
+    pub(super) fn put_on<'g>(&self, grasp: &'g Engine, fraction: f64) -> Cow<'g, Engine> {
         let Some(loads) = &self.0 else { return Cow::Borrowed(grasp) };
-        let at = |(from, to): (&Wrench<C>, &Wrench<C>)| *from + (*to - *from) * fraction;
+        let at = |(from, to): (&Wrench<3>, &Wrench<3>)| *from + (*to - *from) * fraction;
         let now = loads[0].iter().zip(&loads[1]).map(at).collect();
         Cow::Owned(grasp.under_body_loads(now))
     }

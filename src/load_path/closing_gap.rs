@@ -41,12 +41,7 @@ struct FreeWay {
 
 /// Whether a contact with this force lets the body move at a velocity, in the contact frame, without a change of its force. Velocities up to `none`
 /// are rounding.
-fn lets_pass<const C: usize>(
-    local: &LocalLaw<'_, C>,
-    force: &SVector<f64, C>,
-    velocity: &SVector<f64, C>,
-    none: f64,
-) -> bool {
+fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
         Resistance::Unlimited => false,
         Resistance::BySprings(row) => {
@@ -62,7 +57,7 @@ fn lets_pass<const C: usize>(
     }
 }
 
-impl<'g, const C: usize> Pieces<'g, C> {
+impl<'g> Pieces<'g> {
     /// The way along a motion to the gap that closes first. `None` where a contact resists the motion, where no gap closes, or where the motion is
     /// not small.
     fn free_way(&self, motion: &Vector) -> Option<FreeWay> {
@@ -108,8 +103,8 @@ impl<'g, const C: usize> Pieces<'g, C> {
         &mut self,
         motion: &Vector,
         way: &FreeWay,
-        journey: &Journey<'g, C>,
-    ) -> Vec<(usize, Change<C>)> {
+        journey: &Journey<'g>,
+    ) -> Vec<(usize, Change<3>)> {
         let rates = self.edge(journey).rates;
         let mut states = rates.yielding();
         for (i, state) in states.iter_mut().enumerate() {
@@ -143,7 +138,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// The event at which a gap closes after a free motion from a loss; the path continues from there. `None` where no gap closes.
-    pub(super) fn caught_by_a_gap(&mut self, journey: &Journey<'g, C>, loss: &Loss<C>) -> Option<Event<C>> {
+    pub(super) fn caught_by_a_gap(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         if self.fallen.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;
         }
@@ -177,7 +172,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 }
 
-impl<'g, const C: usize> JumpInProgress<'g, C> {
+impl<'g> JumpInProgress<'g> {
     /// Continues after a loss on its leg: contacts that begin to slide release the force that their friction loses, or else the object moves until a
     /// gap closes. Whether a force is released.
     ///
@@ -185,10 +180,10 @@ impl<'g, const C: usize> JumpInProgress<'g, C> {
     /// The loss, where no gap closes.
     pub(super) fn go_on_freely(
         &mut self,
-        loss: &Loss<C>,
+        loss: &Loss<3>,
         goal: &Vector,
-        journey: &Journey<'g, C>,
-    ) -> Result<bool, PathEnd<C>> {
+        journey: &Journey<'g>,
+    ) -> Result<bool, PathEnd<3>> {
         let lost = || PathEnd::Lost(Box::new(loss.clone()));
         let motion: Option<Vector> = loss.leaves.as_ref().map(Coordinates::to);
         let motion = motion.filter(|_| loss.kind != LossKind::LetsGo).ok_or_else(lost)?;

@@ -9,12 +9,12 @@ use crate::error::ContactLabel;
 use crate::grasp::{Engine, PartLabel, Role};
 use crate::prelude::*;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// Separates the changes of contacts from those of drives, which go by the names of their owners.
     pub(super) fn contacts_and_drives(
         &self,
-        changes: Vec<(usize, Change<C>)>,
-    ) -> (Vec<ContactChange<C>>, Vec<PartChange>) {
+        changes: Vec<(usize, Change<3>)>,
+    ) -> (Vec<ContactChange<3>>, Vec<PartChange>) {
         let (mut contacts, mut drives) = (Vec::new(), Vec::new());
         for (site, what) in changes {
             if site < self.len() {
@@ -32,7 +32,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// Separates contacts that stop sticking from drives that do, which go by the names of their owners.
-    pub(super) fn leaving_apart(&self, mut leaving: Vec<Leaving<C>>) -> (Vec<Leaving<C>>, Vec<PartChange>) {
+    pub(super) fn leaving_apart(&self, mut leaving: Vec<Leaving<3>>) -> (Vec<Leaving<3>>, Vec<PartChange>) {
         let mut drives = Vec::new();
         leaving.retain_mut(|Leaving { contact, how }| {
             let site = contact.index;

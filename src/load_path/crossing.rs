@@ -15,23 +15,18 @@ const INSIDE: f64 = 1e-3;
 const MOST_TRIALS: usize = 80;
 
 /// The end of a step.
-pub(super) struct StepEnd<const C: usize> {
+pub(super) struct StepEnd {
     pub(super) length: f64,
     pub(super) rule: Rule,
-    pub(super) reached: Reached<C>,
+    pub(super) reached: Reached,
     pub(super) watches: Vec<Watch>,
     /// The condition at which the step was made to end.
     pub(super) located: Option<usize>,
 }
 
-impl<const C: usize> Pieces<'_, C> {
+impl Pieces<'_> {
     /// A step of a length, with the conditions at its end.
-    pub(super) fn step(
-        &self,
-        here: &Here<C>,
-        (length, trial): (f64, usize),
-        rule: Rule,
-    ) -> Option<StepEnd<C>> {
+    pub(super) fn step(&self, here: &Here, (length, trial): (f64, usize), rule: Rule) -> Option<StepEnd> {
         let unit = self.pace.unit?;
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
         let reached = flow.reach(length, StepGoal::after(1.0, trial), rule)?;
@@ -40,7 +35,7 @@ impl<const C: usize> Pieces<'_, C> {
     }
 
     /// The condition violated at the end of a step that linear interpolation between both ends would reach first.
-    pub(super) fn first_crossing(start: &[Watch], end: &StepEnd<C>) -> Option<usize> {
+    pub(super) fn first_crossing(start: &[Watch], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
             from / (from - to)
@@ -52,11 +47,11 @@ impl<const C: usize> Pieces<'_, C> {
     /// The step that ends where condition `k` is just met and no other is violated.
     pub(super) fn locate(
         &self,
-        here: &Here<C>,
+        here: &Here,
         start: &[Watch],
-        mut end: StepEnd<C>,
+        mut end: StepEnd,
         mut k: usize,
-    ) -> Option<StepEnd<C>> {
+    ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
             // The condition is met at the start already, and is violated at once.

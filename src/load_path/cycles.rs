@@ -22,20 +22,20 @@ const SAME: f64 = 1e-9;
 
 /// A program of repeated cycles in progress.
 #[derive(Debug)]
-pub(crate) struct Cycles<'g, const C: usize> {
-    path: Following<'g, C, Pieces<'g, C>>,
-    legs: Vec<Leg<C>>,
-    base: Wrench<C>,
+pub(crate) struct Cycles<'g> {
+    path: Following<'g, Pieces<'g>>,
+    legs: Vec<Leg<3>>,
+    base: Wrench<3>,
     gone: usize,
 }
 
 /// The state of a grasp between two cycles.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct CycleState<const C: usize> {
-    pub(crate) forces: Vec<SVector<f64, C>>,
+pub(crate) struct CycleState {
+    pub(crate) forces: Vec<SVector<f64, 3>>,
     /// Gaps of open sites, m; zero for closed ones.
     pub(crate) gaps: Vec<f64>,
-    pub(crate) slips: Vec<SVector<f64, C>>,
+    pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
     /// Whether each site slides with less friction than at rest; empty where no contact has kinetic friction.
     pub(crate) weaker: Vec<bool>,
@@ -43,7 +43,7 @@ pub(crate) struct CycleState<const C: usize> {
 
 /// Totals of one cycle.
 #[derive(Debug, Clone)]
-pub(crate) struct CycleRecord<const C: usize> {
+pub(crate) struct CycleRecord {
     /// The path length that each site has slid, m.
     pub(crate) slid: Vec<f64>,
     /// Heat from friction, J.
@@ -54,10 +54,10 @@ pub(crate) struct CycleRecord<const C: usize> {
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
     /// Successive states of all sites, each with its leg.
-    states: Vec<(usize, Vec<State<C>>)>,
+    states: Vec<(usize, Vec<State>)>,
 }
 
-impl<const C: usize> CycleRecord<C> {
+impl CycleRecord {
     /// Adds the next cycle to this record.
     pub(crate) fn append(&mut self, next: &Self) {
         self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
@@ -78,18 +78,18 @@ impl<const C: usize> CycleRecord<C> {
 }
 
 /// Whether all sites have the same states, apart from directions on the round cone.
-fn are_alike<const C: usize>(a: &[State<C>], b: &[State<C>]) -> bool {
+fn are_alike(a: &[State], b: &[State]) -> bool {
     a.iter().zip(b).all(|(a, b)| a.is_kind_of(b))
 }
 
-impl<'g, const C: usize> Cycles<'g, C> {
+impl<'g> Cycles<'g> {
     /// Before the first cycle, at the equilibrium under the base load.
     ///
     /// # Errors
     /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back.
     pub(crate) fn at_rest(
-        grasp: &'g Engine<C>,
-        (base, legs): (&Wrench<C>, &[Leg<C>]),
+        grasp: &'g Engine,
+        (base, legs): (&Wrench<3>, &[Leg<3>]),
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, Pieces::at_start)?;
@@ -98,7 +98,7 @@ impl<'g, const C: usize> Cycles<'g, C> {
     }
 
     /// Before a cycle that begins in another state; `None` if that state is no equilibrium of the grasp with these slips.
-    pub(crate) fn beginning_at(&self, from: &CycleState<C>, settings: &Settings) -> Option<Self> {
+    pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = from.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
         let begin = Following::start(grasp, (&self.base, &self.legs), settings, |journey, problem| {
@@ -107,7 +107,7 @@ impl<'g, const C: usize> Cycles<'g, C> {
             slipped.slips.clone_from(&from.slips);
             slipped.cones = from.cones(grasp);
             // If a contact would have to slide at once, no search is needed.
-            let slides = |(i, force): (usize, &SVector<f64, C>)| {
+            let slides = |(i, force): (usize, &SVector<f64, 3>)| {
                 slipped.local(i).edges().worst(force).is_some_and(|(_, margin)| margin < -SAME * largest)
             };
             if from.forces.iter().enumerate().any(slides) {
@@ -128,7 +128,7 @@ impl<'g, const C: usize> Cycles<'g, C> {
     }
 
     /// How the path has ended, if not completed.
-    pub(crate) fn end(&self) -> Option<&PathEnd<C>> {
+    pub(crate) fn end(&self) -> Option<&PathEnd<3>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
 
@@ -139,12 +139,12 @@ impl<'g, const C: usize> Cycles<'g, C> {
     }
 
     /// The equilibrium there.
-    pub(crate) fn state(&self) -> Option<Equilibrium<C>> {
+    pub(crate) fn state(&self) -> Option<Equilibrium<3>> {
         self.path.state()
     }
 
     /// Follows one cycle; `None` if the path [ends](Self::end) on the way.
-    pub(crate) fn go(&mut self) -> Option<CycleRecord<C>> {
+    pub(crate) fn go(&mut self) -> Option<CycleRecord> {
         if self.gone > 0 && self.path.end().is_some() {
             self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
             self.path.continue_with(&self.legs).ok()?;
@@ -181,7 +181,7 @@ impl<'g, const C: usize> Cycles<'g, C> {
     }
 
     /// The state of the grasp after the cycles so far.
-    pub(crate) fn standing(&self) -> Option<CycleState<C>> {
+    pub(crate) fn standing(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
         let drives = segment.drives(follower.factor);
@@ -199,17 +199,17 @@ impl<'g, const C: usize> Cycles<'g, C> {
     }
 }
 
-impl<const C: usize> CycleState<C> {
+impl CycleState {
     /// The friction of each site: kinetic where it slides with less friction. Empty if `weaker` is.
-    fn cones(&self, grasp: &Engine<C>) -> Vec<Coulomb> {
+    fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).collect()
     }
 }
 
-impl<const C: usize> CycleRecord<C> {
+impl CycleRecord {
     /// Adds a piece of the way, with the slips after it.
-    fn add(&mut self, piece: &Stretch<'_, C>, after: &[SVector<f64, C>], first: usize) {
+    fn add(&mut self, piece: &Stretch<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(fallen) = &piece.fallen {
             for (i, _) in fallen.slid.iter().enumerate().filter(|(_, slid)| **slid) {
@@ -232,7 +232,7 @@ impl<const C: usize> CycleRecord<C> {
         self.note(leg, &piece.states);
     }
 
-    fn note(&mut self, leg: usize, states: &[State<C>]) {
+    fn note(&mut self, leg: usize, states: &[State]) {
         let last = self.states.last();
         let goes_on = last.is_some_and(|(last, before)| *last == leg && are_alike(before, states));
         if !goes_on {

@@ -14,12 +14,12 @@ use crate::search::{Effort, Settings, Settled};
 ///
 /// The object gives way where a motion meets no resistance. Otherwise the end is a corner: the contacts on an edge have rates in no combination of
 /// states. Where that is not known, a proof that nothing holds beyond suffices.
-pub(super) fn end_of_path<const C: usize>(
-    edge: &StandAtEdge<'_, C>,
-    (settled, effort): (Settled<C>, &Effort),
-    loss: Loss<C>,
+pub(super) fn end_of_path(
+    edge: &StandAtEdge<'_>,
+    (settled, effort): (Settled, &Effort),
+    loss: Loss<3>,
     settings: &Settings,
-) -> PathEnd<C> {
+) -> PathEnd<3> {
     let StandAtEdge { segment, rates, forces } = edge;
     if let Settled::FreeMotion(v) = settled {
         let loss = Loss { kind: LossKind::GivesWay, ..loss };
@@ -51,11 +51,7 @@ pub(super) fn end_of_path<const C: usize>(
 /// The object leaves by a motion that then changes no force, and on which the load works. No force of these states does work on the virtual motion,
 /// which is inclined by friction: for a block that slides to the right it points upwards along the edge of the cone. Where there are no such motions,
 /// both are the motion of the rates in these states. The rates balance the load, but slip against friction: the reversed motion slips along it.
-pub(super) fn leaving_motions<const C: usize>(
-    rates: &Problem<C>,
-    load: &Vector,
-    states: &[State<C>],
-) -> Option<[Vector; 2]> {
+pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.drives, &rates.wrench) {
         Err(unbalanced) => {

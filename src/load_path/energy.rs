@@ -46,12 +46,7 @@ impl LegEnergy {
     }
 
     /// Adds the energy that the springs take up between two states.
-    pub(super) fn store<const C: usize>(
-        &mut self,
-        sites: &[Site<C>],
-        from: &[SVector<f64, C>],
-        to: &[SVector<f64, C>],
-    ) {
+    pub(super) fn store(&mut self, sites: &[Site], from: &[SVector<f64, 3>], to: &[SVector<f64, 3>]) {
         for (site, (from, to)) in sites.iter().zip(from.iter().zip(to)) {
             self.stored += 0.5 * (to - from).dot(&site.springs.give(&(to + from)));
             // A difference of two energies carries the rounding of both.
@@ -69,14 +64,7 @@ impl LegEnergy {
     }
 
     /// Adds the energies of a piece from a factor on, with fixed states and no contact sliding on a round cone.
-    pub(super) fn add<const C: usize>(
-        &mut self,
-        segment: &Segment<C>,
-        states: &[State<C>],
-        here: &Here<C>,
-        factor: f64,
-        step: f64,
-    ) {
+    pub(super) fn add(&mut self, segment: &Segment, states: &[State], here: &Here, factor: f64, step: f64) {
         if let Some(turned) = &here.turned {
             self.add_turned(segment, states, turned, step);
             return;
@@ -105,13 +93,7 @@ impl LegEnergy {
     }
 
     /// Adds the energies of a piece along which everything turns with the load: works of one harmonic on another.
-    fn add_turned<const C: usize>(
-        &mut self,
-        segment: &Segment<C>,
-        states: &[State<C>],
-        turned: &TurningState<C>,
-        step: f64,
-    ) {
+    fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {
             let work = turned.load.map(|load| load[k]).work_on(&turned.twist.map(|twist| twist[k]), angle);
@@ -130,11 +112,11 @@ impl LegEnergy {
                 cosine: site.springs.slip(&stretch.of.cosine, &force.of.cosine),
                 sine: site.springs.slip(&stretch.of.sine, &force.of.sine),
             };
-            for axis in 1..C {
+            for axis in 1..3 {
                 let dissipated = force
                     .of
                     .map(|force| force[axis])
-                    .work_on(&slip.map(|slip: &SVector<f64, C>| slip[axis]), angle);
+                    .work_on(&slip.map(|slip: &SVector<f64, 3>| slip[axis]), angle);
                 self.dissipated += dissipated;
                 self.turnover += dissipated.abs();
             }

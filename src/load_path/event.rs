@@ -186,15 +186,15 @@ pub struct Loss<const C: usize> {
     pub jumped: Vec<JumpSlip<C>>,
     /// The virtual motion against which contacts can resist least there, in inside coordinates.
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub(crate) against: Option<Coordinates<C>>,
+    pub(crate) against: Option<Coordinates>,
     /// The motion with which the object leaves, in inside coordinates.
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub(crate) leaves: Option<Coordinates<C>>,
+    pub(crate) leaves: Option<Coordinates>,
 }
 
 impl<const C: usize> Loss<C> {
     /// The virtual motion against which contacts can resist least there, in inside coordinates.
-    pub(crate) fn virtual_motion(&self) -> Option<&Coordinates<C>> {
+    pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }
 
@@ -203,9 +203,11 @@ impl<const C: usize> Loss<C> {
         self.against = against.map(Coordinates::of);
         self
     }
+}
 
+impl Loss<3> {
     /// This loss with the motion with which the object leaves, in inside coordinates.
-    pub(super) fn leaving(mut self, grasp: &Engine<C>, motion: Option<&Vector>) -> Self {
+    pub(super) fn leaving(mut self, grasp: &Engine, motion: Option<&Vector>) -> Self {
         self.motion = motion.map(|v| grasp.motion_outside(v));
         self.leaves = motion.map(Coordinates::of);
         self.against.clone_from(&self.leaves);

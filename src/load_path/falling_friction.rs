@@ -12,10 +12,10 @@ use crate::prelude::*;
 /// Forces below this part of the largest have vanished, where alternating stick and slip has brought them there.
 const RUN_OUT: f64 = 1e-9;
 
-impl<'g, const C: usize> Pieces<'g, C> {
+impl<'g> Pieces<'g> {
     /// Gives every contact a cone of its own from rest on, if some have lower friction while they slide. Contacts that slide already get the lower
     /// one. Cones already present belong to a path in progress, and stay.
-    pub(super) fn with_falling_friction(mut self, journey: &Journey<'g, C>) -> Result<Self, PathEnd<C>> {
+    pub(super) fn with_falling_friction(mut self, journey: &Journey<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
             return Ok(self);
@@ -65,14 +65,14 @@ impl<'g, const C: usize> Pieces<'g, C> {
 
     /// Whether a contact that alternately sticks and slips while it is unloaded has all but lost its force: up to then it would do so infinitely
     /// often.
-    pub(super) fn runs_out(&self, standing: &PathState<C>) -> bool {
+    pub(super) fn runs_out(&self, standing: &PathState) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
         standing.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= RUN_OUT * largest)
     }
 
     /// Puts such a contact at its apex, as if all of its force had vanished.
-    pub(super) fn let_run_out(&mut self, standing: &PathState<C>) {
+    pub(super) fn let_run_out(&mut self, standing: &PathState) {
         let largest = self.segment.largest;
         for (i, _) in standing {
             let force = self.node.at.forces[*i].norm();
@@ -85,7 +85,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// On a leg along which nothing changes time passes: sliding contacts come to rest.
-    pub(super) fn pause(&mut self) -> Vec<(usize, Change<C>)> {
+    pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.course, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)
             && segment.change.iter().all(|change| change.norm() == 0.0);
@@ -104,18 +104,18 @@ impl<'g, const C: usize> Pieces<'g, C> {
     /// Sets the friction of contacts after these changes, and makes the jump that follows if some begin to slide.
     pub(super) fn friction_after(
         &mut self,
-        journey: &Journey<'g, C>,
-        changes: &[(usize, Change<C>)],
-    ) -> Result<Option<Box<Jump<C>>>, PathEnd<C>> {
+        journey: &Journey<'g>,
+        changes: &[(usize, Change<3>)],
+    ) -> Result<Option<Box<Jump<3>>>, PathEnd<3>> {
         self.friction_of_rest();
         let begin = self.begin_to_slide(changes);
         Ok(self.jump(journey, &begin)?.map(Box::new))
     }
 
     /// The contacts that begin to slide with less friction than at rest.
-    pub(super) fn begin_to_slide(&self, changes: &[(usize, Change<C>)]) -> Vec<usize> {
+    pub(super) fn begin_to_slide(&self, changes: &[(usize, Change<3>)]) -> Vec<usize> {
         let problem = &self.segment.problem;
-        let falls = |(i, change): &(usize, Change<C>)| {
+        let falls = |(i, change): &(usize, Change<3>)| {
             let begins = matches!(change, Change::Slides { .. } | Change::ClosesSliding { .. });
             let site = &problem.sites[*i];
             (begins && site.kinetic.is_some() && problem.cone(*i) == site.friction).then_some(*i)

@@ -27,18 +27,15 @@ const ROUGHLY: f64 = 1e-6;
 const FAR: f64 = 1e6;
 
 /// The contact that stops sticking first, and the state there.
-pub(super) struct FirstToLeave<const C: usize> {
+pub(super) struct FirstToLeave {
     pub(super) factor: f64,
     contact: usize,
-    exit: Exit<C>,
-    there: PieceState<C>,
+    exit: Exit,
+    there: PieceState,
 }
 
 /// The first contact to leave along a ramp; `None` where this simple case does not apply.
-pub(super) fn first_to_leave<const C: usize>(
-    segment: &Segment<'_, C>,
-    memory: &mut OnsetMemory<C>,
-) -> Option<FirstToLeave<C>> {
+pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) -> Option<FirstToLeave> {
     let problem = &segment.problem;
     let piece = problem.trial();
     if !piece.free_motions().is_empty() {
@@ -65,19 +62,19 @@ pub(super) fn first_to_leave<const C: usize>(
 }
 
 /// The result of a turn.
-pub(super) enum WhileTurning<const C: usize> {
+pub(super) enum WhileTurning {
     /// One contact leaves before all others.
-    First(FirstToLeave<C>),
+    First(FirstToLeave),
     /// Everything keeps sticking.
     Never,
 }
 
 /// The first contact to leave while a load turns, or the answer that none leaves. `None` where this simple case does not apply.
-pub(super) fn first_to_leave_on_turn<const C: usize>(
-    segment: &Segment<'_, C>,
-    turn: &Turn<C>,
+pub(super) fn first_to_leave_on_turn(
+    segment: &Segment<'_>,
+    turn: &Turn<3>,
     inside: &Harmonic<Vector>,
-) -> Option<WhileTurning<C>> {
+) -> Option<WhileTurning> {
     let problem = &segment.problem;
     let piece = problem.trial();
     if !piece.free_motions().is_empty() {
@@ -131,21 +128,21 @@ pub(super) fn first_to_leave_on_turn<const C: usize>(
     Some(WhileTurning::First(FirstToLeave { factor: angle, contact: *contact, exit, there }))
 }
 
-impl<const C: usize> FirstToLeave<C> {
+impl FirstToLeave {
     /// The onset on this segment, under the load there.
     pub(super) fn onset(
         self,
-        mut segment: Segment<'_, C>,
-        load: Wrench<C>,
-        memory: &mut OnsetMemory<C>,
-    ) -> Onset<C> {
+        mut segment: Segment<'_>,
+        load: Wrench<3>,
+        memory: &mut OnsetMemory,
+    ) -> Onset<3> {
         let Self { factor, contact, exit, there } = self;
         let OnsetMemory { states, stands, leaving, sites, .. } = memory;
         cleared_for(states, segment.problem.len());
         states.extend(segment.problem.locals().map(|local| local.unjumped()));
         stands.iter_mut().for_each(ActiveSet::leave);
         stands.resize(states.len(), ActiveSet::NOWHERE);
-        stands[contact].reach(&states[contact], &[exit]);
+        stands[contact].reach(segment.problem.space().axes(), &states[contact], &[exit]);
         let frame = &segment.problem.sites[contact].frame;
         cleared_for(leaving, 1);
         leaving.push(Leaving::driven_out(contact, &stands[contact], &segment.problem.local(contact), frame));
@@ -163,29 +160,29 @@ impl<const C: usize> FirstToLeave<C> {
 }
 
 /// Whether a contact meets all conditions of its unjumped state by more than rounding.
-fn clearly_sticks<const C: usize>(local: &LocalLaw<'_, C>, at: &At<'_, C>) -> bool {
+fn clearly_sticks(local: &LocalLaw<'_>, at: &At<'_>) -> bool {
     let mut clear = true;
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > CLEARLY * size);
     clear
 }
 
 /// The contact that reaches the edge of its cone before all others, with its way there.
-struct First<const C: usize> {
+struct First {
     contact: usize,
-    exit: Exit<C>,
-    line: Line<C>,
+    exit: Exit,
+    line: Line,
 }
 
 /// The first exit, if everything clearly sticks at the base and no other exit is near.
-fn first_exit<const C: usize>(
-    segment: &Segment<'_, C>,
-    base: &PieceState<C>,
-    (direction, rate): (&Vector, &PieceState<C>),
-) -> Option<First<C>> {
+fn first_exit(
+    segment: &Segment<'_>,
+    base: &PieceState,
+    (direction, rate): (&Vector, &PieceState),
+) -> Option<First> {
     let problem = &segment.problem;
     let largest = problem.largest_force(&base.forces, &base.twist);
     let fastest = rate.forces.iter().map(Matrix::norm).fold(direction.norm(), f64::max);
-    let mut first: Option<First<C>> = None;
+    let mut first: Option<First> = None;
     let mut next = f64::INFINITY;
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
         let at = problem.at(contact, &base.forces[contact], &base.twist, largest);
@@ -216,7 +213,7 @@ fn first_exit<const C: usize>(
 }
 
 /// Whether forces balance a load within the accuracy required of an answer.
-fn is_balanced<const C: usize>(sites: &[Site<C>], load: &Vector, forces: &[SVector<f64, C>]) -> bool {
+fn is_balanced(sites: &[Site], load: &Vector, forces: &[SVector<f64, 3>]) -> bool {
     let Imbalance { left, size } = Imbalance::of(sites, forces, load, load.norm());
     left.norm() <= ACCURATE * size
 }

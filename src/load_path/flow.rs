@@ -87,13 +87,13 @@ impl StepGoal {
 }
 
 /// The differential equation of an arc in fixed contact states, from one point of the path.
-pub(super) struct Flow<'s, 'g, const C: usize> {
-    arc: Arc<'s, 'g, C>,
+pub(super) struct Flow<'s, 'g> {
+    arc: Arc<'s, 'g>,
     from: f64,
     /// The start, with rates for one unit of arclength.
-    here: &'s Here<C>,
+    here: &'s Here,
     /// Friction forces of the sliding contacts at the start.
-    begin: Vec<SVector<f64, C>>,
+    begin: Vec<SVector<f64, 3>>,
     /// Whether each of them is losing its normal force, so that its slip is not known any more.
     vanishing: Vec<bool>,
     /// The largest force, N, and the largest displacement, m, at the start.
@@ -102,10 +102,10 @@ pub(super) struct Flow<'s, 'g, const C: usize> {
 
 /// The state at the end of a step.
 #[derive(Debug, Clone)]
-pub(super) struct Reached<const C: usize> {
+pub(super) struct Reached {
     pub(super) to: f64,
     /// State with rates for one unit of arclength.
-    pub(super) here: Here<C>,
+    pub(super) here: Here,
     pub(super) energy: LegEnergy,
     /// Estimated relative error: of forces over the largest of them, of the twist over the largest displacement; the larger of both.
     pub(super) error: f64,
@@ -113,8 +113,8 @@ pub(super) struct Reached<const C: usize> {
     pub(super) backwards: bool,
 }
 
-impl<const C: usize> Reached<C> {
-    pub(super) fn at(&self) -> PieceState<C> {
+impl Reached {
+    pub(super) fn at(&self) -> PieceState {
         PieceState {
             forces: self.here.lines.iter().map(|line| line.force).collect(),
             twist: self.here.twist.clone(),
@@ -122,13 +122,13 @@ impl<const C: usize> Reached<C> {
     }
 }
 
-impl<'s, 'g, const C: usize> Flow<'s, 'g, C> {
+impl<'s, 'g> Flow<'s, 'g> {
     /// The flow from a state with rates for one unit of the arclength of (q/unit, λ).
     pub(super) fn new(
-        segment: &'s Segment<'g, C>,
-        states: &'s [State<C>],
+        segment: &'s Segment<'g>,
+        states: &'s [State],
         from: f64,
-        here: &'s Here<C>,
+        here: &'s Here,
         unit: f64,
     ) -> Self {
         let sites = segment.grasp.sites();
@@ -166,7 +166,7 @@ impl<'s, 'g, const C: usize> Flow<'s, 'g, C> {
 
     /// The sliding contacts, and the rate at which each friction force turns towards its slip at the start, for one unit of arclength: `κ γ / |F_t|`.
     pub(super) fn relaxations(&self) -> impl Iterator<Item = (usize, f64)> {
-        let rate = |(&i, friction): (&usize, &SVector<f64, C>)| {
+        let rate = |(&i, friction): (&usize, &SVector<f64, 3>)| {
             let tangent = self.arc.tangent(i, friction);
             let Tangent::Sliding { stiffness, .. } = tangent else { return 0.0 };
             let [stretch, force] = self.arc.rates(i, &tangent, &self.onward());
@@ -178,7 +178,7 @@ impl<'s, 'g, const C: usize> Flow<'s, 'g, C> {
     }
 
     /// A step of this length, ended at the goal if it comes near enough. `None` if no such step exists.
-    pub(super) fn reach(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<Reached<C>> {
+    pub(super) fn reach(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<Reached> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
         let [load, works] = self.places();
@@ -235,7 +235,7 @@ impl<'s, 'g, const C: usize> Flow<'s, 'g, C> {
 
     /// Indices of the load factor and of the works among the variables, behind friction forces and twist.
     fn places(&self) -> [usize; 2] {
-        let load = self.begin.len() * (C - 1) + self.size().count();
+        let load = self.begin.len() * (2) + self.size().count();
         [load, load + 1]
     }
 
@@ -245,7 +245,7 @@ impl<'s, 'g, const C: usize> Flow<'s, 'g, C> {
 
     /// The change of the twist among the variables.
     fn moved(&self, y: &[f64]) -> Vector {
-        let first = self.begin.len() * (C - 1);
+        let first = self.begin.len() * (2);
         Vector::from_fn(self.size(), |k| y[first + k])
     }
 
@@ -259,7 +259,7 @@ impl<'s, 'g, const C: usize> Flow<'s, 'g, C> {
         out[load - count..load].iter_mut().enumerate().for_each(|(k, out)| *out = way.twist[k]);
         out[load] = way.factor;
         let [mut heat, mut turnover, mut backwards] = [0.0, 0.0, 0.0_f64];
-        let own = out.chunks_exact_mut(C - 1).zip(&self.arc.sliding).zip(&self.vanishing).zip(&tangents);
+        let own = out.chunks_exact_mut(2).zip(&self.arc.sliding).zip(&self.vanishing).zip(&tangents);
         for ((((out, &i), &vanishes), tangent), friction) in own.zip(self.frictions(y)) {
             let [stretch, force] = self.arc.rates(i, tangent, &way);
             out.copy_from_slice(&force.as_slice()[1..]);
@@ -282,8 +282,8 @@ impl<'s, 'g, const C: usize> Flow<'s, 'g, C> {
     }
 
     /// Friction forces of the sliding contacts, in order, after these changes of the variables.
-    fn frictions(&self, y: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
-        self.begin.iter().zip(y.chunks_exact(C - 1)).map(|(begin, change)| {
+    fn frictions(&self, y: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
+        self.begin.iter().zip(y.chunks_exact(2)).map(|(begin, change)| {
             let mut force = *begin;
             change.iter().enumerate().for_each(|(a, change)| force[a + 1] += change);
             force
@@ -317,20 +317,20 @@ impl<'s, 'g, const C: usize> Flow<'s, 'g, C> {
         let count = self.size().count();
         let size = |k: usize| self.sizes[k] + length * self.here.rate_sizes[k];
         let [force, travel] = [0, 1].map(size);
-        let (of_frictions, others) = error.split_at(self.arc.sliding.len() * (C - 1));
+        let (of_frictions, others) = error.split_at(self.arc.sliding.len() * (2));
         let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
-        let of_forces = of_frictions.chunks_exact(C - 1).map(norm).fold(0.0, f64::max);
-        let with_sizes = of_frictions.chunks_exact(C - 1).zip(&self.begin).zip(&self.vanishing);
+        let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
+        let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
         let of_itself =
-            |(error, friction): (&[f64], &SVector<f64, C>)| OF_ITSELF * norm(error) / friction.norm();
+            |(error, friction): (&[f64], &SVector<f64, 3>)| OF_ITSELF * norm(error) / friction.norm();
         let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);
         (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
     }
 
     /// The step from the start to a factor on the way, of length at most `most`.
-    pub(super) fn reach_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<Reached<C>> {
+    pub(super) fn reach_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<Reached> {
         let (mut low, mut high) = (0.0, most);
         let mut length = (goal - self.from) / self.here.factor_rate;
         for trial in 0..MOST_TRIALS {

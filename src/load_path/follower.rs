@@ -29,15 +29,15 @@ pub(crate) enum Came<T> {
 
 /// The contacts at the present place, and the rates of those on an edge.
 #[derive(Debug)]
-pub(crate) struct StandAtEdge<'g, const C: usize> {
-    pub(super) segment: Segment<'g, C>,
-    pub(super) rates: Problem<'g, C>,
-    pub(super) forces: Vec<SVector<f64, C>>,
+pub(crate) struct StandAtEdge<'g> {
+    pub(super) segment: Segment<'g>,
+    pub(super) rates: Problem<'g>,
+    pub(super) forces: Vec<SVector<f64, 3>>,
 }
 
 /// A way to follow a program: piece by piece for a few contacts, or in steps for thousands. The follower knows its place on the
 /// present leg and the slip so far; the path keeps the leg and those that follow.
-pub(crate) trait Follower<'g, const C: usize>: Debug {
+pub(crate) trait Follower<'g>: Debug {
     /// The type of reports on the way.
     type Report;
 
@@ -45,28 +45,28 @@ pub(crate) trait Follower<'g, const C: usize>: Debug {
     ///
     /// # Errors
     /// How the path ends if it cannot start.
-    fn set_out(&mut self, journey: &Journey<'g, C>) -> Result<(), PathEnd<C>>;
+    fn set_out(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>>;
 
     /// Advances to the next place that needs a decision.
     ///
     /// # Errors
     /// How the path ends here.
-    fn go_on(&mut self, journey: &Journey<'g, C>) -> Result<Came<Self::Report>, PathEnd<C>>;
+    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Came<Self::Report>, PathEnd<3>>;
 
     /// The fraction of the leg already followed.
     fn fraction(&self) -> f64;
 
     /// The equilibrium there; `None` where rounding keeps it from being computed.
-    fn state(&self, journey: &Journey<'g, C>) -> Option<Equilibrium<C>>;
+    fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>>;
 
     /// Contact forces there, N, in the contact frames.
-    fn forces(&self, journey: &Journey<'g, C>) -> Vec<SVector<f64, C>>;
+    fn forces(&self, journey: &Journey<'g>) -> Vec<SVector<f64, 3>>;
 
     /// The contacts on an edge there, with their rates.
-    fn edge(&self, journey: &Journey<'g, C>) -> StandAtEdge<'g, C>;
+    fn edge(&self, journey: &Journey<'g>) -> StandAtEdge<'g>;
 
     /// The situation beyond a jump that nothing caught, from a follower with falling friction; `None` where the path did not end in one.
-    fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<C>> {
+    fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<3>> {
         None
     }
 
@@ -86,12 +86,12 @@ pub(crate) trait Follower<'g, const C: usize>: Debug {
     }
 
     /// The equilibrium at a fraction of a leg already passed; `None` where rounding keeps it from being computed.
-    fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<C>> {
+    fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<3>> {
         None
     }
 
     /// Suction cups whose lips are open all around from here on, for a follower that checks them.
-    fn cups_open(&self, _journey: &Journey<'g, C>) -> Vec<WholeContact> {
+    fn cups_open(&self, _journey: &Journey<'g>) -> Vec<WholeContact> {
         Vec::new()
     }
 

@@ -20,29 +20,29 @@ use crate::search::{Settings, settle};
 
 /// A journey with its follower.
 #[derive(Debug)]
-pub(crate) struct Following<'g, const C: usize, F> {
-    pub(super) journey: Journey<'g, C>,
+pub(crate) struct Following<'g, F> {
+    pub(super) journey: Journey<'g>,
     /// `None` if there is no equilibrium to start from.
     pub(super) follower: Option<F>,
-    end: Option<PathEnd<C>>,
+    end: Option<PathEnd<3>>,
 }
 
-impl<'g, const C: usize, F: Follower<'g, C>> Following<'g, C, F> {
+impl<'g, F: Follower<'g>> Following<'g, F> {
     /// A path from rest under a load; the follower begins at the equilibrium if there is one, before the first leg.
     pub(super) fn start(
-        grasp: &'g Engine<C>,
-        (start, legs): (&Wrench<C>, &[Leg<C>]),
+        grasp: &'g Engine,
+        (start, legs): (&Wrench<3>, &[Leg<3>]),
         settings: &Settings,
-        begin: impl FnOnce(&Journey<'g, C>, &Problem<'g, C>) -> Result<F, PathEnd<C>>,
+        begin: impl FnOnce(&Journey<'g>, &Problem<'g>) -> Result<F, PathEnd<3>>,
     ) -> Result<Self, Error> {
         Self::of(Journey::new(grasp, start, settings)?, legs, begin)
     }
 
     /// The path of a journey that has no legs yet.
     pub(super) fn of(
-        mut journey: Journey<'g, C>,
-        legs: &[Leg<C>],
-        begin: impl FnOnce(&Journey<'g, C>, &Problem<'g, C>) -> Result<F, PathEnd<C>>,
+        mut journey: Journey<'g>,
+        legs: &[Leg<3>],
+        begin: impl FnOnce(&Journey<'g>, &Problem<'g>) -> Result<F, PathEnd<3>>,
     ) -> Result<Self, Error> {
         journey.extend(legs)?;
         let problem = journey.problem_at_start();
@@ -77,7 +77,7 @@ impl<'g, const C: usize, F: Follower<'g, C>> Following<'g, C, F> {
     /// The report of a follower that advances by `on`; `None` where the path has ended or there is nothing to report yet.
     pub(super) fn go(
         &mut self,
-        on: impl FnOnce(&mut F, &Journey<'g, C>) -> Result<Came<F::Report>, PathEnd<C>>,
+        on: impl FnOnce(&mut F, &Journey<'g>) -> Result<Came<F::Report>, PathEnd<3>>,
     ) -> Option<F::Report> {
         match on(self.follower.as_mut()?, &self.journey) {
             Ok(Came::To(told)) => {
@@ -95,7 +95,7 @@ impl<'g, const C: usize, F: Follower<'g, C>> Following<'g, C, F> {
     }
 }
 
-/// The questions that a path answers, for any follower and number of coordinates.
+/// The questions that a path answers, whatever its follower; `C` is the number of axes that its caller sees.
 pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn next(&mut self) -> Option<T>;
     fn end(&self) -> Option<&PathEnd<C>>;
@@ -112,7 +112,7 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)>;
 }
 
-impl<'g, const C: usize, F: Follower<'g, C>> AnyPath<C, F::Report> for Following<'g, C, F> {
+impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
     fn next(&mut self) -> Option<F::Report> {
         while self.end.is_none() {
             if let told @ Some(_) = self.go(F::go_on) {
@@ -122,7 +122,7 @@ impl<'g, const C: usize, F: Follower<'g, C>> AnyPath<C, F::Report> for Following
         None
     }
 
-    fn end(&self) -> Option<&PathEnd<C>> {
+    fn end(&self) -> Option<&PathEnd<3>> {
         self.end.as_ref()
     }
 
@@ -131,11 +131,11 @@ impl<'g, const C: usize, F: Follower<'g, C>> AnyPath<C, F::Report> for Following
         self.journey.program.place(fraction)
     }
 
-    fn state(&self) -> Option<Equilibrium<C>> {
+    fn state(&self) -> Option<Equilibrium<3>> {
         self.follower.as_ref()?.state(&self.journey)
     }
 
-    fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
+    fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<3>> {
         let follower = self.follower.as_ref()?;
         if follower.is_behind(leg, fraction) {
             return follower.state_behind(leg, fraction);
@@ -143,14 +143,14 @@ impl<'g, const C: usize, F: Follower<'g, C>> AnyPath<C, F::Report> for Following
         if self.place() == (leg, fraction) { self.state() } else { None }
     }
 
-    fn forces(&self) -> Vec<SVector<f64, C>> {
+    fn forces(&self) -> Vec<SVector<f64, 3>> {
         let mut forces =
             self.follower.as_ref().map(|follower| follower.forces(&self.journey)).unwrap_or_default();
         forces.truncate(self.journey.grasp.len());
         forces
     }
 
-    fn continue_with(&mut self, legs: &[Leg<C>]) -> Result<(), Error> {
+    fn continue_with(&mut self, legs: &[Leg<3>]) -> Result<(), Error> {
         self.journey.extend(legs)?;
         if matches!(self.end, Some(PathEnd::Completed)) {
             let goes = self.journey.program.begin_leg();
@@ -159,7 +159,7 @@ impl<'g, const C: usize, F: Follower<'g, C>> AnyPath<C, F::Report> for Following
         Ok(())
     }
 
-    fn beyond(&self, settings: Option<&Settings>) -> Option<Beyond<C>> {
+    fn beyond(&self, settings: Option<&Settings>) -> Option<Beyond<3>> {
         let settings = settings.unwrap_or(&self.journey.settings);
         let loss = self.end.as_ref()?.loss()?;
         let follower = self.follower.as_ref()?;

@@ -11,28 +11,28 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::grasp::{Site, grasp_map};
+use crate::grasp::{Site, Space};
 use crate::numerics::Map;
 
 /// dG for a point that moves along a coordinate axis, in inside coordinates whose unit of length is `length`, 1/m.
-pub(super) fn map_by_point<const C: usize>(site: &Site<C>, axis: usize, length: f64) -> Map<C> {
-    let mut arm = SVector::<f64, C>::zeros();
+pub(super) fn map_by_point(site: &Site, axis: usize, length: f64) -> Map {
+    let mut arm = SVector::<f64, 3>::zeros();
     arm[axis] = 1.0 / length;
-    let mut map = grasp_map(site.map.size(), &arm, &site.frame);
+    let mut map = site.space.grasp_map(site.map.size(), &arm, &site.frame);
     // The force itself stays and only its moment changes.
-    (0..C).for_each(|k| map.set_row(k, &SVector::zeros()));
+    (0..site.space.axes()).for_each(|k| map.set_row(k, &SVector::zeros()));
     map
 }
 
 /// dG for a frame that turns, 1/rad: about its normal from t₁ to t₂ (axis 0, only in space), or so that the normal tilts towards the tangent with
 /// this axis. `None` for an axis that does not exist.
-pub(super) fn map_by_normal<const C: usize>(site: &Site<C>, axis: usize) -> Option<Map<C>> {
+pub(super) fn map_by_normal(site: &Site, axis: usize) -> Option<Map> {
     let (from, to) = match axis {
-        0 if C == 3 => (1, 2),
-        1.. if axis < C => (0, axis),
+        0 if site.space == Space::Spatial => (1, 2),
+        1.. if axis < site.space.axes() => (0, axis),
         _ => return None,
     };
-    let mut turn = SMatrix::<f64, C, C>::zeros();
+    let mut turn = SMatrix::<f64, 3, 3>::zeros();
     (turn[(to, from)], turn[(from, to)]) = (1.0, -1.0);
     Some(site.map.times(&turn))
 }

@@ -6,7 +6,7 @@ use super::onset::OnsetEvent;
 use super::onset_margins::{Leaver, OnsetMargins};
 use super::sensitivity::Parameter;
 use crate::error::Error;
-use crate::grasp::Engine;
+use crate::grasp::{Engine, Space};
 use crate::prelude::*;
 
 /// Derivatives of the load factor (without unit) at which one contact stops sticking, with respect to the geometry of every contact. Commands,
@@ -32,24 +32,24 @@ pub struct GeometryGradient<const C: usize> {
     pub normal: Vec<SVector<f64, C>>,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry).
     pub(crate) fn onset_gradients_by_geometry(
         &self,
-        event: &OnsetEvent<C>,
-    ) -> Result<Vec<GeometryGradient<C>>, Error> {
+        event: &OnsetEvent<3>,
+    ) -> Result<Vec<GeometryGradient<3>>, Error> {
         self.refuse_hands("onset_gradients_by_geometry")?;
         let Some(margins) = OnsetMargins::new(self, event) else { return Ok(Vec::new()) };
         let none = vec![SVector::repeat(f64::NAN); self.len()];
         let empty = |leaving| GeometryGradient { leaving, point: none.clone(), normal: none.clone() };
         let mut gradients: Vec<_> = margins.leavers().map(empty).collect();
         for contact in 0..self.len() {
-            for axis in 0..C {
+            for axis in 0..self.space().axes() {
                 let by = margins.by(Parameter::Point { contact, axis });
                 for (gradient, value) in gradients.iter_mut().zip(by.into_iter().flatten()) {
                     gradient.point[contact][axis] = value;
                 }
-                if C == 2 && axis == 0 {
+                if self.space() == Space::Planar && axis == 0 {
                     // No tangents turn about a normal of the plane.
                     for gradient in &mut gradients {
                         gradient.normal[contact][axis] = 0.0;

@@ -5,7 +5,7 @@ use alloc::sync::Arc;
 
 use super::leg::{Leg, LegGoal, LegLoad};
 use crate::error::{Error, MODERATE, is_moderate};
-use crate::grasp::{Engine, of_the_object};
+use crate::grasp::Engine;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
@@ -55,7 +55,7 @@ impl<const C: usize> Leg<C> {
     }
 
     /// Refuses torques that are not one for each joint, that are not finite or too large, or that change while the load turns.
-    pub(super) fn check_torques(&self, grasp: &Engine<C>) -> Result<(), Error> {
+    pub(super) fn check_torques(&self, grasp: &Engine) -> Result<(), Error> {
         let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
         let what = "torques of a leg";
         let expected = grasp.held_torques().len();
@@ -94,12 +94,12 @@ impl HeldTorques {
     }
 
     /// The load of these torques less those of the hand, in inside coordinates, at the beginning and at the end of the leg.
-    pub(super) fn inside<const C: usize>(&self, grasp: &Engine<C>) -> Option<[Vector; 2]> {
+    pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].map(|end| {
             let mut inside = Vector::all_zero(grasp.size());
             for (j, torque) in torques[end].iter().enumerate() {
-                let k = of_the_object::<C>() + j;
+                let k = grasp.space().of_the_object() + j;
                 inside[k] = (torque - linkage.joints[j].held) / linkage.lengths[k];
             }
             inside
@@ -112,11 +112,7 @@ impl HeldTorques {
     }
 
     /// The grasp with the torques that hold its joints at a fraction of the leg.
-    pub(super) fn put_on<'g, const C: usize>(
-        &self,
-        grasp: Cow<'g, Engine<C>>,
-        fraction: f64,
-    ) -> Cow<'g, Engine<C>> {
+    pub(super) fn put_on<'g>(&self, grasp: Cow<'g, Engine>, fraction: f64) -> Cow<'g, Engine> {
         let Some(torques) = &self.0 else { return grasp };
         let [from, to] = &**torques;
         let now: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + (to - from) * fraction).collect();

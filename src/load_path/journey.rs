@@ -18,41 +18,41 @@ use crate::prelude::*;
 use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle_at_rest};
 
 /// The settled equilibrium to start from.
-pub(crate) type Rest<const C: usize> = (Settled<C>, Effort);
+pub(crate) type Rest = (Settled, Effort);
 
 /// A program of legs in progress.
 #[derive(Debug)]
-pub(crate) struct Journey<'g, const C: usize> {
-    pub(super) grasp: &'g Engine<C>,
+pub(crate) struct Journey<'g> {
+    pub(super) grasp: &'g Engine,
     pub(super) settings: Settings,
-    pub(super) polygon: Arc<Polygon<C>>,
-    pub(super) program: Program<C>,
+    pub(super) polygon: Arc<Polygon>,
+    pub(super) program: Program,
     /// The start, if it is known already.
-    pub(super) rest: Option<Rest<C>>,
+    pub(super) rest: Option<Rest>,
 }
 
-impl<'g, const C: usize> Journey<'g, C> {
+impl<'g> Journey<'g> {
     /// A journey that has not begun yet, from rest under a load.
-    pub(super) fn new(grasp: &'g Engine<C>, start: &Wrench<C>, settings: &Settings) -> Result<Self, Error> {
+    pub(super) fn new(grasp: &'g Engine, start: &Wrench<3>, settings: &Settings) -> Result<Self, Error> {
         grasp.load_alone(start, "start load")?;
         settings.small_motions.check()?;
-        let polygon = Polygon::shared(&settings.cone);
+        let polygon = Polygon::shared(grasp.space(), &settings.cone);
         Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start), rest: None })
     }
 
     /// The question of one equilibrium with these drives, for the cone of the journey.
-    pub(super) fn problem(&self, drives: Vec<SVector<f64, C>>, load: &Vector) -> Problem<'g, C> {
-        let round = self.settings.is_round::<C>();
+    pub(super) fn problem(&self, drives: Vec<SVector<f64, 3>>, load: &Vector) -> Problem<'g> {
+        let round = self.settings.is_round(self.grasp.space());
         self.grasp.problem(self.polygon.clone(), round, drives, &Load::from(load))
     }
 
     /// The problem at the start, with contacts that have not slipped yet.
-    pub(super) fn problem_at_start(&self) -> Problem<'g, C> {
+    pub(super) fn problem_at_start(&self) -> Problem<'g> {
         self.problem(self.grasp.drives(), &self.program.inside_course(self.grasp).at(0.0))
     }
 
     /// The equilibrium to start from; else how the path ends before it begins.
-    pub(super) fn start(&self, problem: &Problem<'g, C>) -> Result<Found<C>, PathEnd<C>> {
+    pub(super) fn start(&self, problem: &Problem<'g>) -> Result<Found, PathEnd<3>> {
         match self.rest.clone().unwrap_or_else(|| settle_at_rest(problem, &self.settings)) {
             (Settled::Found(found, _), _) => Ok(found),
             (nothing, effort) => {
@@ -65,7 +65,7 @@ impl<'g, const C: usize> Journey<'g, C> {
 
     /// The present leg, with slips up to its beginning. It is computed anew from the goals of the leg, so that rounding does not add up over many
     /// legs.
-    pub(super) fn segment(&self, slips: Vec<SVector<f64, C>>) -> Segment<'g, C> {
+    pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let course = self.program.inside_course(self.grasp);
         let [mut drives, change] = self.program.drives(self.grasp);
         drives.iter_mut().zip(&slips).for_each(|(drive, slip)| *drive -= slip);
@@ -75,16 +75,11 @@ impl<'g, const C: usize> Journey<'g, C> {
 
     /// The cone and the limits of small motions that answers refer to.
     pub(super) fn answer_for(&self) -> AnswerFor {
-        AnswerFor::of::<C>(&self.settings)
+        AnswerFor::of(self.grasp.space(), &self.settings)
     }
 
     /// The equilibrium found at a fraction of the present leg, as an answer.
-    pub(super) fn equilibrium(
-        &self,
-        problem: &Problem<'g, C>,
-        fraction: f64,
-        found: Found<C>,
-    ) -> Equilibrium<C> {
+    pub(super) fn equilibrium(&self, problem: &Problem<'g>, fraction: f64, found: Found) -> Equilibrium<3> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
         let grasp = self.program.bodies.put_on(self.grasp, fraction);
         let grasp = self.program.torques.put_on(grasp, fraction);
@@ -98,7 +93,7 @@ impl<'g, const C: usize> Journey<'g, C> {
         kind: LossKind,
         sites: Vec<usize>,
         motion: Option<&Vector>,
-    ) -> Loss<C> {
+    ) -> Loss<3> {
         let (contacts, drives) = self.grasp.sites_apart(sites);
         let (leg, load) = (self.program.leg, self.program.load_at(fraction));
         let loss = Loss {
@@ -117,12 +112,12 @@ impl<'g, const C: usize> Journey<'g, C> {
     }
 
     /// The end of a path that cannot be followed further from here.
-    pub(super) fn undecided(&self, fraction: f64, doubt: Doubt) -> PathEnd<C> {
+    pub(super) fn undecided(&self, fraction: f64, doubt: Doubt) -> PathEnd<3> {
         PathEnd::Undecided { leg: self.program.leg, fraction, doubt }
     }
 
     /// Appends legs, all or none of them.
-    pub(super) fn extend(&mut self, legs: &[Leg<C>]) -> Result<(), Error> {
+    pub(super) fn extend(&mut self, legs: &[Leg<3>]) -> Result<(), Error> {
         self.program.extend(self.grasp, legs)
     }
 }

@@ -215,15 +215,17 @@ impl<const C: usize> Leg<C> {
     pub fn there_and_back(change: Wrench<C>) -> [Self; 2] {
         [Self::load_by(change), Self::load_by(change * -1.0)]
     }
+}
 
-    pub(super) fn check(&self, grasp: &Engine<C>) -> Result<(), Error> {
+impl Leg<3> {
+    pub(super) fn check(&self, grasp: &Engine) -> Result<(), Error> {
         match &self.load {
             LegLoad::Straight(LegGoal::Stay) => {}
             LegLoad::Straight(LegGoal::By(load) | LegGoal::To(load)) => {
                 grasp.inside(load, "load of a leg")?;
             }
             LegLoad::Turn(turn) => {
-                turn.check()?;
+                turn.check_in(grasp.space())?;
                 if self.commands != LegGoal::Stay || self.joints != LegGoal::Stay {
                     return Err(Error::CommandsWhileTurning);
                 }

@@ -35,26 +35,26 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 const MOST_OFTEN: usize = 16;
 
 /// A jump in progress.
-pub(super) struct JumpInProgress<'g, const C: usize> {
+pub(super) struct JumpInProgress<'g> {
     /// The leg along which the missing force is released.
-    pub(super) leg: Pieces<'g, C>,
+    pub(super) leg: Pieces<'g>,
     /// Slips before the jump, and the states of all sites in it so far.
-    fallen: Fallen<C>,
-    pub(super) changes: Vec<(usize, Change<C>)>,
+    fallen: Fallen,
+    pub(super) changes: Vec<(usize, Change<3>)>,
     /// Sites whose gaps have closed at the end of a free motion.
     pub(super) reaches: Vec<usize>,
 }
 
-impl<'g, const C: usize> JumpInProgress<'g, C> {
+impl<'g> JumpInProgress<'g> {
     /// A jump at the beginning of its leg.
-    pub(super) fn of(leg: Pieces<'g, C>) -> Self {
+    pub(super) fn of(leg: Pieces<'g>) -> Self {
         let slips = leg.segment.problem.slips.clone();
         let fallen = Fallen { slid: vec![false; slips.len()], slips, states: Vec::new() };
         Self { leg, fallen, changes: Vec::new(), reaches: Vec::new() }
     }
 
     /// Follows the leg to its end; contacts that leave their cone on the way join.
-    pub(super) fn go(&mut self, goal: &Vector, journey: &Journey<'g, C>) -> Result<(), PathEnd<C>> {
+    pub(super) fn go(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
         let mut left = MOST_OFTEN * self.fallen.slid.len();
         loop {
             let begin = match self.go_to_the_next_node(journey) {
@@ -78,7 +78,7 @@ impl<'g, const C: usize> JumpInProgress<'g, C> {
 
     /// Advances along the leg, or decides its continuation. Returns the contacts that begin to slide with less friction than at rest; `None` at the
     /// end of the leg.
-    fn go_to_the_next_node(&mut self, journey: &Journey<'g, C>) -> Result<Option<Vec<usize>>, PathEnd<C>> {
+    fn go_to_the_next_node(&mut self, journey: &Journey<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
             let done =
@@ -94,7 +94,7 @@ impl<'g, const C: usize> JumpInProgress<'g, C> {
         Ok(Some(begin))
     }
 
-    pub(super) fn note(&mut self, changes: &[(usize, Change<C>)]) {
+    pub(super) fn note(&mut self, changes: &[(usize, Change<3>)]) {
         self.changes.extend(changes);
         let states = &self.leg.node.states;
         self.fallen.slid.iter_mut().zip(states).for_each(|(slid, state)| *slid |= state.slides());
@@ -102,22 +102,22 @@ impl<'g, const C: usize> JumpInProgress<'g, C> {
     }
 
     /// Slips of the contacts in the jump so far.
-    fn slips(&self, journey: &Journey<'g, C>) -> Vec<JumpSlip<C>> {
+    fn slips(&self, journey: &Journey<'g>) -> Vec<JumpSlip<3>> {
         let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.fallen.slid[*i]);
         let slip = |i: usize| self.leg.segment.problem.slips[i] - self.fallen.slips[i];
         contacts.map(|(i, contact)| JumpSlip { contact: contact.label(i), slip: slip(i) }).collect()
     }
 }
 
-impl<'g, const C: usize> Pieces<'g, C> {
+impl<'g> Pieces<'g> {
     /// The leg along which the missing force is released after the contacts `begin` have begun to slide. At its end the load is `goal`. `None` where
     /// they start from an apex, with no force to lose: the continuation is then decided once more, with less friction.
     pub(super) fn let_go(
         &mut self,
         goal: &Vector,
         begin: &[usize],
-        journey: &Journey<'g, C>,
-    ) -> Result<Option<Self>, PathEnd<C>> {
+        journey: &Journey<'g>,
+    ) -> Result<Option<Self>, PathEnd<3>> {
         self.at_node = true;
         let mut any = false;
         let mut segment = self.segment.at_rest(self.factor);
@@ -167,9 +167,9 @@ impl<'g, const C: usize> Pieces<'g, C> {
     /// Moves to the equilibrium after the friction of these contacts falls. `None` where they have no friction force to lose.
     pub(super) fn jump(
         &mut self,
-        journey: &Journey<'g, C>,
+        journey: &Journey<'g>,
         begin: &[usize],
-    ) -> Result<Option<Jump<C>>, PathEnd<C>> {
+    ) -> Result<Option<Jump<3>>, PathEnd<3>> {
         if begin.is_empty() {
             return Ok(None);
         }
@@ -200,10 +200,10 @@ impl<'g, const C: usize> Pieces<'g, C> {
     /// Moves to the end of a jump, at the load `goal`.
     pub(super) fn land(
         &mut self,
-        journey: &Journey<'g, C>,
+        journey: &Journey<'g>,
         goal: &Vector,
-        fall: JumpInProgress<'g, C>,
-    ) -> Result<Jump<C>, PathEnd<C>> {
+        fall: JumpInProgress<'g>,
+    ) -> Result<Jump<3>, PathEnd<3>> {
         let slips = fall.slips(journey);
         let mut segment = self.segment.clone();
         let (problem, leg) = (&mut segment.problem, fall.leg);
@@ -235,14 +235,14 @@ impl<'g, const C: usize> Pieces<'g, C> {
         self.here = Some(stands.here.clone());
         self.behind.push(stands);
         self.note_how_far(journey);
-        let (changes, _): (Vec<ContactChange<C>>, _) = journey.grasp.contacts_and_drives(fall.changes);
+        let (changes, _): (Vec<ContactChange<3>>, _) = journey.grasp.contacts_and_drives(fall.changes);
         let moved = journey.grasp.each_moves(&(&self.node.at.twist - &before.twist));
         let (reaches, _) = journey.grasp.sites_apart(fall.reaches);
         Ok(Jump { changes, slips, reaches, moved, energy_lost: energy.dissipated, state })
     }
 
     /// Energies of a jump from these forces and this twist: the work of the load less the energy that springs take up is lost.
-    fn energy_of(&self, load: &Vector, forces: &[SVector<f64, C>], twist: &Vector) -> LegEnergy {
+    fn energy_of(&self, load: &Vector, forces: &[SVector<f64, 3>], twist: &Vector) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =
             LegEnergy { load_work: works.sum(), turnover: works.map(f64::abs).sum(), ..LegEnergy::default() };
@@ -253,7 +253,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
 }
 
 /// Whether an equilibrium exists at the load of a jump that was not caught, with the remaining friction.
-pub(super) fn beyond_a_jump<const C: usize>(fallen: &Problem<'_, C>, settings: &Settings) -> Beyond<C> {
+pub(super) fn beyond_a_jump(fallen: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(fallen, settings).0 {
         Settled::Found(..) => Beyond::Snap,
         Settled::Undecided(doubt) => Beyond::Undecided { doubt },

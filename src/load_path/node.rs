@@ -28,48 +28,48 @@ const AHEAD: [f64; 4] = [1e-3, 1e-5, 1e-7, 1e-9];
 const ANGLE_KNOWN: f64 = 1e-12;
 
 /// The decision from the rates at a node.
-struct Decided<'g, const C: usize> {
+struct Decided<'g> {
     /// The factor at which the rates were taken.
     ahead: f64,
-    rates: Problem<'g, C>,
-    settled: Settled<C>,
+    rates: Problem<'g>,
+    settled: Settled,
     effort: Effort,
 }
 
 /// The state of the path at a node, contact by contact.
 #[derive(Debug, Clone)]
-pub(super) struct Node<const C: usize> {
+pub(super) struct Node {
     /// States; contacts that slide on the round cone have the direction of their friction force.
-    pub(super) states: Vec<State<C>>,
+    pub(super) states: Vec<State>,
     /// Directions in which contacts slide, coordinate axes.
-    pub(super) directions: Vec<Option<SVector<f64, C>>>,
-    pub(super) stands: Vec<ActiveSet<C>>,
+    pub(super) directions: Vec<Option<SVector<f64, 3>>>,
+    pub(super) stands: Vec<ActiveSet>,
     /// Whether infinite friction holds a tangential force: the force cannot vanish with the normal force but is lost at once.
     pub(super) holds: Vec<bool>,
     /// Whether a contact starts to slide from the apex of its cone: it has a direction, but no friction force yet.
     pub(super) sets_out: bool,
     /// Contacts whose slip has ended here.
     pub(super) stopped: Vec<usize>,
-    pub(super) at: PieceState<C>,
+    pub(super) at: PieceState,
     /// The factor whose rates decide: the present one, or a little ahead while the load turns.
     pub(super) ahead: f64,
 }
 
 /// The continuation of the path from a node.
-pub(super) struct Onward<const C: usize> {
-    pub(super) here: Here<C>,
-    pub(super) changes: Vec<(usize, Change<C>)>,
+pub(super) struct Onward {
+    pub(super) here: Here,
+    pub(super) changes: Vec<(usize, Change<3>)>,
     pub(super) other_continuations: Option<usize>,
 }
 
-impl<const C: usize> Node<C> {
+impl Node {
     /// Decides the states of all contacts on an edge, from the rates.
     pub(super) fn go_on(
         &mut self,
-        segment: &mut Segment<'_, C>,
-        journey: &Journey<'_, C>,
+        segment: &mut Segment<'_>,
+        journey: &Journey<'_>,
         factor: f64,
-    ) -> Result<Onward<C>, PathEnd<C>> {
+    ) -> Result<Onward, PathEnd<3>> {
         let settings = &journey.settings;
         let Decided { ahead, rates, settled, effort } = self.decided(segment, factor, settings);
         self.ahead = ahead;
@@ -123,7 +123,7 @@ impl<const C: usize> Node<C> {
     /// While the load turns, a slip may stop and a force may touch its edge. Rates at the node do not show in which direction these continue; rates
     /// slightly ahead do. The loads for which given states hold in rates form a convex cone, and the rates of the load in between lie between those
     /// at both ends: states that hold at both ends hold all the way.
-    fn decided<'g>(&self, segment: &Segment<'g, C>, factor: f64, settings: &Settings) -> Decided<'g, C> {
+    fn decided<'g>(&self, segment: &Segment<'g>, factor: f64, settings: &Settings) -> Decided<'g> {
         let laws = segment.laws_of_rates(&self.stands, &self.states);
         let at = |ahead: f64| {
             let rates = segment.rates(ahead, laws.clone());
@@ -156,7 +156,7 @@ impl<const C: usize> Node<C> {
     }
 
     /// Tries the two usual continuations: nothing changes, or contacts on an edge slide.
-    fn guess(&self, segment: &Segment<'_, C>, factor: f64, rates: &Problem<C>) -> Judged<C> {
+    fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
         // Within a leg a contact has just left its cone, and must change.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
@@ -186,7 +186,7 @@ impl<const C: usize> Node<C> {
     /// Opens contacts that touch without force and gain none, so that they do not drag the object along. A contact opens where it may as well part
     /// from the object and the object then moves less; forces are the same. Where nothing presses at all, and a contact would slide on the round
     /// cone, all contacts that touch open.
-    fn without_dragging(&self, rates: &Problem<C>, found: Found<C>) -> Found<C> {
+    fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // Friction of zero force has no direction to slide in.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
@@ -197,7 +197,7 @@ impl<const C: usize> Node<C> {
             let idle = local.may_open() && (nothing || force.norm() <= ZERO_SLACK * size);
             if idle { Mode::Open } else { found.states[i] }
         };
-        let states: Vec<State<C>> = (0..self.states.len()).map(state).collect();
+        let states: Vec<State> = (0..self.states.len()).map(state).collect();
         if states == found.states {
             return found;
         }
@@ -217,11 +217,11 @@ impl<const C: usize> Node<C> {
     /// Takes over the states from the rates and returns the changes.
     pub(super) fn take_over(
         &mut self,
-        segment: &mut Segment<'_, C>,
+        segment: &mut Segment<'_>,
         factor: f64,
-        rates: &Problem<C>,
-        found: &Found<C>,
-    ) -> Vec<(usize, Change<C>)> {
+        rates: &Problem,
+        found: &Found,
+    ) -> Vec<(usize, Change<3>)> {
         let mut changes = Vec::new();
         self.sets_out = false;
         let directions = directions(rates, found);
@@ -245,7 +245,7 @@ impl<const C: usize> Node<C> {
 }
 
 /// Lets a contact slide that sticks along a tangent of the round cone, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
-fn slide_where_they_graze<const C: usize>(rates: &Problem<C>, found: &mut Found<C>) {
+fn slide_where_they_graze(rates: &Problem, found: &mut Found) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {
         let (local, rate) = (rates.local(i), &found.forces[i]);
@@ -257,10 +257,7 @@ fn slide_where_they_graze<const C: usize>(rates: &Problem<C>, found: &mut Found<
 }
 
 /// The directions in which contacts slide.
-pub(super) fn directions<const C: usize>(
-    problem: &Problem<C>,
-    found: &Found<C>,
-) -> Vec<Option<SVector<f64, C>>> {
+pub(super) fn directions(problem: &Problem, found: &Found) -> Vec<Option<SVector<f64, 3>>> {
     let direction =
         |state| if let ContactState::Sliding { direction } = state { Some(direction) } else { None };
     site_states(problem, found).into_iter().map(direction).collect()

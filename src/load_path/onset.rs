@@ -77,34 +77,34 @@ pub struct OnsetEvent<const C: usize> {
     /// The friction cone for which the event was computed.
     pub cone: Cone,
     /// State from which questions about the event start.
-    pub(super) local: StickingState<C>,
+    pub(super) local: StickingState,
 }
 
 /// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp from there. Loads are in inside
 /// coordinates.
 #[derive(Debug, Clone)]
-pub(super) struct StickingState<const C: usize> {
-    pub(super) found: Kept<C>,
+pub(super) struct StickingState {
+    pub(super) found: Kept,
     pub(super) rule: Rung,
-    pub(super) stands: Vec<ActiveSet<C>>,
+    pub(super) stands: Vec<ActiveSet>,
     /// The sites that leave.
     pub(super) leaving: Vec<usize>,
-    pub(super) wrench: Coordinates<C>,
-    pub(super) wrench_rate: Coordinates<C>,
-    pub(super) drives: Vec<SVector<f64, C>>,
-    pub(super) drive_rates: Vec<SVector<f64, C>>,
+    pub(super) wrench: Coordinates,
+    pub(super) wrench_rate: Coordinates,
+    pub(super) drives: Vec<SVector<f64, 3>>,
+    pub(super) drive_rates: Vec<SVector<f64, 3>>,
     /// Slips of contacts that have closed on the way.
-    pub(super) slips: Vec<SVector<f64, C>>,
+    pub(super) slips: Vec<SVector<f64, 3>>,
 }
 
-impl<const C: usize> OnsetEvent<C> {
+impl OnsetEvent<3> {
     /// The event at a factor, with the load, the sticking state and the active sets of contacts there, in lists supplied by the caller.
     pub(super) fn new(
-        segment: Segment<'_, C>,
-        (factor, load): (f64, Wrench<C>),
-        (leaving, sites): (Vec<Leaving<C>>, Vec<usize>),
-        stands: Vec<ActiveSet<C>>,
-        (found, rule): (Found<C>, Rung),
+        segment: Segment<'_>,
+        (factor, load): (f64, Wrench<3>),
+        (leaving, sites): (Vec<Leaving<3>>, Vec<usize>),
+        stands: Vec<ActiveSet>,
+        (found, rule): (Found, Rung),
         lists: &mut [Vec<f64>; 3],
     ) -> Self {
         let mut lists = lists.iter_mut();
@@ -128,20 +128,20 @@ impl<const C: usize> OnsetEvent<C> {
     }
 }
 
-impl<const C: usize> Leaving<C> {
+impl Leaving<3> {
     /// The departure of a site, which has no name yet.
-    pub(super) fn new(site: usize, how: Departure<C>) -> Self {
+    pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
 
     /// The departure of a contact that the load drives out of its cone, where no equilibrium shows its direction.
     pub(super) fn driven_out(
         site: usize,
-        stand: &ActiveSet<C>,
-        local: &LocalLaw<'_, C>,
-        frame: &SMatrix<f64, C, C>,
+        stand: &ActiveSet,
+        local: &LocalLaw<'_>,
+        frame: &SMatrix<f64, 3, 3>,
     ) -> Self {
-        let outward = stand.facets.iter().fold(SVector::<f64, C>::zeros(), |sum, h| sum + h);
+        let outward = stand.facets.iter().fold(SVector::<f64, 3>::zeros(), |sum, h| sum + h);
         let how = if outward.norm() > 0.0 {
             Departure::Slides { direction: frame * outward.normalize() }
         } else if local.may_open() {

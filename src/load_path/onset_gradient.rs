@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::onset::OnsetEvent;
 use super::onset_margins::{Leaver, OnsetMargins};
 use super::sensitivity::Parameter;
-use crate::grasp::{Engine, of_the_object};
+use crate::grasp::Engine;
 use crate::prelude::*;
 
 /// Derivatives of the load factor (without unit) at which one contact stops sticking. Derivatives with respect to positions and normals are a
@@ -37,18 +37,14 @@ pub struct OnsetGradient<const C: usize> {
     pub load_scale: f64,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients).
-    pub(crate) fn onset_gradients(&self, event: &OnsetEvent<C>) -> Vec<OnsetGradient<C>> {
+    pub(crate) fn onset_gradients(&self, event: &OnsetEvent<3>) -> Vec<OnsetGradient<3>> {
         let Some(margins) = OnsetMargins::new(self, event) else { return Vec::new() };
         self.gradients_of(&margins, event).unwrap_or_default()
     }
 
-    fn gradients_of(
-        &self,
-        margins: &OnsetMargins<C>,
-        event: &OnsetEvent<C>,
-    ) -> Option<Vec<OnsetGradient<C>>> {
+    fn gradients_of(&self, margins: &OnsetMargins, event: &OnsetEvent<3>) -> Option<Vec<OnsetGradient<3>>> {
         let (n, actuators) = (self.len(), self.joint_commands().len());
         let empty = |leaving| OnsetGradient {
             leaving,
@@ -58,16 +54,16 @@ impl<const C: usize> Engine<C> {
             joint_command: Vec::with_capacity(actuators),
             joint_stiffness: Vec::with_capacity(actuators),
             joint_limit: Vec::with_capacity(actuators),
-            base_load: vec![f64::NAN; of_the_object::<C>()],
+            base_load: vec![f64::NAN; self.space().of_the_object()],
             load_scale: f64::NAN,
         };
         let mut gradients: Vec<_> = margins.leavers().map(empty).collect();
-        let mut put = |by: Option<Vec<f64>>, place: &dyn Fn(&mut OnsetGradient<C>, f64)| {
+        let mut put = |by: Option<Vec<f64>>, place: &dyn Fn(&mut OnsetGradient<3>, f64)| {
             by.map(|by| gradients.iter_mut().zip(by).for_each(|(gradient, value)| place(gradient, value)))
         };
         for i in 0..n {
             put(margins.by(Parameter::Friction { contact: i }), &|g, value| g.friction.push(value))?;
-            for axis in 0..C {
+            for axis in 0..self.space().axes() {
                 let (stiffness, command) =
                     (Parameter::Stiffness { contact: i, axis }, Parameter::Command { contact: i, axis });
                 put(margins.by(stiffness), &|g, value| g.stiffness[i][axis] = value)?;
@@ -79,7 +75,7 @@ impl<const C: usize> Engine<C> {
             put(margins.by(Parameter::JointStiffness { joint }), &|g, value| g.joint_stiffness.push(value))?;
             put(margins.by(Parameter::JointLimit { joint }), &|g, value| g.joint_limit.push(value))?;
         }
-        for component in 0..of_the_object::<C>() {
+        for component in 0..self.space().of_the_object() {
             // A load on a free motion cannot be carried at all, so its derivative stays not a number.
             put(margins.by(Parameter::Load { component }), &|g, value| g.base_load[component] = value);
         }

@@ -21,24 +21,24 @@ pub enum Leaver {
 }
 
 /// The margins that vanish at one onset, with the equilibrium there.
-pub(crate) struct OnsetMargins<'g, const C: usize> {
-    local: Local<'g, C>,
-    margins: Vec<Margin<C>>,
+pub(crate) struct OnsetMargins<'g> {
+    local: Local<'g>,
+    margins: Vec<Margin>,
 }
 
 /// `μ F_n - h·F_t` of the leaving contact or drive, or `F_n` alone where friction is absent or unlimited.
-struct Margin<const C: usize> {
+struct Margin {
     leaver: Leaver,
     site: usize,
-    h: Option<SVector<f64, C>>,
+    h: Option<SVector<f64, 3>>,
     /// m' along the ramp.
     slope: f64,
 }
 
-impl<'g, const C: usize> OnsetMargins<'g, C> {
+impl<'g> OnsetMargins<'g> {
     /// `None` if the onset was reached after a contact had closed on the way or as one closes, or if the event has another number of
     /// contacts.
-    pub(crate) fn new(grasp: &'g Engine<C>, event: &OnsetEvent<C>) -> Option<Self> {
+    pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let state = grasp.state_at_onset(event, &Settings::default())?;
         let local = Local::new(grasp, &state)?;
         let has_slipped = |i: usize| {
@@ -74,7 +74,7 @@ impl<'g, const C: usize> OnsetMargins<'g, C> {
     /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     pub(crate) fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let (_, forces) = self.local.derivative(parameter)?;
-        let of_friction = |margin: &Margin<C>| match parameter {
+        let of_friction = |margin: &Margin| match parameter {
             Parameter::Friction { contact } if contact == margin.site && margin.h.is_some() => {
                 self.local.forces[contact][0]
             }
@@ -84,18 +84,18 @@ impl<'g, const C: usize> OnsetMargins<'g, C> {
     }
 
     /// The derivative along an additional load, in proportion to it.
-    pub(crate) fn by_load(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
+    pub(crate) fn by_load(&self, load: &Wrench<3>) -> Option<Vec<f64>> {
         let forces = self.local.forces_by_load(load)?;
         Some(self.margins.iter().map(|m| self.moved(m, &forces, 0.0)).collect())
     }
 
-    fn moved(&self, margin: &Margin<C>, forces: &[SVector<f64, C>], direct: f64) -> f64 {
+    fn moved(&self, margin: &Margin, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(margin.of(&self.local, &forces[margin.site]) + direct) / margin.slope
     }
 }
 
-impl<const C: usize> Margin<C> {
-    fn of(&self, local: &Local<C>, force: &SVector<f64, C>) -> f64 {
+impl Margin {
+    fn of(&self, local: &Local, force: &SVector<f64, 3>) -> f64 {
         let cone = local.problem.local(self.site).cone();
         self.h.map_or(force[0], |h| cone.facet_margin(force, &h))
     }
@@ -103,7 +103,7 @@ impl<const C: usize> Margin<C> {
 
 /// The facet that is reached; inner `None` where only the normal force counts.
 #[expect(clippy::option_option, reason = "there may be no facet to find, and none to look for")]
-fn facet<const C: usize>(local: &Local<C>, cone: Cone, site: usize) -> Option<Option<SVector<f64, C>>> {
+fn facet(local: &Local, cone: Cone, site: usize) -> Option<Option<SVector<f64, 3>>> {
     let (law, force) = (local.problem.local(site), &local.forces[site]);
     if !law.cone().has_edges() {
         return Some(None);

@@ -26,21 +26,21 @@ use crate::object::{Load, Problem, are_many};
 use crate::prelude::*;
 use crate::search::{Effort, Found, Rung, Settings, Settled, settle, settle_at_rest};
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::onset`](crate::ask::Grasp::onset).
-    pub(crate) fn onset(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Onset<C>, Error> {
+    pub(crate) fn onset(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Onset<3>, Error> {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
     }
 
     /// [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset): in the memory of the last question and of its answer.
     pub(crate) fn onset_in(
         &self,
-        ramp: &Ramp<C>,
+        ramp: &Ramp<3>,
         settings: &Settings,
         memory: &mut Memory,
-        told: Option<Onset<C>>,
-    ) -> Result<Onset<C>, Error> {
-        let memory = memory.of(OnsetMemory::<C>::default);
+        told: Option<Onset<3>>,
+    ) -> Result<Onset<3>, Error> {
+        let memory = memory.of(OnsetMemory::default);
         if let Some(told) = told {
             memory.take_back(told);
         }
@@ -50,9 +50,9 @@ impl<const C: usize> Engine<C> {
     /// [`Self::onset`], with the solution of the base if it had to be found: for a path from there.
     pub(crate) fn onset_from_rest(
         &self,
-        ramp: &Ramp<C>,
+        ramp: &Ramp<3>,
         settings: &Settings,
-    ) -> Result<(Onset<C>, Option<Rest<C>>), Error> {
+    ) -> Result<(Onset<3>, Option<Rest>), Error> {
         let mut memory = OnsetMemory::default();
         let onset = self.onset_in_memory(ramp, settings, &mut memory)?;
         // With few coordinates the base is found at once.
@@ -61,10 +61,10 @@ impl<const C: usize> Engine<C> {
 
     fn onset_in_memory(
         &self,
-        ramp: &Ramp<C>,
+        ramp: &Ramp<3>,
         settings: &Settings,
-        memory: &mut OnsetMemory<C>,
-    ) -> Result<Onset<C>, Error> {
+        memory: &mut OnsetMemory,
+    ) -> Result<Onset<3>, Error> {
         let base = self.load_alone(&ramp.base, "base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
         ramp.drive_changes_into(self, &mut memory.change)?;
@@ -85,11 +85,11 @@ impl<const C: usize> Engine<C> {
     /// base.
     pub(super) fn walked<'a>(
         &'a self,
-        segment: Segment<'a, C>,
-        rest: &Rest<C>,
-        (course, end): (Trajectory<Wrench<C>>, f64),
+        segment: Segment<'a>,
+        rest: &Rest,
+        (course, end): (Trajectory<Wrench<3>>, f64),
         settings: &'a Settings,
-    ) -> TurnOnset<C> {
+    ) -> TurnOnset<3> {
         let (found, rule) = match self.sticking_base(&segment, &course, rest) {
             Ok(base) => base,
             Err(onset) => return TurnOnset { onset: *onset, touches: Vec::new() },
@@ -104,9 +104,9 @@ impl<const C: usize> Engine<C> {
     /// [`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset).
     pub(crate) fn state_at_onset(
         &self,
-        event: &OnsetEvent<C>,
+        event: &OnsetEvent<3>,
         settings: &Settings,
-    ) -> Option<Equilibrium<C>> {
+    ) -> Option<Equilibrium<3>> {
         let problem = self.problem_at_onset(event)?;
         let (found, rule) = (event.local.found.found(), event.local.rule);
         let answer_for = AnswerFor { cone: event.cone, small: settings.small_motions };
@@ -114,7 +114,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// [`Grasp::beyond`](crate::ask::Grasp::beyond).
-    pub(crate) fn beyond(&self, event: &OnsetEvent<C>, settings: &Settings) -> Option<Beyond<C>> {
+    pub(crate) fn beyond(&self, event: &OnsetEvent<3>, settings: &Settings) -> Option<Beyond<3>> {
         let problem = self.problem_at_onset(event)?;
         let local = &event.local;
         let answer_for = AnswerFor { cone: event.cone, small: settings.small_motions };
@@ -133,13 +133,13 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The local problem at an onset.
-    fn problem_at_onset(&self, event: &OnsetEvent<C>) -> Option<Problem<'_, C>> {
+    fn problem_at_onset(&self, event: &OnsetEvent<3>) -> Option<Problem<'_>> {
         let local = &event.local;
         if local.found.states.len() != self.sites().len() {
             return None;
         }
         let cone = if let Cone::Polygon(cone) = event.cone { cone } else { PolygonCone::default() };
-        let (polygon, round) = (Polygon::shared(&cone), event.cone == Cone::Round);
+        let (polygon, round) = (Polygon::shared(self.space(), &cone), event.cone == Cone::Round);
         let load = Load::from(&local.wrench.to());
         let problem = self.problem(polygon, round, local.drives.clone(), &load);
         Some(Problem { slips: local.slips.clone(), ..problem })
@@ -148,12 +148,12 @@ impl<const C: usize> Engine<C> {
     /// The equilibrium at factor 0 if no contact slides in it.
     fn sticking_base(
         &self,
-        segment: &Segment<'_, C>,
-        course: &Trajectory<Wrench<C>>,
-        (settled, effort): &Rest<C>,
-    ) -> Result<(Found<C>, Rung), Box<Onset<C>>> {
+        segment: &Segment<'_>,
+        course: &Trajectory<Wrench<3>>,
+        (settled, effort): &Rest,
+    ) -> Result<(Found, Rung), Box<Onset<3>>> {
         let (problem, answer_for) = (&segment.problem, segment.answer_for);
-        let slides = |found: &Found<C>| found.states.iter().any(State::slides);
+        let slides = |found: &Found| found.states.iter().any(State::slides);
         match settled {
             Settled::Found(found, rule) if !slides(found) => {
                 return Ok((found.clone(), *rule));

@@ -10,70 +10,48 @@ use super::segment::Segment;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Polygon, PolygonCone, State};
 use crate::equilibrium::{AnswerFor, Cone};
-use crate::grasp::{Coordinates, Engine};
+use crate::grasp::{Coordinates, Engine, Space};
 use crate::numerics::Vector;
 use crate::object::{Lists, Load, PieceState, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
 
 /// The lists that an onset needs.
-#[derive(Debug, Clone)]
-pub(super) struct OnsetMemory<const C: usize> {
-    pub(super) lists: Lists<C>,
-    pub(super) change: Vec<SVector<f64, C>>,
-    polygon: Option<(PolygonCone, Arc<Polygon<C>>)>,
+#[derive(Debug, Clone, Default)]
+pub(super) struct OnsetMemory {
+    pub(super) lists: Lists,
+    pub(super) change: Vec<SVector<f64, 3>>,
+    polygon: Option<((Space, PolygonCone), Arc<Polygon>)>,
     pub(super) solution: SolutionMemory,
     /// State at the base, its rate, and state at the onset with the drives there.
-    pub(super) base: PieceState<C>,
-    pub(super) rate: PieceState<C>,
-    pub(super) there: PieceState<C>,
-    pub(super) driven: Vec<SVector<f64, C>>,
-    pub(super) states: Vec<State<C>>,
-    pub(super) stands: Vec<ActiveSet<C>>,
-    pub(super) leaving: Vec<Leaving<C>>,
+    pub(super) base: PieceState,
+    pub(super) rate: PieceState,
+    pub(super) there: PieceState,
+    pub(super) driven: Vec<SVector<f64, 3>>,
+    pub(super) states: Vec<State>,
+    pub(super) stands: Vec<ActiveSet>,
+    pub(super) leaving: Vec<Leaving<3>>,
     /// The sites that leave.
     pub(super) sites: Vec<usize>,
     /// Lists of joint coordinates.
     pub(super) coordinates: [Vec<f64>; 3],
-    place: Option<Box<OnsetEvent<C>>>,
+    place: Option<Box<OnsetEvent<3>>>,
     /// The settled base, if the last question needed it.
-    pub(super) rest: Option<Rest<C>>,
+    pub(super) rest: Option<Rest>,
 }
 
-impl<const C: usize> Default for OnsetMemory<C> {
-    fn default() -> Self {
-        Self {
-            lists: Lists::default(),
-            change: Vec::new(),
-            polygon: None,
-            solution: SolutionMemory::default(),
-            base: PieceState::default(),
-            rate: PieceState::default(),
-            there: PieceState::default(),
-            driven: Vec::new(),
-            states: Vec::new(),
-            stands: Vec::new(),
-            leaving: Vec::new(),
-            sites: Vec::new(),
-            coordinates: Default::default(),
-            place: None,
-            rest: None,
-        }
-    }
-}
-
-impl<const C: usize> OnsetMemory<C> {
+impl OnsetMemory {
     /// The segment from a base load, with drive rates from this memory and all contacts at rest.
     pub(super) fn segment<'g>(
         &mut self,
-        grasp: &'g Engine<C>,
+        grasp: &'g Engine,
         settings: &Settings,
         course: Trajectory<Vector>,
-    ) -> Segment<'g, C> {
-        let answer_for = AnswerFor::of::<C>(settings);
+    ) -> Segment<'g> {
+        let answer_for = AnswerFor::of(grasp.space(), settings);
         let mut lists = core::mem::take(&mut self.lists);
         grasp.drives_into(&mut lists.drives);
-        let polygon = self.polygon(settings.cone);
+        let polygon = self.polygon(grasp.space(), settings.cone);
         let problem =
             grasp.problem_in(lists, polygon, answer_for.cone == Cone::Round, &Load::from(&course.at(0.0)));
         Segment {
@@ -86,15 +64,15 @@ impl<const C: usize> OnsetMemory<C> {
         }
     }
 
-    fn polygon(&mut self, cone: PolygonCone) -> Arc<Polygon<C>> {
+    fn polygon(&mut self, space: Space, cone: PolygonCone) -> Arc<Polygon> {
         match &self.polygon {
-            Some((made_for, polygon)) if *made_for == cone => polygon.clone(),
-            _ => self.polygon.insert((cone, Polygon::shared(&cone))).1.clone(),
+            Some((made_for, polygon)) if *made_for == (space, cone) => polygon.clone(),
+            _ => self.polygon.insert(((space, cone), Polygon::shared(space, &cone))).1.clone(),
         }
     }
 
     /// Puts an event into the box of the last one.
-    pub(super) fn put(&mut self, event: OnsetEvent<C>) -> Box<OnsetEvent<C>> {
+    pub(super) fn put(&mut self, event: OnsetEvent<3>) -> Box<OnsetEvent<3>> {
         match self.place.take() {
             Some(mut place) => {
                 *place = event;
@@ -105,7 +83,7 @@ impl<const C: usize> OnsetMemory<C> {
     }
 
     /// Recovers the lists of an answer that is no longer needed.
-    pub(super) fn take_back(&mut self, told: Onset<C>) {
+    pub(super) fn take_back(&mut self, told: Onset<3>) {
         let Onset::At(mut event) = told else { return };
         let local = &mut event.local;
         self.lists.drives = core::mem::take(&mut local.drives);

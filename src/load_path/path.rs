@@ -1,4 +1,6 @@
-//! [`Path`], which shows a followed load program without the number of coordinates of its follower.
+//! [`Path`], which shows a followed load program without its follower.
+
+use core::fmt;
 
 use nalgebra::SVector;
 
@@ -11,6 +13,7 @@ use super::small_motions::EndOfSmallMotions;
 use super::stepped::Step;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
+use crate::grasp::{Face, outside};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -58,6 +61,99 @@ pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
 /// The law is the same as for a [`LoadPath`], on the round cone, with slip memory: contacts stick, slide in directions that turn, open and close
 /// again. The path does not report their events one by one; [`state`](Self::state) returns the equilibrium at the present place.
 pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
+
+/// A path of the engine whose reports and answers have vectors of `C` components.
+struct AtTheDoor<'g, const C: usize, T: Face> {
+    inside: Box<dyn AnyPath<3, T::Inside> + 'g>,
+    end: Option<PathEnd<C>>,
+    /// Memory for legs that are added.
+    legs: Vec<Leg<3>>,
+}
+
+impl<const C: usize, T: Face> fmt::Debug for AtTheDoor<'_, C, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.inside.fmt(f)
+    }
+}
+
+impl<const C: usize, T: Face> AtTheDoor<'_, C, T> {
+    /// Keeps the end of the path once it is known.
+    fn keep_end(&mut self) {
+        if self.end.is_none() {
+            self.end = self.inside.end().cloned().map(outside);
+        }
+    }
+}
+
+impl<const C: usize, T: Face> AnyPath<C, T> for AtTheDoor<'_, C, T> {
+    fn next(&mut self) -> Option<T> {
+        let next = self.inside.next();
+        self.keep_end();
+        next.map(outside)
+    }
+
+    fn end(&self) -> Option<&PathEnd<C>> {
+        self.end.as_ref()
+    }
+
+    fn place(&self) -> (usize, f64) {
+        self.inside.place()
+    }
+
+    fn state(&self) -> Option<Equilibrium<C>> {
+        self.inside.state().map(outside)
+    }
+
+    fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
+        self.inside.state_at(leg, fraction).map(outside)
+    }
+
+    fn forces(&self) -> Vec<SVector<f64, C>> {
+        outside(self.inside.forces())
+    }
+
+    fn continue_with(&mut self, legs: &[Leg<C>]) -> Result<(), Error> {
+        self.legs.clear();
+        self.legs.extend(legs.iter().cloned().map(Face::enter));
+        self.inside.continue_with(&self.legs)?;
+        self.end = None;
+        self.keep_end();
+        Ok(())
+    }
+
+    fn beyond(&self, settings: Option<&Settings>) -> Option<Beyond<C>> {
+        self.inside.beyond(settings).map(outside)
+    }
+
+    fn step_error(&self) -> f64 {
+        self.inside.step_error()
+    }
+
+    fn energies(&self) -> &[LegEnergy] {
+        self.inside.energies()
+    }
+
+    fn next_small(&mut self) -> Option<T> {
+        let next = self.inside.next_small();
+        self.keep_end();
+        next.map(outside)
+    }
+
+    fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
+        self.inside.end_of_small_motions()
+    }
+
+    fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
+        self.inside.all_slide_from(until)
+    }
+}
+
+/// A path of the engine as the caller sees it.
+pub(crate) fn path_outside<const C: usize, T: Face>(path: Path<'_, 3, T::Inside>) -> Path<'_, C, T> {
+    let mut path = AtTheDoor { inside: path.0, end: None, legs: Vec::new() };
+    path.keep_end();
+    Path(Box::new(path))
+}
 
 impl<'g, const C: usize, T> Path<'g, C, T> {
     pub(crate) fn new(path: Box<dyn AnyPath<C, T> + 'g>) -> Self {

@@ -22,20 +22,16 @@ const NO_FORCE_AT_REST: f64 = 16.0 * f64::EPSILON;
 
 /// Whether all forces are as small as the rounding of displacements in the softest spring. Rounding alone would then decide which contacts press, so
 /// none of them does. The same holds for rates of forces and of displacements.
-pub(super) fn carries_nothing<const C: usize>(
-    problem: &Problem<'_, C>,
-    forces: &[SVector<f64, C>],
-    twist: &Vector,
-) -> bool {
+pub(super) fn carries_nothing(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
     largest <= NO_FORCE_AT_REST * least_spring_force(problem.sites, spans)
 }
 
-impl<const C: usize> Node<C> {
+impl Node {
     /// The node at the start of the path, with active sets from forces and gaps: the one-shot solution does not report them. Slip from rest to here
     /// becomes memory.
-    pub(super) fn at_start(segment: &mut Segment<'_, C>, found: Found<C>) -> Self {
+    pub(super) fn at_start(segment: &mut Segment<'_>, found: Found) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
             directions: directions(&segment.problem, &found),
@@ -68,10 +64,10 @@ impl<const C: usize> Node<C> {
     /// Forces and their rates in the present states. Motions that these leave free move at the rates `pushed`.
     pub(super) fn look(
         &self,
-        segment: &Segment<'_, C>,
+        segment: &Segment<'_>,
         factor: f64,
         pushed: Option<&Vector>,
-    ) -> Result<Here<C>, NoEquilibrium<C>> {
+    ) -> Result<Here, NoEquilibrium<3>> {
         if self.turns() {
             segment.tangent(&self.states, factor, &self.at, pushed)
         } else {
@@ -80,7 +76,7 @@ impl<const C: usize> Node<C> {
     }
 
     /// Adds the slip of sliding contacts to memory; on the round cone they continue to slide along their friction force.
-    fn slip_until_now(&mut self, segment: &mut Segment<'_, C>, factor: f64) {
+    fn slip_until_now(&mut self, segment: &mut Segment<'_>, factor: f64) {
         for i in 0..self.states.len() {
             if self.states[i].slides() {
                 segment.remember_slip(i, factor, &self.at.twist, &self.at.forces[i]);
@@ -93,7 +89,7 @@ impl<const C: usize> Node<C> {
         }
     }
 
-    fn stand(&mut self, segment: &mut Segment<'_, C>, here: &Here<C>) {
+    fn stand(&mut self, segment: &mut Segment<'_>, here: &Here) {
         for (i, line) in here.lines.iter().enumerate() {
             if self.states[i].is_open() {
                 self.stands[i].apex = here.gaps[i].gap <= ZERO_SLACK * here.gaps[i].size;
@@ -107,20 +103,14 @@ impl<const C: usize> Node<C> {
     }
 
     /// Adds the edges reached on the way to the active sets.
-    pub(super) fn reach(&mut self, reached: &PathState<C>) {
+    pub(super) fn reach(&mut self, axes: usize, reached: &PathState) {
         for (i, exits) in reached {
-            self.stands[*i].reach(&self.states[*i], exits);
+            self.stands[*i].reach(axes, &self.states[*i], exits);
         }
     }
 
     /// Moves to the end of a piece: the slip on it becomes memory.
-    pub(super) fn arrive(
-        &mut self,
-        segment: &mut Segment<'_, C>,
-        here: &Here<C>,
-        factor: f64,
-        there: &PieceState<C>,
-    ) {
+    pub(super) fn arrive(&mut self, segment: &mut Segment<'_>, here: &Here, factor: f64, there: &PieceState) {
         self.at = there.clone();
         if matches!(segment.course, Trajectory::Turn { .. }) {
             self.leave_behind(segment, here, factor);
@@ -141,7 +131,7 @@ impl<const C: usize> Node<C> {
 
     /// While the load turns, removes edges from active sets that contacts have moved away from by now: at the event their rates did not show that
     /// yet.
-    fn leave_behind(&mut self, segment: &Segment<'_, C>, here: &Here<C>, factor: f64) {
+    fn leave_behind(&mut self, segment: &Segment<'_>, here: &Here, factor: f64) {
         let drives = segment.drives(factor);
         for (i, (stand, state)) in self.stands.iter_mut().zip(&self.states).enumerate() {
             if state.is_open() {
@@ -156,7 +146,7 @@ impl<const C: usize> Node<C> {
 
     /// Puts sliding contacts that have all but lost their normal force at the apex: their friction cannot be followed any further. Whether there is
     /// such a contact.
-    pub(super) fn let_go(&mut self, here: &Here<C>) -> bool {
+    pub(super) fn let_go(&mut self, here: &Here) -> bool {
         let mut any = false;
         for (i, line) in here.lines.iter().enumerate() {
             let slides = self.states[i].slides();
@@ -175,11 +165,7 @@ impl<const C: usize> Node<C> {
 
     /// A contact that has stopped here and, sticking, leaves its cone along a tangent. Where everything else is straight it can neither slide nor
     /// stick: sliding on, it would slip against friction.
-    pub(super) fn neither_slides_nor_sticks(
-        &self,
-        segment: &Segment<'_, C>,
-        here: &Here<C>,
-    ) -> Option<usize> {
+    pub(super) fn neither_slides_nor_sticks(&self, segment: &Segment<'_>, here: &Here) -> Option<usize> {
         let leaves = |i: &&usize| {
             self.states[**i].is_sticking() && segment.problem.local(**i).leaves_by_a_tangent(&here.lines[**i])
         };
@@ -190,7 +176,7 @@ impl<const C: usize> Node<C> {
     /// Where steps die out, puts contacts near an edge onto it, so that all events within the error of steps happen at one place. Returns the largest
     /// distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While the load turns, sliding contacts
     /// alone need no decision: the rates ahead have decided about them.
-    pub(super) fn gather(&mut self, segment: &Segment<'_, C>, here: &Here<C>) -> Option<f64> {
+    pub(super) fn gather(&mut self, segment: &Segment<'_>, here: &Here) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in here.lines.iter().zip(&here.gaps).enumerate() {
             let (local, stand) = (segment.problem.local(i), &mut self.stands[i]);

@@ -17,11 +17,11 @@ pub(super) struct NarrowOrder {
 
 impl NarrowOrder {
     /// `None` for few coordinates, where a band is not worthwhile.
-    pub(super) fn of<const C: usize>(size: Size, sites: &[Site<C>]) -> Option<Arc<Self>> {
+    pub(super) fn of(size: Size, sites: &[Site]) -> Option<Arc<Self>> {
         if !are_many(size) {
             return None;
         }
-        let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges::<C>()).collect();
+        let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges()).collect();
         let numbers = narrow_order(size.count(), &couplings);
         let reach = widest(&numbers, &couplings);
         Some(Arc::new(Self { numbers, reach }))

@@ -35,15 +35,15 @@ use crate::search::{Doubt, Settings};
 
 /// The follower of a [`LoadPath`]: it keeps the pieces behind it.
 #[derive(Debug)]
-pub(crate) struct Pieces<'g, const C: usize> {
+pub(crate) struct Pieces<'g> {
     pub(super) factor: f64,
-    pub(super) segment: Segment<'g, C>,
-    pub(super) node: Node<C>,
+    pub(super) segment: Segment<'g>,
+    pub(super) node: Node,
     /// Whether the continuation from here is still to be decided.
     pub(super) at_node: bool,
-    pub(super) here: Option<Here<C>>,
+    pub(super) here: Option<Here>,
     /// The pieces that the path has passed.
-    pub(super) behind: Vec<Stretch<'g, C>>,
+    pub(super) behind: Vec<Stretch<'g>>,
     pub(super) energy: Vec<LegEnergy>,
     pub(super) stalls: usize,
     pub(super) pace: Pace,
@@ -54,40 +54,40 @@ pub(crate) struct Pieces<'g, const C: usize> {
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,
     /// An event to report before the path starts: a contact slides at rest, and its friction falls.
-    pub(super) first: Option<Box<Event<C>>>,
+    pub(super) first: Option<Box<Event<3>>>,
     /// The problem at the end of a jump that no contact stopped.
-    pub(super) fallen: Option<Problem<'g, C>>,
+    pub(super) fallen: Option<Problem<'g>>,
     /// Where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::follow`](crate::ask::Grasp::follow).
     pub(crate) fn follow(
         &self,
-        start: &Wrench<C>,
-        legs: &[Leg<C>],
+        start: &Wrench<3>,
+        legs: &[Leg<3>],
         settings: &Settings,
-    ) -> Result<LoadPath<'_, C>, Error> {
+    ) -> Result<LoadPath<'_, 3>, Error> {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, Pieces::at_start)?)))
     }
 
     /// [`Self::follow`] from the equilibrium under the base load that an onset with these settings has found.
     pub(crate) fn follow_from_rest(
         &self,
-        (start, rest): (&Wrench<C>, Option<Rest<C>>),
-        legs: &[Leg<C>],
+        (start, rest): (&Wrench<3>, Option<Rest>),
+        legs: &[Leg<3>],
         settings: &Settings,
-    ) -> Result<LoadPath<'_, C>, Error> {
+    ) -> Result<LoadPath<'_, 3>, Error> {
         let journey = Journey { rest, ..Journey::new(self, start, settings)? };
         Ok(Path::new(Box::new(Following::of(journey, legs, Pieces::at_start)?)))
     }
 }
 
-impl<'g, const C: usize> Follower<'g, C> for Pieces<'g, C> {
-    type Report = Event<C>;
+impl<'g> Follower<'g> for Pieces<'g> {
+    type Report = Event<3>;
 
-    fn set_out(&mut self, journey: &Journey<'g, C>) -> Result<(), PathEnd<C>> {
+    fn set_out(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
         let cones = core::mem::take(&mut self.segment.problem.cones);
         self.segment = journey.segment(core::mem::take(&mut self.segment.problem.slips));
         self.segment.problem.cones = cones;
@@ -100,7 +100,7 @@ impl<'g, const C: usize> Follower<'g, C> for Pieces<'g, C> {
         Ok(())
     }
 
-    fn go_on(&mut self, journey: &Journey<'g, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
+    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Came<Event<3>>, PathEnd<3>> {
         match self.go_unless_lost(journey) {
             Err(PathEnd::Lost(loss)) => {
                 self.caught_by_a_gap(journey, &loss).map(Came::To).ok_or(PathEnd::Lost(loss))
@@ -113,18 +113,18 @@ impl<'g, const C: usize> Follower<'g, C> for Pieces<'g, C> {
         self.factor
     }
 
-    fn state(&self, journey: &Journey<'g, C>) -> Option<Equilibrium<C>> {
+    fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
         match self.behind.last() {
             Some(last) => self.state_on(last, last.to),
             None => self.present_state(journey),
         }
     }
 
-    fn forces(&self, _: &Journey<'g, C>) -> Vec<SVector<f64, C>> {
+    fn forces(&self, _: &Journey<'g>) -> Vec<SVector<f64, 3>> {
         self.node.at.forces.clone()
     }
 
-    fn cups_open(&self, journey: &Journey<'g, C>) -> Vec<WholeContact> {
+    fn cups_open(&self, journey: &Journey<'g>) -> Vec<WholeContact> {
         journey.grasp.cups_open(|i| self.node.states[i].is_open())
     }
 
@@ -148,24 +148,24 @@ impl<'g, const C: usize> Follower<'g, C> for Pieces<'g, C> {
         self.stretch_behind(leg, fraction).is_some()
     }
 
-    fn state_behind(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
+    fn state_behind(&self, leg: usize, fraction: f64) -> Option<Equilibrium<3>> {
         self.state_on(self.stretch_behind(leg, fraction)?, fraction)
     }
 
-    fn beyond_a_jump(&self, settings: &Settings) -> Option<Beyond<C>> {
+    fn beyond_a_jump(&self, settings: &Settings) -> Option<Beyond<3>> {
         self.fallen.as_ref().map(|fallen| beyond_a_jump(fallen, settings))
     }
 
-    fn edge(&self, _: &Journey<'g, C>) -> StandAtEdge<'g, C> {
+    fn edge(&self, _: &Journey<'g>) -> StandAtEdge<'g> {
         let laws = self.segment.laws_of_rates(&self.node.stands, &self.node.states);
         let rates = self.segment.rates(self.node.ahead, laws);
         StandAtEdge { segment: self.segment.clone(), rates, forces: self.node.at.forces.clone() }
     }
 }
 
-impl<'g, const C: usize> Pieces<'g, C> {
+impl<'g> Pieces<'g> {
     /// Starts at the equilibrium of the problem, if there is one.
-    pub(super) fn at_start(journey: &Journey<'g, C>, problem: &Problem<'g, C>) -> Result<Self, PathEnd<C>> {
+    pub(super) fn at_start(journey: &Journey<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = journey.start(problem)?;
         // At rest, load and commands do not change.
         let change = journey.grasp.drive_changes(None, None);
@@ -179,7 +179,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// At the beginning of a segment.
-    pub(super) fn standing(segment: Segment<'g, C>, node: Node<C>) -> Self {
+    pub(super) fn standing(segment: Segment<'g>, node: Node) -> Self {
         Self {
             factor: 0.0,
             node,
@@ -199,7 +199,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
         }
     }
 
-    fn go_unless_lost(&mut self, journey: &Journey<'g, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
+    fn go_unless_lost(&mut self, journey: &Journey<'g>) -> Result<Came<Event<3>>, PathEnd<3>> {
         if core::mem::take(&mut self.at_node) {
             return Ok(self.decide(journey)?.map_or(Came::OnTheWay, Came::To));
         }
@@ -208,21 +208,21 @@ impl<'g, const C: usize> Pieces<'g, C> {
         Ok(if leg_done? { Came::ToTheEndOfTheLeg } else { Came::OnTheWay })
     }
 
-    fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g, C>> {
+    fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
 
-    pub(super) fn state_on(&self, stretch: &Stretch<'g, C>, fraction: f64) -> Option<Equilibrium<C>> {
+    pub(super) fn state_on(&self, stretch: &Stretch<'g>, fraction: f64) -> Option<Equilibrium<3>> {
         stretch.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
     /// The equilibrium where the path stands, with the contact states that led there.
-    pub(super) fn state_before_event(&self) -> Option<Equilibrium<C>> {
+    pub(super) fn state_before_event(&self) -> Option<Equilibrium<3>> {
         self.behind.last()?.state_before_event(self.segment.grasp, self.segment.answer_for)
     }
 
     /// Decides the continuation of the path from here. Returns an event if a contact changes its state.
-    fn decide(&mut self, journey: &Journey<'g, C>) -> Result<Option<Event<C>>, PathEnd<C>> {
+    fn decide(&mut self, journey: &Journey<'g>) -> Result<Option<Event<3>>, PathEnd<3>> {
         if let Some(first) = self.first.take() {
             self.at_node = true;
             return Ok(Some(*first));
@@ -266,12 +266,12 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// The equilibrium at the present place in the present states.
-    pub(super) fn present_state(&self, journey: &Journey<'g, C>) -> Option<Equilibrium<C>> {
+    pub(super) fn present_state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
         self.state_on(&self.standing_here(journey)?, self.factor)
     }
 
     /// The present place as a piece of zero length.
-    pub(super) fn standing_here(&self, journey: &Journey<'g, C>) -> Option<Stretch<'g, C>> {
+    pub(super) fn standing_here(&self, journey: &Journey<'g>) -> Option<Stretch<'g>> {
         let here = match &self.here {
             Some(here) => here.clone(),
             // Where no rates lead further, the state with fixed load and commands.
@@ -287,11 +287,11 @@ impl<'g, const C: usize> Pieces<'g, C> {
 
     pub(super) fn stretch(
         &self,
-        journey: &Journey<'g, C>,
-        here: Here<C>,
+        journey: &Journey<'g>,
+        here: Here,
         to: f64,
-        there: PieceState<C>,
-    ) -> Stretch<'g, C> {
+        there: PieceState,
+    ) -> Stretch<'g> {
         Stretch {
             leg: journey.program.leg,
             from: self.factor,
@@ -313,10 +313,10 @@ impl<'g, const C: usize> Pieces<'g, C> {
     /// Takes a step of this length along a sliding arc.
     pub(super) fn take(
         &mut self,
-        journey: &Journey<'g, C>,
-        here: &Here<C>,
+        journey: &Journey<'g>,
+        here: &Here,
         (length, rule): (f64, Rule),
-        reached: &Reached<C>,
+        reached: &Reached,
     ) {
         let (at, to) = (reached.at(), reached.to);
         if let Some(energy) = self.energy.last_mut() {

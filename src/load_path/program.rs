@@ -16,32 +16,32 @@ use crate::prelude::*;
 
 /// A load program in progress.
 #[derive(Debug, Clone)]
-pub(super) struct Program<const C: usize> {
+pub(super) struct Program {
     /// The legs, from the first that was not done when legs were added last.
-    legs: Vec<Leg<C>>,
+    legs: Vec<Leg<3>>,
     /// Number of legs done then.
     done: usize,
     /// The index of the present leg; the number of all legs when all are done.
     pub(super) leg: usize,
     /// Trajectory of the load along the present leg.
-    pub(super) course: Trajectory<Wrench<C>>,
+    pub(super) course: Trajectory<Wrench<3>>,
     /// The load at the end of the present leg.
-    goal: Wrench<C>,
+    goal: Wrench<3>,
     /// Finger commands at the beginning and at the end of the present leg.
-    pub(super) commands: [Vec<SVector<f64, C>>; 2],
+    pub(super) commands: [Vec<SVector<f64, 3>>; 2],
     /// Joint commands at the beginning and at the end of the present leg.
     joints: [Vec<f64>; 2],
     /// Names of several bodies, and their loads along the present leg.
     names: Vec<Arc<str>>,
-    pub(super) bodies: BodyLoads<C>,
+    pub(super) bodies: BodyLoads,
     /// The torques that hold the joints of the hand, and what becomes of them along the present leg.
     held: Vec<f64>,
     pub(super) torques: HeldTorques,
 }
 
-impl<const C: usize> Program<C> {
+impl Program {
     /// A program without legs, under a load and the commands of a grasp.
-    pub(super) fn new(grasp: &Engine<C>, start: Wrench<C>) -> Self {
+    pub(super) fn new(grasp: &Engine, start: Wrench<3>) -> Self {
         let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
         let joints = grasp.joint_commands().to_vec();
         Self {
@@ -60,7 +60,7 @@ impl<const C: usize> Program<C> {
     }
 
     /// Appends legs, all or none of them.
-    pub(super) fn extend(&mut self, grasp: &Engine<C>, legs: &[Leg<C>]) -> Result<(), Error> {
+    pub(super) fn extend(&mut self, grasp: &Engine, legs: &[Leg<3>]) -> Result<(), Error> {
         legs.iter().try_for_each(|leg| leg.check(grasp))?;
         // Programs that go on and on need no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
@@ -89,8 +89,8 @@ impl<const C: usize> Program<C> {
         let (load, [commands, _], [joints, _]) =
             (self.course.at(0.0), self.commands.clone(), self.joints.clone());
         let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(0.0, f64::max);
-        let size = |load: &Wrench<C>| largest(&mut load.components().iter().map(|x| x.abs()));
-        let on_bodies = |bodies: &BodyLoads<C>, end: usize| largest(&mut bodies.at_end(end).iter().map(size));
+        let size = |load: &Wrench<3>| largest(&mut load.components().iter().map(|x| x.abs()));
+        let on_bodies = |bodies: &BodyLoads, end: usize| largest(&mut bodies.at_end(end).iter().map(size));
         let mut most = [
             size(&load),
             largest(&mut commands.iter().map(Matrix::amax)),
@@ -126,7 +126,7 @@ impl<const C: usize> Program<C> {
     }
 
     /// After all legs, returns exactly to this load and to the commands of a grasp: removes the rounding of a closed program.
-    pub(super) fn return_to(&mut self, grasp: &Engine<C>, load: &Wrench<C>) {
+    pub(super) fn return_to(&mut self, grasp: &Engine, load: &Wrench<3>) {
         self.goal = *load;
         self.commands[1] = grasp.contacts().iter().map(|contact| contact.command).collect();
         self.joints[1] = grasp.joint_commands().to_vec();
@@ -146,14 +146,14 @@ impl<const C: usize> Program<C> {
     }
 
     /// Drives, commands less clearances, at the beginning of the present leg, and their change along it.
-    pub(super) fn drives(&self, grasp: &Engine<C>) -> [Vec<SVector<f64, C>>; 2] {
+    pub(super) fn drives(&self, grasp: &Engine) -> [Vec<SVector<f64, 3>>; 2] {
         let mut drives = [Vec::new(), Vec::new()];
         self.drives_into(grasp, &mut drives);
         drives
     }
 
     /// [`Self::drives`] into lists supplied by the caller.
-    pub(super) fn drives_into(&self, grasp: &Engine<C>, [base, change]: &mut [Vec<SVector<f64, C>>; 2]) {
+    pub(super) fn drives_into(&self, grasp: &Engine, [base, change]: &mut [Vec<SVector<f64, 3>>; 2]) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
         grasp.driven_by(from.iter().copied(), joints_from, base);
         let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).collect();
@@ -161,7 +161,7 @@ impl<const C: usize> Program<C> {
     }
 
     /// Trajectory of the load along the present leg, in inside coordinates.
-    pub(super) fn inside_course(&self, grasp: &Engine<C>) -> Trajectory<Vector> {
+    pub(super) fn inside_course(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.course {
             Trajectory::Straight { from, .. } => {
                 let [mut from, mut to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
@@ -182,7 +182,7 @@ impl<const C: usize> Program<C> {
     }
 
     /// What acts beside the load of the question, at the beginning and at the end of the leg.
-    fn beside(&self, grasp: &Engine<C>) -> [Option<[Vector; 2]>; 2] {
+    fn beside(&self, grasp: &Engine) -> [Option<[Vector; 2]>; 2] {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }
 
@@ -192,7 +192,7 @@ impl<const C: usize> Program<C> {
     }
 
     /// The load at a fraction of the present leg.
-    pub(super) fn load_at(&self, fraction: f64) -> Wrench<C> {
+    pub(super) fn load_at(&self, fraction: f64) -> Wrench<3> {
         self.course.at(fraction)
     }
 }

@@ -8,14 +8,14 @@ use crate::object::{Piece, PieceState};
 /// A velocity along a free motion below this part of the pushing velocity is rounding.
 const UNFELT: f64 = 1e-12;
 
-impl<const C: usize> Segment<'_, C> {
+impl Segment<'_> {
     /// Rates of a piece, with the velocities along its free motions taken from `pushed`.
     pub(super) fn pushed_along(
         &self,
-        piece: &Piece<C>,
-        rate: PieceState<C>,
+        piece: &Piece,
+        rate: PieceState,
         pushed: Option<&Vector>,
-    ) -> PieceState<C> {
+    ) -> PieceState {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
         let felt = |v: &Vector| v.dot(&apart).abs() > UNFELT * pushed.norm();
@@ -26,10 +26,10 @@ impl<const C: usize> Segment<'_, C> {
     /// The state or rate of a piece with free motions whose twist is nearest to `near`.
     pub(super) fn nearest(
         &self,
-        piece: &Piece<C>,
-        PieceState { mut forces, mut twist }: PieceState<C>,
+        piece: &Piece,
+        PieceState { mut forces, mut twist }: PieceState,
         near: &Vector,
-    ) -> PieceState<C> {
+    ) -> PieceState {
         for v in piece.free_motions() {
             twist += v * v.dot(&(near - &twist));
         }

@@ -23,11 +23,11 @@ impl StickingRange {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Sensitivity::sticking_range`](crate::ask::Sensitivity::sticking_range).
     pub(crate) fn sticking_range(
         &self,
-        ramp: &Ramp<C>,
+        ramp: &Ramp<3>,
         settings: &Settings,
     ) -> Result<Option<StickingRange>, Error> {
         let back = ramp.times(-1.0);

@@ -89,9 +89,11 @@ impl<const C: usize> Ramp<C> {
         let joints = self.joint_change.iter().flatten();
         self.direction.components().iter().chain(commands).chain(joints).all(|x| *x == 0.0)
     }
+}
 
+impl Ramp<3> {
     /// Rates of the contact and joint drives of a grasp, for each unit of the factor.
-    pub(crate) fn drive_changes(&self, grasp: &Engine<C>) -> Result<Vec<SVector<f64, C>>, Error> {
+    pub(crate) fn drive_changes(&self, grasp: &Engine) -> Result<Vec<SVector<f64, 3>>, Error> {
         let mut changes = Vec::new();
         self.drive_changes_into(grasp, &mut changes)?;
         Ok(changes)
@@ -100,8 +102,8 @@ impl<const C: usize> Ramp<C> {
     /// [`Self::drive_changes`] into a list supplied by the caller.
     pub(super) fn drive_changes_into(
         &self,
-        grasp: &Engine<C>,
-        changes: &mut Vec<SVector<f64, C>>,
+        grasp: &Engine,
+        changes: &mut Vec<SVector<f64, 3>>,
     ) -> Result<(), Error> {
         if let Some(change) = &self.command_change {
             grasp.check_commands(change, "command changes", Field::CommandChange)?;
@@ -113,7 +115,9 @@ impl<const C: usize> Ramp<C> {
         grasp.changed_by(commands, self.joint_change.as_deref(), changes);
         Ok(())
     }
+}
 
+impl<const C: usize> Ramp<C> {
     /// The load at a factor, `base + τ direction`.
     #[must_use]
     pub fn load_at(&self, factor: f64) -> Wrench<C> {

@@ -27,27 +27,27 @@ use crate::prelude::*;
 const TURNED: f64 = 6e-6;
 
 /// A sliding contact at the start of a step.
-struct Turning<const C: usize> {
+struct Turning {
     contact: usize,
-    tangent: Tangent<C>,
+    tangent: Tangent,
     /// |F_t|, N.
     size: f64,
     /// d; zero for a contact without friction force, which has no direction to turn.
-    across: SVector<f64, C>,
+    across: SVector<f64, 3>,
     /// v, N for one radian and one unit of arclength.
-    change: SVector<f64, C>,
+    change: SVector<f64, 3>,
     /// G v.
     push: Vector,
     /// c = Cᵀ d, N/m.
-    felt: SVector<f64, C>,
+    felt: SVector<f64, 3>,
     /// G c.
     pull: Vector,
 }
 
 /// J at the start of a step.
-pub(super) struct Relaxation<'f, 's, 'g, const C: usize> {
-    arc: &'f Arc<'s, 'g, C>,
-    contacts: Vec<Turning<C>>,
+pub(super) struct Relaxation<'f, 's, 'g> {
+    arc: &'f Arc<'s, 'g>,
+    contacts: Vec<Turning>,
     /// T and b.
     stiffness: PathStiffness,
     load: Vector,
@@ -63,17 +63,17 @@ pub(super) struct Damped {
     sizes: Vec<f64>,
 }
 
-impl<'f, 's, 'g, const C: usize> Relaxation<'f, 's, 'g, C> {
+impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
     /// J for these friction forces, along the direction of the path there.
     pub(super) fn new(
-        arc: &'f Arc<'s, 'g, C>,
-        frictions: &[SVector<f64, C>],
+        arc: &'f Arc<'s, 'g>,
+        frictions: &[SVector<f64, 3>],
         factor: f64,
         way: Direction,
     ) -> Self {
         let tangents = arc.tangents(frictions.iter().copied());
         let (stiffness, load) = arc.balance(&tangents, factor);
-        let turning = |((&contact, friction), tangent): ((&usize, &SVector<f64, C>), Tangent<C>)| {
+        let turning = |((&contact, friction), tangent): ((&usize, &SVector<f64, 3>), Tangent)| {
             let size = tangential_norm(friction);
             let across = match tangent {
                 Tangent::Sliding { across, .. } if size > 0.0 => across,
@@ -100,7 +100,7 @@ impl<'f, 's, 'g, const C: usize> Relaxation<'f, 's, 'g, C> {
             sizes.push(size);
             if turning.size > 0.0 {
                 let push = &turning.push * (length / size);
-                let felt = self.arc.sites()[turning.contact].support.ranges::<C>();
+                let felt = self.arc.sites()[turning.contact].support.ranges();
                 stiffness.add(&felt, |i, j| push[i] * turning.pull[j]);
                 load += push * turning.felt.dot(&self.arc.segment.change[turning.contact]);
             }
@@ -115,21 +115,21 @@ impl<'f, 's, 'g, const C: usize> Relaxation<'f, 's, 'g, C> {
         let length = damped.length;
         let mut left = Vector::zeros();
         let mut angles = Vec::with_capacity(self.contacts.len());
-        let entries = side.chunks_exact(C - 1).zip(&self.contacts).zip(&damped.sizes);
+        let entries = side.chunks_exact(2).zip(&self.contacts).zip(&damped.sizes);
         for ((given, turning), size) in entries {
-            let along = (1..C).map(|a| turning.across[a] * given[a - 1]).sum::<f64>();
+            let along = (1..3).map(|a| turning.across[a] * given[a - 1]).sum::<f64>();
             let angle = if turning.size > 0.0 { along / size } else { 0.0 };
             left += &turning.push * angle;
             angles.push(angle);
         }
         let way = self.arc.unscaled(damped.bordered.solve(&left, 0.0));
-        let (frictions, others) = side.split_at_mut(self.contacts.len() * (C - 1));
-        let entries = frictions.chunks_exact_mut(C - 1).zip(&self.contacts).zip(&damped.sizes);
+        let (frictions, others) = side.split_at_mut(self.contacts.len() * (2));
+        let entries = frictions.chunks_exact_mut(2).zip(&self.contacts).zip(&damped.sizes);
         for (((entry, turning), size), angle) in entries.zip(angles) {
             let [stretch, force] = self.arc.rates(turning.contact, &turning.tangent, &way);
             let more = if turning.size > 0.0 { length * turning.felt.dot(&stretch) / size } else { 0.0 };
             let change = (turning.change * (angle + more) + force) * length;
-            (1..C).for_each(|a| entry[a - 1] += change[a]);
+            (1..3).for_each(|a| entry[a - 1] += change[a]);
         }
         let count = self.arc.segment.grasp.size().count();
         (0..count).for_each(|k| others[k] += length * way.twist[k]);
@@ -152,7 +152,7 @@ mod tests {
     use crate::spatial::Contact;
 
     /// Fingers round a ball, softer along one tangent than the other, all sliding but one; commands change with the factor.
-    fn fingers(ratio: f64) -> Engine<3> {
+    fn fingers(ratio: f64) -> Engine {
         let finger = |i: u8| {
             let (sin, cos) = (1.3 * f64::from(i)).sin_cos();
             let stiffness = [1.0, 0.8, 0.8 * ratio];
@@ -167,7 +167,7 @@ mod tests {
     fn what_is_solved_for_obeys_difference_quotients() {
         for ratio in [1.0, 1.7] {
             let grasp = fingers(ratio);
-            let polygon = Polygon::shared(&PolygonCone::default());
+            let polygon = Polygon::shared(grasp.space(), &PolygonCone::default());
             let load = Load::from(&Vector::zeros());
             let problem = grasp.problem(polygon, true, grasp.drives(), &load);
             let change = (0..5).map(|i| SVector::from([0.1, 0.02 * f64::from(i), -0.03])).collect();
@@ -175,7 +175,7 @@ mod tests {
             let course = Trajectory::Straight { from: Vector::zeros(), rate };
             let segment = Segment {
                 grasp: &grasp,
-                answer_for: AnswerFor::of::<3>(&crate::search::Settings::default()),
+                answer_for: AnswerFor::of(grasp.space(), &crate::search::Settings::default()),
                 problem,
                 change,
                 course,

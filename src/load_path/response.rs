@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, DVectorView};
 
 use super::sensitivity::{Local, Parameter};
 use crate::equilibrium::Equilibrium;
-use crate::grasp::{Engine, Twist, of_the_object};
+use crate::grasp::{Engine, Twist};
 use crate::numerics::{Size, Vector};
 use crate::object::least_combination;
 use crate::prelude::*;
@@ -24,39 +24,41 @@ pub struct Response {
     pub forces: DMatrix<f64>,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Sensitivity::response`](crate::ask::Sensitivity::response).
-    pub(crate) fn response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
-        let commands = (0..self.len() * C).map(|k| Parameter::Command { contact: k / C, axis: k % C });
+    pub(crate) fn response(&self, equilibrium: &Equilibrium<3>) -> Option<Response> {
+        let axes = self.space().axes();
+        let commands =
+            (0..self.len() * axes).map(|k| Parameter::Command { contact: k / axes, axis: k % axes });
         self.response_to(equilibrium, commands)
     }
 
     /// [`Sensitivity::joint_response`](crate::ask::Sensitivity::joint_response).
-    pub(crate) fn joint_response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
+    pub(crate) fn joint_response(&self, equilibrium: &Equilibrium<3>) -> Option<Response> {
         let commands = (0..self.joint_commands().len()).map(|joint| Parameter::JointCommand { joint });
         self.response_to(equilibrium, commands)
     }
 
     fn response_to(
         &self,
-        equilibrium: &Equilibrium<C>,
+        equilibrium: &Equilibrium<3>,
         parameters: impl ExactSizeIterator<Item = Parameter>,
     ) -> Option<Response> {
         let local = Local::new(self, equilibrium)?;
-        let (object, columns) = (of_the_object::<C>(), parameters.len());
+        let (object, axes, columns) = (self.space().of_the_object(), self.space().axes(), parameters.len());
         let mut response = Response {
             twist: DMatrix::zeros(object, columns),
-            forces: DMatrix::zeros(self.len() * C, columns),
+            forces: DMatrix::zeros(self.len() * axes, columns),
         };
         for (column, parameter) in parameters.enumerate() {
             let (twist, forces) = local.derivative(parameter)?;
-            let twist = self.outside(&twist);
+            let twist = self.outside_coordinates(&twist);
             for k in 0..object {
-                response.twist[(k, column)] = twist.components()[k];
+                response.twist[(k, column)] = twist[k];
             }
             for (i, force) in forces.iter().take(self.len()).enumerate() {
-                for a in 0..C {
-                    response.forces[(i * C + a, column)] = force[a];
+                for a in 0..axes {
+                    response.forces[(i * axes + a, column)] = force[a];
                 }
             }
         }

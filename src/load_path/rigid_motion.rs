@@ -14,6 +14,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::contact::Law;
 use crate::friction::FrictionProblem;
+use crate::grasp::Space;
 use crate::numerics::{Vector, across};
 use crate::object::Problem;
 use crate::prelude::*;
@@ -28,7 +29,7 @@ const NEAR: f64 = 1e-6;
 const DEPENDENT: f64 = 1e-9;
 
 /// The unit motion with which the object leaves under rates of a load that nothing balances, where no contact presses yet; `None` where one does.
-pub(super) fn rigid_motion<const C: usize>(rates: &Problem<C>) -> Option<Vector> {
+pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST || rates.drives.iter().any(|drive| drive.norm() > 0.0) {
         return None;
     }
@@ -53,16 +54,19 @@ pub(super) fn rigid_motion<const C: usize>(rates: &Problem<C>) -> Option<Vector>
     }
     let load = across(rates.wrench.clone(), &resisted);
     let mut columns = Vec::new();
-    let mut friction = Vec::new();
+    let (mut friction, axes) = (Vec::new(), rates.space().axes());
     for &i in &touching {
         let site = &rates.sites[i];
-        (0..C).for_each(|axis| columns.push(across(site.map.column(axis), &resisted)));
+        (0..axes).for_each(|axis| columns.push(across(site.map.column(axis), &resisted)));
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
     let products = DMatrix::from_fn(columns.len(), columns.len(), |a, b| columns[a].dot(&columns[b]));
     let driven = DVector::from_fn(columns.len(), |a, _| columns[a].dot(&load));
-    let pushes = FrictionProblem::<C>::new(products, driven, friction).ok()?.solve();
+    let pushes = match rates.space() {
+        Space::Planar => FrictionProblem::<2>::new(products, driven, friction).ok()?.solve(),
+        Space::Spatial => FrictionProblem::<3>::new(products, driven, friction).ok()?.solve(),
+    };
     let pushes = pushes.solution()?;
     let motion = columns.iter().zip(pushes.r.iter()).fold(load.clone(), |v, (column, r)| v + column * *r);
     if motion.norm() > NONE * load.norm() {
@@ -72,13 +76,13 @@ pub(super) fn rigid_motion<const C: usize>(rates: &Problem<C>) -> Option<Vector>
     // nearer.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
-        let push = pushes.r.rows(C * k, C);
+        let push = pushes.r.rows(axes * k, axes);
         if push[0] <= NEAR * largest {
             continue;
         }
         let sideways = push.iter().skip(1).map(|x| x * x).sum::<f64>().sqrt();
         let slides = sideways >= rates.local(i).cone().limit(push[0]) * (1.0 - NEAR);
-        for column in &columns[C * k..C * k + if slides { 1 } else { C }] {
+        for column in &columns[axes * k..axes * k + if slides { 1 } else { axes }] {
             resist(&mut resisted, column);
         }
     }

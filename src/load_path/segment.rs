@@ -15,13 +15,13 @@ use crate::prelude::*;
 
 /// Load and drives at factor 0 and their rates, with the slips of the contacts so far.
 #[derive(Debug, Clone)]
-pub(super) struct Segment<'g, const C: usize> {
-    pub(super) grasp: &'g Engine<C>,
+pub(super) struct Segment<'g> {
+    pub(super) grasp: &'g Engine,
     pub(super) answer_for: AnswerFor,
     /// The problem at factor 0; its drives count from the slips so far.
-    pub(super) problem: Problem<'g, C>,
+    pub(super) problem: Problem<'g>,
     /// Rates of the drives; zero while the load turns.
-    pub(super) change: Vec<SVector<f64, C>>,
+    pub(super) change: Vec<SVector<f64, 3>>,
     /// Trajectory of the load.
     pub(super) course: Trajectory<Vector>,
     /// The largest force on the way so far, N: the scale of rounding where all forces vanish together.
@@ -30,8 +30,8 @@ pub(super) struct Segment<'g, const C: usize> {
 
 /// The state at a factor, with its rates.
 #[derive(Debug, Clone)]
-pub(super) struct Here<const C: usize> {
-    pub(super) lines: Vec<Line<C>>,
+pub(super) struct Here {
+    pub(super) lines: Vec<Line>,
     pub(super) twist: Vector,
     pub(super) twist_rate: Vector,
     /// Rate of the factor: one on a straight piece, where rates are per unit of the factor, and less along an arc.
@@ -40,18 +40,18 @@ pub(super) struct Here<const C: usize> {
     pub(super) free_motions: Vec<Vector>,
     pub(super) neutral_motions: Vec<Vector>,
     /// The linear piece of these states.
-    pub(super) piece: alloc::sync::Arc<Piece<C>>,
+    pub(super) piece: alloc::sync::Arc<Piece>,
     pub(super) gaps: Vec<GapLine>,
     /// Largest force and displacement among the terms that the state and its rates are sums of.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
     /// The future state while the load turns; `None` where rates stay constant, or where nothing beyond them is known.
-    pub(super) turned: Option<alloc::sync::Arc<TurningState<C>>>,
+    pub(super) turned: Option<alloc::sync::Arc<TurningState>>,
 }
 
-impl<const C: usize> Here<C> {
+impl Here {
     /// Forces and twist after a step, extrapolated from this state.
-    pub(super) fn after(&self, step: f64) -> PieceState<C> {
+    pub(super) fn after(&self, step: f64) -> PieceState {
         if let Some(turned) = &self.turned {
             let PieceState { forces, twist } = turned.after(step);
             return PieceState { forces, twist: &self.twist + twist };
@@ -76,16 +76,16 @@ impl<const C: usize> Here<C> {
     }
 }
 
-impl<'g, const C: usize> Segment<'g, C> {
+impl<'g> Segment<'g> {
     /// Forces, gaps and their rates at a factor. Where the states leave motions free, the twist is the one nearest to `near`, and its rate the one
     /// nearest to `pushed`: no force drives the object along them, but a contact that touches without force may push it.
     pub(super) fn look(
         &self,
-        states: &[State<C>],
+        states: &[State],
         factor: f64,
         near: Option<&Vector>,
         pushed: Option<&Vector>,
-    ) -> Result<Here<C>, NoEquilibrium<C>> {
+    ) -> Result<Here, NoEquilibrium<3>> {
         let piece = self.problem.piece(states);
         let rate = match &self.course {
             Trajectory::Straight { rate, .. } => rate,
@@ -108,17 +108,17 @@ impl<'g, const C: usize> Segment<'g, C> {
     /// A state on an arc with rates for one unit of arclength, in which the factor changes by `factor_rate`.
     pub(super) fn along(
         &self,
-        piece: &alloc::sync::Arc<Piece<C>>,
+        piece: &alloc::sync::Arc<Piece>,
         factor: f64,
-        at: &PieceState<C>,
-        rate: &PieceState<C>,
+        at: &PieceState,
+        rate: &PieceState,
         factor_rate: f64,
-    ) -> Here<C> {
+    ) -> Here {
         self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
     /// The loss from a factor on: nothing resists this motion.
-    pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<C> {
+    pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
         let proof = Proof::FreeMotion { motion: self.grasp.motion_outside(&v), work };
@@ -129,19 +129,19 @@ impl<'g, const C: usize> Segment<'g, C> {
     /// factor `since`, and the change from there.
     pub(super) fn here(
         &self,
-        piece: alloc::sync::Arc<Piece<C>>,
+        piece: alloc::sync::Arc<Piece>,
         factor: f64,
-        at: PieceState<C>,
-        (rate, factor_rate): (&PieceState<C>, f64),
-        (since, base): (f64, &PieceState<C>),
-    ) -> Here<C> {
+        at: PieceState,
+        (rate, factor_rate): (&PieceState, f64),
+        (since, base): (f64, &PieceState),
+    ) -> Here {
         let PieceState { forces, twist } = at;
         let change: Vec<_> = self.change.iter().map(|a| a * factor_rate).collect();
         let way = factor - since;
         let [base_drives, drives] = [since, factor].map(|factor| self.drives(factor));
         let base_load = self.course.at(since);
         let sites = self.grasp.sites();
-        let sizes = |drives: &[SVector<f64, C>], twist: &Vector, load: f64, forces: &[SVector<f64, C>]| {
+        let sizes = |drives: &[SVector<f64, 3>], twist: &Vector, load: f64, forces: &[SVector<f64, 3>]| {
             let norm = twist.norm();
             let travel =
                 sites.iter().zip(drives).map(|(site, a)| site.span_moved(a, norm)).fold(0.0, f64::max);
@@ -189,12 +189,7 @@ impl<'g, const C: usize> Segment<'g, C> {
 
     /// Forces and twist at a factor, solved there: interpolation from afar would add the rounding of the larger terms there. Where the states leave
     /// motions free, the twist is the one nearest to `near`.
-    pub(super) fn state(
-        &self,
-        piece: &Piece<C>,
-        factor: f64,
-        near: Option<&Vector>,
-    ) -> Option<PieceState<C>> {
+    pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
         let at = piece.solve(self.problem.sites, &self.drives(factor), &wrench).ok()?;
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
@@ -204,11 +199,11 @@ impl<'g, const C: usize> Segment<'g, C> {
     pub(super) fn way_to(
         &self,
         contact: usize,
-        state: &State<C>,
-        exit: &Exit<C>,
-        here: &Here<C>,
+        state: &State,
+        exit: &Exit,
+        here: &Here,
         factor: f64,
-        at: &PieceState<C>,
+        at: &PieceState,
     ) -> f64 {
         if state.is_open() {
             let drive = self.problem.drives[contact] + self.change[contact] * factor;
@@ -219,14 +214,14 @@ impl<'g, const C: usize> Segment<'g, C> {
     }
 
     /// The drives at a factor.
-    pub(super) fn drives(&self, factor: f64) -> Vec<SVector<f64, C>> {
+    pub(super) fn drives(&self, factor: f64) -> Vec<SVector<f64, 3>> {
         let mut drives = Vec::new();
         self.drives_into(factor, &mut drives);
         drives
     }
 
     /// [`Self::drives`] into a list supplied by the caller.
-    pub(super) fn drives_into(&self, factor: f64, drives: &mut Vec<SVector<f64, C>>) {
+    pub(super) fn drives_into(&self, factor: f64, drives: &mut Vec<SVector<f64, 3>>) {
         cleared_for(drives, self.change.len());
         drives.extend(self.problem.drives.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
@@ -239,7 +234,7 @@ impl<'g, const C: usize> Segment<'g, C> {
     }
 
     /// The local problem at a factor.
-    pub(super) fn problem_at(&self, factor: f64) -> Problem<'g, C> {
+    pub(super) fn problem_at(&self, factor: f64) -> Problem<'g> {
         let wrench = self.course.at(factor);
         Problem { drives: self.drives(factor), wrench, wrench_rest: Vector::zeros(), ..self.problem.clone() }
     }
@@ -250,7 +245,7 @@ impl<'g, const C: usize> Segment<'g, C> {
         contact: usize,
         factor: f64,
         twist: &Vector,
-        force: &SVector<f64, C>,
+        force: &SVector<f64, 3>,
     ) {
         let site = &self.grasp.sites()[contact];
         let drive = self.problem.drives[contact] + self.change[contact] * factor;
@@ -263,32 +258,32 @@ impl<'g, const C: usize> Segment<'g, C> {
     }
 
     /// The exits through which a contact may leave its state.
-    pub(super) fn ways_out(&self, contact: usize, state: &State<C>, here: &Here<C>) -> Vec<Exit<C>> {
+    pub(super) fn ways_out(&self, contact: usize, state: &State, here: &Here) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &here.lines[contact], &here.gaps[contact])
     }
 
     /// The law of the rates of every contact, from its active set and state.
-    pub(super) fn laws_of_rates(&self, stands: &[ActiveSet<C>], states: &[State<C>]) -> Vec<Law<C>> {
+    pub(super) fn laws_of_rates(&self, stands: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(stands).zip(states);
         locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).collect()
     }
 
     /// The smallest step to an edge, an apex, a closed gap or a reversal of slip, with all contacts that reach one there. For a load that turns,
     /// steps up to `rest` are searched.
-    pub(super) fn first_exits(&self, states: &[State<C>], here: &Here<C>, rest: f64) -> FirstExits<C> {
+    pub(super) fn first_exits(&self, states: &[State], here: &Here, rest: f64) -> FirstExits {
         if let Some(turned) = &here.turned {
             return turned.first_exits(&self.problem, states, rest);
         }
         FirstExits { standing: self.first_on_lines(states, here), touches: Vec::new() }
     }
 
-    fn first_on_lines(&self, states: &[State<C>], here: &Here<C>) -> Option<(f64, PathState<C>)> {
-        let ways: PathState<C> =
+    fn first_on_lines(&self, states: &[State], here: &Here) -> Option<(f64, PathState)> {
+        let ways: PathState =
             states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here))).collect();
         let first =
             ways.iter().flat_map(|(_, exits)| exits).min_by(|a, b| a.step.total_cmp(&b.step)).copied()?;
         // Symmetric grasps reach several edges at once: steps equal up to the rounding of both count as tied.
-        let tied = |exit: &Exit<C>| exit.step - first.step <= exit.uncertainty + first.uncertainty;
+        let tied = |exit: &Exit| exit.step - first.step <= exit.uncertainty + first.uncertainty;
         let together = ways
             .into_iter()
             .map(|(i, exits)| (i, exits.into_iter().filter(tied).collect::<Vec<_>>()))
@@ -298,7 +293,7 @@ impl<'g, const C: usize> Segment<'g, C> {
     }
 
     /// The problem in rates of this segment at a factor, with these laws.
-    pub(super) fn rates(&self, factor: f64, laws: Vec<Law<C>>) -> Problem<'g, C> {
+    pub(super) fn rates(&self, factor: f64, laws: Vec<Law>) -> Problem<'g> {
         self.problem.at_rates(laws, self.change.clone(), self.course.rate_at(factor))
     }
 }

@@ -19,7 +19,7 @@ use nalgebra::SVector;
 use super::geometry::{map_by_normal, map_by_point};
 use crate::contact::{Mode, Polygon, State};
 use crate::equilibrium::{Cone, Equilibrium};
-use crate::grasp::{Engine, Motion, Twist, Wrench, of_the_object};
+use crate::grasp::{Engine, Motion, Twist, Wrench};
 use crate::numerics::{Map, Vector};
 use crate::object::{Load, Piece, Problem};
 use crate::prelude::*;
@@ -100,9 +100,9 @@ pub struct Derivative<const C: usize> {
     pub forces: Vec<SVector<f64, C>>,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Sensitivity::of`](crate::ask::Sensitivity::of).
-    pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<C>, by: Parameter) -> Option<Derivative<C>> {
+    pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<3>, by: Parameter) -> Option<Derivative<3>> {
         let local = Local::new(self, equilibrium)?;
         let (twist, mut forces) = local.derivative(by)?;
         forces.truncate(self.len());
@@ -112,12 +112,12 @@ impl<const C: usize> Engine<C> {
 }
 
 /// An equilibrium with the factorised linear law of its states.
-pub(super) struct Local<'g, const C: usize> {
-    grasp: &'g Engine<C>,
-    pub(super) problem: Problem<'g, C>,
-    pub(super) states: Vec<State<C>>,
-    pub(super) forces: Vec<SVector<f64, C>>,
-    pub(super) piece: Piece<C>,
+pub(super) struct Local<'g> {
+    grasp: &'g Engine,
+    pub(super) problem: Problem<'g>,
+    pub(super) states: Vec<State>,
+    pub(super) forces: Vec<SVector<f64, 3>>,
+    pub(super) piece: Piece,
     /// In inside coordinates.
     twist: Vector,
 }
@@ -125,14 +125,14 @@ pub(super) struct Local<'g, const C: usize> {
 /// Forces below this part of the stiffest spring's force, if the whole motion stretched it, are rounding.
 const FREE: f64 = 1e-9;
 
-impl<'g, const C: usize> Local<'g, C> {
-    pub(super) fn new(grasp: &'g Engine<C>, equilibrium: &Equilibrium<C>) -> Option<Self> {
+impl<'g> Local<'g> {
+    pub(super) fn new(grasp: &'g Engine, equilibrium: &Equilibrium<3>) -> Option<Self> {
         if !equilibrium.knows_all_of(grasp.sites().len()) {
             return None;
         }
         let polygon = match equilibrium.cone {
-            Cone::Polygon(cone) => Polygon::new(&cone),
-            _ => Polygon::new(&Settings::default().cone),
+            Cone::Polygon(cone) => Polygon::new(grasp.space(), &cone),
+            _ => Polygon::new(grasp.space(), &Settings::default().cone),
         };
         let nothing = Load::from(&Vector::zeros());
         let problem = grasp.problem(Arc::new(polygon), false, grasp.drives(), &nothing);
@@ -142,20 +142,24 @@ impl<'g, const C: usize> Local<'g, C> {
         Some(Self { grasp, problem, states, forces, piece, twist: equilibrium.local.twist.to() })
     }
 
-    pub(super) fn derivative(&self, by: Parameter) -> Option<(Vector, Vec<SVector<f64, C>>)> {
+    pub(super) fn derivative(&self, by: Parameter) -> Option<(Vector, Vec<SVector<f64, 3>>)> {
         let n = self.problem.len();
         let mut drives = vec![SVector::zeros(); n];
         let mut wrench = Vector::zeros();
-        let mut direct: Vec<(usize, SVector<f64, C>)> = Vec::new();
+        let mut direct: Vec<(usize, SVector<f64, 3>)> = Vec::new();
         let (contacts, actuators) = (self.grasp.len(), self.grasp.joint_commands().len());
         match by {
             Parameter::Friction { contact } if contact < contacts => {
                 direct.push((contact, self.by_friction(contact)));
             }
-            Parameter::Stiffness { contact, axis } if contact < contacts && axis < C => {
+            Parameter::Stiffness { contact, axis }
+                if contact < contacts && axis < self.grasp.space().axes() =>
+            {
                 direct.push((contact, self.by_stiffness(contact, axis)));
             }
-            Parameter::Command { contact, axis } if contact < contacts && axis < C => {
+            Parameter::Command { contact, axis }
+                if contact < contacts && axis < self.grasp.space().axes() =>
+            {
                 drives[contact][axis] = 1.0;
             }
             Parameter::JointCommand { joint } if joint < actuators => {
@@ -184,10 +188,10 @@ impl<'g, const C: usize> Local<'g, C> {
                 force[0] -= self.grasp.contacts()[contact].suction;
                 wrench = &change * force;
             }
-            Parameter::Load { component } if component < of_the_object::<C>() => {
+            Parameter::Load { component } if component < self.grasp.space().of_the_object() => {
                 let mut unit = Vector::zeros();
                 unit[component] = 1.0;
-                wrench = self.grasp.inside_unchecked(&Wrench::among(&unit));
+                wrench = self.grasp.inside_unchecked(&Wrench::among(self.grasp.space(), &unit));
             }
             _ => return None,
         }
@@ -203,10 +207,12 @@ impl<'g, const C: usize> Local<'g, C> {
 
     /// dG of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` also where the changed geometry
     /// would hold a motion that is free in this one: small changes do not determine how far it goes then.
-    fn map_change(&self, contact: usize, by: Parameter) -> Option<Map<C>> {
+    fn map_change(&self, contact: usize, by: Parameter) -> Option<Map> {
         let site = &self.problem.sites[contact];
         let change = match by {
-            Parameter::Point { axis, .. } if axis < C && self.grasp.linkage().is_none() => {
+            Parameter::Point { axis, .. }
+                if axis < self.grasp.space().axes() && self.grasp.linkage().is_none() =>
+            {
                 map_by_point(site, axis, self.grasp.length())
             }
             Parameter::Normal { axis, .. } => map_by_normal(site, axis)?,
@@ -223,14 +229,14 @@ impl<'g, const C: usize> Local<'g, C> {
     }
 
     /// Change of the contact forces by an additional load; `None` if nothing balances that load in these states.
-    pub(super) fn forces_by_load(&self, load: &Wrench<C>) -> Option<Vec<SVector<f64, C>>> {
+    pub(super) fn forces_by_load(&self, load: &Wrench<3>) -> Option<Vec<SVector<f64, 3>>> {
         let at_rest = vec![SVector::zeros(); self.problem.len()];
         let wrench = self.grasp.inside_unchecked(load);
         self.piece.solve(self.grasp.sites(), &at_rest, &wrench).ok().map(|solved| solved.forces)
     }
 
     /// (∂K/∂μ) v of one contact.
-    fn by_friction(&self, contact: usize) -> SVector<f64, C> {
+    fn by_friction(&self, contact: usize) -> SVector<f64, 3> {
         let state = &self.states[contact];
         if !state.slides() {
             return SVector::zeros();
@@ -239,7 +245,7 @@ impl<'g, const C: usize> Local<'g, C> {
     }
 
     /// (∂K/∂k) v of one contact along one axis.
-    fn by_stiffness(&self, contact: usize, axis: usize) -> SVector<f64, C> {
+    fn by_stiffness(&self, contact: usize, axis: usize) -> SVector<f64, 3> {
         let (local, force) = (self.problem.local(contact), &self.forces[contact]);
         let state = &self.states[contact];
         let mut f = SVector::zeros();

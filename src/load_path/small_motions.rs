@@ -39,9 +39,9 @@ pub struct EndOfSmallMotions {
 /// A fraction of the leg, and the motion that is too large there.
 type Place = (f64, CountedMotion);
 
-impl<'g, const C: usize> Pieces<'g, C> {
+impl<'g> Pieces<'g> {
     /// Records the place where motions cease to be small, after each piece and at the very start.
-    pub(super) fn note_how_far(&mut self, journey: &Journey<'g, C>) {
+    pub(super) fn note_how_far(&mut self, journey: &Journey<'g>) {
         if self.end_of_small_motions.is_some() {
             return;
         }
@@ -82,9 +82,9 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 }
 
-impl<'g, const C: usize> Stretch<'g, C> {
+impl<'g> Stretch<'g> {
     /// The first place on a piece where a motion is too large, given a motion that is too large at the end of the piece.
-    fn first_too_far(&self, grasp: &'g Engine<C>, answer_for: AnswerFor, at_the_end: CountedMotion) -> Place {
+    fn first_too_far(&self, grasp: &'g Engine, answer_for: AnswerFor, at_the_end: CountedMotion) -> Place {
         // A part of a step that cannot be made counts as its end.
         let too_far = |fraction: f64| {
             let Some((problem, found)) = self.found_at(grasp, answer_for, fraction) else {
@@ -111,7 +111,7 @@ impl<'g, const C: usize> Stretch<'g, C> {
     }
 
     /// The first place where a motion that turns with the load is too large: three angles determine each motion, since it is affine in the harmonics.
-    fn turns_too_far(&self, grasp: &'g Engine<C>, small: &SmallMotions) -> Option<Place> {
+    fn turns_too_far(&self, grasp: &'g Engine, small: &SmallMotions) -> Option<Place> {
         let turned = self.here.turned.as_ref()?;
         let at = |angle: f64| {
             let there = self.here.after(angle / turned.angle);
@@ -148,7 +148,7 @@ impl<'g, const C: usize> Stretch<'g, C> {
     }
 
     /// Whether a contact with friction presses, and all such contacts slide. A bonded contact that presses counts as sticking; links do not count.
-    fn everything_slides(&self, grasp: &Engine<C>) -> bool {
+    fn everything_slides(&self, grasp: &Engine) -> bool {
         let force = |i: usize| self.here.lines[i].force.norm().max(self.there.forces[i].norm());
         let contacts = 0..grasp.len();
         let largest = contacts.clone().map(force).fold(0.0, f64::max);

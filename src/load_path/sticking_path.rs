@@ -14,10 +14,10 @@ use crate::prelude::*;
 use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
 
 /// The walk along a course while nothing slides.
-pub(super) struct StickingPath<'a, const C: usize> {
-    pub(super) segment: Segment<'a, C>,
+pub(super) struct StickingPath<'a> {
+    pub(super) segment: Segment<'a>,
     /// Trajectory of the load, in the coordinates of the question.
-    pub(super) course: Trajectory<Wrench<C>>,
+    pub(super) course: Trajectory<Wrench<3>>,
     /// The largest factor considered.
     pub(super) end: f64,
     pub(super) settings: &'a Settings,
@@ -27,9 +27,9 @@ pub(super) struct StickingPath<'a, const C: usize> {
     pub(super) touches: Vec<(usize, f64)>,
 }
 
-impl<const C: usize> StickingPath<'_, C> {
-    pub(super) fn run(&mut self, mut states: Vec<State<C>>) -> Onset<C> {
-        let mut reached: Option<PathState<C>> = None;
+impl StickingPath<'_> {
+    pub(super) fn run(&mut self, mut states: Vec<State>) -> Onset<3> {
+        let mut reached: Option<PathState> = None;
         // Every iteration closes a contact for good or ends the walk; the bound only guards against rounding.
         for _ in 0..2 * states.len() + 2 {
             let mut here = match self.segment.look(&states, self.factor, None, None) {
@@ -39,11 +39,11 @@ impl<const C: usize> StickingPath<'_, C> {
             let at_base = reached.is_none();
             let standing = reached.take().unwrap_or_else(|| self.standing_at_base(&states, &here));
             if !standing.is_empty() {
-                let stands = stands(&states, &here, &standing);
+                let stands = stands(self.segment.problem.space().axes(), &states, &here, &standing);
                 let laws = self.segment.laws_of_rates(&stands, &states);
                 let rates = self.segment.rates(self.factor, laws);
                 let (settled, _) = settle(&rates, self.settings);
-                let stays = |found: &Found<C>| {
+                let stays = |found: &Found| {
                     standing.iter().all(|&(i, _)| {
                         let state = &found.states[i];
                         // A contact that carried no force at the base and opens at once never stuck.
@@ -80,7 +80,7 @@ impl<const C: usize> StickingPath<'_, C> {
 
     /// Contacts on an edge at the base: those about to cross it with no way left, and those that touch without force. Only the rates decide about
     /// both.
-    fn standing_at_base(&self, states: &[State<C>], here: &Here<C>) -> PathState<C> {
+    fn standing_at_base(&self, states: &[State], here: &Here) -> PathState {
         let mut standing = Vec::new();
         for (i, state) in states.iter().enumerate() {
             let mut exits = self.segment.ways_out(i, state, here);
@@ -98,12 +98,12 @@ impl<const C: usize> StickingPath<'_, C> {
 
     fn event(
         &self,
-        states: Vec<State<C>>,
-        here: &Here<C>,
-        stands: Vec<ActiveSet<C>>,
-        rates: &Problem<C>,
-        settled: &Settled<C>,
-    ) -> Onset<C> {
+        states: Vec<State>,
+        here: &Here,
+        stands: Vec<ActiveSet>,
+        rates: &Problem,
+        settled: &Settled,
+    ) -> Onset<3> {
         let (segment, sites) = (&self.segment, self.segment.grasp.sites());
         let next = match settled {
             Settled::Found(found, _) => Some(site_states(rates, found)),
@@ -150,11 +150,11 @@ impl<const C: usize> StickingPath<'_, C> {
 }
 
 /// The active sets that these exits lead to. A contact without an exit touches without force.
-fn stands<const C: usize>(states: &[State<C>], here: &Here<C>, standing: &PathState<C>) -> Vec<ActiveSet<C>> {
+fn stands(axes: usize, states: &[State], here: &Here, standing: &PathState) -> Vec<ActiveSet> {
     let mut stands = vec![ActiveSet::NOWHERE; states.len()];
     for (i, exits) in standing {
         let line = &here.lines[*i];
-        stands[*i].reach(&states[*i], exits);
+        stands[*i].reach(axes, &states[*i], exits);
         stands[*i].apex |= exits.is_empty() || ActiveSet::is_weightless(&line.force, line.force_size);
     }
     stands

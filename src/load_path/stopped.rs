@@ -14,7 +14,7 @@ const MOST_TRIALS: usize = 40;
 /// Number of accurate trial steps that must break the condition, each by more than rounding.
 const FAILURES: usize = 3;
 
-impl<const C: usize> Pieces<'_, C> {
+impl Pieces<'_> {
     /// Whether a contact can neither stick nor slide from here.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
         let slides = State::sliding_along(&self.node.at.forces[contact]);
@@ -22,7 +22,7 @@ impl<const C: usize> Pieces<'_, C> {
     }
 
     /// Whether a contact in this state breaks its condition clearly on steps of this error, however short they are.
-    fn fails_at_once(&self, contact: usize, state: State<C>, tolerance: f64) -> bool {
+    fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;
         let Ok(here) = self.segment.tangent(&states, self.factor, &self.node.at, None) else { return false };

@@ -16,16 +16,16 @@ const MOST_STALLS: usize = 64;
 /// Largest relative correction of a step; a larger one means that something else is wrong.
 const ROUGHLY: f64 = 1e-6;
 
-impl<'g, const C: usize> Pieces<'g, C> {
+impl<'g> Pieces<'g> {
     /// Advances along the present piece to its end: the next edge, or the end of the leg. Whether the leg is done.
-    pub(super) fn advance_straight(&mut self, journey: &Journey<'g, C>) -> Result<bool, PathEnd<C>> {
+    pub(super) fn advance_straight(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
         let Some(here) = self.here.clone() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
         let rest = 1.0 - self.factor;
         let exits = self.segment.first_exits(&self.node.states, &here, rest).standing;
         // Edges reached together with the end of the leg, up to rounding, are in the active sets when the next leg begins.
-        let at_the_end = |standing: &PathState<C>| {
+        let at_the_end = |standing: &PathState| {
             standing.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
         };
         let (step, standing, leg_done) = match exits {
@@ -56,7 +56,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
         }
         self.behind.push(self.stretch(journey, here.clone(), to, there.clone()));
         self.node.arrive(&mut self.segment, &here, to, &there);
-        self.node.reach(&standing);
+        self.node.reach(self.segment.problem.space().axes(), &standing);
         if piled_up {
             self.let_run_out(&standing);
         }
@@ -67,13 +67,13 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// Forces and twist after a step along the present piece.
-    pub(super) fn state_after(&self, here: &Here<C>, step: f64) -> PieceState<C> {
+    pub(super) fn state_after(&self, here: &Here, step: f64) -> PieceState {
         let near = here.after(step);
         self.segment.state(&here.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
     /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of the present state.
-    fn corrected(&self, here: &Here<C>, step: f64, standing: &PathState<C>) -> f64 {
+    fn corrected(&self, here: &Here, step: f64, standing: &PathState) -> f64 {
         let exits = standing.iter().flat_map(|(i, exits)| exits.iter().map(move |exit| (*i, exit)));
         let Some((i, exit)) = exits.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty)) else {
             return step;

@@ -24,40 +24,40 @@ const ONE_LOAD: f64 = 1e-15;
 
 /// The data from which the state at any fraction of the piece is computed.
 #[derive(Debug)]
-pub(super) struct Stretch<'g, const C: usize> {
+pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
     /// The local problem at fraction 0 of the leg, with the slip so far; the rates of its drives; the trajectory of its load.
-    pub(super) problem: Problem<'g, C>,
-    pub(super) change: Vec<SVector<f64, C>>,
+    pub(super) problem: Problem<'g>,
+    pub(super) change: Vec<SVector<f64, 3>>,
     pub(super) course: Trajectory<Vector>,
     /// Trajectory of the load of the question.
-    pub(super) load: Trajectory<Wrench<C>>,
+    pub(super) load: Trajectory<Wrench<3>>,
     /// Loads of bodies with goals of their own.
-    pub(super) bodies: BodyLoads<C>,
+    pub(super) bodies: BodyLoads,
     /// Torques that hold joints.
     pub(super) torques: HeldTorques,
-    pub(super) states: Vec<State<C>>,
+    pub(super) states: Vec<State>,
     /// State at `from`, with rates.
-    pub(super) here: Here<C>,
+    pub(super) here: Here,
     /// State at `to`.
-    pub(super) there: PieceState<C>,
+    pub(super) there: PieceState,
     /// The step, where a contact slides on the round cone.
     pub(super) bend: Option<Bend>,
     /// The jump that led to this piece of zero length.
-    pub(super) fallen: Option<Box<Fallen<C>>>,
+    pub(super) fallen: Option<Box<Fallen>>,
 }
 
 /// The course of a jump at one load.
 #[derive(Debug)]
-pub(super) struct Fallen<const C: usize> {
+pub(super) struct Fallen {
     /// Slips before the jump.
-    pub(super) slips: Vec<SVector<f64, C>>,
+    pub(super) slips: Vec<SVector<f64, 3>>,
     /// Whether each site slid in the jump.
     pub(super) slid: Vec<bool>,
     /// Successive states of all sites in the jump.
-    pub(super) states: Vec<Vec<State<C>>>,
+    pub(super) states: Vec<Vec<State>>,
 }
 
 /// The step by which a piece was integrated.
@@ -70,15 +70,15 @@ pub(super) struct Bend {
     pub(super) rule: Rule,
 }
 
-impl<'g, const C: usize> Stretch<'g, C> {
+impl<'g> Stretch<'g> {
     /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` where rounding keeps a part of a step from being
     /// made.
     pub(super) fn state_at(
         &self,
-        grasp: &'g Engine<C>,
+        grasp: &'g Engine,
         answer_for: AnswerFor,
         fraction: f64,
-    ) -> Option<Equilibrium<C>> {
+    ) -> Option<Equilibrium<3>> {
         let (problem, found) = self.found_at(grasp, answer_for, fraction)?;
         // Contacts without force all touch at a state without any force: there is no scale then.
         let nothing = carries_nothing(&problem, &found.forces, &found.twist);
@@ -89,21 +89,21 @@ impl<'g, const C: usize> Stretch<'g, C> {
     /// The equilibrium at the end of the piece, with the contact states of the piece; the event there lists their changes.
     pub(super) fn state_before_event(
         &self,
-        grasp: &'g Engine<C>,
+        grasp: &'g Engine,
         answer_for: AnswerFor,
-    ) -> Option<Equilibrium<C>> {
+    ) -> Option<Equilibrium<3>> {
         let (problem, found) = self.found_at(grasp, answer_for, self.to)?;
         Some(self.answer(grasp, answer_for, self.to, &problem, found))
     }
 
     fn answer(
         &self,
-        grasp: &Engine<C>,
+        grasp: &Engine,
         answer_for: AnswerFor,
         fraction: f64,
-        problem: &Problem<'g, C>,
-        found: Found<C>,
-    ) -> Equilibrium<C> {
+        problem: &Problem<'g>,
+        found: Found,
+    ) -> Equilibrium<3> {
         let load = self.load.at(fraction);
         let grasp = self.torques.put_on(self.bodies.put_on(grasp, fraction), fraction);
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), answer_for)
@@ -112,10 +112,10 @@ impl<'g, const C: usize> Stretch<'g, C> {
     /// Problem and contact states at a fraction of the leg; `None` where rounding keeps a part of a step from being made.
     pub(super) fn found_at(
         &self,
-        grasp: &'g Engine<C>,
+        grasp: &'g Engine,
         answer_for: AnswerFor,
         fraction: f64,
-    ) -> Option<(Problem<'g, C>, Found<C>)> {
+    ) -> Option<(Problem<'g>, Found)> {
         let segment = self.segment(grasp, answer_for);
         if let Some(bend) = &self.bend {
             return self.on_the_bend(bend, &segment, fraction);
@@ -123,7 +123,7 @@ impl<'g, const C: usize> Stretch<'g, C> {
         let step = fraction - self.from;
         // Interpolation between the ends, each of which is solved in place.
         let part = if self.to > self.from { step / (self.to - self.from) } else { 0.0 };
-        let between = |line: &Line<C>, there: &SVector<f64, C>| line.force * (1.0 - part) + there * part;
+        let between = |line: &Line, there: &SVector<f64, 3>| line.force * (1.0 - part) + there * part;
         let (forces, twist) = match &self.here.turned {
             Some(_) if part < 1.0 => {
                 let at = segment.state(&self.here.piece, fraction, Some(&self.here.after(step).twist))?;
@@ -145,12 +145,7 @@ impl<'g, const C: usize> Stretch<'g, C> {
         Some((segment.problem_at(fraction), found))
     }
 
-    fn on_the_bend(
-        &self,
-        bend: &Bend,
-        segment: &Segment<'g, C>,
-        fraction: f64,
-    ) -> Option<(Problem<'g, C>, Found<C>)> {
+    fn on_the_bend(&self, bend: &Bend, segment: &Segment<'g>, fraction: f64) -> Option<(Problem<'g>, Found)> {
         let at = if fraction >= self.to {
             self.there.clone()
         } else if fraction <= self.from {
@@ -158,7 +153,7 @@ impl<'g, const C: usize> Stretch<'g, C> {
         } else {
             self.part_of_a_step(bend, segment, fraction)?
         };
-        let state = |(state, force): (&State<C>, &SVector<f64, C>)| {
+        let state = |(state, force): (&State, &SVector<f64, 3>)| {
             if state.slides() { State::sliding_along(force) } else { *state }
         };
         let states = self.states.iter().zip(&at.forces).map(state).collect();
@@ -181,7 +176,7 @@ impl<'g, const C: usize> Stretch<'g, C> {
     }
 
     /// The state at a fraction within the step. Where rounding prevents the part in one step, it is made in successive shorter ones.
-    fn part_of_a_step(&self, bend: &Bend, segment: &Segment<'g, C>, fraction: f64) -> Option<PieceState<C>> {
+    fn part_of_a_step(&self, bend: &Bend, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut here, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = bend.length;
         for _ in 0..MOST_PARTS {
@@ -192,7 +187,7 @@ impl<'g, const C: usize> Stretch<'g, C> {
             length *= 0.5;
             let part = flow.reach(length, StepGoal::after(fraction, 0), bend.rule);
             if let Some(reached) = part.filter(|reached| reached.to <= fraction) {
-                let slid = |(state, line): (&State<C>, &Line<C>)| {
+                let slid = |(state, line): (&State, &Line)| {
                     if state.slides() { State::sliding_along(&line.force) } else { *state }
                 };
                 states = states.iter().zip(&reached.here.lines).map(slid).collect();
@@ -208,13 +203,13 @@ impl<'g, const C: usize> Stretch<'g, C> {
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
     }
 
-    fn segment(&self, grasp: &'g Engine<C>, answer_for: AnswerFor) -> Segment<'g, C> {
+    fn segment(&self, grasp: &'g Engine, answer_for: AnswerFor) -> Segment<'g> {
         let (problem, change) = (self.problem.clone(), self.change.clone());
         Segment { grasp, answer_for, problem, change, course: self.course.clone(), largest: 0.0 }
     }
 }
 
 /// The state at the beginning of a step.
-fn start_of<const C: usize>(here: &Here<C>) -> PieceState<C> {
+fn start_of(here: &Here) -> PieceState {
     PieceState { forces: here.lines.iter().map(|line| line.force).collect(), twist: here.twist.clone() }
 }

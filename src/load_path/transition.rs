@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::event::Change;
 use crate::contact::{Mode, State};
 use crate::forms::{Form, clearly_breaks, kinematic_form};
-use crate::grasp::Site;
+use crate::grasp::{Site, Space};
 use crate::lcp::MatrixClass;
 use crate::object::Problem;
 use crate::prelude::*;
@@ -20,20 +20,16 @@ const FEW_COMBINATIONS: f64 = 256.0;
 const MOST_ROWS: usize = 64;
 
 /// The present states expressed in the laws of the rates, if these have them: nothing changes.
-pub(super) fn nothing_changes<const C: usize>(
-    problem: &Problem<C>,
-    rates: &Problem<C>,
-    states: &[State<C>],
-) -> Option<Vec<State<C>>> {
+pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
 }
 
 /// The change of a contact from one state to the next, each with its direction if the contact slides.
-pub(super) fn change<const C: usize>(
-    (was, before): (State<C>, Option<SVector<f64, C>>),
-    (is, direction): (State<C>, Option<SVector<f64, C>>),
-) -> Option<Change<C>> {
+pub(super) fn change(
+    (was, before): (State, Option<SVector<f64, 3>>),
+    (is, direction): (State, Option<SVector<f64, 3>>),
+) -> Option<Change<3>> {
     match (was, is, direction) {
         (Mode::Open, Mode::Sticking, _) => Some(Change::Closes),
         (Mode::Open, _, Some(direction)) if is.slides() => Some(Change::ClosesSliding { direction }),
@@ -50,7 +46,7 @@ pub(super) fn change<const C: usize>(
 
 /// Number of other solutions of the rates: with other forces, or other motions apart from free ones. Zero if a P-matrix proves uniqueness; else all
 /// combinations of states are tried if they are few. `None` if that is not decided.
-pub(super) fn others<const C: usize>(rates: &Problem<C>, found: &Found<C>) -> Option<usize> {
+pub(super) fn others(rates: &Problem, found: &Found) -> Option<usize> {
     // Conclusions of polygons about an apex do not hold for the round cone.
     if rates.round {
         return None;
@@ -66,13 +62,14 @@ pub(super) fn others<const C: usize>(rates: &Problem<C>, found: &Found<C>) -> Op
         return None;
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
-    let mut distinct: Vec<Found<C>> = vec![found.clone()];
+    let mut distinct: Vec<Found> = vec![found.clone()];
     // With many coordinates a solution takes long, and signs in the few rows rule out most states first.
-    let ruled_out = |states: &[State<C>]| {
-        few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, states, few.largest))
+    let is_planar = rates.space() == Space::Planar;
+    let ruled_out = |states: &[State]| {
+        few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, is_planar, states, few.largest))
     };
     for other in search_among(rates, false, &|states| !ruled_out(states)).found {
-        let same = |known: &Found<C>| {
+        let same = |known: &Found| {
             let mut apart = &known.twist - &other.twist;
             for v in known.free_motions.iter().chain(&other.free_motions) {
                 apart -= v * v.dot(&apart);
@@ -98,13 +95,13 @@ struct FewRows {
 }
 
 /// The kinematic form, if it has some rows and not too many. A P-matrix gives one solution under any load.
-fn few_rows<const C: usize>(rates: &Problem<C>, rows: usize) -> Option<FewRows> {
+fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
     if rows == 0 || rows > MOST_ROWS {
         return None;
     }
     let trial = rates.trial();
     let state = trial.solve(rates.sites, &rates.drives, &rates.wrench).ok()?;
-    let in_units = |(site, force): (&Site<C>, &SVector<f64, C>)| {
+    let in_units = |(site, force): (&Site, &SVector<f64, 3>)| {
         let axes = 0..site.springs.axes();
         axes.map(|axis| (force[axis] / site.springs.root_along(axis)).abs()).fold(0.0, f64::max)
     };

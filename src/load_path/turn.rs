@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use super::trajectory::Trajectory;
 use crate::error::{ContactLabel, Error};
-use crate::grasp::{Engine, PartLabel, Wrench};
+use crate::grasp::{Engine, PartLabel, Space, Wrench};
 use crate::numerics::{Harmonic, Vector};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -103,12 +103,16 @@ impl<const C: usize> Turn<C> {
     pub fn load_at(&self, angle: f64) -> Wrench<C> {
         self.load.at(angle)
     }
+}
 
+impl Turn<3> {
     /// The load in inside coordinates, once checked; constant torques on joints belong to the constant part.
-    pub(crate) fn inside(&self, grasp: &Engine<C>) -> Harmonic<Vector> {
+    pub(crate) fn inside(&self, grasp: &Engine) -> Harmonic<Vector> {
         inside(grasp, &self.load)
     }
+}
 
+impl<const C: usize> Turn<C> {
     /// The trajectory that starts at `load` and changes like this turn; one unit of the factor is the whole turn.
     pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Trajectory<Wrench<C>> {
         let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
@@ -122,9 +126,14 @@ impl<const C: usize> Turn<C> {
 
     /// Refuses parts that are not finite or beyond 1e50, and an angle that is not positive.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        self.load.constant.check("constant load")?;
-        self.load.cosine.check("cosine of the load")?;
-        self.load.sine.check("sine of the load")?;
+        self.check_in(Space::of::<C>())
+    }
+
+    /// [`Self::check`] inside the engine, for the plane or for space.
+    pub(crate) fn check_in(&self, space: Space) -> Result<(), Error> {
+        self.load.constant.check_in(space, "constant load")?;
+        self.load.cosine.check_in(space, "cosine of the load")?;
+        self.load.sine.check_in(space, "sine of the load")?;
         if self.tilts_bodies_about.is_some() {
             return Err(Error::Question { question: "turn", field: "weight", fault: NO_WEIGHT });
         }
@@ -218,7 +227,7 @@ impl Turn<3> {
 }
 
 /// A load that turns in inside coordinates, once checked.
-pub(super) fn inside<const C: usize>(grasp: &Engine<C>, load: &Harmonic<Wrench<C>>) -> Harmonic<Vector> {
+pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vector> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),
         cosine: grasp.inside_unchecked(&load.cosine),

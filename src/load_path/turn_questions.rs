@@ -24,10 +24,10 @@ pub struct TurnOnset<const C: usize> {
     pub touches: Vec<Touch>,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
-    pub(crate) fn onset_of_turn(&self, turn: &Turn<C>, settings: &Settings) -> Result<TurnOnset<C>, Error> {
-        turn.check()?;
+    pub(crate) fn onset_of_turn(&self, turn: &Turn<3>, settings: &Settings) -> Result<TurnOnset<3>, Error> {
+        turn.check_in(self.space())?;
         let inside = turn.inside(self);
         let mut memory = OnsetMemory::default();
         memory.change = self.drive_changes(None, None);

@@ -51,9 +51,9 @@ const MOST_LOOKS: usize = 20;
 /// Steps shorter than this part of the load factor do not advance: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 
-impl<'g, const C: usize> Pieces<'g, C> {
+impl<'g> Pieces<'g> {
     /// Makes one step along the arc, up to an event if one comes first. Whether the leg is done.
-    pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g, C>) -> Result<bool, PathEnd<C>> {
+    pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
         let Some(here) = self.here.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
@@ -112,7 +112,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// The step, shortened to the first condition that it violates, at its end or within it.
-    fn up_to_a_crossing(&self, here: &Here<C>, mut end: StepEnd<C>, tolerance: f64) -> Option<StepEnd<C>> {
+    fn up_to_a_crossing(&self, here: &Here, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
         let start = watch(&self.segment, &self.node.states, (self.factor, here));
         let mut looks = 0;
         loop {
@@ -144,7 +144,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// The length of a step along which the load turns by [`MOST_TURNED`]. Along a longer step a condition could fail and hold again at the end.
-    fn part_of_a_turn(&self, here: &Here<C>) -> f64 {
+    fn part_of_a_turn(&self, here: &Here) -> f64 {
         match self.segment.course {
             Trajectory::Turn { angle, .. } => MOST_TURNED / (angle * here.factor_rate.abs()),
             Trajectory::Straight { .. } => f64::INFINITY,
@@ -152,7 +152,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// Length and rule of a step for which the relaxation of friction directions is stable.
-    fn stable(&mut self, here: &Here<C>, length: f64, tolerance: f64) -> (f64, Rule) {
+    fn stable(&mut self, here: &Here, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
         let stable = STABLE / flow.fastest_relaxation();
@@ -167,7 +167,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
 
     /// Whether the object moves on while no force changes: the load factor approaches its limit and never reaches it. A friction force that relaxes
     /// fast always turns slightly by its rounding, and sticking contacts take that up.
-    fn slides_away(&self, here: &Here<C>) -> bool {
+    fn slides_away(&self, here: &Here) -> bool {
         if here.factor_rate.abs() > STANDS_STILL {
             return false;
         }
@@ -181,9 +181,9 @@ impl<'g, const C: usize> Pieces<'g, C> {
 
     /// Length of a step along the tangent, where one is short enough for that. From an apex it gives a friction force its direction; close to an apex
     /// it covers the rest.
-    fn straight_length(&self, here: &Here<C>) -> Option<f64> {
+    fn straight_length(&self, here: &Here) -> Option<f64> {
         let rest = (1.0 - self.factor) / here.factor_rate;
-        let all_but_gone = |(line, state): (&Line<C>, &State<C>)| {
+        let all_but_gone = |(line, state): (&Line, &State)| {
             let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
             let little = falls && line.force[0] > 0.0 && line.force[0] <= ALL_BUT_GONE * line.force_size;
             little.then(|| line.force[0] / -line.rate[0])
@@ -198,14 +198,14 @@ impl<'g, const C: usize> Pieces<'g, C> {
         self.node.sets_out.then_some(SETTING_OUT * way)
     }
 
-    fn first_length(&self, here: &Here<C>) -> f64 {
+    fn first_length(&self, here: &Here) -> f64 {
         let mut length = (1.0 - self.factor) / here.factor_rate;
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
             // A contact that has just closed has no direction yet.
             let touches = ActiveSet::is_weightless(f, line.force_size);
-            if C == 3 && state.slides() && !touches {
-                let turn = (f[1] * df[C - 1] - f[C - 1] * df[1]).abs() / (f[1] * f[1] + f[C - 1] * f[C - 1]);
+            if state.slides() && !touches {
+                let turn = (f[1] * df[2] - f[2] * df[1]).abs() / (f[1] * f[1] + f[2] * f[2]);
                 if turn.is_finite() && turn * length > FIRST_TURN {
                     length = FIRST_TURN / turn;
                 }
@@ -214,7 +214,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
         length
     }
 
-    fn way_to_apex(&self, here: &Here<C>) -> f64 {
+    fn way_to_apex(&self, here: &Here) -> f64 {
         let mut way = f64::INFINITY;
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             if state.slides()
@@ -228,12 +228,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// Moves to the end of a step and adds the edges reached there to the active sets. Whether the leg is done.
-    fn arrive_at(
-        &mut self,
-        journey: &Journey<'g, C>,
-        here: &Here<C>,
-        end: &StepEnd<C>,
-    ) -> Result<bool, PathEnd<C>> {
+    fn arrive_at(&mut self, journey: &Journey<'g>, here: &Here, end: &StepEnd) -> Result<bool, PathEnd<3>> {
         let tolerance = journey.settings.step_error * self.pace.looser;
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
@@ -242,7 +237,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
         let grows = |watch: &Watch| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let there = end.reached.here.clone();
-        let mut standing: PathState<C> = Vec::new();
+        let mut standing: PathState = Vec::new();
         let (mut sticks, mut stops) = (Vec::new(), false);
         for (k, watch) in end.watches.iter().enumerate() {
             if end.located != Some(k) && !(watch.is_met() && watch.falls()) {
@@ -274,7 +269,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
             self.stopped = (to, sticks.clone());
         }
         self.take(journey, here, (end.length, end.rule), &end.reached);
-        self.node.reach(&standing);
+        self.node.reach(self.segment.problem.space().axes(), &standing);
         // If another event happens here, too, it decides about contacts that have not slipped during the step.
         for contact in sticks.iter().filter(|contact| standing.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
@@ -287,7 +282,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// The contacts among these that have not slipped since the step began.
-    fn stands_still(&self, here: &Here<C>, contacts: &[usize]) -> Vec<usize> {
+    fn stands_still(&self, here: &Here, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
         }
@@ -299,7 +294,7 @@ impl<'g, const C: usize> Pieces<'g, C> {
     }
 
     /// The loss at the end of an arc; the object leaves along the arc.
-    fn lost(&self, journey: &Journey<'g, C>, kind: LossKind, here: &Here<C>) -> PathEnd<C> {
+    fn lost(&self, journey: &Journey<'g>, kind: LossKind, here: &Here) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = here.twist_rate.normalize();
         PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.collect(), Some(&motion))))
@@ -307,6 +302,6 @@ impl<'g, const C: usize> Pieces<'g, C> {
 }
 
 /// The exit at which a normal force or a gap vanishes.
-fn apex<const C: usize>() -> Exit<C> {
+fn apex() -> Exit {
     Exit { step: 0.0, uncertainty: 0.0, facet: SVector::zeros() }
 }

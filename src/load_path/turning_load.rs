@@ -15,7 +15,7 @@ use crate::object::{Piece, PieceState};
 /// A rate below this part of the fastest counts as zero: its angle is known to the rounding of a full turn.
 const TURNS_BACK: f64 = 1e-12;
 
-impl<const C: usize> Segment<'_, C> {
+impl Segment<'_> {
     /// Whether the load turns back at a factor: its rate vanishes there.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
@@ -25,14 +25,14 @@ impl<const C: usize> Segment<'_, C> {
     /// Forces, gaps and their rates at a factor, and how they turn from there on.
     pub(super) fn look_round(
         &self,
-        piece: &Arc<Piece<C>>,
+        piece: &Arc<Piece>,
         (load, angle): (&Harmonic<Vector>, f64),
         factor: f64,
         near: Option<&Vector>,
-    ) -> Result<Here<C>, NoEquilibrium<C>> {
+    ) -> Result<Here, NoEquilibrium<3>> {
         let onward = load.from(angle * factor);
         let at_rest = vec![SVector::zeros(); self.problem.len()];
-        let solved = |drives: &[SVector<f64, C>], load: &Vector| {
+        let solved = |drives: &[SVector<f64, 3>], load: &Vector| {
             piece.solve(self.problem.sites, drives, load).map_err(|u| self.unbalanced(factor, u.motion))
         };
         let parts = Harmonic {
@@ -64,7 +64,7 @@ impl<const C: usize> Segment<'_, C> {
             gap.rate_size = gap.rate_size.max(stretch.turning_size * angle);
         }
         let most = |k: usize| {
-            let of = |waves: &[Wave<C>; 2]| [waves[k].size, waves[k].turning_size * angle];
+            let of = |waves: &[Wave; 2]| [waves[k].size, waves[k].turning_size * angle];
             turned.waves.iter().map(of).fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])])
         };
         for k in 0..2 {
@@ -81,8 +81,8 @@ impl<const C: usize> Segment<'_, C> {
         &self,
         load: &Harmonic<Vector>,
         angle: f64,
-        parts: &Harmonic<PieceState<C>>,
-    ) -> TurningState<C> {
+        parts: &Harmonic<PieceState>,
+    ) -> TurningState {
         let (sites, problem) = (self.problem.sites, &self.problem);
         let at_rest = vec![SVector::zeros(); sites.len()];
         let states = Harmonic {

@@ -8,30 +8,25 @@ use crate::prelude::*;
 
 /// The turn of all quantities from a place on, while contacts keep their states.
 #[derive(Debug)]
-pub(super) struct TurningState<const C: usize> {
+pub(super) struct TurningState {
     /// Force and stretch of every contact.
-    pub(super) waves: Vec<[Wave<C>; 2]>,
+    pub(super) waves: Vec<[Wave; 2]>,
     pub(super) twist: Harmonic<Vector>,
     pub(super) load: Harmonic<Vector>,
     /// Angle for one unit of the factor, rad.
     pub(super) angle: f64,
 }
 
-impl<const C: usize> TurningState<C> {
+impl TurningState {
     /// Forces after a step of the factor, and the change of the twist.
-    pub(super) fn after(&self, step: f64) -> PieceState<C> {
+    pub(super) fn after(&self, step: f64) -> PieceState {
         let angle = self.angle * step;
         let forces = self.waves.iter().map(|[force, _]| force.of.at(angle)).collect();
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
     /// The first exits of contacts in these states, within a step of the factor.
-    pub(super) fn first_exits(
-        &self,
-        problem: &Problem<'_, C>,
-        states: &[State<C>],
-        rest: f64,
-    ) -> FirstExits<C> {
+    pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let contacts = problem.locals().zip(states).zip(&self.waves).enumerate();
         let ways = contacts.map(|(i, ((local, state), [force, stretch]))| {
             (i, local.turning_exits(state, [force, stretch], rest * self.angle))
@@ -41,8 +36,8 @@ impl<const C: usize> TurningState<C> {
 }
 
 /// The first of all exits; converts steps from angles to parts of `angle`.
-fn first_of<const C: usize>(ways: Vec<(usize, Vec<TurningExit<C>>)>, angle: f64) -> FirstExits<C> {
-    let leaving = |exit: &TurningExit<C>| match exit {
+fn first_of(ways: Vec<(usize, Vec<TurningExit>)>, angle: f64) -> FirstExits {
+    let leaving = |exit: &TurningExit| match exit {
         TurningExit::Leaves(exit) => {
             Some(Exit { step: exit.step / angle, uncertainty: exit.uncertainty / angle, ..*exit })
         }
@@ -59,7 +54,7 @@ fn first_of<const C: usize>(ways: Vec<(usize, Vec<TurningExit<C>>)>, angle: f64)
             _ => None,
         }));
         // Symmetric grasps reach several edges at once: steps equal up to the rounding of both count as tied.
-        let tied = |exit: &Exit<C>| {
+        let tied = |exit: &Exit| {
             first.is_some_and(|first| exit.step - first.step <= exit.uncertainty + first.uncertainty)
         };
         let together: Vec<_> = exits.iter().filter_map(leaving).filter(tied).collect();

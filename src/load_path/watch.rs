@@ -72,21 +72,17 @@ impl Watch {
 }
 
 /// Whether a sliding contact has all but lost its normal force.
-pub(super) fn is_vanishing<const C: usize>(line: &Line<C>) -> bool {
+pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING * line.force_size
 }
 
 /// Whether a sliding contact has just lost its normal force: its direction was not accurate enough for a step that ends there.
-pub(super) fn has_vanished<const C: usize>(line: &Line<C>) -> bool {
+pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING * line.force_size
 }
 
 /// The conditions in these states.
-pub(super) fn watch<const C: usize>(
-    segment: &Segment<'_, C>,
-    states: &[State<C>],
-    (factor, here): (f64, &Here<C>),
-) -> Vec<Watch> {
+pub(super) fn watch(segment: &Segment<'_>, states: &[State], (factor, here): (f64, &Here)) -> Vec<Watch> {
     let mut list = vec![
         Watch { what: WatchedCondition::Growth, value: here.factor_rate, rate: None, size: AT_THE_TOP },
         Watch {

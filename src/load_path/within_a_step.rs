@@ -26,11 +26,11 @@ const WITHIN_THE_ERROR: f64 = 0.02;
 const ROUNDED: f64 = 2e-13;
 
 /// The four Bézier points of a piece of the cubic.
-type Points<const C: usize> = [SVector<f64, C>; 4];
+type Points = [SVector<f64, 3>; 4];
 
 /// A margin or a gap that must stay positive, along a step.
-struct Bounded<const C: usize> {
-    points: Points<C>,
+struct Bounded {
+    points: Points,
     /// The cone of a force; `None` where the first component counts.
     cone: Option<Coulomb>,
     /// g of the error `s²(1 - s)² g`, in the unit of the margin.
@@ -41,10 +41,10 @@ struct Bounded<const C: usize> {
 
 /// The part of a step to make in place of the whole step, whose ends have rates for one unit of its length. It ends where a sticking or open contact
 /// violates its condition, or earlier where the step is too long for a decision. `None` where all conditions hold within the step.
-pub(super) fn first_dip<const C: usize>(
-    segment: &Segment<'_, C>,
-    states: &[State<C>],
-    [from, to]: [&Here<C>; 2],
+pub(super) fn first_dip(
+    segment: &Segment<'_>,
+    states: &[State],
+    [from, to]: [&Here; 2],
     (length, step_error): (f64, f64),
 ) -> Option<f64> {
     let mut first: Option<f64> = None;
@@ -72,16 +72,16 @@ pub(super) fn first_dip<const C: usize>(
     first
 }
 
-fn along<const C: usize>(value: f64) -> SVector<f64, C> {
+fn along(value: f64) -> SVector<f64, 3> {
     let mut vector = SVector::zeros();
     vector[0] = value;
     vector
 }
 
-impl<const C: usize> Bounded<C> {
+impl Bounded {
     fn new(
-        [a, b]: [SVector<f64, C>; 2],
-        [da, db]: [SVector<f64, C>; 2],
+        [a, b]: [SVector<f64, 3>; 2],
+        [da, db]: [SVector<f64, 3>; 2],
         cone: Option<Coulomb>,
         (weight, nothing): (f64, f64),
     ) -> Self {
@@ -91,7 +91,7 @@ impl<const C: usize> Bounded<C> {
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
     }
 
-    fn margin(&self, point: &SVector<f64, C>) -> f64 {
+    fn margin(&self, point: &SVector<f64, 3>) -> f64 {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
@@ -124,8 +124,8 @@ impl<const C: usize> Bounded<C> {
 }
 
 /// De Casteljau's halves of a piece.
-fn halves<const C: usize>(points: &Points<C>) -> [Points<C>; 2] {
-    let mean = |a: &SVector<f64, C>, b: &SVector<f64, C>| (a + b) * 0.5;
+fn halves(points: &Points) -> [Points; 2] {
+    let mean = |a: &SVector<f64, 3>, b: &SVector<f64, 3>| (a + b) * 0.5;
     let [p, q, r, s] = points;
     let [pq, qr, rs] = [mean(p, q), mean(q, r), mean(r, s)];
     let [pqr, qrs] = [mean(&pq, &qr), mean(&qr, &rs)];

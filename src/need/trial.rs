@@ -343,8 +343,7 @@ impl<const C: usize> Loading<C> {
 
 /// The wrench of a force (N) at a point (m), with its moment about the origin.
 pub(super) fn force_at<const C: usize>(force: [f64; C], point: [f64; C]) -> Wrench<C> {
-    let wrench = crate::grasp::wrench_of::<C>(&point.into(), &force.into());
-    Wrench::among(&wrench)
+    Wrench::force_through(&point.into(), &force.into())
 }
 
 /// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.

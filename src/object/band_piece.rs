@@ -72,16 +72,12 @@ pub(super) struct Side {
 impl BandPiece {
     /// The band of these sites and springs; `first_springs` holds the first spring of each contact. `None` with few coordinates, or where T is nearly
     /// singular other than by free motions.
-    pub(super) fn new<const C: usize>(
-        sites: &[Site<C>],
-        springs: &[Spring<C>],
-        first_springs: &[usize],
-    ) -> Option<Self> {
+    pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
         let count = size_of(sites).count();
         if !are_many(size_of(sites)) {
             return None;
         }
-        let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges::<C>()).collect();
+        let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges()).collect();
         let numbers = narrow_order(count, &couplings);
         let reach = widest(&numbers, &couplings);
         let mut lists =
@@ -95,7 +91,7 @@ impl BandPiece {
             rows += count * (lists.felt.len() - felt);
             lists.first_rows.push(rows);
         }
-        let side = |of: fn(&Spring<C>) -> &SVector<f64, C>| {
+        let side = |of: fn(&Spring) -> &SVector<f64, 3>| {
             let mut rows = Vec::new();
             for ((site, ranges), ends) in sites.iter().zip(&couplings).zip(first_springs.windows(2)) {
                 for spring in &springs[ends[0]..ends[1]] {

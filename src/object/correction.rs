@@ -21,8 +21,8 @@ use crate::prelude::*;
 
 /// The difference between a solution and given forces and twist.
 #[derive(Debug, Clone)]
-pub(crate) struct Correction<const C: usize> {
-    pub(crate) forces: Vec<SVector<f64, C>>,
+pub(crate) struct Correction {
+    pub(crate) forces: Vec<SVector<f64, 3>>,
     /// Without free motions.
     pub(crate) twist: Vector,
     /// Uncertainty of the forces, N: the last change by a solution, unless the next would change nothing, and rounding of the stiffest
@@ -30,24 +30,24 @@ pub(crate) struct Correction<const C: usize> {
     pub(crate) doubt: f64,
 }
 
-impl<const C: usize> Piece<C> {
+impl Piece {
     /// The difference between the solution of this piece, made of `states`, and these forces and twist. `size` is the size of the largest
     /// force of the scene.
     pub(crate) fn correction(
         &self,
-        problem: &Problem<C>,
-        states: &[State<C>],
-        (at, from): (&[SVector<f64, C>], &PreciseTwist),
+        problem: &Problem,
+        states: &[State],
+        (at, from): (&[SVector<f64, 3>], &PreciseTwist),
         size: f64,
-    ) -> Correction<C> {
-        let mut forces: Vec<[DoubleDouble; C]> =
+    ) -> Correction {
+        let mut forces: Vec<[DoubleDouble; 3]> =
             at.iter().map(|f| core::array::from_fn(|a| DoubleDouble::new(f[a]))).collect();
         let mut twist = from.clone();
         let mut change = vec![0.0; self.springs.len()];
         let mut doubt = 0.0;
         for _ in 0..MOST_CORRECTIONS {
             let left = self.left_over(problem, states, &mut forces, &twist, &mut change);
-            let push = |(spring, x): (&Spring<C>, &f64)| spring.left.amax() * x.abs();
+            let push = |(spring, x): (&Spring, &f64)| spring.left.amax() * x.abs();
             let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
             // A stiff spring feels the rounding of the twist. Its trace in e must not show in the change.
             let noise = f64::EPSILON * largest(&change);
@@ -66,7 +66,7 @@ impl<const C: usize> Piece<C> {
                 break;
             }
         }
-        let missing = |(forces, f): (&[DoubleDouble; C], &SVector<f64, C>)| {
+        let missing = |(forces, f): (&[DoubleDouble; 3], &SVector<f64, 3>)| {
             SVector::from_fn(|a, _| {
                 let mut exact = forces[a];
                 exact.add(-f[a]);
@@ -80,9 +80,9 @@ impl<const C: usize> Piece<C> {
     /// Puts sliding contacts on their cones, writes e, spring by spring, and returns ρ.
     fn left_over(
         &self,
-        problem: &Problem<C>,
-        states: &[State<C>],
-        forces: &mut [[DoubleDouble; C]],
+        problem: &Problem,
+        states: &[State],
+        forces: &mut [[DoubleDouble; 3]],
         twist: &PreciseTwist,
         e: &mut [f64],
     ) -> Vector {
@@ -91,7 +91,7 @@ impl<const C: usize> Piece<C> {
             let (site, force) = (&problem.sites[contact], &mut forces[contact]);
             put_on_cone(&problem.local(contact), &states[contact], force);
             let mut across = Across::of(&states[contact], force);
-            let mut along = [DoubleDouble::default(); C];
+            let mut along = [DoubleDouble::default(); 3];
             for (a, force) in force.iter().enumerate().take(site.springs.axes()) {
                 if across.is_some() || springs.iter().any(|s| s.right[a] != 0.0) {
                     let mut w = twist.stretch(site, a, problem.drives[contact][a]);
@@ -118,16 +118,16 @@ impl<const C: usize> Piece<C> {
 
 /// `c·w` across the force of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`. The force itself defines the direction,
 /// since w is long before convergence.
-struct Across<const C: usize> {
-    along: [DoubleDouble; C],
+struct Across {
+    along: [DoubleDouble; 3],
     length: f64,
     sum: DoubleDouble,
 }
 
-impl<const C: usize> Across<C> {
-    fn of(state: &State<C>, force: &[DoubleDouble; C]) -> Option<Self> {
+impl Across {
+    fn of(state: &State, force: &[DoubleDouble; 3]) -> Option<Self> {
         let Mode::Round(_) = state else { return None };
-        let mut along = [DoubleDouble::default(); C];
+        let mut along = [DoubleDouble::default(); 3];
         let minus = |f: DoubleDouble| DoubleDouble { high: -f.high, low: -f.low };
         (along[1], along[2]) = (minus(force[2]), force[1]);
         Some(Self { along, length: force[1].high.hypot(force[2].high), sum: DoubleDouble::default() })
@@ -139,7 +139,7 @@ impl<const C: usize> Across<C> {
     }
 
     /// The product with the root of the stiffness of the spring across.
-    fn times(&self, spring: Option<&Spring<C>>) -> DoubleDouble {
+    fn times(&self, spring: Option<&Spring>) -> DoubleDouble {
         let root = spring.map_or(0.0, |spring| spring.right.norm());
         let part = if self.length > 0.0 { root / self.length } else { 0.0 };
         DoubleDouble::new(self.sum.value() * part)
@@ -147,7 +147,7 @@ impl<const C: usize> Across<C> {
 }
 
 /// Removes the rounding between a sliding contact's force and the edge of its cone.
-fn put_on_cone<const C: usize>(local: &LocalLaw<'_, C>, state: &State<C>, force: &mut [DoubleDouble; C]) {
+fn put_on_cone(local: &LocalLaw<'_>, state: &State, force: &mut [DoubleDouble; 3]) {
     let mut limit = DoubleDouble::default();
     limit.add_product_of_twice((local.cone().limit(1.0), 0.0), force[0]);
     let facets = local.facets();
@@ -170,11 +170,11 @@ fn put_on_cone<const C: usize>(local: &LocalLaw<'_, C>, state: &State<C>, force:
         Mode::Facet(j) => {
             let h = &facets[usize::from(*j)];
             let mut inside = limit;
-            for a in 1..C {
+            for a in 1..3 {
                 inside.add_product_of_twice((-h[a], 0.0), force[a]);
             }
             let pull = local.edge(state).pull * inside.value();
-            for a in 1..C {
+            for a in 1..3 {
                 force[a].add(pull[a]);
             }
         }

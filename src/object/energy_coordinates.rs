@@ -23,32 +23,32 @@ const PARALLEL: f64 = 1e-6;
 /// A facet of a friction cone, in units of the tangential length of its row, or the normal force of
 /// a contact that may open, as a facet (1, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Facet<const C: usize> {
+pub(crate) struct Facet {
     /// (κ, c), c of length one.
-    pub(crate) row: SVector<f64, C>,
+    pub(crate) row: SVector<f64, 3>,
     /// One over the length of the tangential part of the row of length one.
     pub(crate) unit: f64,
 }
 
-impl<const C: usize> Facet<C> {
+impl Facet {
     /// The facet `μ F_n - h·F_t = 0`, with the roots of the stiffnesses.
-    fn new(law: &LocalLaw<'_, C>, root: &SVector<f64, C>, h: &SVector<f64, C>) -> Self {
+    fn new(law: &LocalLaw<'_>, root: &SVector<f64, 3>, h: &SVector<f64, 3>) -> Self {
         let row = root.component_mul(&law.cone().facet_row(h));
         let row = row / tangential_norm(&row);
         Self { row, unit: row.norm() }
     }
 
     /// (0, c).
-    pub(crate) fn column(&self) -> SVector<f64, C> {
+    pub(crate) fn column(&self) -> SVector<f64, 3> {
         tangential(&self.row)
     }
 }
 
 /// A contact in energy coordinates.
 #[derive(Debug, Clone)]
-pub(crate) struct EnergyContact<const C: usize> {
+pub(crate) struct EnergyContact {
     /// Q_i, scaled so that the mean of |Q_i|² over the contacts is one.
-    pub(crate) seen: Seen<C>,
+    pub(crate) seen: Seen,
     /// The first of its entries in the list of facets: the normal force if it may open, then its facets.
     first: u32,
     pub(crate) facet_count: u16,
@@ -56,7 +56,7 @@ pub(crate) struct EnergyContact<const C: usize> {
     pub(crate) gap: bool,
 }
 
-impl<const C: usize> EnergyContact<C> {
+impl EnergyContact {
     /// Number of conditions of the contact: one for its gap, and one for each facet.
     pub(crate) fn pairs(&self) -> usize {
         usize::from(self.gap) + usize::from(self.facet_count)
@@ -65,22 +65,22 @@ impl<const C: usize> EnergyContact<C> {
 
 /// The shared data of a scene's contacts in energy coordinates.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct EnergyCoordinates<const C: usize> {
-    facets: Vec<Facet<C>>,
+pub(crate) struct EnergyCoordinates {
+    facets: Vec<Facet>,
     /// The factor that turns the scaled `QᵀQ` into the identity.
     pub(crate) weight: f64,
     /// Entries of y from here on move nothing.
     pub(crate) rank: usize,
 }
 
-impl<const C: usize> EnergyCoordinates<C> {
+impl EnergyCoordinates {
     /// Lays out the contacts of a scene with the factor Q of their springs, and visits them in
     /// order.
     pub(crate) fn lay_out(
         &mut self,
-        problem: &Problem<'_, C>,
+        problem: &Problem<'_>,
         factor: &Orthogonal,
-        mut visit: impl FnMut(&LocalLaw<'_, C>, EnergyContact<C>),
+        mut visit: impl FnMut(&LocalLaw<'_>, EnergyContact),
     ) {
         self.rank = factor.rank();
         self.weight = self.rank.max(1) as f64 / problem.len().max(1) as f64;
@@ -89,7 +89,7 @@ impl<const C: usize> EnergyCoordinates<C> {
         // Reserves room for the largest scene of this size, so that no later scene of this size has to allocate.
         self.facets.reserve(problem.len() * (problem.polygon.normals.len() + 1));
         let mut spring = 0;
-        let mut before: Option<(LocalLaw<'_, C>, (u32, u16))> = None;
+        let mut before: Option<(LocalLaw<'_>, (u32, u16))> = None;
         for law in problem.locals() {
             let mut seen = Seen::zeros(factor.size());
             if !law.is_absent() {
@@ -114,7 +114,7 @@ impl<const C: usize> EnergyCoordinates<C> {
         }
     }
 
-    fn add_facets(&mut self, law: &LocalLaw<'_, C>) -> (u32, u16) {
+    fn add_facets(&mut self, law: &LocalLaw<'_>) -> (u32, u16) {
         // No memory holds more facets than `u32::MAX`.
         let first = u32::try_from(self.facets.len()).unwrap_or(u32::MAX);
         if law.may_open() {
@@ -131,24 +131,24 @@ impl<const C: usize> EnergyCoordinates<C> {
 
     /// The normal force of a contact if it may open, and its facets.
     #[inline]
-    pub(crate) fn pairs(&self, contact: &EnergyContact<C>) -> &[Facet<C>] {
+    pub(crate) fn pairs(&self, contact: &EnergyContact) -> &[Facet] {
         let first = contact.first as usize;
         &self.facets[first..first + contact.pairs()]
     }
 }
 
-/// A closed contact that slips across some of its facets, at most C - 1.
+/// A closed contact that slips across some of its facets, at most one for each tangent.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Slipping<const C: usize> {
-    rows: [SVector<f64, C>; 2],
+pub(crate) struct Slipping {
+    rows: [SVector<f64, 3>; 2],
     /// Tangents z_a with `z_a·c_b = 1` where a and b are the same facet, else 0.
-    pub(crate) across: [SVector<f64, C>; 2],
+    pub(crate) across: [SVector<f64, 3>; 2],
     pub(crate) count: usize,
 }
 
-impl<const C: usize> Slipping<C> {
+impl Slipping {
     /// Slips across these facets, which are neighbours.
-    pub(crate) fn new(facets: [Option<&Facet<C>>; 2]) -> Self {
+    pub(crate) fn new(facets: [Option<&Facet>; 2]) -> Self {
         let zero = SVector::zeros();
         let rows = facets.map(|facet| facet.map_or(zero, |facet| facet.row));
         let mut slipping = Self { rows, across: [zero; 2], count: facets.iter().flatten().count() };
@@ -163,18 +163,18 @@ impl<const C: usize> Slipping<C> {
     }
 
     /// Slips across any facets; `None` where they are not independent.
-    pub(crate) fn independent<'f>(mut facets: impl Iterator<Item = &'f Facet<C>>) -> Option<Self> {
+    pub(crate) fn independent<'f>(mut facets: impl Iterator<Item = &'f Facet>) -> Option<Self> {
         let pair = [facets.next(), facets.next()];
         match pair {
             _ if facets.next().is_some() => None,
-            [Some(a), Some(b)] if C == 2 || cross(&a.row, &b.row).abs() < PARALLEL => None,
+            [Some(a), Some(b)] if cross(&a.row, &b.row).abs() < PARALLEL => None,
             pair => Some(Self::new(pair)),
         }
     }
 
     /// The z with `row_a·z = d_a` on its facets and `z_n = n`. With d = 0 it is the point x on the edge
     /// with `x_n = n`.
-    pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, C> {
+    pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, 3> {
         let mut z = SVector::zeros();
         for a in 0..self.count {
             z += self.across[a] * (d[a] - self.rows[a][0] * n);
@@ -184,7 +184,7 @@ impl<const C: usize> Slipping<C> {
     }
 
     /// Z_a: slip a is `-Z_a·u`.
-    pub(crate) fn slip(&self, a: usize) -> SVector<f64, C> {
+    pub(crate) fn slip(&self, a: usize) -> SVector<f64, 3> {
         if self.count == 1 {
             return self.rows[0];
         }
@@ -194,10 +194,10 @@ impl<const C: usize> Slipping<C> {
     }
 
     /// P.
-    pub(crate) fn hold(&self) -> SMatrix<f64, C, C> {
-        if self.count + 1 == C {
+    pub(crate) fn hold(&self) -> SMatrix<f64, 3, 3> {
+        if self.count + 1 == 3 {
             // Every tangential direction slips, so the projection must remove u_t without rounding.
-            let mut hold = SMatrix::<f64, C, C>::zeros();
+            let mut hold = SMatrix::<f64, 3, 3>::zeros();
             hold.set_column(0, &self.reaching(1.0, [0.0; 2]));
             return hold;
         }
@@ -207,25 +207,21 @@ impl<const C: usize> Slipping<C> {
 }
 
 /// `(1, 0…)`.
-pub(crate) fn normal<const C: usize>() -> SVector<f64, C> {
+pub(crate) fn normal() -> SVector<f64, 3> {
     SVector::from_fn(|axis, _| if axis == 0 { 1.0 } else { 0.0 })
 }
 
 /// The rows of K^{1/2}Gᵀ, spring by spring.
-pub(crate) fn spring_rows<const C: usize>(sites: &[Site<C>]) -> impl Iterator<Item = Vector> {
+pub(crate) fn spring_rows(sites: &[Site]) -> impl Iterator<Item = Vector> {
     sites.iter().flat_map(|site| {
         (0..site.springs.axes()).map(|axis| site.map.column(axis) * site.springs.root_along(axis))
     })
 }
 
 /// K^{1/2}v for these stretches of the contacts, spring by spring, in reused memory.
-pub(crate) fn stretched_into<const C: usize>(
-    sites: &[Site<C>],
-    stretch: impl Fn(usize) -> SVector<f64, C>,
-    x: &mut Vec<f64>,
-) {
+pub(crate) fn stretched_into(sites: &[Site], stretch: impl Fn(usize) -> SVector<f64, 3>, x: &mut Vec<f64>) {
     x.clear();
-    x.reserve(C * sites.len());
+    x.reserve(3 * sites.len());
     for (contact, site) in sites.iter().enumerate() {
         let v = stretch(contact);
         x.extend((0..site.springs.axes()).map(|axis| site.springs.root_along(axis) * v[axis]));

@@ -38,11 +38,11 @@ const SHORTENED: usize = 8;
 const LEVEL: f64 = 0.1;
 
 /// All contacts with given limits of friction, in a narrow order of coordinates.
-struct GivenLimits<const C: usize> {
-    contacts: Vec<Limited<C>>,
+struct GivenLimits {
+    contacts: Vec<Limited>,
     limits: Vec<f64>,
     /// The coordinates that each contact feels, with the rows of its map.
-    felt: Vec<(usize, SVector<f64, C>)>,
+    felt: Vec<(usize, SVector<f64, 3>)>,
     /// The number of each coordinate in the narrow order.
     numbers: Vec<usize>,
     first: Vec<usize>,
@@ -51,15 +51,15 @@ struct GivenLimits<const C: usize> {
 }
 
 /// Responses of all contacts to a motion.
-struct Answers<const C: usize> {
-    of: Vec<LimitedAnswer<C>>,
+struct Answers {
+    of: Vec<LimitedAnswer>,
     /// The imbalance `Σ G_i F_i + W`.
     left: Vec<f64>,
 }
 
 /// States in the plane and on polygons in which forces are nearly balanced, and friction is nearly at the limits of its normal forces. `None` with
 /// few coordinates, free motions or infinite friction.
-pub(crate) fn states_by_given_limits<const C: usize>(problem: &Problem<'_, C>) -> Option<Vec<State<C>>> {
+pub(crate) fn states_by_given_limits(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !are_many(problem.size()) {
         return None;
     }
@@ -74,7 +74,7 @@ pub(crate) fn states_by_given_limits<const C: usize>(problem: &Problem<'_, C>) -
 }
 
 /// The motion on the round cone with nearly balanced forces, and friction nearly at the limits of its normal forces.
-pub(crate) fn twist_by_given_limits<const C: usize>(problem: &Problem<'_, C>) -> Option<Vector> {
+pub(crate) fn twist_by_given_limits(problem: &Problem<'_>) -> Option<Vector> {
     if !problem.round || !are_many(problem.size()) {
         return None;
     }
@@ -84,10 +84,10 @@ pub(crate) fn twist_by_given_limits<const C: usize>(problem: &Problem<'_, C>) ->
     Some(Vector::from_fn(problem.size(), |k| q[numbers[k]]))
 }
 
-impl<const C: usize> GivenLimits<C> {
-    fn of(problem: &Problem<'_, C>, on_polygons: bool) -> Option<Self> {
+impl GivenLimits {
+    fn of(problem: &Problem<'_>, on_polygons: bool) -> Option<Self> {
         let count = problem.size().count();
-        let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges::<C>()).collect();
+        let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges()).collect();
         let numbers = narrow_order(count, &couplings);
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
         let (mut felt, mut first) = (Vec::new(), vec![0]);
@@ -112,16 +112,12 @@ impl<const C: usize> GivenLimits<C> {
         })
     }
 
-    fn felt(&self, contact: usize) -> &[(usize, SVector<f64, C>)] {
+    fn felt(&self, contact: usize) -> &[(usize, SVector<f64, 3>)] {
         &self.felt[self.first[contact]..self.first[contact + 1]]
     }
 
     /// Responses of the contacts to a motion by the law `answer`.
-    fn answers_by(
-        &self,
-        q: &[f64],
-        answer: impl Fn(usize, &SVector<f64, C>) -> LimitedAnswer<C>,
-    ) -> Answers<C> {
+    fn answers_by(&self, q: &[f64], answer: impl Fn(usize, &SVector<f64, 3>) -> LimitedAnswer) -> Answers {
         let (mut of, mut left) = (Vec::with_capacity(self.contacts.len()), self.load.clone());
         for (i, contact) in self.contacts.iter().enumerate() {
             let stretch = self.felt(i).iter().fold(contact.drive, |stretch, (k, g)| stretch - g * q[*k]);
@@ -134,12 +130,12 @@ impl<const C: usize> GivenLimits<C> {
         Answers { of, left }
     }
 
-    fn answers(&self, q: &[f64]) -> Answers<C> {
+    fn answers(&self, q: &[f64]) -> Answers {
         self.answers_by(q, |i, stretch| self.contacts[i].answer(stretch, self.limits[i]))
     }
 
     /// Factors of T, with the part `kept` of the stiffness of springs that yield.
-    fn factor(&mut self, answers: &[LimitedAnswer<C>], kept: f64) -> Option<()> {
+    fn factor(&mut self, answers: &[LimitedAnswer], kept: f64) -> Option<()> {
         let Self { felt, first, band, .. } = self;
         band.clear();
         for (answer, ends) in answers.iter().zip(first.windows(2)) {
@@ -156,7 +152,7 @@ impl<const C: usize> GivenLimits<C> {
 
     /// The final states, and the motion.
     fn settled(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
-        let stuck = |contact: &Limited<C>, stretch: &SVector<f64, C>| {
+        let stuck = |contact: &Limited, stretch: &SVector<f64, 3>| {
             let holds = SMatrix::from_diagonal(&contact.stiffness);
             LimitedAnswer { force: holds * stretch, holds, gives: SMatrix::zeros(), state: Mode::Sticking }
         };
@@ -189,12 +185,12 @@ impl<const C: usize> GivenLimits<C> {
         Some((states, q))
     }
 
-    fn limits_of(&self, answers: &[LimitedAnswer<C>]) -> Vec<f64> {
+    fn limits_of(&self, answers: &[LimitedAnswer]) -> Vec<f64> {
         self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).collect()
     }
 
     /// Newton's method from a motion to the least energy with the given limits.
-    fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers<C>> {
+    fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
         let mut here = self.answers(q);
         for _ in 0..STEPS {
             if norm(&here.left) <= enough {

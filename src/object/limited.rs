@@ -7,51 +7,51 @@ use crate::numerics::unit;
 use crate::prelude::*;
 
 /// A contact with a given limit of friction.
-pub(super) struct Limited<const C: usize> {
-    pub(super) stiffness: SVector<f64, C>,
-    pub(super) drive: SVector<f64, C>,
+pub(super) struct Limited {
+    pub(super) stiffness: SVector<f64, 3>,
+    pub(super) drive: SVector<f64, 3>,
     opens: bool,
-    slides: Slides<C>,
+    slides: Slides,
     cone: Coulomb,
     /// Whether the contact is one of rates, whose limit may be negative.
     is_rate: bool,
 }
 
 /// The directions in which the contact may slide.
-enum Slides<const C: usize> {
+enum Slides {
     Never,
     /// In the plane, on the facets backwards and forwards.
     Along([Option<u16>; 2]),
     /// In space, on the facets of a polygon, `h·F_t = r`, that meet in these corners.
     OnPolygon {
-        normals: Vec<SVector<f64, C>>,
-        corners: Vec<SVector<f64, C>>,
+        normals: Vec<SVector<f64, 3>>,
+        corners: Vec<SVector<f64, 3>>,
     },
     /// In space, on the round cone.
     Round,
 }
 
 /// Response of a contact at the limit of its friction.
-struct AtLimit<const C: usize> {
-    friction: SVector<f64, C>,
+struct AtLimit {
+    friction: SVector<f64, 3>,
     /// The springs that still resist.
-    holds: SMatrix<f64, C, C>,
+    holds: SMatrix<f64, 3, 3>,
     state: Mode<u16>,
 }
 
 /// Response of a contact at a stretch.
-pub(super) struct LimitedAnswer<const C: usize> {
-    pub(super) force: SVector<f64, C>,
+pub(super) struct LimitedAnswer {
+    pub(super) force: SVector<f64, 3>,
     /// The springs that resist, and the springs that yield.
-    pub(super) holds: SMatrix<f64, C, C>,
-    pub(super) gives: SMatrix<f64, C, C>,
+    pub(super) holds: SMatrix<f64, 3, 3>,
+    pub(super) gives: SMatrix<f64, 3, 3>,
     pub(super) state: Mode<u16>,
 }
 
-impl<const C: usize> Limited<C> {
+impl Limited {
     /// The contact on the polygon in place of a round cone, or on the cone itself. `None` if it keeps its tangential force until it opens, or for an
     /// edge in rates in space.
-    pub(super) fn of(local: &LocalLaw<'_, C>, drive: &SVector<f64, C>, on_polygons: bool) -> Option<Self> {
+    pub(super) fn of(local: &LocalLaw<'_>, drive: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (drive, cone) = (*drive, local.cone());
         if local.is_absent() {
             let (stiffness, slides) = (SVector::zeros(), Slides::Never);
@@ -62,7 +62,7 @@ impl<const C: usize> Limited<C> {
         let (stiffness, opens) = (local.springs.diagonal(), local.may_open());
         let slides = match [facet(-1.0), facet(1.0)] {
             _ if local.is_round() && !on_polygons => Slides::Round,
-            _ if C > 2 && !local.facets().is_empty() => {
+            _ if !local.is_planar() && !local.facets().is_empty() => {
                 Slides::OnPolygon { normals: local.facets().to_vec(), corners: local.polygon.corners.clone() }
             }
             [None, None] => Slides::Never,
@@ -71,10 +71,17 @@ impl<const C: usize> Limited<C> {
         let keeps = opens && stiffness[1] > 0.0 && matches!(slides, Slides::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
         // In rates, facets do not form a polygon.
-        (!keeps && (C == 2 || !is_rate)).then_some(Self { stiffness, drive, opens, slides, cone, is_rate })
+        (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
+            stiffness,
+            drive,
+            opens,
+            slides,
+            cone,
+            is_rate,
+        })
     }
 
-    pub(super) fn answer(&self, stretch: &SVector<f64, C>, limit: f64) -> LimitedAnswer<C> {
+    pub(super) fn answer(&self, stretch: &SVector<f64, 3>, limit: f64) -> LimitedAnswer {
         let springs = SMatrix::from_diagonal(&self.stiffness);
         let mut answer = LimitedAnswer {
             force: springs * stretch,
@@ -97,22 +104,22 @@ impl<const C: usize> Limited<C> {
             answer.gives[(0, 0)] = self.stiffness[0];
             answer.state = Mode::Open;
         }
-        if self.stiffness == SVector::<f64, C>::zeros() {
+        if self.stiffness == SVector::<f64, 3>::zeros() {
             answer.state = Mode::Open;
         }
         answer
     }
 
     /// The response where friction exceeds its limit; `None` where it stays below.
-    fn at_limit(&self, force: &SVector<f64, C>, limit: f64) -> Option<AtLimit<C>> {
+    fn at_limit(&self, force: &SVector<f64, 3>, limit: f64) -> Option<AtLimit> {
         // Along the limit, friction follows the motion.
-        let along = |normal: &SVector<f64, C>| {
-            let mut across = SMatrix::<f64, C, C>::identity() - normal * normal.transpose();
+        let along = |normal: &SVector<f64, 3>| {
+            let mut across = SMatrix::<f64, 3, 3>::identity() - normal * normal.transpose();
             across[(0, 0)] = 0.0;
             across * SMatrix::from_diagonal(&self.stiffness) * across
         };
         let on_axis = |facet: u16, friction: f64| AtLimit {
-            friction: unit::<C>(1) * friction,
+            friction: unit::<3>(1) * friction,
             holds: SMatrix::zeros(),
             state: Mode::Facet(facet),
         };
@@ -130,7 +137,7 @@ impl<const C: usize> Limited<C> {
             }
             Slides::OnPolygon { normals, corners } => {
                 let friction = tangential(force);
-                let beyond = |j: usize, at: &SVector<f64, C>| normals[j].dot(at) - limit;
+                let beyond = |j: usize, at: &SVector<f64, 3>| normals[j].dot(at) - limit;
                 let all = 0..normals.len();
                 let j = all.max_by(|i, j| beyond(*i, &friction).total_cmp(&beyond(*j, &friction)))?;
                 let off = beyond(j, &friction);

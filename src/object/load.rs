@@ -12,23 +12,23 @@ pub(crate) struct Load {
     pub(crate) rest: Vector,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// The caller's load with the pull of vacuums and the constant loads on bodies and joints, in inside coordinates.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` names it.
-    pub(crate) fn load(&self, load: &Wrench<C>, what: &'static str) -> Result<Load, Error> {
+    pub(crate) fn load(&self, load: &Wrench<3>, what: &'static str) -> Result<Load, Error> {
         Ok(Load { wrench: self.load_alone(load, what)?, rest: self.inside_rest(load) })
     }
 
     /// [`Self::load`] without its rounding error.
-    pub(crate) fn load_alone(&self, load: &Wrench<C>, what: &'static str) -> Result<Vector, Error> {
-        load.check(what)?;
+    pub(crate) fn load_alone(&self, load: &Wrench<3>, what: &'static str) -> Result<Vector, Error> {
+        load.check_in(self.space(), what)?;
         Ok(self.load_unchecked(load))
     }
 
     /// [`Self::load_alone`] of a wrench that was checked before.
-    pub(crate) fn load_unchecked(&self, load: &Wrench<C>) -> Vector {
+    pub(crate) fn load_unchecked(&self, load: &Wrench<3>) -> Vector {
         let mut inside = self.inside_unchecked(load);
         if let Some(bodies) = self.bodies() {
             inside += self.put_on_each(bodies, &bodies.loads);

@@ -31,19 +31,14 @@ pub(crate) struct Imbalance {
 
 impl Imbalance {
     /// The imbalance of forces and a load; `beside` adds to the sizes of the forces.
-    pub(crate) fn of<const C: usize>(
-        sites: &[Site<C>],
-        forces: &[SVector<f64, C>],
-        load: &Vector,
-        beside: f64,
-    ) -> Self {
+    pub(crate) fn of(sites: &[Site], forces: &[SVector<f64, 3>], load: &Vector, beside: f64) -> Self {
         let mut sum = Self { left: load.clone(), size: beside };
         sites.iter().zip(forces).for_each(|(site, force)| sum.add(site, force));
         sum
     }
 
     /// Adds the terms of a contact.
-    pub(crate) fn add<const C: usize>(&mut self, site: &Site<C>, force: &SVector<f64, C>) {
+    pub(crate) fn add(&mut self, site: &Site, force: &SVector<f64, 3>) {
         site.map.push(force, &mut self.left);
         self.size += force.norm();
     }

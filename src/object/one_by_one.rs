@@ -14,11 +14,11 @@ use crate::prelude::*;
 
 /// Newton's method for contacts that respond one by one, each from its last response; all are open at first. The last responses are left in
 /// `contacts`, a reused list. `beside` is a size of forces below which the method cannot resolve, such as rounding.
-pub(crate) fn newton_one_by_one<const C: usize>(
-    problem: &Problem<C>,
+pub(crate) fn newton_one_by_one(
+    problem: &Problem,
     (twist, settled, beside): (Vector, f64, f64),
-    contacts: &mut Vec<ContactResponse<C>>,
-    answer: impl Fn(usize, &SVector<f64, C>, &ContactResponse<C>) -> ContactResponse<C> + Sync,
+    contacts: &mut Vec<ContactResponse>,
+    answer: impl Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync,
 ) -> Option<(Vector, usize, Imbalance)> {
     contacts.clear();
     contacts.resize(problem.len(), ContactResponse::open());
@@ -26,10 +26,10 @@ pub(crate) fn newton_one_by_one<const C: usize>(
 }
 
 /// [`newton_one_by_one`] on the round cone: each contact responds with its return map (`contact/answer`), free to change its state.
-pub(crate) fn newton_on_cones<const C: usize>(
-    problem: &Problem<C>,
+pub(crate) fn newton_on_cones(
+    problem: &Problem,
     (twist, settled): (Vector, f64),
-    contacts: &mut Vec<ContactResponse<C>>,
+    contacts: &mut Vec<ContactResponse>,
 ) -> Option<(Vector, usize, Imbalance)> {
     newton_one_by_one(problem, (twist, settled, 0.0), contacts, |i, stretch, last| {
         let near = last.state.slide().map_or(0.0, |slide| slide.lambda);
@@ -38,22 +38,22 @@ pub(crate) fn newton_on_cones<const C: usize>(
 }
 
 /// The contacts of a problem with their last responses.
-struct OneByOne<'p, 'g, F, const C: usize> {
-    problem: &'p Problem<'g, C>,
+struct OneByOne<'p, 'g, F> {
+    problem: &'p Problem<'g>,
     /// The response of a contact to a stretch, from its last one.
     answer: F,
-    contacts: &'p mut [ContactResponse<C>],
+    contacts: &'p mut [ContactResponse],
     /// Added to the sizes of load and forces, N.
     beside: f64,
 }
 
-impl<F, const C: usize> StretchAnswers for OneByOne<'_, '_, F, C>
+impl<F> StretchAnswers for OneByOne<'_, '_, F>
 where
-    F: Fn(usize, &SVector<f64, C>, &ContactResponse<C>) -> ContactResponse<C> + Sync,
+    F: Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync,
 {
     fn answer(&mut self, twist: &Vector) -> Imbalance {
         let (problem, answer) = (self.problem, &self.answer);
-        let part = |(range, contacts): (Range<usize>, &mut [ContactResponse<C>])| {
+        let part = |(range, contacts): (Range<usize>, &mut [ContactResponse])| {
             let mut sum = Imbalance::default();
             for (i, contact) in range.zip(contacts) {
                 *contact = answer(i, &problem.stretch(i, twist), contact);

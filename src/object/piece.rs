@@ -22,8 +22,8 @@ use crate::prelude::*;
 
 /// One linear piece of the contact law: a state for every contact.
 #[derive(Debug, Clone)]
-pub(crate) struct Piece<const C: usize> {
-    pub(super) springs: Vec<Spring<C>>,
+pub(crate) struct Piece {
+    pub(super) springs: Vec<Spring>,
     /// The first spring of each contact; at the end their number.
     first: Vec<usize>,
     /// Orthonormal motions that stretch no spring of this piece.
@@ -45,16 +45,16 @@ pub(super) struct OrthogonalPiece {
     pub(super) left: Option<(Orthogonal, CompletePivoting)>,
 }
 
-impl<const C: usize> Piece<C> {
-    pub(crate) fn new(problem: &Problem<C>, states: &[State<C>]) -> Self {
+impl Piece {
+    pub(crate) fn new(problem: &Problem, states: &[State]) -> Self {
         Self::of_springs(problem.sites, &|contact, springs| {
             problem.local(contact).for_each_spring(&states[contact], |spring| springs.push(spring));
         })
     }
 
-    /// The piece in which every contact has the springs, at most C, that `add` adds to the list for it.
-    pub(crate) fn of_springs(sites: &[Site<C>], add: &dyn Fn(usize, &mut Vec<Spring<C>>)) -> Self {
-        let mut springs = Vec::with_capacity(C * sites.len());
+    /// The piece in which every contact has the springs, at most one an axis, that `add` adds to the list for it.
+    pub(crate) fn of_springs(sites: &[Site], add: &dyn Fn(usize, &mut Vec<Spring>)) -> Self {
+        let mut springs = Vec::with_capacity(3 * sites.len());
         let mut first = Vec::with_capacity(sites.len() + 1);
         first.push(0);
         for contact in 0..sites.len() {
@@ -69,7 +69,7 @@ impl<const C: usize> Piece<C> {
             let (band, orthogonal) = (Some((band, null)), Once::new());
             return Self { springs, first, free, unbalanced, band, orthogonal, size };
         }
-        let rows = |side: fn(&Spring<C>) -> &SVector<f64, C>| {
+        let rows = |side: fn(&Spring) -> &SVector<f64, 3>| {
             let mut rows = Vec::with_capacity(springs.len());
             for (site, range) in sites.iter().zip(first.windows(2)) {
                 for spring in &springs[range[0]..range[1]] {
@@ -107,7 +107,7 @@ impl<const C: usize> Piece<C> {
 
     /// The rows of Q of a contact whose springs lie along the axes of its frame: a column for each axis,
     /// zero along axes without a spring.
-    pub(crate) fn seen(&self, contact: usize) -> Map<C> {
+    pub(crate) fn seen(&self, contact: usize) -> Map {
         let mut seen = Map::zeros(self.size);
         for spring in self.first[contact]..self.first[contact + 1] {
             seen.set_column(self.springs[spring].right.iamax(), self.factor().row(spring));
@@ -121,19 +121,19 @@ impl<const C: usize> Piece<C> {
     }
 
     /// Displacements of the coordinates where a sticking contact pushes along its axes, in units of its springs; `None` with orthogonal factors.
-    pub(crate) fn moved_by(&self, contact: usize, pushes: &SVector<f64, C>) -> Option<Vec<f64>> {
+    pub(crate) fn moved_by(&self, contact: usize, pushes: &SVector<f64, 3>) -> Option<Vec<f64>> {
         Some(self.band.as_ref()?.0.moved_by(contact, &self.along_springs(contact, pushes)[..]))
     }
 
     /// Stretch of the contact's springs under the displacements `moved`, weighted by axis with `times`.
-    pub(crate) fn felt(&self, contact: usize, times: &SVector<f64, C>, moved: &[f64]) -> f64 {
+    pub(crate) fn felt(&self, contact: usize, times: &SVector<f64, 3>, moved: &[f64]) -> f64 {
         self.band
             .as_ref()
             .map_or(0.0, |(band, _)| band.felt(contact, &self.along_springs(contact, times)[..], moved))
     }
 
     /// For each spring of a contact the entry of its axis.
-    fn along_springs(&self, contact: usize, axes: &SVector<f64, C>) -> Vec<f64> {
+    fn along_springs(&self, contact: usize, axes: &SVector<f64, 3>) -> Vec<f64> {
         self.springs[self.first[contact]..self.first[contact + 1]]
             .iter()
             .map(|spring| axes[spring.right.iamax()])
@@ -169,7 +169,7 @@ impl<const C: usize> Piece<C> {
 
     /// A virtual motion y without response, on which drives and load work the most: `Σ G_i C_iᵀG_iᵀ y = 0` with the
     /// tangents C_i of this piece.
-    pub(crate) fn unanswered(&self, drives: &[SVector<f64, C>], load: &Vector) -> Option<Vector> {
+    pub(crate) fn unanswered(&self, drives: &[SVector<f64, 3>], load: &Vector) -> Option<Vector> {
         let worked = |basis: &[Vector], work: &Vector| {
             let part = basis.iter().fold(Vector::zeros(), |sum: Vector, v| sum + v * v.dot(work));
             (part.norm() > 0.0).then_some(part)
@@ -204,7 +204,7 @@ impl<const C: usize> Piece<C> {
     }
 
     /// The springs of every contact that has any, with their range in the whole list.
-    pub(super) fn of_each_contact(&self) -> impl Iterator<Item = (usize, &[Spring<C>], Range<usize>)> {
+    pub(super) fn of_each_contact(&self) -> impl Iterator<Item = (usize, &[Spring], Range<usize>)> {
         self.first.windows(2).enumerate().filter(|(_, range)| range[0] < range[1]).map(|(contact, range)| {
             let range = range[0]..range[1];
             (contact, &self.springs[range.clone()], range)
@@ -235,18 +235,14 @@ impl OrthogonalPiece {
 
 /// The smallest forces (least squares, contact frames) of the contacts that carry any which balance a load:
 /// `F = -G⁺W` over the axes that resist.
-pub(crate) fn least_forces<const C: usize>(
-    sites: &[Site<C>],
-    carries: &[bool],
-    wrench: &Vector,
-) -> Vec<SVector<f64, C>> {
+pub(crate) fn least_forces(sites: &[Site], carries: &[bool], wrench: &Vector) -> Vec<SVector<f64, 3>> {
     let axes: Vec<(usize, usize)> = (0..sites.len())
         .filter(|&i| carries[i])
         .flat_map(|i| (0..sites[i].springs.axes()).map(move |a| (i, a)))
         .collect();
     let columns: Vec<Vector> = axes.iter().map(|&(i, a)| sites[i].map.column(a)).collect();
     let shares = least_combination(size_of(sites), &columns, wrench);
-    let mut forces = vec![SVector::<f64, C>::zeros(); sites.len()];
+    let mut forces = vec![SVector::<f64, 3>::zeros(); sites.len()];
     for (&(i, a), share) in axes.iter().zip(shares) {
         forces[i][a] = -share;
     }

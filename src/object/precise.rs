@@ -77,7 +77,7 @@ impl PreciseTwist {
     }
 
     /// `a - g·q` for column `axis` of the grasp map of a contact.
-    pub(crate) fn stretch<const C: usize>(&self, site: &Site<C>, axis: usize, drive: f64) -> DoubleDouble {
+    pub(crate) fn stretch(&self, site: &Site, axis: usize, drive: f64) -> DoubleDouble {
         let v = DoubleDouble::new(drive);
         let of_one_object = site.whole_column_in_twice(axis);
         if let Some((column, q)) = of_one_object.zip(self.0.arrays()) {
@@ -88,7 +88,7 @@ impl PreciseTwist {
             };
         }
         let mut v = v;
-        for range in site.support.ranges::<C>() {
+        for range in site.support.ranges() {
             let (g, rest) = site.column_in_twice(axis, range.clone());
             for (k, (g, rest)) in range.zip(g.iter().zip(rest)) {
                 v.add_product_of_twice((-g, -rest), self.0.at(k));
@@ -119,7 +119,7 @@ impl PreciseBalance {
     }
 
     /// Adds the wrench of a force along an axis of a contact.
-    pub(super) fn add<const C: usize>(&mut self, site: &Site<C>, axis: usize, force: DoubleDouble) {
+    pub(super) fn add(&mut self, site: &Site, axis: usize, force: DoubleDouble) {
         let (high, low) = (&mut self.0.high, &mut self.0.low);
         let of_one_object = site.whole_column_in_twice(axis);
         if let (Some(g), Some(high), Some(low)) = (of_one_object, high.array_mut(), low.array_mut()) {
@@ -130,7 +130,7 @@ impl PreciseBalance {
             }
             return;
         }
-        for range in site.support.ranges::<C>() {
+        for range in site.support.ranges() {
             let (g, rest) = site.column_in_twice(axis, range.clone());
             for (k, (g, rest)) in range.zip(g.iter().zip(rest)) {
                 let mut sum = self.0.at(k);

@@ -15,25 +15,25 @@ use super::load::Load;
 use super::precise::PreciseTwist;
 use crate::contact::{Coulomb, Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
 use crate::error::Error;
-use crate::grasp::{Engine, Remembered, Site, Wrench, size_of};
+use crate::grasp::{Engine, Remembered, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
 /// Laws, drives a_i and load of the equation `Σ G_i F_i + W = 0`.
 #[derive(Debug, Clone)]
-pub(crate) struct Problem<'g, const C: usize> {
-    pub(crate) sites: &'g [Site<C>],
+pub(crate) struct Problem<'g> {
+    pub(crate) sites: &'g [Site],
     /// The polygon of every contact without a polygon of its own.
-    pub(crate) polygon: Arc<Polygon<C>>,
+    pub(crate) polygon: Arc<Polygon>,
     /// Polygons turned to the traction: empty, or one for each contact.
-    pub(crate) turned: Vec<Polygon<C>>,
+    pub(crate) turned: Vec<Polygon>,
     /// Cones in place of the cones at rest: empty, or one for each contact.
     pub(crate) cones: Vec<Coulomb>,
-    pub(crate) laws: Vec<Law<C>>,
+    pub(crate) laws: Vec<Law>,
     /// Commanded displacement less clearance and less the slip so far.
-    pub(crate) drives: Vec<SVector<f64, C>>,
+    pub(crate) drives: Vec<SVector<f64, 3>>,
     /// The slip so far, in the contact frames.
-    pub(crate) slips: Vec<SVector<f64, C>>,
+    pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) wrench: Vector,
     /// Rounding error of the load from the move to the centroid.
     pub(crate) wrench_rest: Vector,
@@ -46,28 +46,22 @@ pub(crate) struct Problem<'g, const C: usize> {
 }
 
 /// The lists of a problem, one entry for each contact, as memory for another problem.
-#[derive(Debug, Clone)]
-pub(crate) struct Lists<const C: usize> {
-    pub(crate) laws: Vec<Law<C>>,
-    pub(crate) drives: Vec<SVector<f64, C>>,
-    pub(crate) slips: Vec<SVector<f64, C>>,
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Lists {
+    pub(crate) laws: Vec<Law>,
+    pub(crate) drives: Vec<SVector<f64, 3>>,
+    pub(crate) slips: Vec<SVector<f64, 3>>,
 }
 
-impl<const C: usize> Default for Lists<C> {
-    fn default() -> Self {
-        Self { laws: Vec::new(), drives: Vec::new(), slips: Vec::new() }
-    }
-}
-
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// The problem at rest of this grasp.
     pub(crate) fn problem(
         &self,
-        polygon: Arc<Polygon<C>>,
+        polygon: Arc<Polygon>,
         round: bool,
-        drives: Vec<SVector<f64, C>>,
+        drives: Vec<SVector<f64, 3>>,
         load: &Load,
-    ) -> Problem<'_, C> {
+    ) -> Problem<'_> {
         let lists = Lists { drives, ..Lists::default() };
         self.problem_in(lists, polygon, round, load)
     }
@@ -75,11 +69,11 @@ impl<const C: usize> Engine<C> {
     /// [`Self::problem`] in reused lists, with the drives in them.
     pub(crate) fn problem_in(
         &self,
-        lists: Lists<C>,
-        polygon: Arc<Polygon<C>>,
+        lists: Lists,
+        polygon: Arc<Polygon>,
         round: bool,
         load: &Load,
-    ) -> Problem<'_, C> {
+    ) -> Problem<'_> {
         let trial = Some(self.remembered_trial());
         Problem { trial, ..Problem::at_rest(self.sites(), polygon, round, lists, load) }
     }
@@ -88,20 +82,20 @@ impl<const C: usize> Engine<C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub(crate) fn on_polygons(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Problem<'_, C>, Error> {
-        let polygon = Polygon::shared(cone);
+    pub(crate) fn on_polygons(&self, load: &Wrench<3>, cone: &PolygonCone) -> Result<Problem<'_>, Error> {
+        let polygon = Polygon::shared(self.space(), cone);
         let wrench = self.load_alone(load, "load")?;
         Ok(self.problem(polygon, false, self.drives(), &Load::from(&wrench)))
     }
 }
 
-impl<'g, const C: usize> Problem<'g, C> {
+impl<'g> Problem<'g> {
     /// Every contact with its whole law, on the round cone if `round`.
     pub(crate) fn at_rest(
-        sites: &'g [Site<C>],
-        polygon: Arc<Polygon<C>>,
+        sites: &'g [Site],
+        polygon: Arc<Polygon>,
         round: bool,
-        Lists { mut laws, drives, mut slips }: Lists<C>,
+        Lists { mut laws, drives, mut slips }: Lists,
         load: &Load,
     ) -> Self {
         cleared_for(&mut laws, sites.len());
@@ -126,7 +120,7 @@ impl<'g, const C: usize> Problem<'g, C> {
 
     /// The problem of the rates: these laws, driven at these rates. The round cone matters only at its apex; on an edge it is a
     /// facet.
-    pub(crate) fn at_rates(&self, laws: Vec<Law<C>>, drives: Vec<SVector<f64, C>>, wrench: Vector) -> Self {
+    pub(crate) fn at_rates(&self, laws: Vec<Law>, drives: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rest = Vector::zeros();
         let mut rates = Self { laws, drives, slips, wrench, wrench_rest, trial: None, ..self.clone() };
@@ -146,13 +140,18 @@ impl<'g, const C: usize> Problem<'g, C> {
         size_of(self.sites)
     }
 
+    /// Plane or space.
+    pub(crate) fn space(&self) -> Space {
+        self.sites.first().map_or(Space::Spatial, |site| site.space)
+    }
+
     pub(crate) fn len(&self) -> usize {
         self.sites.len()
     }
 
     /// The polygon in place of a contact's round cone.
     #[inline]
-    pub(crate) fn polygon(&self, contact: usize) -> &Polygon<C> {
+    pub(crate) fn polygon(&self, contact: usize) -> &Polygon {
         let own = || self.sites[contact].polygon.as_ref().unwrap_or(&self.polygon);
         self.turned.get(contact).unwrap_or_else(|| own())
     }
@@ -170,7 +169,7 @@ impl<'g, const C: usize> Problem<'g, C> {
 
     /// One contact with its law.
     #[inline]
-    pub(crate) fn local(&self, contact: usize) -> LocalLaw<'_, C> {
+    pub(crate) fn local(&self, contact: usize) -> LocalLaw<'_> {
         let site = &self.sites[contact];
         LocalLaw::new(
             &site.springs,
@@ -182,12 +181,12 @@ impl<'g, const C: usize> Problem<'g, C> {
     }
 
     /// All contacts with their laws, in order.
-    pub(crate) fn locals(&self) -> impl ExactSizeIterator<Item = LocalLaw<'_, C>> {
+    pub(crate) fn locals(&self) -> impl ExactSizeIterator<Item = LocalLaw<'_>> {
         (0..self.len()).map(|contact| self.local(contact))
     }
 
     /// The value of `of` for each contact, in order.
-    pub(crate) fn each<T>(&self, of: impl Fn(LocalLaw<'_, C>) -> T) -> Vec<T> {
+    pub(crate) fn each<T>(&self, of: impl Fn(LocalLaw<'_>) -> T) -> Vec<T> {
         let mut answers = Vec::with_capacity(self.len());
         for contact in 0..self.len() {
             answers.push(of(self.local(contact)));
@@ -197,29 +196,29 @@ impl<'g, const C: usize> Problem<'g, C> {
 
     /// Stretch of a contact for a motion of the object, `a_i - G_iᵀq`.
     #[inline]
-    pub(crate) fn stretch(&self, contact: usize, twist: &Vector) -> SVector<f64, C> {
+    pub(crate) fn stretch(&self, contact: usize, twist: &Vector) -> SVector<f64, 3> {
         self.sites[contact].stretch(&self.drives[contact], twist)
     }
 
     /// The states of the elastic trial: every contact that is present sticks.
-    pub(crate) fn unjumped(&self) -> Vec<State<C>> {
+    pub(crate) fn unjumped(&self) -> Vec<State> {
         self.each(|local| local.unjumped())
     }
 
     /// The states in which contacts on an edge slide along it and contacts at the apex open: in rates the common case, found by one
     /// solve.
-    pub(crate) fn yielding(&self) -> Vec<State<C>> {
+    pub(crate) fn yielding(&self) -> Vec<State> {
         self.each(|local| local.yielding())
     }
 
     /// The states with updated slides on the round cone, from these friction forces and the slip at this twist.
     pub(crate) fn slid_on(
         &self,
-        states: &[State<C>],
-        forces: &[SVector<f64, C>],
+        states: &[State],
+        forces: &[SVector<f64, 3>],
         twist: &PreciseTwist,
-    ) -> Vec<State<C>> {
-        let slid_on = |(contact, state): (usize, &State<C>)| {
+    ) -> Vec<State> {
+        let slid_on = |(contact, state): (usize, &State)| {
             let friction = tangential(&forces[contact]);
             let square = friction.norm_squared();
             let Mode::Round(_) = state else { return *state };
@@ -237,9 +236,9 @@ impl<'g, const C: usize> Problem<'g, C> {
     fn precise_slip(
         &self,
         contact: usize,
-        friction: &SVector<f64, C>,
+        friction: &SVector<f64, 3>,
         twist: &PreciseTwist,
-    ) -> SVector<f64, C> {
+    ) -> SVector<f64, 3> {
         let site = &self.sites[contact];
         SVector::from_fn(|a, _| {
             if a == 0 {

@@ -16,14 +16,14 @@ use crate::prelude::*;
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
 /// The least force that a spring of the scene could have from displacements of these sizes, contact by contact.
-pub(crate) fn least_spring_force<const C: usize>(sites: &[Site<C>], spans: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
 
 /// Size of the largest force of a scene.
-pub(crate) fn largest_force<const C: usize>(
-    sites: &[Site<C>],
-    drives: &[SVector<f64, C>],
+pub(crate) fn largest_force(
+    sites: &[Site],
+    drives: &[SVector<f64, 3>],
     twist: &Vector,
     load: f64,
     forces: impl Iterator<Item = f64>,
@@ -38,20 +38,15 @@ pub(crate) fn largest_force<const C: usize>(
     if least_of(1) <= largest { largest } else { largest.max(least_of(sites.len())) }
 }
 
-impl<const C: usize> Problem<'_, C> {
+impl Problem<'_> {
     /// Size of the largest force of the scene with these forces and this twist.
-    pub(crate) fn largest_force(&self, forces: &[SVector<f64, C>], twist: &Vector) -> f64 {
+    pub(crate) fn largest_force(&self, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         largest_force(self.sites, &self.drives, twist, self.wrench.norm(), sizes)
     }
 
     /// The size that scales the rounding of each force, for a state with these drives under a load of this size.
-    pub(crate) fn force_sizes(
-        &self,
-        drives: &[SVector<f64, C>],
-        load: f64,
-        state: &PieceState<C>,
-    ) -> Vec<f64> {
+    pub(crate) fn force_sizes(&self, drives: &[SVector<f64, 3>], load: f64, state: &PieceState) -> Vec<f64> {
         let norms = state.forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites, drives, &state.twist, load, norms);
         let norm = state.twist.norm();
@@ -70,10 +65,10 @@ impl<const C: usize> Problem<'_, C> {
     pub(crate) fn at<'s>(
         &self,
         contact: usize,
-        force: &'s SVector<f64, C>,
+        force: &'s SVector<f64, 3>,
         twist: &Vector,
         largest: f64,
-    ) -> At<'s, C> {
+    ) -> At<'s> {
         self.at_moved((contact, force), twist, twist.norm(), largest)
     }
 
@@ -81,17 +76,17 @@ impl<const C: usize> Problem<'_, C> {
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,
-        (contact, force): (usize, &'s SVector<f64, C>),
+        (contact, force): (usize, &'s SVector<f64, 3>),
         twist: &Vector,
         norm: f64,
         largest: f64,
-    ) -> At<'s, C> {
+    ) -> At<'s> {
         let span = self.sites[contact].span_moved(&self.drives[contact], norm);
         At { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
     /// `|Σ G_i F_i + W|` and `Σ |F_i|`.
-    pub(crate) fn imbalance(&self, forces: &[SVector<f64, C>]) -> (f64, f64) {
+    pub(crate) fn imbalance(&self, forces: &[SVector<f64, 3>]) -> (f64, f64) {
         let Imbalance { left, size } = Imbalance::of(self.sites, forces, &self.wrench, 0.0);
         (left.norm(), size)
     }

@@ -26,14 +26,14 @@ pub(super) const MOST_CORRECTIONS: usize = 4;
 
 /// Forces and a twist of one linear piece.
 #[derive(Debug, Clone)]
-pub(crate) struct PieceState<const C: usize> {
+pub(crate) struct PieceState {
     /// F_i in the contact frames.
-    pub(crate) forces: Vec<SVector<f64, C>>,
+    pub(crate) forces: Vec<SVector<f64, 3>>,
     /// The twist of least norm, in inside coordinates.
     pub(crate) twist: Vector,
 }
 
-impl<const C: usize> Default for PieceState<C> {
+impl Default for PieceState {
     fn default() -> Self {
         Self { forces: Vec::new(), twist: Vector::zeros() }
     }
@@ -54,14 +54,14 @@ pub(crate) struct Unbalanced {
     pub(crate) motion: Option<Vector>,
 }
 
-impl<const C: usize> Piece<C> {
+impl Piece {
     /// Forces and the twist of least norm under these drives and this load, with the sites of this piece.
     pub(crate) fn solve(
         &self,
-        sites: &[Site<C>],
-        drives: &[SVector<f64, C>],
+        sites: &[Site],
+        drives: &[SVector<f64, 3>],
         load: impl Into<Load>,
-    ) -> Result<PieceState<C>, Unbalanced> {
+    ) -> Result<PieceState, Unbalanced> {
         let mut state = PieceState::default();
         self.solve_into(sites, drives, load, (&mut SolutionMemory::default(), &mut state))?;
         Ok(state)
@@ -70,10 +70,10 @@ impl<const C: usize> Piece<C> {
     /// [`Self::solve`] in reused memory.
     pub(crate) fn solve_into(
         &self,
-        sites: &[Site<C>],
-        drives: &[SVector<f64, C>],
+        sites: &[Site],
+        drives: &[SVector<f64, 3>],
         load: impl Into<Load>,
-        (memory, state): (&mut SolutionMemory, &mut PieceState<C>),
+        (memory, state): (&mut SolutionMemory, &mut PieceState),
     ) -> Result<(), Unbalanced> {
         let load = load.into();
         if let Some(motion) = worked_on(&self.unbalanced, &load.wrench) {
@@ -123,8 +123,8 @@ impl<const C: usize> Piece<C> {
     /// the part `sharp`.
     fn refine(
         &self,
-        sites: &[Site<C>],
-        (drives, load): (&[SVector<f64, C>], &Load),
+        sites: &[Site],
+        (drives, load): (&[SVector<f64, 3>], &Load),
         (x, change, twist): (&mut [f64], &mut Vec<f64>, &mut PreciseTwist),
         (respond, sharp): (impl Fn(&mut [f64], &Vector) -> Vector, f64),
     ) -> bool {
@@ -149,7 +149,7 @@ impl<const C: usize> Piece<C> {
 
     /// Forces and the twist of least norm where all contacts stick and every motion is resisted, without corrections in twice the precision.
     /// The projection is applied twice, which leaves a few roundings of the largest force.
-    pub(crate) fn solve_roughly(&self, drives: &[SVector<f64, C>], wrench: &Vector) -> PieceState<C> {
+    pub(crate) fn solve_roughly(&self, drives: &[SVector<f64, 3>], wrench: &Vector) -> PieceState {
         let mut state = PieceState::default();
         self.solve_roughly_into(drives, wrench, (&mut SolutionMemory::default(), &mut state));
         state
@@ -158,9 +158,9 @@ impl<const C: usize> Piece<C> {
     /// [`Self::solve_roughly`] in reused memory.
     pub(crate) fn solve_roughly_into(
         &self,
-        drives: &[SVector<f64, C>],
+        drives: &[SVector<f64, 3>],
         wrench: &Vector,
-        (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut PieceState<C>),
+        (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut PieceState),
     ) {
         self.stretched_into(x, |contact| drives[contact]);
         if let Some((band, _)) = &self.band {
@@ -190,26 +190,26 @@ impl<const C: usize> Piece<C> {
     }
 
     /// Forces of these stretches of the contacts under this load, as far as this piece balances it.
-    pub(crate) fn forces_of(&self, stretches: &[SVector<f64, C>], load: &Vector) -> Vec<SVector<f64, C>> {
+    pub(crate) fn forces_of(&self, stretches: &[SVector<f64, 3>], load: &Vector) -> Vec<SVector<f64, 3>> {
         let mut x = self.stretched(|contact| stretches[contact]);
         self.respond(&mut x, load);
         self.forces(&x, stretches.len())
     }
 
     /// Change of the forces along a motion of the object with everything else at rest.
-    pub(crate) fn forces_along(&self, problem: &Problem<C>, motion: &Vector) -> Vec<SVector<f64, C>> {
+    pub(crate) fn forces_along(&self, problem: &Problem, motion: &Vector) -> Vec<SVector<f64, 3>> {
         let x = self.stretched(|contact| -problem.sites[contact].map.tr_mul(motion));
         self.forces(&x, problem.len())
     }
 
     /// x for these stretches of the contacts.
-    pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, C>) -> Vec<f64> {
+    pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);
         x
     }
 
-    fn stretched_into(&self, x: &mut Vec<f64>, stretch: impl Fn(usize) -> SVector<f64, C>) {
+    fn stretched_into(&self, x: &mut Vec<f64>, stretch: impl Fn(usize) -> SVector<f64, 3>) {
         cleared_for(x, self.springs.len());
         for (contact, springs, _) in self.of_each_contact() {
             let stretch = stretch(contact);
@@ -219,13 +219,13 @@ impl<const C: usize> Piece<C> {
         }
     }
 
-    fn forces(&self, x: &[f64], contacts: usize) -> Vec<SVector<f64, C>> {
+    fn forces(&self, x: &[f64], contacts: usize) -> Vec<SVector<f64, 3>> {
         let mut forces = Vec::new();
         self.forces_into(&mut forces, x, contacts);
         forces
     }
 
-    fn forces_into(&self, forces: &mut Vec<SVector<f64, C>>, x: &[f64], contacts: usize) {
+    fn forces_into(&self, forces: &mut Vec<SVector<f64, 3>>, x: &[f64], contacts: usize) {
         cleared_for(forces, contacts);
         forces.resize(contacts, SVector::zeros());
         for (contact, springs, range) in self.of_each_contact() {
@@ -238,20 +238,20 @@ impl<const C: usize> Piece<C> {
     /// Writes e, spring by spring, and returns ρ.
     fn excess(
         &self,
-        sites: &[Site<C>],
-        (drives, load): (&[SVector<f64, C>], &Load),
+        sites: &[Site],
+        (drives, load): (&[SVector<f64, 3>], &Load),
         (x, twist): (&[f64], &PreciseTwist),
         e: &mut [f64],
     ) -> Vector {
         let mut balance = PreciseBalance::new(self.size(), load);
         for (contact, springs, range) in self.of_each_contact() {
             let (site, x) = (&sites[contact], &x[range.clone()]);
-            // A contact has at most C springs.
-            let mut left = [DoubleDouble::default(); C];
+            // A contact has at most one spring an axis.
+            let mut left = [DoubleDouble::default(); 3];
             for (left, x) in left.iter_mut().zip(x) {
                 left.add(-x);
             }
-            for a in 0..C {
+            for a in 0..3 {
                 // Most springs lie along the axes and have one component each.
                 if springs.iter().any(|spring| spring.right[a] != 0.0) {
                     let v = twist.stretch(site, a, drives[contact][a]);

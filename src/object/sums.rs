@@ -85,11 +85,11 @@ impl<const R: usize> Sums<R> {
 
     /// Adds the terms of a contact, times `weight`: its map `seen` of y, the projection `hold` by its state
     /// (`None`: identity), and p for each side.
-    pub(crate) fn add<const C: usize>(
+    pub(crate) fn add(
         &mut self,
-        seen: &Seen<C>,
-        hold: Option<&SMatrix<f64, C, C>>,
-        pushed: Option<[SVector<f64, C>; R]>,
+        seen: &Seen,
+        hold: Option<&SMatrix<f64, 3, 3>>,
+        pushed: Option<[SVector<f64, 3>; R]>,
         weight: f64,
     ) {
         self.stiffness.add_congruent(seen, hold, weight);

@@ -57,13 +57,13 @@ impl TangentFactors {
     }
 }
 
-impl<const C: usize> Problem<'_, C> {
+impl Problem<'_> {
     /// Factors of T in a band with these states of the contacts, where there are many coordinates.
-    pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State<C>) -> Option<TangentFactors> {
+    pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State) -> Option<TangentFactors> {
         if !are_many(self.size()) {
             return None;
         }
-        let (mut springs, mut first) = (Vec::with_capacity(C * self.len()), vec![0]);
+        let (mut springs, mut first) = (Vec::with_capacity(3 * self.len()), vec![0]);
         for contact in 0..self.len() {
             self.local(contact).for_each_spring(&state(contact), |spring| springs.push(spring));
             first.push(springs.len());
@@ -73,13 +73,10 @@ impl<const C: usize> Problem<'_, C> {
 }
 
 /// C_i of a contact: the derivative of its force by its stretch.
-pub(crate) type SpringTangent<const C: usize> = SMatrix<f64, C, C>;
+pub(crate) type SpringTangent = SMatrix<f64, 3, 3>;
 
 /// T of these contacts with these C_i, by number.
-pub(crate) fn tangent_stiffness<const C: usize>(
-    sites: &[Site<C>],
-    springs: impl Fn(usize) -> SpringTangent<C> + Sync,
-) -> Square {
+pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> SpringTangent + Sync) -> Square {
     let part = |contacts: Range<usize>| {
         let mut t = Square::zeros(size_of(sites));
         for i in contacts {
@@ -91,13 +88,13 @@ pub(crate) fn tangent_stiffness<const C: usize>(
 }
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T.
-fn add_tangent<const C: usize>(t: &mut Square, site: &Site<C>, springs: &SpringTangent<C>) {
-    let pushed: [Vector; C] = core::array::from_fn(|a| &site.map * springs.column(a).into_owned());
+fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
+    let pushed: [Vector; 3] = core::array::from_fn(|a| &site.map * springs.column(a).into_owned());
     // A contact of one finger does not feel the joints of the others, and a drive feels only its own joint.
-    for columns in site.support.ranges::<C>() {
+    for columns in site.support.ranges() {
         for j in columns {
             let column = t.column_slice_mut(j);
-            for a in 0..C {
+            for a in 0..3 {
                 let g = site.map[(j, a)];
                 column.iter_mut().zip(pushed[a].iter()).for_each(|(t, pushed)| *t += pushed * g);
             }
@@ -107,12 +104,12 @@ fn add_tangent<const C: usize>(t: &mut Square, site: &Site<C>, springs: &SpringT
 
 /// Corrects forces and twist until the imbalance R is at most the part `part` of the sizes of its terms. Returns the sum of the largest
 /// changes of a force; `None` if the steps do not suffice.
-pub(crate) fn balance<const C: usize>(
-    sites: &[Site<C>],
-    springs: &[SpringTangent<C>],
+pub(crate) fn balance(
+    sites: &[Site],
+    springs: &[SpringTangent],
     tangent: &PartialPivoting,
     wrench: &Vector,
-    state: &mut PieceState<C>,
+    state: &mut PieceState,
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;

@@ -9,10 +9,10 @@ use crate::contact::State;
 /// Grasps of more sites than this do not keep their factors: many sites take memory, and most repeated questions concern few.
 const MOST_KEPT: usize = 256;
 
-impl<const C: usize> Problem<'_, C> {
+impl Problem<'_> {
     /// The piece in which every contact that is present sticks. At rest it depends on the sites of the grasp alone, not on load
     /// or commands, and is made once for all questions.
-    pub(crate) fn trial(&self) -> Arc<Piece<C>> {
+    pub(crate) fn trial(&self) -> Arc<Piece> {
         let make = || Piece::new(self, &self.unjumped());
         match self.trial {
             Some(kept) if self.len() <= MOST_KEPT => kept.get(make),
@@ -21,7 +21,7 @@ impl<const C: usize> Problem<'_, C> {
     }
 
     /// The piece of these states, or the elastic trial's piece if the states are its own.
-    pub(crate) fn piece(&self, states: &[State<C>]) -> Arc<Piece<C>> {
+    pub(crate) fn piece(&self, states: &[State]) -> Arc<Piece> {
         let unjumped = || self.locals().zip(states).all(|(local, state)| local.unjumped() == *state);
         if self.trial.is_some() && unjumped() { self.trial() } else { Arc::new(Piece::new(self, states)) }
     }

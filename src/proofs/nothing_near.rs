@@ -16,7 +16,7 @@
 //! Where this bound is below `W·v`, no equilibrium exists. Opposed contacts cancel in the sum; h then grows only once one of them opens.
 
 use crate::contact::Resistance;
-use crate::grasp::of_the_object;
+use crate::grasp::Space;
 use crate::numerics::{Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
@@ -27,11 +27,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, turns the object by at
 /// most ρ over the inside unit of length, and moves each further coordinate by at most ρ. Infinite where no equilibrium exists at all; `None` where
 /// nothing is proved even at q*.
-pub(crate) fn nothing_near<const C: usize>(
-    problem: &Problem<C>,
-    at: &Vector,
-    motion: &Vector,
-) -> Option<f64> {
+pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
@@ -44,13 +40,13 @@ pub(crate) fn nothing_near<const C: usize>(
             Resistance::Unlimited => return None,
             Resistance::ByFriction(0.0) => continue,
             Resistance::ByFriction(c) => {
-                let reach = reach::<C>(&site.map.column(0));
+                let reach = reach(site.space, &site.map.column(0));
                 if reach > 0.0 {
                     openings.push((stretch[0].max(0.0) / reach, c * reach));
                 }
                 // A contact that is open at q* adds nothing there; beyond q* it adds at most c times the distance by which it closes.
                 resisted += c * (-stretch[0]).max(0.0);
-                (c * stretch[0], unit::<C>(0) * c)
+                (c * stretch[0], unit::<3>(0) * c)
             }
             Resistance::BySprings(row) => (row.dot(&stretch), row),
         };
@@ -64,7 +60,7 @@ pub(crate) fn nothing_near<const C: usize>(
         return None;
     }
     openings.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (mut rho, mut growth) = (0.0, reach::<C>(&slope));
+    let (mut rho, mut growth) = (0.0, reach(problem.space(), &slope));
     for (from, faster) in openings {
         if growth * (from - rho) >= left {
             break;
@@ -77,9 +73,9 @@ pub(crate) fn nothing_near<const C: usize>(
 }
 
 /// The largest product of a row with a δ of ρ = 1: the norms of its translation and its rotation, and the sizes of all other entries.
-fn reach<const C: usize>(row: &Vector) -> f64 {
-    let object = of_the_object::<C>();
+fn reach(space: Space, row: &Vector) -> f64 {
+    let (axes, object) = (space.axes(), space.of_the_object());
     let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();
     let joints = row.as_slice().iter().skip(object).map(|x| x.abs()).sum::<f64>();
-    part(0, C) + part(C, object) + joints
+    part(0, axes) + part(axes, object) + joints
 }

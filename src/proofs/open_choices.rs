@@ -25,7 +25,7 @@ use crate::prelude::*;
 const MOST_CONTACTS: usize = 8;
 
 /// Whether no forces hold any load between a load (not included) and another a little beyond.
-pub(crate) fn nothing_holds<const C: usize>(here: &Problem<C>, past: &Problem<C>) -> bool {
+pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = (0..here.len()).filter(|&i| here.local(i).may_open()).collect();
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
     whole
@@ -40,24 +40,24 @@ pub(crate) fn nothing_holds<const C: usize>(here: &Problem<C>, past: &Problem<C>
 }
 
 /// Whether a contact has a row. Rows of inequalities follow the balance, contact by contact in the order of the problem, also in [`constant`].
-fn has_row<const C: usize>(local: &LocalLaw<'_, C>) -> bool {
+fn has_row(local: &LocalLaw<'_>) -> bool {
     local.pairs() > 0
 }
 
-fn rows<const C: usize>(problem: &Problem<C>) -> usize {
+fn rows(problem: &Problem) -> usize {
     problem.size().count() + problem.locals().filter(has_row).count()
 }
 
 /// Number of axes with springs of a closed contact; friction is a separate force.
-fn springs<const C: usize>(local: &LocalLaw<'_, C>) -> usize {
+fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }
 
 /// Entries of the rows from stretches of the contacts and a load.
-fn response<const C: usize>(
-    problem: &Problem<C>,
+fn response(
+    problem: &Problem,
     open: &[bool],
-    stretch: &dyn Fn(usize) -> SVector<f64, C>,
+    stretch: &dyn Fn(usize) -> SVector<f64, 3>,
     mut wrench: Vector,
 ) -> DVector<f64> {
     let mut w = DVector::zeros(rows(problem));
@@ -80,12 +80,12 @@ fn response<const C: usize>(
 }
 
 /// Entries of the rows from the drives and the load, w.
-fn constant<const C: usize>(problem: &Problem<C>, open: &[bool]) -> DVector<f64> {
+fn constant(problem: &Problem, open: &[bool]) -> DVector<f64> {
     response(problem, open, &|i| problem.drives[i], problem.wrench.clone())
 }
 
 /// Columns of Γ with length one: motions in both directions, friction, slacks.
-fn columns<const C: usize>(problem: &Problem<C>, open: &[bool]) -> Vec<DVector<f64>> {
+fn columns(problem: &Problem, open: &[bool]) -> Vec<DVector<f64>> {
     let count = rows(problem);
     let mut list = Vec::new();
     let mut push = |column: DVector<f64>, both_ways: bool| {
@@ -106,7 +106,7 @@ fn columns<const C: usize>(problem: &Problem<C>, open: &[bool]) -> Vec<DVector<f
     let mut row = size.count();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let own = has_row(&local).then_some(row);
-        let force = |f: &SVector<f64, C>, taken: f64| {
+        let force = |f: &SVector<f64, 3>, taken: f64| {
             let mut column = DVector::zeros(count);
             column.iter_mut().zip((&site.map * f).iter()).for_each(|(to, from)| *to = *from);
             if let Some(row) = own {

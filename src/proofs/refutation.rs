@@ -26,19 +26,19 @@ const BALANCED: f64 = 1e-13;
 
 /// A step of the proof. A division is followed by its second case with all steps below it, then by its first.
 #[derive(Debug, Clone)]
-pub(crate) enum ProofStep<const C: usize> {
+pub(crate) enum ProofStep {
     /// The state of a contact lies in one of two halves.
     Divided { contact: usize, halves: [Label; 2] },
     /// The case is contradicted.
-    Contradicted { motion: Vector, forces: Vec<SVector<f64, C>> },
+    Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
 /// The least factor by which an equilibrium hidden by rounding would exceed the data, both in √J. `None` where the steps
 /// omit a case, or contradict one too weakly to count.
-pub(crate) fn check<const C: usize>(problem: &Problem<C>, steps: &[ProofStep<C>]) -> Option<f64> {
+pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
-    let stored = |forces: &[SVector<f64, C>]| {
+    let stored = |forces: &[SVector<f64, 3>]| {
         problem.sites.iter().zip(forces).map(|(site, f)| 2.0 * site.springs.stored(f)).sum::<f64>()
     };
     let data = stored(&state.forces).sqrt();
@@ -67,11 +67,11 @@ pub(crate) fn check<const C: usize>(problem: &Problem<C>, steps: &[ProofStep<C>]
 
 /// The proof in a single case that nothing balances drives and load. The most yielding states do not respond to a virtual motion, and
 /// do the least work against it. Virtual forces `-C_iᵀG_iᵀy` balance one another in these states.
-pub(crate) fn yields<const C: usize>(problem: &Problem<C>) -> Option<f64> {
+pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).unanswered(&problem.drives, &problem.wrench)?;
     let forces = |sign: f64| {
-        let force = |((site, local), state): ((&Site<C>, LocalLaw<'_, C>), &State<C>)| {
+        let force = |((site, local), state): ((&Site, LocalLaw<'_>), &State)| {
             local.tangent(state).matrix().tr_mul(&site.map.tr_mul(&motion)) * -sign
         };
         problem.sites.iter().zip(problem.locals()).zip(&states).map(force).collect()
@@ -81,12 +81,7 @@ pub(crate) fn yields<const C: usize>(problem: &Problem<C>) -> Option<f64> {
 }
 
 /// The size of stretches and forces of the case, in √J, that would make up for the contradiction.
-fn escape<const C: usize>(
-    problem: &Problem<C>,
-    labels: &[Label],
-    motion: &Vector,
-    forces: &[SVector<f64, C>],
-) -> Option<f64> {
+fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVector<f64, 3>]) -> Option<f64> {
     if forces.len() != problem.len() {
         return None;
     }

@@ -40,19 +40,19 @@ const LEVEL: f64 = 0.1;
 const BALANCED: f64 = 1e-5;
 
 /// The cone of one contact that responds to motions by forces.
-struct Pushing<const C: usize> {
+struct Pushing {
     /// The coordinates that the contact feels, with the rows of its map, scaled to length one.
-    felt: Vec<(usize, SVector<f64, C>)>,
+    felt: Vec<(usize, SVector<f64, 3>)>,
     /// μ of a round cone; else a ray along the first axis.
     cone: Option<f64>,
-    told: SVector<f64, C>,
+    told: SVector<f64, 3>,
 }
 
-impl<const C: usize> Pushing<C> {
+impl Pushing {
     /// The projection of x onto the cone, and its derivative.
-    fn nearest(&self, x: &SVector<f64, C>) -> (SVector<f64, C>, SMatrix<f64, C, C>) {
+    fn nearest(&self, x: &SVector<f64, 3>) -> (SVector<f64, 3>, SMatrix<f64, 3, 3>) {
         let Some(mu) = self.cone else {
-            let normal = unit::<C>(0);
+            let normal = unit::<3>(0);
             let pushes = x[0] > 0.0;
             let held = if pushes { normal * normal.transpose() } else { SMatrix::zeros() };
             return (if pushes { normal * x[0] } else { SVector::zeros() }, held);
@@ -64,7 +64,7 @@ impl<const C: usize> Pushing<C> {
         if mu * size <= -x[0] {
             return (SVector::zeros(), SMatrix::zeros());
         }
-        let (normal, along) = (unit::<C>(0), tangential(x) / size);
+        let (normal, along) = (unit::<3>(0), tangential(x) / size);
         let edge = normal + along * mu;
         let share = edge.dot(x) / edge.norm_squared();
         let across = SMatrix::identity() - normal * normal.transpose() - along * along.transpose();
@@ -72,14 +72,14 @@ impl<const C: usize> Pushing<C> {
         (edge * share, held)
     }
 
-    fn moved(&self, v: &[f64]) -> SVector<f64, C> {
+    fn moved(&self, v: &[f64]) -> SVector<f64, 3> {
         self.felt.iter().fold(SVector::zeros(), |sum, (k, g)| sum + g * v[*k])
     }
 }
 
 /// All contacts and the load, in a narrow order of coordinates.
-struct PushedBack<const C: usize> {
-    contacts: Vec<Pushing<C>>,
+struct PushedBack {
+    contacts: Vec<Pushing>,
     numbers: Vec<usize>,
     /// Of length one.
     load: Vec<f64>,
@@ -98,7 +98,7 @@ pub(super) enum Left {
 }
 
 /// The residual of a load of length one after rounds of the augmented Lagrangian; `judged` decides whether a residual is a proof.
-pub(super) fn left_of_many<const C: usize>(problem: &Problem<C>, judged: &dyn Fn(&Vector) -> bool) -> Left {
+pub(super) fn left_of_many(problem: &Problem, judged: &dyn Fn(&Vector) -> bool) -> Left {
     let Some(mut pushed) = are_many(problem.size()).then(|| PushedBack::of(problem)).flatten() else {
         return Left::Nothing;
     };
@@ -124,16 +124,16 @@ pub(super) fn left_of_many<const C: usize>(problem: &Problem<C>, judged: &dyn Fn
     proof.map_or(Left::Unclear, Left::Proof)
 }
 
-impl<const C: usize> PushedBack<C> {
-    fn of(problem: &Problem<C>) -> Option<Self> {
+impl PushedBack {
+    fn of(problem: &Problem) -> Option<Self> {
         let count = problem.size().count();
-        let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges::<C>()).collect();
+        let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges()).collect();
         let numbers = narrow_order(count, &couplings);
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
         let numbered = |range: &Range<usize>| range.clone().map(|k| (k, numbers[k])).collect::<Vec<_>>();
         let felt = |contact: usize| couplings[contact].iter().flat_map(numbered).collect::<Vec<_>>();
-        let ray = |Generator { contact, wrench, .. }: Generator<C>| {
-            let along = |(k, number)| (number, unit::<C>(0) * wrench[k]);
+        let ray = |Generator { contact, wrench, .. }: Generator| {
+            let along = |(k, number)| (number, unit::<3>(0) * wrench[k]);
             Pushing {
                 felt: felt(contact).into_iter().map(along).collect(),
                 cone: None,

@@ -37,15 +37,15 @@ const MOST_COORDINATES: usize = 600;
 
 /// A force of one contact whose wrench is one unit long.
 #[derive(Debug, Clone)]
-pub(crate) struct Generator<const C: usize> {
+pub(crate) struct Generator {
     pub(crate) contact: usize,
-    pub(crate) force: SVector<f64, C>,
+    pub(crate) force: SVector<f64, 3>,
     pub(crate) wrench: Vector,
 }
 
-impl<const C: usize> Generator<C> {
+impl Generator {
     /// The generator along a force of any length.
-    pub(crate) fn along(contact: usize, site: &Site<C>, force: SVector<f64, C>) -> Self {
+    pub(crate) fn along(contact: usize, site: &Site, force: SVector<f64, 3>) -> Self {
         let wrench = &site.map * force;
         let size = wrench.norm();
         Self { contact, force: force / size, wrench: wrench / size }
@@ -53,34 +53,34 @@ impl<const C: usize> Generator<C> {
 }
 
 /// The sum of admissible forces whose wrench is nearest to a target.
-pub(crate) struct NearestForces<const C: usize> {
+pub(crate) struct NearestForces {
     /// Sum minus target: no generator works against this motion, except for rounding.
     pub(crate) motion: Vector,
     /// The most work of a generator against the motion.
     pub(crate) against: f64,
     /// The generators with a share, and their shares.
-    pub(crate) shares: Vec<(Generator<C>, f64)>,
+    pub(crate) shares: Vec<(Generator, f64)>,
 }
 
 /// The nearest sum of the given straight generators, and of generators of round cones that `round` adds where needed.
-pub(crate) fn nearest_forces<const C: usize>(
+pub(crate) fn nearest_forces(
     size: Size,
-    straight: &[Generator<C>],
-    round: &dyn Fn(&Vector) -> Vec<Generator<C>>,
+    straight: &[Generator],
+    round: &dyn Fn(&Vector) -> Vec<Generator>,
     target: &Vector,
-) -> NearestForces<C> {
+) -> NearestForces {
     let mut target = target.clone();
     target.reach(size);
     let mut nearest = NearestPoint::new(target.as_slice());
     // By its number a straight generator joins once; generators of round cones are all different.
-    let mut joined: Vec<Generator<C>> = Vec::new();
+    let mut joined: Vec<Generator> = Vec::new();
     let each = if size.count() <= MOST_COORDINATES { MOST_JOINING_EACH } else { 0 };
     let mut joins_left = MOST_JOINING + each * size.count();
     let (motion, against) = loop {
         let residual = nearest.residual();
         let v = Vector::from_fn(size, |k| -residual[k]);
         let (round, next) = (round(&v), straight.len() + joined.len());
-        let mut worst: Option<(usize, &Generator<C>, f64)> = None;
+        let mut worst: Option<(usize, &Generator, f64)> = None;
         for (k, generator) in straight.iter().chain(&round).enumerate() {
             let work = generator.wrench.dot(&v);
             if worst.is_none_or(|(.., least)| work.total_cmp(&least).is_lt()) {
@@ -105,18 +105,18 @@ pub(crate) fn nearest_forces<const C: usize>(
 }
 
 /// A load, and the friction cones that might balance it.
-struct LoadAndCones<'p, 'g, const C: usize> {
-    problem: &'p Problem<'g, C>,
-    straight: Vec<Generator<C>>,
+struct LoadAndCones<'p, 'g> {
+    problem: &'p Problem<'g>,
+    straight: Vec<Generator>,
     load: f64,
     /// Size of load and squeeze together, to which an escape is compared. Where fingers squeeze, forces may be far larger than the load:
     /// their work through rounding must not make up for the work of the load.
     data: f64,
 }
 
-impl<'p, 'g, const C: usize> LoadAndCones<'p, 'g, C> {
+impl<'p, 'g> LoadAndCones<'p, 'g> {
     /// `None` without a load, or where a law is not a cone.
-    fn of(problem: &'p Problem<'g, C>) -> Option<Self> {
+    fn of(problem: &'p Problem<'g>) -> Option<Self> {
         let load = problem.wrench.norm();
         let straight = (load > 0.0).then(|| straight_generators(problem)).flatten()?;
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
@@ -147,13 +147,13 @@ impl<'p, 'g, const C: usize> LoadAndCones<'p, 'g, C> {
 }
 
 /// The unit separating motion in inside coordinates, if there is a clear one.
-pub(crate) fn separating_motion<const C: usize>(problem: &Problem<C>) -> Option<Vector> {
+pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     LoadAndCones::of(problem)?.separating_motion()
 }
 
 /// [`separating_motion`] for many coordinates, by the augmented Lagrangian. Where its residual proves nothing, the nearest forces decide, for at most
 /// [`MOST_COORDINATES`] coordinates.
-pub(crate) fn separating_motion_in_a_band<const C: usize>(problem: &Problem<C>) -> Option<Vector> {
+pub(crate) fn separating_motion_in_a_band(problem: &Problem) -> Option<Vector> {
     let all = LoadAndCones::of(problem)?;
     match left_of_many(problem, &|v| all.is_proof(v)) {
         Left::Proof(v) => Some(v.normalize()),
@@ -163,17 +163,13 @@ pub(crate) fn separating_motion_in_a_band<const C: usize>(problem: &Problem<C>) 
 }
 
 /// The sum of the wrenches of springs that the commands alone stretch.
-fn squeeze<const C: usize>(problem: &Problem<C>) -> f64 {
-    let pushed =
-        |(site, drive): (&Site<C>, &SVector<f64, C>)| site.map.pushed_norm(&site.springs.force(drive));
+fn squeeze(problem: &Problem) -> f64 {
+    let pushed = |(site, drive): (&Site, &SVector<f64, 3>)| site.map.pushed_norm(&site.springs.force(drive));
     problem.sites.iter().zip(&problem.drives).map(pushed).sum()
 }
 
 /// For every round cone, the unit wrench with the most work against a motion.
-pub(crate) fn round_generators<const C: usize>(
-    problem: &Problem<C>,
-    v: &Vector,
-) -> impl Iterator<Item = Generator<C>> {
+pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<Item = Generator> {
     let contacts = problem.locals().zip(problem.sites).enumerate();
     contacts.filter(|(_, (local, _))| local.is_round()).map(move |(contact, (local, site))| {
         let u = site.map.tr_mul(v);
@@ -187,11 +183,7 @@ pub(crate) fn round_generators<const C: usize>(
 ///
 /// It is a proof, for any forces in any state, if no admissible contact force works against the motion, the load does not work
 /// against it, and the rate of the load works along it.
-pub(crate) fn separates_from_here_on<const C: usize>(
-    problem: &Problem<C>,
-    motion: &Vector,
-    rate: &Vector,
-) -> bool {
+pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &Vector) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
     let against = all.map(|g| -g.wrench.dot(motion)).fold(0.0, f64::max);
@@ -202,13 +194,13 @@ pub(crate) fn separates_from_here_on<const C: usize>(
 }
 
 /// The unit wrenches that generate the cones that are not round; `None` where a law is not a cone of forces at rest.
-pub(crate) fn straight_generators<const C: usize>(problem: &Problem<C>) -> Option<Vec<Generator<C>>> {
+pub(crate) fn straight_generators(problem: &Problem) -> Option<Vec<Generator>> {
     let mut list = Vec::new();
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
         if local.is_round() {
             continue;
         }
-        let mut push = |force: SVector<f64, C>| list.push(Generator::along(contact, site, force));
+        let mut push = |force: SVector<f64, 3>| list.push(Generator::along(contact, site, force));
         match local.law {
             Law::Absent => continue,
             Law::Edge(_) => return None,
@@ -221,11 +213,11 @@ pub(crate) fn straight_generators<const C: usize>(problem: &Problem<C>) -> Optio
         }
         push(unit(0));
         if local.may_pull() {
-            push(-unit::<C>(0));
+            push(-unit::<3>(0));
         }
         for a in 1..local.springs.axes() {
             push(unit(a));
-            push(-unit::<C>(a));
+            push(-unit::<3>(a));
         }
     }
     Some(list)

@@ -10,7 +10,7 @@ use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::carried::{WrittenMass, WrittenTurning};
 use super::object;
-use crate::grasp::{Twist, Wrench, of_the_object, wrench_of};
+use crate::grasp::{Space, Twist, Wrench, of_the_object};
 use crate::serial::{Computed, Few, Given, Number};
 
 fn write<S: Serializer, const C: usize>(
@@ -91,7 +91,8 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             if at.is_some() {
                 let at = part(at.as_ref(), C, "at")?;
                 let force = |a: usize| if a < C { wrench[a] } else { 0.0 };
-                let through = wrench_of::<3>(&at.into(), &SVector::from_fn(|a, _| force(a)));
+                let through =
+                    Space::Spatial.wrench_of(&at.into(), &SVector::<f64, 3>::from_fn(|a, _| force(a)));
                 // The rotation in the plane is about z, the last axis of space.
                 let object = of_the_object::<C>();
                 for k in C..object {

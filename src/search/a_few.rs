@@ -25,22 +25,22 @@ const MANY_LEAVE: usize = 128;
 const MOST_BESIDE: usize = 400;
 
 /// States that all contacts keep except the pivoting set, whose contacts stick, with their solved piece.
-struct Base<const C: usize> {
-    states: Vec<State<C>>,
-    piece: Arc<Piece<C>>,
-    at: PieceState<C>,
+struct Base {
+    states: Vec<State>,
+    piece: Arc<Piece>,
+    at: PieceState,
 }
 
-impl<const C: usize> Base<C> {
+impl Base {
     /// The base with these states; `None` where no forces of these states balance the load.
-    fn of(problem: &Problem<C>, states: Vec<State<C>>) -> Option<Self> {
+    fn of(problem: &Problem, states: Vec<State>) -> Option<Self> {
         let piece = problem.piece(&states);
         let at = piece.solve(problem.sites, &problem.drives, problem.load()).ok()?;
         Some(Self { states, piece, at })
     }
 
     /// The base with the contacts `among` sticking; itself if they stick already. `None` where its tangent stiffness is singular.
-    fn sticking_at(self, problem: &Problem<C>, among: &[usize], moved: &mut Moved) -> Option<Self> {
+    fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut Moved) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
             states[*i] = problem.local(*i).unjumped();
@@ -54,11 +54,11 @@ impl<const C: usize> Base<C> {
 }
 
 /// States in which no contact breaks a condition, or `None` if the paths find none.
-pub(super) fn propose_of_a_few<const C: usize>(
-    scene: &TrialScene<'_, '_, C>,
-    problem: &Problem<C>,
+pub(super) fn propose_of_a_few(
+    scene: &TrialScene<'_, '_>,
+    problem: &Problem,
     log: &mut Log,
-) -> Option<Vec<State<C>>> {
+) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.unjumped, &scene.state);
     if leaving.len() >= MANY_LEAVE
         && let Some(near) = states_by_given_limits(problem).and_then(|near| regular(problem, near))
@@ -77,12 +77,12 @@ pub(super) fn propose_of_a_few<const C: usize>(
 }
 
 /// States from Lemke's path on the contacts `among`. Where a path finds no solution, neighbours join, up to `most` contacts altogether.
-fn pivoted<const C: usize>(
-    problem: &Problem<C>,
+fn pivoted(
+    problem: &Problem,
     settings: &Settings,
-    (mut base, mut among, most): (Base<C>, Vec<usize>, usize),
+    (mut base, mut among, most): (Base, Vec<usize>, usize),
     log: &mut Log,
-) -> Option<Vec<State<C>>> {
+) -> Option<Vec<State>> {
     let mut moved = Moved::default();
     for _ in 0..ROUNDS {
         among.sort_unstable();

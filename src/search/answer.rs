@@ -56,9 +56,9 @@ pub enum Doubt {
 
 /// A solution of the local problem.
 #[derive(Debug, Clone)]
-pub(crate) struct Found<const C: usize> {
-    pub(crate) states: Vec<State<C>>,
-    pub(crate) forces: Vec<SVector<f64, C>>,
+pub(crate) struct Found {
+    pub(crate) states: Vec<State>,
+    pub(crate) forces: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
@@ -69,9 +69,9 @@ pub(crate) struct Found<const C: usize> {
     pub(crate) from_polygon: Option<f64>,
 }
 
-impl<const C: usize> Found<C> {
+impl Found {
     /// A solution without free motions and history.
-    pub(crate) fn new(states: Vec<State<C>>, forces: Vec<SVector<f64, C>>, twist: Vector) -> Self {
+    pub(crate) fn new(states: Vec<State>, forces: Vec<SVector<f64, 3>>, twist: Vector) -> Self {
         Self {
             states,
             forces,
@@ -84,21 +84,21 @@ impl<const C: usize> Found<C> {
     }
 }
 
-/// A [`Found`] with its number of coordinates erased, for answers that keep it.
+/// A [`Found`] whose twist is stored as answers store it.
 #[derive(Debug, Clone)]
-pub(crate) struct Kept<const C: usize> {
-    pub(crate) states: Vec<State<C>>,
-    pub(crate) forces: Vec<SVector<f64, C>>,
-    pub(crate) twist: Coordinates<C>,
-    free_motions: Vec<Coordinates<C>>,
-    neutral_motions: Vec<Coordinates<C>>,
+pub(crate) struct Kept {
+    pub(crate) states: Vec<State>,
+    pub(crate) forces: Vec<SVector<f64, 3>>,
+    pub(crate) twist: Coordinates,
+    free_motions: Vec<Coordinates>,
+    neutral_motions: Vec<Coordinates>,
     sizes: [f64; 2],
     from_polygon: Option<f64>,
 }
 
-impl<const C: usize> Kept<C> {
-    /// Erases the number of coordinates; `list` is reused for the twist.
-    pub(crate) fn of(found: Found<C>, list: Vec<f64>) -> Self {
+impl Kept {
+    /// Stores the twist in `list`.
+    pub(crate) fn of(found: Found, list: Vec<f64>) -> Self {
         Self {
             states: found.states,
             forces: found.forces,
@@ -110,7 +110,7 @@ impl<const C: usize> Kept<C> {
         }
     }
 
-    pub(crate) fn found(&self) -> Found<C> {
+    pub(crate) fn found(&self) -> Found {
         Found {
             states: self.states.clone(),
             forces: self.forces.clone(),
@@ -125,8 +125,8 @@ impl<const C: usize> Kept<C> {
 
 /// The end of a search.
 #[derive(Debug, Clone)]
-pub(crate) enum Settled<const C: usize> {
-    Found(Found<C>, Rung),
+pub(crate) enum Settled {
+    Found(Found, Rung),
     /// The load works on a motion that no spring resists.
     FreeMotion(Vector),
     /// No admissible forces balance the load: this motion separates it from the friction wrench cone.

@@ -29,8 +29,8 @@ const OUT_OF_BALANCE: f64 = 1e-11;
 
 /// Verdict on a proposal.
 #[derive(Debug, Clone)]
-pub(crate) enum Judged<const C: usize> {
-    Holds(Found<C>),
+pub(crate) enum Judged {
+    Holds(Found),
     Violated {
         /// Whether the violation is small enough to be rounding.
         doubtful: bool,
@@ -40,7 +40,7 @@ pub(crate) enum Judged<const C: usize> {
 }
 
 /// Solves the piece with these states and checks every inequality.
-pub(crate) fn try_states<const C: usize>(problem: &Problem<C>, states: Vec<State<C>>) -> Judged<C> {
+pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
     if problem.locals().zip(&states).any(|(local, state)| local.excludes(state)) {
         return Judged::Violated { doubtful: false };
     }
@@ -55,20 +55,20 @@ pub(crate) fn try_states<const C: usize>(problem: &Problem<C>, states: Vec<State
 }
 
 /// A proposal that does not hold, returned unchanged.
-pub(super) struct Refused<const C: usize> {
-    pub(super) states: Vec<State<C>>,
-    pub(super) at: PieceState<C>,
+pub(super) struct Refused {
+    pub(super) states: Vec<State>,
+    pub(super) at: PieceState,
     /// Whether the violation is small enough to be rounding.
     doubtful: bool,
 }
 
 /// Checks every inequality for a solution of the piece with these states.
-pub(super) fn admit<const C: usize>(
-    problem: &Problem<C>,
-    states: Vec<State<C>>,
-    piece: &Piece<C>,
-    at: PieceState<C>,
-) -> Result<Found<C>, Refused<C>> {
+pub(super) fn admit(
+    problem: &Problem,
+    states: Vec<State>,
+    piece: &Piece,
+    at: PieceState,
+) -> Result<Found, Refused> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
     // Most verdicts do not depend on the growth of errors, which costs as much as the factorisation: it is computed on demand.
@@ -109,11 +109,7 @@ pub(super) fn admit<const C: usize>(
 }
 
 /// Checks balanced forces of a regular piece: it has one solution, and rounding does not grow in it.
-pub(super) fn admit_regular<const C: usize>(
-    problem: &Problem<C>,
-    states: Vec<State<C>>,
-    state: PieceState<C>,
-) -> Option<Found<C>> {
+pub(super) fn admit_regular(problem: &Problem, states: Vec<State>, state: PieceState) -> Option<Found> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
         // This comparison also refuses NaN.
@@ -123,11 +119,7 @@ pub(super) fn admit_regular<const C: usize>(
 }
 
 /// The contacts that break a condition of their states by more than rounding.
-pub(super) fn breaking<const C: usize>(
-    problem: &Problem<C>,
-    states: &[State<C>],
-    at: &PieceState<C>,
-) -> Vec<usize> {
+pub(super) fn breaking(problem: &Problem, states: &[State], at: &PieceState) -> Vec<usize> {
     let largest = problem.largest_force(&at.forces, &at.twist);
     let norm = at.twist.norm();
     let breaks = |contact: &usize| {
@@ -142,10 +134,10 @@ pub(super) fn breaking<const C: usize>(
 }
 
 /// Calls `visit(value, size)` for every condition `value >= 0` of all contacts.
-pub(crate) fn for_each_condition<const C: usize>(
-    problem: &Problem<C>,
-    states: &[State<C>],
-    forces: &[SVector<f64, C>],
+pub(crate) fn for_each_condition(
+    problem: &Problem,
+    states: &[State],
+    forces: &[SVector<f64, 3>],
     twist: &Vector,
     mut visit: impl FnMut(f64, f64),
 ) {
@@ -158,18 +150,14 @@ pub(crate) fn for_each_condition<const C: usize>(
 
 /// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. Where commands alone move a statically determinate grasp, no force changes.
 /// Its forces are rounding. The sizes therefore include the part `NO_FORCE` of the least force that its springs could have.
-fn out_of_balance<const C: usize>(problem: &Problem<C>, forces: &[SVector<f64, C>], twist: &Vector) -> f64 {
+fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;
     if size > 0.0 { left / size } else { 0.0 }
 }
 
 /// Values and sizes of all inequalities.
-fn slacks<const C: usize>(
-    problem: &Problem<C>,
-    states: &[State<C>],
-    at: &PieceState<C>,
-) -> (Vec<f64>, Vec<f64>) {
+fn slacks(problem: &Problem, states: &[State], at: &PieceState) -> (Vec<f64>, Vec<f64>) {
     let (mut values, mut sizes) = (Vec::new(), Vec::new());
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
         values.push(value);
@@ -179,7 +167,7 @@ fn slacks<const C: usize>(
 }
 
 /// The worst violation of an inequality, relative to its size; infinite where a value is NaN.
-fn violation<const C: usize>(problem: &Problem<C>, states: &[State<C>], at: &PieceState<C>) -> f64 {
+fn violation(problem: &Problem, states: &[State], at: &PieceState) -> f64 {
     let mut worst = 0.0;
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
         worst = worse(worst, value, size);
@@ -199,12 +187,12 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
 /// ```
 ///
 /// AAᵀ is positive semidefinite, so Lemke finds λ whenever the inequalities can be met.
-fn least_admissible_shift<const C: usize>(
-    problem: &Problem<C>,
-    states: &[State<C>],
+fn least_admissible_shift(
+    problem: &Problem,
+    states: &[State],
     values: &[f64],
     sizes: &[f64],
-    motions: &[(Vector, Vec<SVector<f64, C>>)],
+    motions: &[(Vector, Vec<SVector<f64, 3>>)],
 ) -> Option<DVector<f64>> {
     let b = DVector::from_iterator(values.len(), values.iter().zip(sizes).map(|(value, size)| value / size));
     let mut a = DMatrix::zeros(b.len(), motions.len());

@@ -8,15 +8,12 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// The number of combinations of contact states, in floating point because it overflows soon.
-pub(crate) fn combinations<const C: usize>(problem: &Problem<C>) -> f64 {
+pub(crate) fn combinations(problem: &Problem) -> f64 {
     problem.locals().map(|local| local.states().len() as f64).product()
 }
 
 /// Visits every combination of states in a fixed order, the one without any jump first, until `visit` returns `true`.
-pub(crate) fn for_each_combination<const C: usize>(
-    problem: &Problem<C>,
-    visit: &mut dyn FnMut(Vec<State<C>>) -> bool,
-) {
+pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<State>) -> bool) {
     let choices = problem.each(|local| local.states());
     let mut at = vec![0; choices.len()];
     loop {
@@ -33,8 +30,8 @@ pub(crate) fn for_each_combination<const C: usize>(
 
 /// Result of an enumeration.
 #[derive(Debug, Clone)]
-pub(crate) struct Enumerated<const C: usize> {
-    pub(crate) found: Vec<Found<C>>,
+pub(crate) struct Enumerated {
+    pub(crate) found: Vec<Found>,
     /// Combinations tried.
     pub(crate) tried: usize,
     /// Some combination failed so narrowly that rounding could have done it.
@@ -42,16 +39,16 @@ pub(crate) struct Enumerated<const C: usize> {
 }
 
 /// Tries all combinations; with `first_only` up to the first that holds.
-pub(crate) fn search<const C: usize>(problem: &Problem<C>, first_only: bool) -> Enumerated<C> {
+pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }
 
 /// [`search`] among the combinations that `may_hold` admits.
-pub(crate) fn search_among<const C: usize>(
-    problem: &Problem<C>,
+pub(crate) fn search_among(
+    problem: &Problem,
     first_only: bool,
-    may_hold: &dyn Fn(&[State<C>]) -> bool,
-) -> Enumerated<C> {
+    may_hold: &dyn Fn(&[State]) -> bool,
+) -> Enumerated {
     let mut search = Enumerated { found: Vec::new(), tried: 0, doubtful: false };
     for_each_combination(problem, &mut |states| {
         if !may_hold(&states) {

@@ -12,11 +12,11 @@ use super::scene::{Attempt, Log, TrialScene};
 use super::settings::Settings;
 use crate::object::Problem;
 
-type TryRung<const C: usize> = fn(&TrialScene<'_, '_, C>, &mut Log) -> Attempt<C>;
+type TryRung = fn(&TrialScene<'_, '_>, &mut Log) -> Attempt;
 
 /// Tries the elastic trial, then rung by rung until a solution or a proof is found.
-pub(crate) fn settle<const C: usize>(problem: &Problem<C>, settings: &Settings) -> (Settled<C>, Effort) {
-    let ladder: [TryRung<C>; 14] = [
+pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
+    let ladder: [TryRung; 14] = [
         touching_contacts_stick,
         newton_on_answers,
         newton_on_the_round_cone,

@@ -29,7 +29,7 @@ const DEPENDENT: f64 = 1e-9;
 const NO_PLACE: f64 = 1e-9;
 
 /// The solution with the shortest admissible part along its free motions.
-pub(super) fn at_the_least_motion<const C: usize>(problem: &Problem<C>, mut found: Found<C>) -> Found<C> {
+pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found {
     // On the round cone conditions along a slide are not linear, as the direction depends on the slip.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
         return found;
@@ -40,7 +40,7 @@ pub(super) fn at_the_least_motion<const C: usize>(problem: &Problem<C>, mut foun
     };
     let base = found.free_motions.iter().fold(found.twist.clone(), along);
     let base = &base + to_what_touches(problem, &found, &base);
-    let conditions = |problem: &Problem<C>, forces: &[SVector<f64, C>], twist: &Vector| {
+    let conditions = |problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector| {
         let mut list = Vec::new();
         for_each_condition(problem, &found.states, forces, twist, |value, size| list.push((value, size)));
         list
@@ -64,7 +64,7 @@ pub(super) fn at_the_least_motion<const C: usize>(problem: &Problem<C>, mut foun
 }
 
 /// The free motion, shortest in least squares, that closes the gaps of open contacts which touched before anything moved.
-fn to_what_touches<const C: usize>(problem: &Problem<C>, found: &Found<C>, base: &Vector) -> Vector {
+fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let touches = |i: &usize| {
         let reach = problem.drives[*i][0];
         let open = found.states[*i].is_open() && problem.local(*i).may_open();

@@ -8,8 +8,8 @@ use crate::prelude::*;
 const ROUNDS: usize = 8;
 
 /// The contacts that share a coordinate with one of `among`, these included, in order.
-pub(super) fn beside<const C: usize>(problem: &Problem<C>, among: &[usize]) -> Vec<usize> {
-    let felt = |i: usize| problem.sites[i].support.ranges::<C>().into_iter().flatten();
+pub(super) fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
+    let felt = |i: usize| problem.sites[i].support.ranges().into_iter().flatten();
     let mut is_near = vec![false; problem.size().count()];
     among.iter().flat_map(|i| felt(*i)).for_each(|k| is_near[k] = true);
     (0..problem.len()).filter(|i| felt(*i).any(|k| is_near[k])).collect()
@@ -17,10 +17,7 @@ pub(super) fn beside<const C: usize>(problem: &Problem<C>, among: &[usize]) -> V
 
 /// The states, with further contacts sticking until no motion is loose. For each loose motion the contact with the largest displacement sticks,
 /// among the contacts that do not. `None` if motions are still loose after all rounds.
-pub(super) fn regular<const C: usize>(
-    problem: &Problem<C>,
-    mut states: Vec<State<C>>,
-) -> Option<Vec<State<C>>> {
+pub(super) fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
     for _ in 0..ROUNDS {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
         if loose.is_empty() {
@@ -29,7 +26,7 @@ pub(super) fn regular<const C: usize>(
         for motion in &loose {
             let moved = |i: usize| {
                 let moved = problem.sites[i].map.tr_mul(motion);
-                if states[i].is_open() { moved.norm() } else { moved.rows(1, C - 1).norm() }
+                if states[i].is_open() { moved.norm() } else { moved.rows(1, 2).norm() }
             };
             let may_stick = |i: &usize| !states[*i].is_sticking() && !problem.local(*i).is_absent();
             let most = (0..states.len()).filter(may_stick).max_by(|a, b| moved(*a).total_cmp(&moved(*b)))?;

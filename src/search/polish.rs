@@ -16,7 +16,7 @@ use crate::prelude::*;
 const NEAR: f64 = 1e-12;
 
 /// Accepts a proposal that holds: the polygon's solution, or on the round cone the solution that Newton's method reaches from it.
-pub(super) fn accept<const C: usize>(problem: &Problem<C>, states: Vec<State<C>>) -> Judged<C> {
+pub(super) fn accept(problem: &Problem, states: Vec<State>) -> Judged {
     if !problem.round {
         return try_states(problem, states);
     }
@@ -30,10 +30,7 @@ pub(super) fn accept<const C: usize>(problem: &Problem<C>, states: Vec<State<C>>
 }
 
 /// The solution of the polygon's piece with these states, whether or not every inequality holds: the start of Newton's method.
-pub(crate) fn solution_near<const C: usize>(
-    problem: &Problem<C>,
-    states: &[State<C>],
-) -> Option<PieceState<C>> {
+pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<PieceState> {
     if let Some(near) = regular_solution(problem, states) {
         return Some(near);
     }
@@ -47,7 +44,7 @@ pub(crate) fn solution_near<const C: usize>(
 }
 
 /// The solution of a piece whose tangent stiffness is regular.
-fn regular_solution<const C: usize>(problem: &Problem<C>, states: &[State<C>]) -> Option<PieceState<C>> {
+fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
     let springs: Vec<_> =
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).collect();
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
@@ -58,16 +55,12 @@ fn regular_solution<const C: usize>(problem: &Problem<C>, states: &[State<C>]) -
 }
 
 /// The solution on the round cone that Newton's method finds from a twist.
-pub(super) fn polish_from<const C: usize>(problem: &Problem<C>, twist: Vector) -> Option<Found<C>> {
+pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<Found> {
     RoundPieces::arrived(problem, twist)?.solve(problem)
 }
 
 /// The solution on the round cone near one on the polygon with these states, if Newton's method finds it.
-pub(crate) fn polish<const C: usize>(
-    problem: &Problem<C>,
-    states: &[State<C>],
-    near: &PieceState<C>,
-) -> Option<Found<C>> {
+pub(crate) fn polish(problem: &Problem, states: &[State], near: &PieceState) -> Option<Found> {
     let found = RoundPieces::arrived(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))
         .or_else(|| RoundPieces::on_polygons(problem, states, near).solve(problem))?;

@@ -28,25 +28,21 @@ pub(super) const MOST_WORK: usize = 500_000_000;
 
 /// Whether one path on a dense matrix with `times` the rows of the kinematic form is affordable. A path takes about as many
 /// pivots as there are rows.
-pub(crate) fn dense_is_affordable<const C: usize>(problem: &Problem<C>, times: usize) -> bool {
+pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
     (times * rows).pow(3) <= MOST_WORK
 }
 
 /// Whether every combination of contact states may be tried.
-pub(super) fn enumerable<const C: usize>(problem: &Problem<C>, settings: &Settings) -> bool {
+pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
     combinations(problem) <= settings.most_states as f64
 }
 
 /// A rule that proposes contact states, or `None` where it finds none.
-type Propose<'p, const C: usize> = dyn Fn(&Problem<C>, &mut Log) -> Option<Vec<State<C>>> + 'p;
+type Propose<'p> = dyn Fn(&Problem, &mut Log) -> Option<Vec<State>> + 'p;
 
 /// Proposes states, solves the piece with these states and checks it; on the round cone Newton's method continues from there.
-pub(super) fn climb<const C: usize>(
-    problem: &Problem<C>,
-    propose: &Propose<'_, C>,
-    log: &mut Log,
-) -> Option<Found<C>> {
+pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> Option<Found> {
     let proposed = propose(problem, log)?;
     if !problem.round {
         return match try_states(problem, proposed) {
@@ -63,11 +59,11 @@ pub(super) fn climb<const C: usize>(
 }
 
 /// Contact states from Lemke's method on lists of contact states.
-pub(super) fn propose_structured<const C: usize>(
-    scene: &TrialScene<'_, '_, C>,
-    problem: &Problem<C>,
+pub(super) fn propose_structured(
+    scene: &TrialScene<'_, '_>,
+    problem: &Problem,
     log: &mut Log,
-) -> Option<Vec<State<C>>> {
+) -> Option<Vec<State>> {
     let max_pivots = scene.settings.max_pivots;
     let retries = if most_cases(problem, scene.settings) > 0 { 0 } else { OTHER_PATHS };
     let proposal = structured::propose(problem, &scene.trial, &scene.state, retries, max_pivots, MOST_WORK);
@@ -80,13 +76,13 @@ pub(super) fn propose_structured<const C: usize>(
 }
 
 /// Contact states from Lemke's method on a complementarity problem with a dense matrix.
-pub(super) fn propose_dense<const C: usize>(
-    problem: &Problem<C>,
+pub(super) fn propose_dense(
+    problem: &Problem,
     settings: &Settings,
     (form, most_work): (Option<Form>, usize),
-    states: fn(&Problem<C>, &Form, &Basis) -> Vec<State<C>>,
+    states: fn(&Problem, &Form, &Basis) -> Vec<State>,
     log: &mut Log,
-) -> Option<Vec<State<C>>> {
+) -> Option<Vec<State>> {
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
     // On the round cone the tree comes next, which decides more than another path would. Combinations are better enumerated as contact

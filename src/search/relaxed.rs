@@ -39,7 +39,7 @@ const MOST_PER_ROW: usize = 40;
 pub(super) type Tag = (usize, usize);
 
 /// The equation.
-pub(super) struct BalanceEquation<const C: usize> {
+pub(super) struct BalanceEquation {
     /// P, column by column.
     projector: Vec<f64>,
     /// f⁰ over its length.
@@ -47,24 +47,24 @@ pub(super) struct BalanceEquation<const C: usize> {
     /// |f⁰|, √J.
     unit: f64,
     /// K^{1/2} of each contact.
-    roots: Vec<SVector<f64, C>>,
+    roots: Vec<SVector<f64, 3>>,
 }
 
 /// The result of a relaxation.
-pub(super) enum Relaxed<const C: usize> {
+pub(super) enum Relaxed {
     /// Stretches (m) and forces (N) of the contacts, as far as the relaxation determines them.
-    Met(Vec<SVector<f64, C>>, Vec<SVector<f64, C>>),
+    Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
     /// Every solution would be larger than the data by at least this factor.
     Contradicted { escape: f64 },
 }
 
-impl<const C: usize> BalanceEquation<C> {
+impl BalanceEquation {
     /// The equation of a scene with its elastic trial; `None` where the trial carries no force.
-    pub(super) fn new(problem: &Problem<C>, trial: &Piece<C>, state: &PieceState<C>) -> Option<Self> {
-        let size = C * problem.len();
+    pub(super) fn new(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Self> {
+        let size = 3 * problem.len();
         let roots: Vec<_> = problem.sites.iter().map(|site| site.springs.root()).collect();
-        let energy = |(root, force): (&SVector<f64, C>, &SVector<f64, C>)| {
-            SVector::<f64, C>::from_fn(|a, _| if root[a] > 0.0 { force[a] / root[a] } else { 0.0 })
+        let energy = |(root, force): (&SVector<f64, 3>, &SVector<f64, 3>)| {
+            SVector::<f64, 3>::from_fn(|a, _| if root[a] > 0.0 { force[a] / root[a] } else { 0.0 })
         };
         let mut target: Vec<f64> = Vec::with_capacity(size);
         for pair in roots.iter().zip(&state.forces) {
@@ -79,7 +79,7 @@ impl<const C: usize> BalanceEquation<C> {
         }
         let seen: Vec<_> = (0..problem.len()).map(|contact| trial.seen(contact)).collect();
         let mut projector = Vec::with_capacity(size * size);
-        for column in seen.iter().flat_map(|seen| (0..C).map(|a| seen.column(a))) {
+        for column in seen.iter().flat_map(|seen| (0..3).map(|a| seen.column(a))) {
             for rows in &seen {
                 projector.extend_from_slice(rows.tr_mul(&column).as_slice());
             }
@@ -93,12 +93,12 @@ impl<const C: usize> BalanceEquation<C> {
     }
 
     /// `e + P (f - e)` of a generator of a contact.
-    fn column(&self, contact: usize, ray: &HullRay<C>, column: &mut Vec<f64>) {
+    fn column(&self, contact: usize, ray: &HullRay, column: &mut Vec<f64>) {
         let size = self.target.len();
         column.clear();
         column.resize(size, 0.0);
-        for a in 0..C {
-            let (row, jump) = (C * contact + a, ray.force[a] - ray.stretch[a]);
+        for a in 0..3 {
+            let (row, jump) = (3 * contact + a, ray.force[a] - ray.stretch[a]);
             if jump != 0.0 {
                 let p = &self.projector[size * row..][..size];
                 column.iter_mut().zip(p).for_each(|(x, p)| *x += jump * p);
@@ -121,11 +121,11 @@ impl<const C: usize> BalanceEquation<C> {
     fn works<'r>(
         y: &'r [f64],
         projected: &'r [f64],
-        hulls: &'r [impl AsRef<[HullRay<C>]>],
+        hulls: &'r [impl AsRef<[HullRay]>],
     ) -> impl Iterator<Item = (Tag, f64)> + 'r {
         hulls.iter().enumerate().flat_map(move |(contact, hull)| {
-            let on_force = SVector::<f64, C>::from_column_slice(&projected[C * contact..][..C]);
-            let on_stretch = SVector::<f64, C>::from_column_slice(&y[C * contact..][..C]) - on_force;
+            let on_force = SVector::<f64, 3>::from_column_slice(&projected[3 * contact..][..3]);
+            let on_stretch = SVector::<f64, 3>::from_column_slice(&y[3 * contact..][..3]) - on_force;
             hull.as_ref()
                 .iter()
                 .enumerate()
@@ -134,11 +134,7 @@ impl<const C: usize> BalanceEquation<C> {
     }
 
     /// Moves to the nearest point of the cone that these hulls span.
-    pub(super) fn relax(
-        &self,
-        hulls: &[impl AsRef<[HullRay<C>]>],
-        nearest: &mut NearestPoint<Tag>,
-    ) -> Relaxed<C> {
+    pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.settle(&self.target);
         // Generators that brought nothing since the distance has last shrunk.
@@ -180,7 +176,7 @@ impl<const C: usize> BalanceEquation<C> {
         self.sum(hulls, nearest)
     }
 
-    fn sum(&self, hulls: &[impl AsRef<[HullRay<C>]>], nearest: &NearestPoint<Tag>) -> Relaxed<C> {
+    fn sum(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &NearestPoint<Tag>) -> Relaxed {
         let mut stretches = vec![SVector::zeros(); hulls.len()];
         let mut forces = stretches.clone();
         for ((contact, ray), share) in nearest.shares() {
@@ -190,7 +186,7 @@ impl<const C: usize> BalanceEquation<C> {
         }
         for ((stretch, force), root) in stretches.iter_mut().zip(&mut forces).zip(&self.roots) {
             force.component_mul_assign(root);
-            for a in 0..C {
+            for a in 0..3 {
                 stretch[a] = if root[a] > 0.0 { stretch[a] / root[a] } else { 0.0 };
             }
         }
@@ -200,14 +196,14 @@ impl<const C: usize> BalanceEquation<C> {
     /// The contradiction of a case: a virtual motion and self-balanced virtual forces, from the residual.
     pub(super) fn contradiction(
         &self,
-        trial: &Piece<C>,
+        trial: &Piece,
         nearest: &NearestPoint<Tag>,
-    ) -> (Vector, Vec<SVector<f64, C>>) {
+    ) -> (Vector, Vec<SVector<f64, 3>>) {
         let y = nearest.residual();
         let mut projected = Vec::new();
         self.projected(y, &mut projected);
         let part =
-            |list: &[f64], contact: usize| SVector::<f64, C>::from_column_slice(&list[C * contact..][..C]);
+            |list: &[f64], contact: usize| SVector::<f64, 3>::from_column_slice(&list[3 * contact..][..3]);
         let seen = self.roots.iter().enumerate().map(|(contact, root)| {
             let on_force = part(&projected, contact);
             SVector::from_fn(|a, _| if root[a] > 0.0 { on_force[a] / root[a] } else { 0.0 })
@@ -219,9 +215,9 @@ impl<const C: usize> BalanceEquation<C> {
     }
 
     /// The length of a difference of forces of a contact in energy units, as a part of the trial state.
-    pub(super) fn part(&self, contact: usize, difference: &SVector<f64, C>) -> f64 {
+    pub(super) fn part(&self, contact: usize, difference: &SVector<f64, 3>) -> f64 {
         let root = &self.roots[contact];
-        let square: f64 = (0..C)
+        let square: f64 = (0..3)
             .filter(|&a| root[a] > 0.0)
             .map(|a| (difference[a] / root[a]) * (difference[a] / root[a]))
             .sum();

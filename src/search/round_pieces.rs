@@ -40,9 +40,9 @@ const FELT: f64 = 1e-10;
 
 /// A state for every contact, with forces and a twist that need not solve their piece yet.
 #[derive(Debug, Clone)]
-pub(super) struct RoundPieces<const C: usize> {
-    states: Vec<State<C>>,
-    forces: Vec<SVector<f64, C>>,
+pub(super) struct RoundPieces {
+    states: Vec<State>,
+    forces: Vec<SVector<f64, 3>>,
     /// In twice the working precision: the slip of a stiff contact may be smaller than the rounding of the twist.
     twist: PreciseTwist,
 }
@@ -57,9 +57,9 @@ struct Progress {
     settled: bool,
 }
 
-impl<const C: usize> RoundPieces<C> {
+impl RoundPieces {
     /// The limit of Newton's method on the twist from `from`, each contact free to change its state.
-    pub(super) fn arrived(problem: &Problem<C>, from: Vector) -> Option<Self> {
+    pub(super) fn arrived(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
         let (twist, ..) = newton_on_cones(problem, (from, ARRIVED), &mut contacts)?;
         let (states, forces) = contacts.iter().map(|at| (at.state, at.force)).unzip();
@@ -67,8 +67,8 @@ impl<const C: usize> RoundPieces<C> {
     }
 
     /// The solution of the polygons' piece with these states.
-    pub(super) fn on_polygons(problem: &Problem<C>, states: &[State<C>], near: &PieceState<C>) -> Self {
-        let state = |(local, (state, force)): (LocalLaw<'_, C>, (&State<C>, &SVector<f64, C>))| {
+    pub(super) fn on_polygons(problem: &Problem, states: &[State], near: &PieceState) -> Self {
+        let state = |(local, (state, force)): (LocalLaw<'_>, (&State, &SVector<f64, 3>))| {
             if state.slides() && !local.is_on_an_edge() {
                 // Without a friction force the direction of the slide is unknown.
                 let rubs = local.may_slide() && tangential(force).amax() > 0.0;
@@ -86,7 +86,7 @@ impl<const C: usize> RoundPieces<C> {
     }
 
     /// Newton's method until the last digit of every contact is final. `None` if it does not converge or the states do not hold.
-    pub(super) fn solve(mut self, problem: &Problem<C>) -> Option<Found<C>> {
+    pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
         let driven = problem.drives.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
         for step in 1..=STEPS {
@@ -113,7 +113,7 @@ impl<const C: usize> RoundPieces<C> {
     }
 
     /// Whether friction forces equal their limit wherever contacts slide; false where a contact that is kept closed pulls.
-    fn on_cones(&self, problem: &Problem<C>) -> bool {
+    fn on_cones(&self, problem: &Problem) -> bool {
         let largest = problem.largest_force(&self.forces, &self.twist.value());
         problem.locals().zip(&self.states).zip(&self.forces).all(|((local, state), force)| {
             let limit = local.cone().limit(force[0]);
@@ -123,7 +123,7 @@ impl<const C: usize> RoundPieces<C> {
     }
 
     /// One step: solves the piece for corrections of forces and twist.
-    fn step(&mut self, problem: &Problem<C>, piece: &Piece<C>) -> Progress {
+    fn step(&mut self, problem: &Problem, piece: &Piece) -> Progress {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
         let missing = piece.correction(problem, &self.states, (&self.forces, &self.twist), largest);
@@ -141,7 +141,7 @@ impl<const C: usize> RoundPieces<C> {
     }
 
     /// The answer, if every inequality holds.
-    fn admitted(&self, problem: &Problem<C>, piece: &Piece<C>) -> Option<Found<C>> {
+    fn admitted(&self, problem: &Problem, piece: &Piece) -> Option<Found> {
         let Self { states, forces, twist } = self.clone();
         let at = PieceState { forces, twist: twist.value() };
         // Steps leave an imbalance only along loads that no spring of the piece resists.
@@ -160,23 +160,23 @@ impl<const C: usize> RoundPieces<C> {
 
     /// Whether a motion turns the friction of a sliding contact. It is then not free, but resisted by less than rounding of the stiffest
     /// spring, and its end is unknown.
-    fn turns(&self, problem: &Problem<C>, motion: &Vector) -> bool {
+    fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
-            let turns = |slide: &Slide<C>| slide.across().dot(&site.map.tr_mul(motion)).abs();
+            let turns = |slide: &Slide| slide.across().dot(&site.map.tr_mul(motion)).abs();
             state.slide().is_some_and(|slide| turns(slide) > FELT * site.map.norm())
         })
     }
 
     /// Changes states that do not hold and turns each slide into the direction of the contact's stretch. Returns whether a state was left.
     /// Open contacts close only if `closing`.
-    fn leave_states(&mut self, problem: &Problem<C>, closing: bool) -> bool {
+    fn leave_states(&mut self, problem: &Problem, closing: bool) -> bool {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
         let mut any = false;
         for contact in 0..problem.len() {
             let site = &problem.sites[contact];
             let precise = |axis: usize| self.twist.stretch(site, axis, problem.drives[contact][axis]).value();
-            let stretch = SVector::<f64, C>::from_fn(|axis, _| precise(axis));
+            let stretch = SVector::<f64, 3>::from_fn(|axis, _| precise(axis));
             let touches = closing && stretch[0] > FAILS * problem.span(contact, &twist);
             let (state, force) = (self.states[contact], &mut self.forces[contact]);
             let next = next_state(
@@ -195,13 +195,13 @@ impl<const C: usize> RoundPieces<C> {
 
 /// The next state of a contact; sets its force where it opens or slides on the round cone. An open contact may touch again, and a closed
 /// contact may pull.
-fn next_state<const C: usize>(
-    local: &LocalLaw<'_, C>,
-    state: &State<C>,
-    force: &mut SVector<f64, C>,
-    stretch: &SVector<f64, C>,
+fn next_state(
+    local: &LocalLaw<'_>,
+    state: &State,
+    force: &mut SVector<f64, 3>,
+    stretch: &SVector<f64, 3>,
     [touches, pulls]: [bool; 2],
-) -> State<C> {
+) -> State {
     match state {
         Mode::Open if touches && local.may_open() => Mode::Sticking,
         Mode::Open => Mode::Open,
@@ -232,7 +232,7 @@ fn next_state<const C: usize>(
 
 /// Whether forces balance the load, relative to load and forces. Without a load the forces may be rounding; the scale then includes
 /// the part `NO_FORCE` of the least force that springs could have. With a load this scale would let a huge twist pass.
-fn balanced<const C: usize>(problem: &Problem<C>, at: &PieceState<C>) -> bool {
+fn balanced(problem: &Problem, at: &PieceState) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();
     let scale = if load > 0.0 { load } else { problem.largest_force(&at.forces, &at.twist) };

@@ -22,32 +22,26 @@ use crate::structured::propose_by_newton;
 const STRUCTURED_FROM: usize = 8;
 
 /// Contacts that would pull are open; all others stick.
-pub(super) fn touching_contacts_stick<const C: usize>(
-    scene: &TrialScene<'_, '_, C>,
-    _: &mut Log,
-) -> Attempt<C> {
+pub(super) fn touching_contacts_stick(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
     let found = touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone());
     Attempt::by(Rung::EverythingTouchingSticks, found)
 }
 
 /// Newton's method on the contacts' forces as functions of the object's motion, for many contacts.
-pub(super) fn newton_on_answers<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mut Log) -> Attempt<C> {
+pub(super) fn newton_on_answers(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
     if scene.problem.len() < MANY {
         return Attempt::Nothing;
     }
-    let propose = |problem: &Problem<C>, _: &mut Log| propose_by_newton(problem);
+    let propose = |problem: &Problem, _: &mut Log| propose_by_newton(problem);
     Attempt::by(Rung::Newton, climb(scene.proposing(), &propose, log))
 }
 
 /// Lemke's method on the kinematic form, on lists of contact states: a pivot costs a few numbers a contact.
-pub(super) fn kinematic_form_on_states<const C: usize>(
-    scene: &TrialScene<'_, '_, C>,
-    log: &mut Log,
-) -> Attempt<C> {
+pub(super) fn kinematic_form_on_states(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
     if scene.problem.len() < STRUCTURED_FROM {
         return Attempt::Nothing;
     }
-    let propose = |problem: &Problem<C>, log: &mut Log| propose_structured(scene, problem, log);
+    let propose = |problem: &Problem, log: &mut Log| propose_structured(scene, problem, log);
     let found = climb(scene.proposing(), &propose, log).or_else(|| {
         let with_edges = scene.with_edges().filter(|_| !dense_is_affordable(scene.proposing(), 1))?;
         climb(with_edges, &propose, log)
@@ -56,19 +50,16 @@ pub(super) fn kinematic_form_on_states<const C: usize>(
 }
 
 /// Lemke's method on the kinematic form of the few contacts that leave the trial, where the object has many coordinates (banded stiffness).
-pub(super) fn kinematic_form_of_a_few<const C: usize>(
-    scene: &TrialScene<'_, '_, C>,
-    log: &mut Log,
-) -> Attempt<C> {
+pub(super) fn kinematic_form_of_a_few(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
     if !scene.trial.is_banded() {
         return Attempt::Nothing;
     }
-    let propose = |problem: &Problem<C>, log: &mut Log| propose_of_a_few(scene, problem, log);
+    let propose = |problem: &Problem, log: &mut Log| propose_of_a_few(scene, problem, log);
     Attempt::by(Rung::KinematicForm, climb(scene.proposing(), &propose, log))
 }
 
 /// In rates at a limit load: all contacts on an edge slide, and nothing resists a motion on which the load works.
-pub(super) fn everything_yields<const C: usize>(scene: &TrialScene<'_, '_, C>, _: &mut Log) -> Attempt<C> {
+pub(super) fn everything_yields(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
     if !scene.problem.locals().any(|local| local.is_on_an_edge()) {
         return Attempt::Nothing;
     }
@@ -77,55 +68,42 @@ pub(super) fn everything_yields<const C: usize>(scene: &TrialScene<'_, '_, C>, _
 }
 
 /// With many coordinates a separating motion is cheaper than any path, and its absence is soon known.
-pub(super) fn separating_motion_in_a_band<const C: usize>(
-    scene: &TrialScene<'_, '_, C>,
-    _: &mut Log,
-) -> Attempt<C> {
+pub(super) fn separating_motion_in_a_band(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
     let motion = scene.trial.is_banded().then(|| proofs::separating_motion_in_a_band(scene.proposing()));
     motion.flatten().map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
 /// With many contacts a separating motion is cheaper than any path.
-pub(super) fn separating_motion_of_many<const C: usize>(
-    scene: &TrialScene<'_, '_, C>,
-    log: &mut Log,
-) -> Attempt<C> {
+pub(super) fn separating_motion_of_many(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
     if scene.problem.len() < MANY { Attempt::Nothing } else { separating_motion(scene, log) }
 }
 
 /// Contact states from Lemke's method on the dense kinematic form.
-fn propose_kinematic<const C: usize>(
-    scene: &TrialScene<'_, '_, C>,
-    problem: &Problem<C>,
-    log: &mut Log,
-) -> Option<Vec<State<C>>> {
+fn propose_kinematic(scene: &TrialScene<'_, '_>, problem: &Problem, log: &mut Log) -> Option<Vec<State>> {
     let form = forms::kinematic_form(problem, &scene.trial, &scene.state);
     propose_dense(problem, scene.settings, (form, MOST_WORK), forms::kinematic_states, log)
 }
 
 /// Lemke's method on the kinematic form with a dense matrix.
-pub(super) fn kinematic_form<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mut Log) -> Attempt<C> {
+pub(super) fn kinematic_form(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
     // With too many contacts the dense form adds nothing to the lists of states.
     if scene.problem.len() >= MANY && !dense_is_affordable(scene.proposing(), 1) {
         return Attempt::Stop;
     }
-    let propose = |problem: &Problem<C>, log: &mut Log| propose_kinematic(scene, problem, log);
+    let propose = |problem: &Problem, log: &mut Log| propose_kinematic(scene, problem, log);
     Attempt::by(Rung::KinematicForm, climb(scene.proposing(), &propose, log))
 }
 
 /// The kinematic form once more, with facets for infinite friction.
-pub(super) fn kinematic_form_with_edges<const C: usize>(
-    scene: &TrialScene<'_, '_, C>,
-    log: &mut Log,
-) -> Attempt<C> {
-    let propose = |problem: &Problem<C>, log: &mut Log| propose_kinematic(scene, problem, log);
+pub(super) fn kinematic_form_with_edges(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+    let propose = |problem: &Problem, log: &mut Log| propose_kinematic(scene, problem, log);
     let found = scene.with_edges().and_then(|with_edges| climb(with_edges, &propose, log));
     Attempt::by(Rung::KinematicForm, found)
 }
 
 /// Lemke's method on the force form.
-pub(super) fn force_form<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mut Log) -> Attempt<C> {
-    let propose = |problem: &Problem<C>, log: &mut Log| {
+pub(super) fn force_form(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+    let propose = |problem: &Problem, log: &mut Log| {
         propose_dense(
             problem,
             scene.settings,
@@ -138,16 +116,13 @@ pub(super) fn force_form<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mu
 }
 
 /// A motion that separates the load from all admissible contact forces.
-pub(super) fn separating_motion<const C: usize>(scene: &TrialScene<'_, '_, C>, _: &mut Log) -> Attempt<C> {
+pub(super) fn separating_motion(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
 /// Newton's method on the round cone, from the elastic trial state.
-pub(super) fn newton_on_the_round_cone<const C: usize>(
-    scene: &TrialScene<'_, '_, C>,
-    _: &mut Log,
-) -> Attempt<C> {
+pub(super) fn newton_on_the_round_cone(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
     if !has_round_cones(scene.problem) {
         return Attempt::Nothing;
     }
@@ -158,7 +133,7 @@ pub(super) fn newton_on_the_round_cone<const C: usize>(
 }
 
 /// On the round cone: branch and bound over contact states and directions of friction.
-pub(super) fn every_case<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mut Log) -> Attempt<C> {
+pub(super) fn every_case(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
     let most = most_cases(scene.problem, scene.settings);
     if most == 0 {
         return Attempt::Nothing;
@@ -174,7 +149,7 @@ pub(super) fn every_case<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mu
 }
 
 /// Every combination of contact states, where they are few.
-pub(super) fn every_combination<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mut Log) -> Attempt<C> {
+pub(super) fn every_combination(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
     let problem = scene.proposing();
     // A proof on the polygon says nothing about the round cone.
     if has_round_cones(problem) || !enumerable(problem, scene.settings) {

@@ -7,36 +7,36 @@ use nalgebra::SVector;
 
 use super::answer::{Doubt, Effort, Found, Rung, Settled};
 use super::settings::Settings;
-use crate::contact::{Polygon, PolygonCone, State};
+use crate::contact::{Polygon, PolygonCone, State, tangential_norm};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
 /// A search for an equilibrium, with its elastic trial state.
-pub(super) struct TrialScene<'s, 'g, const C: usize> {
-    pub(super) problem: &'s Problem<'g, C>,
+pub(super) struct TrialScene<'s, 'g> {
+    pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
     /// The states of the trial: every contact that is present sticks.
-    pub(super) unjumped: Vec<State<C>>,
-    pub(super) trial: Arc<Piece<C>>,
-    pub(super) state: PieceState<C>,
-    proposing: OnceCell<Problem<'g, C>>,
-    with_edges: OnceCell<Option<Problem<'g, C>>>,
+    pub(super) unjumped: Vec<State>,
+    pub(super) trial: Arc<Piece>,
+    pub(super) state: PieceState,
+    proposing: OnceCell<Problem<'g>>,
+    with_edges: OnceCell<Option<Problem<'g>>>,
 }
 
-impl<'s, 'g, const C: usize> TrialScene<'s, 'g, C> {
+impl<'s, 'g> TrialScene<'s, 'g> {
     pub(super) fn new(
-        problem: &'s Problem<'g, C>,
+        problem: &'s Problem<'g>,
         settings: &'s Settings,
-        unjumped: Vec<State<C>>,
-        trial: Arc<Piece<C>>,
-        state: PieceState<C>,
+        unjumped: Vec<State>,
+        trial: Arc<Piece>,
+        state: PieceState,
     ) -> Self {
         let (proposing, with_edges) = (OnceCell::new(), OnceCell::new());
         Self { problem, settings, unjumped, trial, state, proposing, with_edges }
     }
 
     /// The problem on which Lemke's method proposes. For the round cone its polygons are turned to the trial tractions.
-    pub(super) fn proposing(&self) -> &Problem<'g, C> {
+    pub(super) fn proposing(&self) -> &Problem<'g> {
         if !self.problem.round {
             return self.problem;
         }
@@ -45,7 +45,7 @@ impl<'s, 'g, const C: usize> TrialScene<'s, 'g, C> {
 
     /// [`Self::proposing`] with facets for infinite friction, if any contact has it. Such a contact loses its tangential force when it
     /// opens, which only facets can express.
-    pub(super) fn with_edges(&self) -> Option<&Problem<'g, C>> {
+    pub(super) fn with_edges(&self) -> Option<&Problem<'g>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =
             || infinite().then(|| Problem { infinite_friction_has_edges: true, ..self.proposing().clone() });
@@ -54,18 +54,18 @@ impl<'s, 'g, const C: usize> TrialScene<'s, 'g, C> {
 }
 
 /// Result of one rung.
-pub(super) enum Attempt<const C: usize> {
-    Found(Found<C>, Rung),
+pub(super) enum Attempt {
+    Found(Found, Rung),
     /// A proof that no equilibrium exists.
-    Proof(Settled<C>),
+    Proof(Settled),
     /// Neither; the next rung follows.
     Nothing,
     /// Neither, and the rungs above cost more than the answer is worth.
     Stop,
 }
 
-impl<const C: usize> Attempt<C> {
-    pub(super) fn by(rung: Rung, found: Option<Found<C>>) -> Self {
+impl Attempt {
+    pub(super) fn by(rung: Rung, found: Option<Found>) -> Self {
         found.map_or(Self::Nothing, |found| Self::Found(found, rung))
     }
 }
@@ -79,14 +79,18 @@ pub(super) struct Log {
 
 /// The problem with each contact's polygon turned so that one corner lies along the trial traction. While the traction
 /// keeps this direction, the polygon is as good as the round cone.
-pub(super) fn on_polygons<'g, const C: usize>(
-    problem: &Problem<'g, C>,
+pub(super) fn on_polygons<'g>(
+    problem: &Problem<'g>,
     cone: PolygonCone,
-    trial: &[SVector<f64, C>],
-) -> Problem<'g, C> {
-    let polygon = Polygon::new(&cone);
-    let turn = |traction: &SVector<f64, C>| {
-        if traction[1] == 0.0 && traction[2] == 0.0 { polygon.clone() } else { polygon.turned_to(traction) }
+    trial: &[SVector<f64, 3>],
+) -> Problem<'g> {
+    let polygon = Polygon::new(problem.space(), &cone);
+    let turn = |traction: &SVector<f64, 3>| {
+        if polygon.is_interval() || tangential_norm(traction) == 0.0 {
+            polygon.clone()
+        } else {
+            polygon.turned_to(traction)
+        }
     };
     Problem { turned: trial.iter().map(turn).collect(), ..problem.clone() }
 }

@@ -2,6 +2,7 @@
 
 use super::small_motions::SmallMotions;
 use crate::contact::PolygonCone;
+use crate::grasp::Space;
 
 /// Limits and tolerances of searches and load paths, with sound defaults.
 ///
@@ -82,9 +83,9 @@ impl Settings {
         self
     }
 
-    /// Whether equilibria with C axes a contact are for the round cone.
-    pub(crate) fn is_round<const C: usize>(&self) -> bool {
-        C == 3 && self.round
+    /// Whether equilibria are for the round cone.
+    pub(crate) fn is_round(&self, space: Space) -> bool {
+        space == Space::Spatial && self.round
     }
 
     /// The same with another limit on the combinations of contact states.

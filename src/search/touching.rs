@@ -14,11 +14,11 @@ const ROUNDS: usize = 20;
 /// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until neither are left.
 /// The result is accepted if it satisfies every condition. A finger far out of reach thus does not lead to another
 /// equilibrium than the grasp without it.
-pub(super) fn touching_contacts<const C: usize>(
-    problem: &Problem<C>,
-    mut states: Vec<State<C>>,
-    trial: PieceState<C>,
-) -> Option<Found<C>> {
+pub(super) fn touching_contacts(
+    problem: &Problem,
+    mut states: Vec<State>,
+    trial: PieceState,
+) -> Option<Found> {
     let mut solved = trial;
     // `piece` stays empty in the first round: the initial states have already failed.
     let mut piece = None;

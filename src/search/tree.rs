@@ -35,8 +35,8 @@ const MOST_CONTACTS: usize = 32;
 
 /// The end of the search.
 #[derive(Debug, Clone)]
-pub(super) enum Tree<const C: usize> {
-    Found(Found<C>),
+pub(super) enum Tree {
+    Found(Found),
     /// Each case is contradicted. An escape from this proof is larger than the data by the factor `escape`.
     Contradicted {
         cases: usize,
@@ -45,11 +45,11 @@ pub(super) enum Tree<const C: usize> {
     Unresolved(Doubt),
 }
 
-type Hull<const C: usize> = Rc<[HullRay<C>]>;
+type Hull = Rc<[HullRay]>;
 
-struct Case<const C: usize> {
+struct Case {
     labels: Vec<Label>,
-    hulls: Vec<Hull<C>>,
+    hulls: Vec<Hull>,
     nearest: Rc<NearestPoint<Tag>>,
     /// The contact that was divided last.
     divided: Option<usize>,
@@ -57,13 +57,13 @@ struct Case<const C: usize> {
 
 /// Whether friction may have every direction on a circle. Without round cones the polygons decide completely, and rates on an
 /// edge are on a facet.
-pub(super) fn has_round_cones<const C: usize>(problem: &Problem<C>) -> bool {
+pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
 
 /// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero where nothing can be divided, or
 /// with too many contacts.
-pub(super) fn most_cases<const C: usize>(problem: &Problem<C>, settings: &Settings) -> usize {
+pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     if problem.len() > MOST_CONTACTS || !has_round_cones(problem) {
         return 0;
     }
@@ -72,17 +72,17 @@ pub(super) fn most_cases<const C: usize>(problem: &Problem<C>, settings: &Settin
 }
 
 /// Searches every case, at most `most_cases`.
-pub(super) fn search_tree<const C: usize>(
-    problem: &Problem<C>,
-    trial: &Piece<C>,
-    state: &PieceState<C>,
+pub(super) fn search_tree(
+    problem: &Problem,
+    trial: &Piece,
+    state: &PieceState,
     most_cases: usize,
-    mut record: Option<&mut Vec<ProofStep<C>>>,
-) -> Tree<C> {
+    mut record: Option<&mut Vec<ProofStep>>,
+) -> Tree {
     let Some(balance) = BalanceEquation::new(problem, trial, state) else {
         return Tree::Unresolved(Doubt::RayWithoutProof);
     };
-    let hull = |local: LocalLaw<'_, C>, label: &Label| Hull::from(local.hull(label));
+    let hull = |local: LocalLaw<'_>, label: &Label| Hull::from(local.hull(label));
     let labels = problem.each(|local| local.first_label());
     let hulls = problem.locals().zip(&labels).map(|(local, label)| hull(local, label)).collect();
     let mut open = vec![Case { labels, hulls, nearest: Rc::new(balance.start()), divided: None }];
@@ -139,10 +139,7 @@ pub(super) fn search_tree<const C: usize>(
 }
 
 /// The steps of a proof that there is no equilibrium, if the tree finds one, with the number of cases.
-pub(crate) fn refute<const C: usize>(
-    problem: &Problem<C>,
-    settings: &Settings,
-) -> Option<(Vec<ProofStep<C>>, usize)> {
+pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<ProofStep>, usize)> {
     let most = most_cases(problem, settings);
     if most == 0 {
         return None;
@@ -157,12 +154,12 @@ pub(crate) fn refute<const C: usize>(
 }
 
 /// The contact whose force is farthest from its law at its stretch, and that distance.
-fn farthest_from_the_law<const C: usize>(
-    problem: &Problem<C>,
-    balance: &BalanceEquation<C>,
+fn farthest_from_the_law(
+    problem: &Problem,
+    balance: &BalanceEquation,
     labels: &[Label],
-    stretches: &[SVector<f64, C>],
-    forces: &[SVector<f64, C>],
+    stretches: &[SVector<f64, 3>],
+    forces: &[SVector<f64, 3>],
 ) -> (usize, f64) {
     let (mut farthest, mut worst) = (0, -1.0);
     let mut error = 0.0_f64;

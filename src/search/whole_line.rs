@@ -9,6 +9,7 @@ use super::answer::Found;
 use super::candidate::{Judged, try_states};
 use super::least_motion::at_the_least_motion;
 use crate::contact::{Line, Mode, State, WEIGHTLESS};
+use crate::grasp::Space;
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -17,17 +18,16 @@ const SAME: f64 = 1e-9;
 
 /// The same forces in states that show the free motions: contacts on an edge of their cone slide, contacts without force part. `found` itself if
 /// these states do not hold.
-pub(crate) fn on_the_whole_line<const C: usize>(problem: &Problem<C>, found: Found<C>) -> Found<C> {
+pub(crate) fn on_the_whole_line(problem: &Problem, found: Found) -> Found {
     // In space, springs across the slip resist; in the plane no tangential direction is left.
-    if C > 2 {
+    if problem.space() == Space::Spatial {
         return found;
     }
     let Some(states) = yielding(problem, &found) else { return found };
     let largest = problem.largest_force(&found.forces, &found.twist);
-    let are_the_same = |other: &Found<C>| {
-        found.forces.iter().zip(&other.forces).all(|(f, g)| (f - g).norm() <= SAME * largest)
-    };
-    let free = |other: &Found<C>| other.free_motions.len();
+    let are_the_same =
+        |other: &Found| found.forces.iter().zip(&other.forces).all(|(f, g)| (f - g).norm() <= SAME * largest);
+    let free = |other: &Found| other.free_motions.len();
     match try_states(problem, states) {
         Judged::Holds(other) if free(&other) > free(&found) && are_the_same(&other) => {
             at_the_least_motion(problem, other)
@@ -37,7 +37,7 @@ pub(crate) fn on_the_whole_line<const C: usize>(problem: &Problem<C>, found: Fou
 }
 
 /// The states in which every sticking contact that may yield does: without force it opens, on an edge it slides. `None` if no contact may.
-fn yielding<const C: usize>(problem: &Problem<C>, found: &Found<C>) -> Option<Vec<State<C>>> {
+fn yielding(problem: &Problem, found: &Found) -> Option<Vec<State>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();
     let mut any = false;

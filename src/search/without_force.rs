@@ -17,10 +17,7 @@ use crate::object::{Piece, PieceState, Problem};
 const SAME: f64 = 1e-9;
 
 /// [`settle`] for a problem at rest.
-pub(crate) fn settle_at_rest<const C: usize>(
-    problem: &Problem<C>,
-    settings: &Settings,
-) -> (Settled<C>, Effort) {
+pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
     match settle(problem, settings) {
         (Settled::Found(found, rung), effort) => {
             let found = match opened(problem, &found) {
@@ -34,7 +31,7 @@ pub(crate) fn settle_at_rest<const C: usize>(
 }
 
 /// A solution with its twist, and with the states and free motions that are reported of a problem at rest.
-pub(crate) fn told_at_rest<const C: usize>(problem: &Problem<C>, found: Found<C>) -> Found<C> {
+pub(crate) fn told_at_rest(problem: &Problem, found: Found) -> Found {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let told = on_the_whole_line(problem, open);
     Found { twist: found.twist, sizes: found.sizes, ..told }
@@ -42,7 +39,7 @@ pub(crate) fn told_at_rest<const C: usize>(problem: &Problem<C>, found: Found<C>
 
 /// The same forces with all contacts open that carry none; `None` if there is no such contact. `None` also if no contact carries a force, since
 /// nothing then defines a small force.
-fn opened<const C: usize>(problem: &Problem<C>, found: &Found<C>) -> Option<Found<C>> {
+fn opened(problem: &Problem, found: &Found) -> Option<Found> {
     let largest = found.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
     // The scale is the largest span of all contacts: the own span of a contact without motion is zero.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 
 use super::enumerate::search;
 use crate::contact::{Law, LocalLaw, tangential};
-use crate::grasp::{Contact, Engine, Site, Wrench};
+use crate::grasp::{Contact, Engine, Face, Site, Wrench};
 use crate::numerics::{Draw, Vector};
 use crate::prelude::*;
 use crate::proofs::yields;
@@ -31,9 +31,10 @@ fn one_of(draw: &mut Draw, count: usize) -> usize {
     (0..16).fold(0, |bits, _| 2 * bits + usize::from(draw.sign() > 0.0)) % count
 }
 
-fn tangent<const C: usize>(draw: &mut Draw) -> SVector<f64, C> {
+fn tangent(draw: &mut Draw, tangents: usize) -> SVector<f64, 3> {
     loop {
-        let h = SVector::<f64, C>::from_fn(|a, _| if a > 0 { whole(draw, 2.0) } else { 0.0 });
+        let h =
+            SVector::<f64, 3>::from_fn(|a, _| if a > 0 && a <= tangents { whole(draw, 2.0) } else { 0.0 });
         if h.norm() > 0.0 {
             return h.normalize();
         }
@@ -41,24 +42,25 @@ fn tangent<const C: usize>(draw: &mut Draw) -> SVector<f64, C> {
 }
 
 /// The law of a contact in rates, if the object slips along `slip`: mostly on the edge along which it slips.
-fn law<const C: usize>(draw: &mut Draw, normals: &[SVector<f64, C>], slip: &SVector<f64, C>) -> Law<C> {
+fn law(draw: &mut Draw, normals: &[SVector<f64, 3>], slip: &SVector<f64, 3>) -> Law {
+    let tangents = if normals.len() > 2 { 2 } else { 1 };
     match one_of(draw, 24) {
         0 => Law::Bonded,
         1 => Law::Absent,
         2 => Law::Cone { gap: true },
-        3 => Law::Edge(vec![tangent(draw)]),
-        4..7 if C == 3 => Law::Edge(vec![normals[0], normals[1]]),
+        3 => Law::Edge(vec![tangent(draw, tangents)]),
+        4..7 if normals.len() > 2 => Law::Edge(vec![normals[0], normals[1]]),
         _ if slip.norm() > 0.0 => Law::Edge(vec![slip.normalize()]),
-        _ => Law::Edge(vec![tangent(draw)]),
+        _ => Law::Edge(vec![tangent(draw, tangents)]),
     }
 }
 
-fn ask<const C: usize>(grasp: &Engine<C>, along: &Wrench<C>, draw: &mut Draw, count: &mut Count) {
+fn ask(grasp: &Engine, along: &Wrench<3>, draw: &mut Draw, count: &mut Count) {
     let cone = PolygonCone::new(4, Fit::Circumscribed).expect("four facets");
     let mut rates = grasp.on_polygons(along, &cone).expect("a load");
     rates.trial = None;
-    let motion = rates.wrench.clone();
-    let mut of = |local: LocalLaw<'_, C>, site: &Site<C>| {
+    let (motion, axes) = (rates.wrench.clone(), grasp.space().axes());
+    let mut of = |local: LocalLaw<'_>, site: &Site| {
         law(draw, &local.polygon.normals, &-tangential(&site.map.tr_mul(&motion)))
     };
     rates.laws = rates.locals().zip(rates.sites).map(|(local, site)| of(local, site)).collect();
@@ -66,7 +68,9 @@ fn ask<const C: usize>(grasp: &Engine<C>, along: &Wrench<C>, draw: &mut Draw, co
         rates.wrench += Vector::from_fn(rates.size(), |_| whole(draw, 1.0));
     }
     for drive in &mut rates.drives {
-        *drive = SVector::from_fn(|_, _| if draw.normal() > 1.5 { whole(draw, 2.0) * 1e-3 } else { 0.0 });
+        for a in 0..axes {
+            drive[a] = if draw.normal() > 1.5 { whole(draw, 2.0) * 1e-3 } else { 0.0 };
+        }
     }
     count.asked += 1;
     let held = !search(&rates, true).found.is_empty();
@@ -89,10 +93,11 @@ fn in_the_plane() {
             Contact::new([side, whole(&mut draw, 2.0)], [-side, lean])
                 .series_stiffness(100.0 * (1.0 + whole(&mut draw, 2.0).abs()), 100.0)
                 .friction(0.25 * (1.0 + whole(&mut draw, 3.0).abs()))
+                .enter()
         };
         let contacts: Vec<_> = (0..number).map(contact).collect();
-        let grasp = Engine::<2>::new(contacts).expect("valid");
-        ask(&grasp, &planar::Wrench::force([0.0, draw.sign()]), &mut draw, &mut count);
+        let grasp = Engine::new(contacts).expect("valid");
+        ask(&grasp, &planar::Wrench::force([0.0, draw.sign()]).enter(), &mut draw, &mut count);
     }
     println!("in the plane {count:?}");
     assert!(count.proved > count.asked / 20 && count.held > count.asked / 20, "{count:?}");
@@ -117,7 +122,7 @@ fn in_space() {
                 .friction(0.25 * (1.0 + own(3.0)))
         };
         let contacts: Vec<_> = (0..number).map(contact).collect();
-        let grasp = Engine::<3>::new(contacts).expect("valid");
+        let grasp = Engine::new(contacts).expect("valid");
         let turn = if draw.normal() > 1.0 { 1.0 } else { 0.0 };
         let along = spatial::Wrench::new([0.0, 0.0, draw.sign()], [0.0, 0.0, turn]);
         ask(&grasp, &along, &mut draw, &mut count);

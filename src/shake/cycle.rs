@@ -28,16 +28,16 @@ pub(super) struct Scale {
 
 /// One cycle, with the states at its beginning and end.
 #[derive(Debug, Clone)]
-pub(super) struct Cycle<const C: usize> {
-    pub(super) from: CycleState<C>,
-    pub(super) to: CycleState<C>,
-    pub(super) record: CycleRecord<C>,
+pub(super) struct Cycle {
+    pub(super) from: CycleState,
+    pub(super) to: CycleState,
+    pub(super) record: CycleRecord,
     pub(super) scale: Scale,
 }
 
-impl<const C: usize> Cycle<C> {
+impl Cycle {
     /// The next cycle; `None` if it is not followed to its end.
-    pub(super) fn next(engine: &Engine<C>, cycles: &mut Cycles<'_, C>) -> Option<Self> {
+    pub(super) fn next(engine: &Engine, cycles: &mut Cycles<'_>) -> Option<Self> {
         let from = cycles.standing()?;
         let record = cycles.go()?;
         let to = cycles.standing()?;
@@ -46,11 +46,11 @@ impl<const C: usize> Cycle<C> {
 
     /// A cycle from another state, with the follower of the cycles after it.
     pub(super) fn beginning_at<'g>(
-        engine: &'g Engine<C>,
-        cycles: &Cycles<'g, C>,
-        there: &CycleState<C>,
+        engine: &'g Engine,
+        cycles: &Cycles<'g>,
+        there: &CycleState,
         settings: &Settings,
-    ) -> Option<(Self, Cycles<'g, C>)> {
+    ) -> Option<(Self, Cycles<'g>)> {
         let tried = settings.with_most_steps(settings.most_steps.min(MOST_TRIED));
         let mut others = cycles.beginning_at(there, &tried)?;
         let cycle = Self::next(engine, &mut others)?;
@@ -69,7 +69,7 @@ impl<const C: usize> Cycle<C> {
     }
 
     /// Forces and gaps of a state as numbers without unit; gaps that stayed open during the whole cycle are zero.
-    pub(super) fn numbers(&self, place: &CycleState<C>) -> DVector<f64> {
+    pub(super) fn numbers(&self, place: &CycleState) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
@@ -118,8 +118,8 @@ impl<const C: usize> Cycle<C> {
 }
 
 /// The largest force of a cycle, and the stretch of the softest springs under it.
-fn scale_of<const C: usize>(engine: &Engine<C>, record: &CycleRecord<C>, at: &CycleState<C>) -> Scale {
-    let softness = |(site, force): (&Site<C>, &SVector<f64, C>)| {
+fn scale_of(engine: &Engine, record: &CycleRecord, at: &CycleState) -> Scale {
+    let softness = |(site, force): (&Site, &SVector<f64, 3>)| {
         let size = force.norm();
         if size > 0.0 { site.springs.give(force).norm() / size } else { 0.0 }
     };

@@ -28,14 +28,14 @@ const SHORTEST: usize = 4;
 /// Number of further cycles of an object that has walked farther than its size. If a steady walk begins by then, it is the answer.
 const WALKED_OUT: usize = 2 * KEPT;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::shake`](crate::ask::Grasp::shake).
     pub(crate) fn shake(
         &self,
-        base: &Wrench<C>,
-        legs: &[Leg<C>],
+        base: &Wrench<3>,
+        legs: &[Leg<3>],
         settings: &Settings,
-    ) -> Result<Shaken<C>, Error> {
+    ) -> Result<Shaken<3>, Error> {
         let cycles = Cycles::at_rest(self, (base, legs), settings)?;
         let Some(rest) = cycles.standing() else {
             let repeats =
@@ -73,17 +73,17 @@ impl<const C: usize> Engine<C> {
 }
 
 /// The state of a grasp that is shaken.
-struct Shaking<'g, 's, const C: usize> {
-    engine: &'g Engine<C>,
+struct Shaking<'g, 's> {
+    engine: &'g Engine,
     settings: &'s Settings,
-    base: Wrench<C>,
-    rest: CycleState<C>,
-    cycles: Cycles<'g, C>,
+    base: Wrench<3>,
+    rest: CycleState,
+    cycles: Cycles<'g>,
     /// The states between the last cycles with the same events.
-    places: Vec<CycleState<C>>,
+    places: Vec<CycleState>,
     /// Whether each site has slid so far.
     slid: Vec<bool>,
-    round: Round<C>,
+    round: Round,
     /// The period in cycles.
     every: usize,
     /// Number of cycles with the same events as the one before.
@@ -94,9 +94,9 @@ struct Shaking<'g, 's, const C: usize> {
     cycles_gone: usize,
 }
 
-impl<'g, const C: usize> Shaking<'g, '_, C> {
-    fn until_it_repeats(mut self) -> Shaken<C> {
-        let (mut last, mut change): (Option<Cycle<C>>, _) = (None, 0.0);
+impl<'g> Shaking<'g, '_> {
+    fn until_it_repeats(mut self) -> Shaken<3> {
+        let (mut last, mut change): (Option<Cycle>, _) = (None, 0.0);
         let (mut most_cycles, mut walked_out) = (self.settings.most_cycles, None);
         while self.followed < most_cycles {
             self.followed += 1;
@@ -160,7 +160,7 @@ impl<'g, const C: usize> Shaking<'g, '_, C> {
     }
 
     /// Continues from another state, `passed` cycles later.
-    fn begin_at(&mut self, there: CycleState<C>, passed: usize) {
+    fn begin_at(&mut self, there: CycleState, passed: usize) {
         self.places = vec![there];
         self.round = Round::new();
         self.alike = 0;
@@ -172,7 +172,7 @@ impl<'g, const C: usize> Shaking<'g, '_, C> {
     /// The states from which these events happen form a convex set, and states between the first and the last are on a way along which changes die
     /// out. If the events are the same at both ends, they are the same on all of it. Two events that merely change their order leave the map as it
     /// is.
-    fn ahead(&mut self, last: &Cycle<C>) -> Ahead<'g, C> {
+    fn ahead(&mut self, last: &Cycle) -> Ahead<'g> {
         let places = self.places.clone();
         let numbers: Vec<_> = places.iter().map(|place| last.numbers(place)).collect();
         let Some(recurrence) = Recurrence::of(&places, &numbers, last.same()) else {
@@ -187,7 +187,7 @@ impl<'g, const C: usize> Shaking<'g, '_, C> {
             let (there, foretold) = recurrence.after(passed);
             self.followed += 1;
             let tried = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings);
-            let is_so = |cycle: &Cycle<C>| {
+            let is_so = |cycle: &Cycle| {
                 let off = (last.numbers(&cycle.to) - last.numbers(&cycle.from) - &foretold).amax();
                 off <= last.same()
                     || (cycle.record.is_like(&last.record) && off <= FORETOLD * foretold.amax())
@@ -210,7 +210,7 @@ impl<'g, const C: usize> Shaking<'g, '_, C> {
     }
 
     /// The limit of the cycles, if it repeats itself.
-    fn limit(&mut self, recurrence: &Recurrence<'_, C>, last: &Cycle<C>) -> Option<Cycle<C>> {
+    fn limit(&mut self, recurrence: &Recurrence<'_>, last: &Cycle) -> Option<Cycle> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, _) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
@@ -221,17 +221,17 @@ impl<'g, const C: usize> Shaking<'g, '_, C> {
     }
 
     /// Whether the object has walked farther than its size, beyond the validity of small motions.
-    fn has_walked_out(&self, cycle: &Cycle<C>) -> bool {
-        let is_out = |moved: &BodyMotion<C>| moved.speed() > moved.reach && moved.reach > 0.0;
+    fn has_walked_out(&self, cycle: &Cycle) -> bool {
+        let is_out = |moved: &BodyMotion<3>| moved.speed() > moved.reach && moved.reach > 0.0;
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)
     }
 
-    fn note(&mut self, cycle: &Cycle<C>) {
+    fn note(&mut self, cycle: &Cycle) {
         self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
     }
 
     /// The verdict where the path ends within a cycle.
-    fn ended(&self, cycle: usize) -> Repeats<C> {
+    fn ended(&self, cycle: usize) -> Repeats<3> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {
                 let (leg, fraction) = self.cycles.place();
@@ -248,7 +248,7 @@ impl<'g, const C: usize> Shaking<'g, '_, C> {
     }
 
     /// The verdict from a cycle that repeats itself: with its number if it was followed from rest, without if it is the limit of others.
-    fn told(&self, cycle: &Cycle<C>, number: Option<usize>) -> Repeats<C> {
+    fn told(&self, cycle: &Cycle, number: Option<usize>) -> Repeats<3> {
         let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
         if !(0..self.slid.len()).any(|i| cycle.slides(i)) {
             let slid = self.parts(&|i| self.slid[i]);
@@ -264,17 +264,12 @@ impl<'g, const C: usize> Shaking<'g, '_, C> {
         Repeats::Alternates { slides, way, dissipated }
     }
 
-    fn moves(&self, from: &CycleState<C>, to: &CycleState<C>) -> Vec<BodyMotion<C>> {
+    fn moves(&self, from: &CycleState, to: &CycleState) -> Vec<BodyMotion<3>> {
         self.engine.each_moves(&(&to.twist - &from.twist))
     }
 
     /// The answer, with the motion at the state `at`, or at the end of the path.
-    fn shaken(
-        &self,
-        repeats: Repeats<C>,
-        (change, ratio): (f64, f64),
-        at: Option<&CycleState<C>>,
-    ) -> Shaken<C> {
+    fn shaken(&self, repeats: Repeats<3>, (change, ratio): (f64, f64), at: Option<&CycleState>) -> Shaken<3> {
         let here = self.cycles.standing();
         let moved = at.or(here.as_ref()).map(|at| self.moves(&self.rest, at)).unwrap_or_default();
         let state = self.cycles.end().is_none().then(|| self.cycles.state()).flatten().map(Box::new);
@@ -293,17 +288,17 @@ impl<'g, const C: usize> Shaking<'g, '_, C> {
 }
 
 /// The extrapolation of cycles with the same events.
-enum Ahead<'g, const C: usize> {
+enum Ahead<'g> {
     /// The cycles converge to one that repeats itself.
     To {
-        limit: Box<Cycle<C>>,
+        limit: Box<Cycle>,
         ratio: f64,
         error: f64,
     },
     /// The events stay the same for `passed` cycles and in `cycle`, the one after them.
     Further {
-        cycle: Box<Cycle<C>>,
-        cycles: Box<Cycles<'g, C>>,
+        cycle: Box<Cycle>,
+        cycles: Box<Cycles<'g>>,
         passed: usize,
     },
     NotKnown,

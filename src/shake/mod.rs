@@ -22,6 +22,7 @@
 //! Forces, slips and motions are to first order, for small motions, as everywhere: a walk has a speed, but no end.
 
 mod cycle;
+mod face;
 mod followed;
 mod recurrence;
 mod round;

@@ -21,17 +21,17 @@ const NOWHERE: f64 = 1e-12;
 const FARTHEST: usize = 1 << 20;
 
 /// The states between the last cycles, and the last change as a combination of those before it.
-pub(super) struct Recurrence<'p, const C: usize> {
+pub(super) struct Recurrence<'p> {
     /// The last states, one more than changes.
-    places: &'p [CycleState<C>],
+    places: &'p [CycleState],
     changes: Vec<DVector<f64>>,
     /// Coefficients of the changes before the last that combine to the last.
     coefficients: Vec<f64>,
 }
 
-impl<'p, const C: usize> Recurrence<'p, C> {
+impl<'p> Recurrence<'p> {
     /// The recurrence with the fewest modes that gives the last change up to `error`; `None` if these cycles do not determine one.
-    pub(super) fn of(places: &'p [CycleState<C>], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
+    pub(super) fn of(places: &'p [CycleState], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
         (1..=MOST_MODES.min(n.saturating_sub(2))).find_map(|modes| {
             let places = &places[n - modes - 2..];
@@ -62,7 +62,7 @@ impl<'p, const C: usize> Recurrence<'p, C> {
     }
 
     /// The limit of the states.
-    pub(super) fn fixed_point(&self) -> Option<CycleState<C>> {
+    pub(super) fn fixed_point(&self) -> Option<CycleState> {
         let rest = 1.0 - self.coefficients.iter().sum::<f64>();
         if rest.abs() <= NOWHERE {
             return None;
@@ -74,7 +74,7 @@ impl<'p, const C: usize> Recurrence<'p, C> {
     }
 
     /// The state after this number of cycles, and the change in the cycle after them.
-    pub(super) fn after(&self, cycles: usize) -> (CycleState<C>, DVector<f64>) {
+    pub(super) fn after(&self, cycles: usize) -> (CycleState, DVector<f64>) {
         let modes = self.coefficients.len();
         // The companion matrix of the recurrence: in each cycle, changes move up by one, and the last row gives the new one.
         let next = DMatrix::from_fn(modes, modes, |i, j| {
@@ -94,14 +94,14 @@ impl<'p, const C: usize> Recurrence<'p, C> {
     }
 
     /// An affine combination of the states. It is in equilibrium, since all states are in equilibrium under the same load.
-    fn combination(&self, weights: &[f64]) -> CycleState<C> {
+    fn combination(&self, weights: &[f64]) -> CycleState {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();
         for (place, weight) in self.places.iter().zip(weights) {
             // Differences from the last state avoid rounding in the parts that all states share.
             let add = |a: &mut f64, b: f64, base: f64| *a += weight * (b - base);
             for i in 0..sum.forces.len() {
-                for axis in 0..C {
+                for axis in 0..3 {
                     add(&mut sum.forces[i][axis], place.forces[i][axis], from.forces[i][axis]);
                     add(&mut sum.slips[i][axis], place.slips[i][axis], from.slips[i][axis]);
                 }
@@ -128,7 +128,7 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
     (power, sum)
 }
 
-impl<const C: usize> CycleState<C> {
+impl CycleState {
     /// Forces and gaps as numbers without unit, and which sites slide with less friction than at rest; gaps of sites `aside` are zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let forces = self.forces.iter().flat_map(|force| force.iter().map(|x| x / scale.force));

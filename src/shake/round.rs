@@ -7,22 +7,22 @@ use super::cycle::Cycle;
 
 /// The cycles since the state of comparison.
 #[derive(Debug)]
-pub(super) struct Round<const C: usize> {
+pub(super) struct Round {
     /// These cycles as one.
-    all: Option<Cycle<C>>,
+    all: Option<Cycle>,
     many: usize,
     /// Number of cycles after which the state of comparison is replaced.
     most: usize,
 }
 
-impl<const C: usize> Round<C> {
+impl Round {
     /// Without any cycle yet.
     pub(super) fn new() -> Self {
         Self { all: None, many: 0, most: 1 }
     }
 
     /// Adds a cycle. If it ends at the state of comparison: all cycles since as one, and their number.
-    pub(super) fn closed_by(&mut self, cycle: &Cycle<C>) -> Option<(&Cycle<C>, usize)> {
+    pub(super) fn closed_by(&mut self, cycle: &Cycle) -> Option<(&Cycle, usize)> {
         if self.many == self.most {
             (self.all, self.many, self.most) = (None, 0, 2 * self.most);
         }

@@ -76,23 +76,24 @@ impl<const C: usize> Shakedown<C> {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Statics::shakedown`](crate::ask::Statics::shakedown).
     pub(crate) fn shakedown(
         &self,
-        base: &Wrench<C>,
-        loads: &[Wrench<C>],
+        base: &Wrench<3>,
+        loads: &[Wrench<3>],
         settings: &Settings,
-    ) -> Result<Option<Shakedown<C>>, Error> {
+    ) -> Result<Option<Shakedown<3>>, Error> {
         let at_rest = self.load_alone(base, "base load")?;
         let loads: Vec<_> =
             loads.iter().map(|load| self.inside(load, "load that repeats")).collect::<Result<_, _>>()?;
         // An upper bound for rest needs a polygon outside the round cone.
         let around = PolygonCone::new(settings.cone.facets(), Fit::Circumscribed)?;
-        let cone = if settings.is_round::<C>() { around } else { settings.cone };
-        let problem = self.problem(Polygon::shared(&cone), false, self.drives(), &Load::from(&at_rest));
+        let cone = if settings.is_round(self.space()) { around } else { settings.cone };
+        let problem =
+            self.problem(Polygon::shared(self.space(), &cone), false, self.drives(), &Load::from(&at_rest));
         let (piece, n) = (problem.trial(), problem.len());
-        let none = vec![SVector::<f64, C>::zeros(); n];
+        let none = vec![SVector::<f64, 3>::zeros(); n];
         let Ok(rest) = piece.solve(problem.sites, &problem.drives, problem.load()) else { return Ok(None) };
         let mut under = Vec::new();
         for load in &loads {
@@ -100,15 +101,16 @@ impl<const C: usize> Engine<C> {
             under.push(answer.forces);
         }
         let mut slips = Vec::new();
-        for (i, axis) in
-            (0..n).filter(|i| problem.local(*i).may_slide()).flat_map(|i| (1..C).map(move |a| (i, a)))
+        for (i, axis) in (0..n)
+            .filter(|i| problem.local(*i).may_slide())
+            .flat_map(|i| (1..self.space().axes()).map(move |a| (i, a)))
         {
             let mut drives = none.clone();
             drives[i][axis] = -1.0;
             let Ok(answer) = piece.solve(problem.sites, &drives, &(&at_rest * 0.0)) else { return Ok(None) };
             slips.push(((i, axis), answer.forces));
         }
-        let edges: Vec<Vec<SVector<f64, C>>> = problem.each(|local| match local.edges() {
+        let edges: Vec<Vec<SVector<f64, 3>>> = problem.each(|local| match local.edges() {
             Edges::Rows(rows) => rows,
             Edges::Round { .. } => Vec::new(),
         });
@@ -134,7 +136,7 @@ impl<const C: usize> Engine<C> {
         let normal = slips.iter().flat_map(|(_, forces)| forces).map(|f| f[0].abs()).fold(0.0, f64::max);
         let all = slips.iter().flat_map(|(_, forces)| forces).map(Matrix::norm).fold(0.0, f64::max);
         let slips_change_normal_forces = normal > CHANGES * all;
-        let around_the_round_cone = settings.is_round::<C>();
+        let around_the_round_cone = settings.is_round(self.space());
         Ok(Some(Shakedown {
             factor,
             slips: told,
@@ -158,13 +160,13 @@ struct Program {
 }
 
 impl Program {
-    fn new<const C: usize>(
-        edges: &[Vec<SVector<f64, C>>],
-        rest: &[SVector<f64, C>],
-        under: &[Vec<SVector<f64, C>>],
-        slips: &[&Vec<SVector<f64, C>>],
+    fn new(
+        edges: &[Vec<SVector<f64, 3>>],
+        rest: &[SVector<f64, 3>],
+        under: &[Vec<SVector<f64, 3>>],
+        slips: &[&Vec<SVector<f64, 3>>],
     ) -> Self {
-        let size = |forces: &[SVector<f64, C>]| forces.iter().map(Matrix::norm).fold(0.0, f64::max);
+        let size = |forces: &[SVector<f64, 3>]| forces.iter().map(Matrix::norm).fold(0.0, f64::max);
         let or_one = |x: f64| if x > 0.0 { x } else { 1.0 };
         let force = or_one(size(rest));
         let unit = force / or_one(under.iter().map(|forces| size(forces)).fold(0.0, f64::max));

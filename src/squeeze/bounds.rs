@@ -53,9 +53,11 @@ impl<const C: usize> Bounds<C> {
         self.direction = bounds;
         self
     }
+}
 
+impl Bounds<3> {
     /// Refuses bounds below zero or beyond 1e50, and more or fewer commands than contacts.
-    pub(super) fn check(&self, grasp: &Engine<C>) -> Result<(), Error> {
+    pub(super) fn check(&self, grasp: &Engine) -> Result<(), Error> {
         let is_bad = |x: &&f64| !(**x >= 0.0 && is_moderate(**x));
         for (bounds, what) in
             [(&self.base, "bound of the base load"), (&self.direction, "bound of the load direction")]

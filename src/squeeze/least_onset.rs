@@ -64,27 +64,27 @@ enum Datum {
 }
 
 /// Changes of the forces by one datum that is off by its bound.
-struct Share<const C: usize> {
+struct Share {
     datum: Datum,
     bound: f64,
-    forces: ContactForces<C>,
+    forces: ContactForces,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::least_onset_within`](crate::ask::Grasp::least_onset_within).
     pub(crate) fn least_onset_within(
         &self,
-        ramp: &Ramp<C>,
-        bounds: &Bounds<C>,
+        ramp: &Ramp<3>,
+        bounds: &Bounds<3>,
         settings: &Settings,
-    ) -> Result<LeastOnset<C>, Error> {
+    ) -> Result<LeastOnset<3>, Error> {
         self.refuse_hands("least_onset_within")?;
         bounds.check(self)?;
         let base = self.load_alone(&ramp.base, "base load")?;
-        ramp.direction.check("load direction")?;
+        ramp.direction.check_in(self.space(), "load direction")?;
         let (direction, changes) = (self.inside_unchecked(&ramp.direction), ramp.drive_changes(self)?);
         let sticking = Sticking::new(self, settings);
-        let known = || -> Result<_, Motion<C>> {
+        let known = || -> Result<_, Motion<3>> {
             let base = sticking.forces(&self.drives(), &base)?;
             Ok((base, sticking.forces(&changes, &direction)?, shares(&sticking, bounds)?))
         };
@@ -120,9 +120,10 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The commands and the ramp of a corner.
-    fn case(&self, ramp: &Ramp<C>, shares: &[Share<C>], signs: &[f64]) -> (Vec<SVector<f64, C>>, Ramp<C>) {
+    fn case(&self, ramp: &Ramp<3>, shares: &[Share], signs: &[f64]) -> (Vec<SVector<f64, 3>>, Ramp<3>) {
+        let space = self.space();
         let mut commands: Vec<_> = self.contacts().iter().map(Contact::commanded).collect();
-        let (mut base, mut direction) = (ramp.base.coordinates(), ramp.direction.coordinates());
+        let (mut base, mut direction) = (ramp.base.coordinates(space), ramp.direction.coordinates(space));
         for (share, sign) in shares.iter().zip(signs) {
             let off = sign * share.bound;
             match share.datum {
@@ -131,14 +132,14 @@ impl<const C: usize> Engine<C> {
                 Datum::Direction(component) => direction[component] += off,
             }
         }
-        let (base, direction) = (Wrench::among(&base), Wrench::among(&direction));
+        let (base, direction) = (Wrench::among(space, &base), Wrench::among(space, &direction));
         (commands, Ramp { base, direction, ..ramp.clone() })
     }
 }
 
 /// Changes of the forces by each datum with a bound.
-fn shares<const C: usize>(sticking: &Sticking<C>, bounds: &Bounds<C>) -> Result<Vec<Share<C>>, Motion<C>> {
-    let grasp = sticking.grasp;
+fn shares(sticking: &Sticking, bounds: &Bounds<3>) -> Result<Vec<Share>, Motion<3>> {
+    let (grasp, space) = (sticking.grasp, sticking.grasp.space());
     let (at_rest, nothing) = (vec![SVector::zeros(); grasp.len()], Vector::zeros());
     let mut shares = Vec::new();
     for (contact, bounds) in bounds.commands.iter().flatten().enumerate() {
@@ -152,10 +153,10 @@ fn shares<const C: usize>(sticking: &Sticking<C>, bounds: &Bounds<C>) -> Result<
     for (bounds, datum) in
         [(&bounds.base, Datum::Base as fn(usize) -> Datum), (&bounds.direction, Datum::Direction)]
     {
-        for (k, &bound) in bounds.components().iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
+        for (k, &bound) in bounds.coordinates(space).iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
             let mut load = Vector::zeros();
             load[k] = bound;
-            let forces = sticking.forces(&at_rest, &grasp.inside_unchecked(&Wrench::among(&load)))?;
+            let forces = sticking.forces(&at_rest, &grasp.inside_unchecked(&Wrench::among(space, &load)))?;
             shares.push(Share { datum: datum(k), bound, forces });
         }
     }
@@ -163,7 +164,7 @@ fn shares<const C: usize>(sticking: &Sticking<C>, bounds: &Bounds<C>) -> Result<
 }
 
 /// A condition for every corner of the box at which a contact may be worst.
-fn worst_rows<const C: usize>(edges: &Edges<C>, shares: &[Share<C>], contact: usize) -> Vec<SVector<f64, C>> {
+fn worst_rows(edges: &Edges, shares: &[Share], contact: usize) -> Vec<SVector<f64, 3>> {
     let limit = match edges {
         Edges::Rows(rows) => return rows.clone(),
         Edges::Round { limit } => *limit,
@@ -172,7 +173,7 @@ fn worst_rows<const C: usize>(edges: &Edges<C>, shares: &[Share<C>], contact: us
     for share in shares {
         // μ c_n = c₁ cos φ + c₂ sin φ.
         let c = &share.forces.of[contact];
-        let (towards, aside) = (c[C - 1].atan2(c[1]), (limit * c[0] / c[1].hypot(c[C - 1])).acos());
+        let (towards, aside) = (c[2].atan2(c[1]), (limit * c[0] / c[1].hypot(c[2])).acos());
         // The angle is NaN where the sign never changes.
         turns.extend(
             [towards - aside, towards + aside].map(|x| x.rem_euclid(TAU)).iter().filter(|x| x.is_finite()),
@@ -185,12 +186,7 @@ fn worst_rows<const C: usize>(edges: &Edges<C>, shares: &[Share<C>], contact: us
 }
 
 /// The force of a contact at a corner of the box, and its rate.
-fn corner<const C: usize>(
-    [base, rate]: [&ContactForces<C>; 2],
-    shares: &[Share<C>],
-    signs: &[f64],
-    contact: usize,
-) -> Line<C> {
+fn corner([base, rate]: [&ContactForces; 2], shares: &[Share], signs: &[f64], contact: usize) -> Line {
     let mut line = Line {
         force: base.of[contact],
         rate: rate.of[contact],

@@ -42,13 +42,13 @@ pub enum LeastSqueeze<const C: usize> {
     Undecided,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze).
     pub(crate) fn least_squeeze(
         &self,
-        loads: &Loads<C>,
+        loads: &Loads<3>,
         settings: &Settings,
-    ) -> Result<LeastSqueeze<C>, Error> {
+    ) -> Result<LeastSqueeze<3>, Error> {
         self.refuse_hands("least_squeeze")?;
         loads.check(self)?;
         let sticking = Sticking::new(self, settings);

@@ -24,9 +24,9 @@ pub enum Loads<const C: usize> {
     Turn(Turn<C>),
 }
 
-impl<const C: usize> Loads<C> {
+impl Loads<3> {
     /// Refuses sets without a load, and loads that are not finite or beyond 1e50.
-    pub(super) fn check(&self, grasp: &Engine<C>) -> Result<(), Error> {
+    pub(super) fn check(&self, grasp: &Engine) -> Result<(), Error> {
         self.check_size()?;
         match self {
             Self::Each(list) => list.iter().try_for_each(|load| grasp.load_alone(load, "load").map(drop)),
@@ -34,10 +34,12 @@ impl<const C: usize> Loads<C> {
                 grasp.load_alone(base, "base load")?;
                 check_point(point)
             }
-            Self::Turn(turn) => turn.check(),
+            Self::Turn(turn) => turn.check_in(grasp.space()),
         }
     }
+}
 
+impl<const C: usize> Loads<C> {
     /// Refuses sets without a load, and forces without a size.
     pub(crate) fn check_size(&self) -> Result<(), Error> {
         match self {
@@ -68,7 +70,7 @@ impl<const C: usize> From<Vec<Wrench<C>>> for Loads<C> {
 }
 
 /// Refuses a point that is not finite or beyond 1e50.
-pub(super) fn check_point<const C: usize>(point: &[f64; C]) -> Result<(), Error> {
+pub(super) fn check_point(point: &[f64; 3]) -> Result<(), Error> {
     match point.iter().find(|x| !is_moderate(**x)) {
         Some(&value) => Err(Error::Argument { what: "point of the force", value, allowed: MODERATE }),
         None => Ok(()),

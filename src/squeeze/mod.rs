@@ -23,6 +23,7 @@
 //! | `least_onset` | the least onset of sliding within these bounds |
 
 mod bounds;
+mod face;
 mod least_onset;
 mod least_squeeze;
 mod loads;

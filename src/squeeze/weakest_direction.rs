@@ -47,14 +47,14 @@ pub enum WeakestDirection<const C: usize> {
     Undecided,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::weakest_direction`](crate::ask::Grasp::weakest_direction).
     pub(crate) fn weakest_direction(
         &self,
-        base: &Wrench<C>,
-        point: impl Into<[f64; C]>,
+        base: &Wrench<3>,
+        point: impl Into<[f64; 3]>,
         settings: &Settings,
-    ) -> Result<WeakestDirection<C>, Error> {
+    ) -> Result<WeakestDirection<3>, Error> {
         let point = point.into();
         check_point(&point)?;
         let load = self.load_alone(base, "base load")?;
@@ -62,7 +62,7 @@ impl<const C: usize> Engine<C> {
         let Ok(forces) = sticking.forces(&self.drives(), &load) else {
             return Ok(WeakestDirection::NotSticking);
         };
-        let sticks = |((edges, force), size): ((&Edges<C>, &SVector<f64, C>), &f64)| {
+        let sticks = |((edges, force), size): ((&Edges, &SVector<f64, 3>), &f64)| {
             edges.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, *size))
         };
         if !sticking.edges.iter().zip(&forces.of).zip(&forces.sizes).all(sticks) {
@@ -94,15 +94,15 @@ impl<const C: usize> Engine<C> {
 }
 
 /// The least force known so far.
-struct Least<const C: usize> {
+struct Least {
     size: f64,
-    direction: SVector<f64, C>,
+    direction: SVector<f64, 3>,
     site: usize,
 }
 
-impl<const C: usize> Least<C> {
+impl Least {
     /// The least force that breaks one condition.
-    fn cut(&mut self, site: usize, force: &SVector<f64, C>, pushes: &Push<C>, row: &SVector<f64, C>) {
+    fn cut(&mut self, site: usize, force: &SVector<f64, 3>, pushes: &Push, row: &SVector<f64, 3>) {
         let felt = pushes.felt(row);
         let size = row.dot(force).max(0.0) / felt.norm();
         if size < self.size {
@@ -111,9 +111,9 @@ impl<const C: usize> Least<C> {
     }
 
     /// Lowers the force to the least that breaks a condition of a round cone. Returns whether it was found before cuts ran out.
-    fn go_round(&mut self, site: usize, limit: f64, force: &SVector<f64, C>, pushes: &Push<C>) -> bool {
+    fn go_round(&mut self, site: usize, limit: f64, force: &SVector<f64, 3>, pushes: &Push) -> bool {
         // First cuts: the facets towards and against the friction force, and across it.
-        let begin = force[C - 1].atan2(force[1]);
+        let begin = force[2].atan2(force[1]);
         for quarter in 0_u8..4 {
             let angle = begin + f64::from(quarter) * FRAC_PI_2;
             self.cut(site, force, pushes, &round_row(limit, angle));
@@ -122,7 +122,7 @@ impl<const C: usize> Least<C> {
             // Forces that change no condition at four angles change none, as three vectors determine the change at every angle.
             return true;
         }
-        let number = round_parts::<C>(limit).map(|&(times, axis)| times * force[axis]);
+        let number = round_parts(limit).map(|&(times, axis)| times * force[axis]);
         for _ in 0..MOST_CUTS {
             let turning = Turning { number, vector: pushes.turning(limit, self.size) };
             let Some(angle) = turning.deepest(TAU) else { return true };

@@ -9,17 +9,17 @@ use crate::prelude::*;
 use crate::proofs::{separating_motion, separating_motion_in_a_band};
 use crate::search::Settings;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// A motion that proves that no contact forces inside their cones balance this load together with the constant loads. No contact force works
     /// against the motion, and the loads do positive work along it. `None` where no such proof was found.
     pub(crate) fn unbalanced_along(
         &self,
-        load: &Wrench<C>,
+        load: &Wrench<3>,
         settings: &Settings,
     ) -> Result<Option<Vec<f64>>, Error> {
         let load = Load::from(&self.load_alone(load, "load")?);
-        let polygon = Polygon::shared(&settings.cone);
-        let problem = self.problem(polygon, settings.is_round::<C>(), self.drives(), &load);
+        let polygon = Polygon::shared(self.space(), &settings.cone);
+        let problem = self.problem(polygon, settings.is_round(self.space()), self.drives(), &load);
         let motion = if are_many(self.size()) {
             separating_motion_in_a_band(&problem)
         } else {
@@ -29,7 +29,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The work of this load and of the constant loads along such a motion.
-    pub(crate) fn work_along(&self, load: &Wrench<C>, motion: &[f64]) -> Result<f64, Error> {
+    pub(crate) fn work_along(&self, load: &Wrench<3>, motion: &[f64]) -> Result<f64, Error> {
         let load = self.load_alone(load, "load")?;
         Ok(load.dot(&Vector::from_fn(self.size(), |k| motion.get(k).copied().unwrap_or(0.0))))
     }

@@ -53,17 +53,16 @@ pub enum Closure<const C: usize> {
     Boundary,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Statics::force_closure`](crate::ask::Statics::force_closure).
-    pub(crate) fn force_closure(&self, settings: &Settings) -> Result<Closure<C>, Error> {
+    pub(crate) fn force_closure(&self, settings: &Settings) -> Result<Closure<3>, Error> {
         self.refuse_joints("force_closure")?;
         let problem = self.without_load(settings);
-        let axes =
-            |(i, local): (usize, LocalLaw<'_, C>)| (0..local.springs.axes()).map(move |axis| (i, axis));
+        let axes = |(i, local): (usize, LocalLaw<'_>)| (0..local.springs.axes()).map(move |axis| (i, axis));
         let axes: Vec<_> = problem.locals().enumerate().flat_map(axes).collect();
         // At rest every contact has a cone of forces.
         let straight = straight_generators(&problem).unwrap_or_default();
-        let inside = |forces: &[SVector<f64, C>]| {
+        let inside = |forces: &[SVector<f64, 3>]| {
             problem.locals().zip(forces).all(|(local, force)| {
                 local.edges().worst(force).is_none_or(|(row, value)| value > CLEARLY_INSIDE * row.norm())
             })
@@ -73,11 +72,11 @@ impl<const C: usize> Engine<C> {
     }
 
     /// [`Statics::form_closure`](crate::ask::Statics::form_closure).
-    pub(crate) fn form_closure(&self) -> Result<Closure<C>, Error> {
+    pub(crate) fn form_closure(&self) -> Result<Closure<3>, Error> {
         self.refuse_joints("form_closure")?;
         let axes: Vec<_> = (0..self.len()).map(|i| (i, 0)).collect();
         let normals: Vec<_> = self.normals().collect();
-        let inside = |forces: &[SVector<f64, C>]| forces.iter().all(|force| force[0] > CLEARLY_INSIDE);
+        let inside = |forces: &[SVector<f64, 3>]| forces.iter().all(|force| force[0] > CLEARLY_INSIDE);
         let closure = self.closure(&axes, &normals, &|_| Vec::new(), &inside);
         self.whatever_vacuums_hold(closure, "form_closure")
     }
@@ -86,9 +85,9 @@ impl<const C: usize> Engine<C> {
     /// error here.
     fn whatever_vacuums_hold(
         &self,
-        closure: Closure<C>,
+        closure: Closure<3>,
         question: &'static str,
-    ) -> Result<Closure<C>, Error> {
+    ) -> Result<Closure<3>, Error> {
         match (&closure, self.first_cup()) {
             (Closure::Closed { .. }, _) | (_, None) => Ok(closure),
             (_, Some(contact)) => Err(Error::Vacuum { question, contact }),
@@ -99,10 +98,10 @@ impl<const C: usize> Engine<C> {
     fn closure(
         &self,
         axes: &[(usize, usize)],
-        straight: &[Generator<C>],
-        round: &dyn Fn(&Vector) -> Vec<Generator<C>>,
-        inside: &dyn Fn(&[SVector<f64, C>]) -> bool,
-    ) -> Closure<C> {
+        straight: &[Generator],
+        round: &dyn Fn(&Vector) -> Vec<Generator>,
+        inside: &dyn Fn(&[SVector<f64, 3>]) -> bool,
+    ) -> Closure<3> {
         let sites = self.sites();
         let factor = Orthogonal::new(
             self.size(),
@@ -140,21 +139,26 @@ impl<const C: usize> Engine<C> {
     }
 
     /// An open grasp, with a motion against which nothing works.
-    fn open(&self, motion: &Vector) -> Closure<C> {
+    fn open(&self, motion: &Vector) -> Closure<3> {
         let outside = self.outside_coordinates(motion);
-        Closure::Open { motion: Twist::among(&outside), bodies: self.body_motions(&outside) }
+        Closure::Open { motion: Twist::among(self.space(), &outside), bodies: self.body_motions(&outside) }
     }
 
     /// A unit wrench along every normal.
-    fn normals(&self) -> impl Iterator<Item = Generator<C>> {
+    fn normals(&self) -> impl Iterator<Item = Generator> {
         let sites = self.sites().iter().enumerate();
         sites.map(|(contact, site)| Generator::along(contact, site, unit(0)))
     }
 
     /// The problem without load and without commands.
-    pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_, C> {
+    pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_> {
         let nothing = Load::from(&Vector::zeros());
         let drives = vec![SVector::zeros(); self.sites().len()];
-        self.problem(Polygon::shared(&settings.cone), settings.is_round::<C>(), drives, &nothing)
+        self.problem(
+            Polygon::shared(self.space(), &settings.cone),
+            settings.is_round(self.space()),
+            drives,
+            &nothing,
+        )
     }
 }

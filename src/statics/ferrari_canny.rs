@@ -26,14 +26,14 @@ pub struct WrenchBall<const C: usize> {
     pub weakest: Wrench<C>,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny).
     pub(crate) fn ferrari_canny(
         &self,
         budget: Budget,
-        scale: &WrenchScale<C>,
+        scale: &WrenchScale<3>,
         settings: &Settings,
-    ) -> Result<WrenchBall<C>, Error> {
+    ) -> Result<WrenchBall<3>, Error> {
         let set = self.wrench_set(budget, scale, settings, "ferrari_canny")?;
         let support = |v: &Vector| set.support(v);
         let (at_least, at_most, direction) = match simplex(self.size(), &support) {
@@ -50,10 +50,10 @@ impl<const C: usize> Engine<C> {
     pub(super) fn wrench_set(
         &self,
         budget: Budget,
-        scale: &WrenchScale<C>,
+        scale: &WrenchScale<3>,
         settings: &Settings,
         question: &'static str,
-    ) -> Result<WrenchSet<C>, Error> {
+    ) -> Result<WrenchSet, Error> {
         budget.check()?;
         scale.check()?;
         self.refuse_hands(question)?;

@@ -46,17 +46,17 @@ pub enum LoadLimit<const C: usize> {
     Undecided,
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Statics::load_limit`](crate::ask::Statics::load_limit).
     pub(crate) fn load_limit(
         &self,
-        base: &Wrench<C>,
-        direction: &Wrench<C>,
+        base: &Wrench<3>,
+        direction: &Wrench<3>,
         budget: Budget,
         settings: &Settings,
-    ) -> Result<LoadLimit<C>, Error> {
-        base.check("base load")?;
-        direction.check("load direction")?;
+    ) -> Result<LoadLimit<3>, Error> {
+        base.check_in(self.space(), "base load")?;
+        direction.check_in(self.space(), "load direction")?;
         let scale = WrenchScale::of(self.contacts());
         let set = self.wrench_set(budget, &scale, settings, "load_limit")?;
         let [base, rate] = [base, direction].map(|load| -set.inside(load));
@@ -82,7 +82,7 @@ impl<const C: usize> LoadLimit<C> {
 }
 
 /// Distance from `base` along the unit vector `rate` at which the ray leaves the set.
-fn limit<const C: usize>(size: Size, mut set: WrenchSet<C>, base: &Vector, rate: &Vector) -> LoadLimit<C> {
+fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLimit<3> {
     set.flat = simplex(size, &|v: &Vector| set.support(v)).err().unwrap_or_default();
     // The set now has some thickness in directions without any force; a load must have no part in them.
     let unheld = |load: &Vector| {
@@ -140,15 +140,11 @@ fn limit<const C: usize>(size: Size, mut set: WrenchSet<C>, base: &Vector, rate:
 }
 
 /// Forces of a target: from the vertices around the crossing of its ray, and from the middle of the simplex.
-fn forces<const C: usize>(
-    set: &WrenchSet<C>,
-    simplex: &[Vertex],
-    crossing: &RayExit,
-) -> Vec<SVector<f64, C>> {
+fn forces(set: &WrenchSet, simplex: &[Vertex], crossing: &RayExit) -> Vec<SVector<f64, 3>> {
     let rest = (1.0 - crossing.shares.iter().sum::<f64>()) / simplex.len() as f64;
     let points = crossing.vertices.iter().zip(crossing.shares.iter().copied());
     let all = points.chain(simplex.iter().map(|vertex| (vertex, rest)));
-    let mut sum: Vec<SVector<f64, C>> = Vec::new();
+    let mut sum: Vec<SVector<f64, 3>> = Vec::new();
     for (vertex, share) in all {
         let forces = set.forces(&vertex.towards);
         sum.resize(forces.len(), SVector::zeros());

@@ -20,6 +20,7 @@
 mod balance;
 mod budget;
 mod closure;
+mod face;
 mod ferrari_canny;
 mod load_limit;
 mod wrench_set;

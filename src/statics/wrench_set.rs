@@ -8,26 +8,26 @@ use nalgebra::{SMatrix, SVector};
 use super::budget::{Budget, WrenchScale};
 use crate::contact::{Coulomb, LocalLaw, tangential, tangential_norm};
 use crate::error::Error;
-use crate::grasp::{Engine, Twist, Wrench, grasp_map, moved_twist, moved_wrench};
+use crate::grasp::{Engine, Space, Twist, Wrench};
 use crate::numerics::{Map, Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
 /// Forces of one contact per newton along its normal.
-enum Cone<const C: usize> {
+enum Cone {
     Round(Coulomb),
-    Corners(Vec<SVector<f64, C>>),
+    Corners(Vec<SVector<f64, 3>>),
 }
 
-struct Pushing<const C: usize> {
+struct Pushing {
     /// Map from a force in the contact frame to its wrench, with moments in the scale of the set.
-    map: Map<C>,
-    cone: Cone<C>,
+    map: Map,
+    cone: Cone,
 }
 
-impl<const C: usize> Pushing<C> {
+impl Pushing {
     /// The force with the most work on a motion, per newton along the normal, and that work.
-    fn most(&self, v: &Vector) -> (SVector<f64, C>, f64) {
+    fn most(&self, v: &Vector) -> (SVector<f64, 3>, f64) {
         let u = self.map.tr_mul(v);
         match &self.cone {
             Cone::Round(cone) => {
@@ -45,29 +45,31 @@ impl<const C: usize> Pushing<C> {
 }
 
 /// The set of wrenches, in its scale.
-pub(super) struct WrenchSet<const C: usize> {
-    contacts: Vec<Pushing<C>>,
+pub(super) struct WrenchSet {
+    space: Space,
+    contacts: Vec<Pushing>,
     budget: Budget,
-    scale: WrenchScale<C>,
+    scale: WrenchScale<3>,
     /// Pull of the vacuums, which does not depend on the forces.
     vacuum: Vector,
     /// Directions in which no contact force acts; the set gets some thickness there.
     pub(super) flat: Vec<Vector>,
 }
 
-impl<const C: usize> WrenchSet<C> {
+impl WrenchSet {
     pub(super) fn new(
-        problem: &Problem<'_, C>,
-        grasp: &Engine<C>,
+        problem: &Problem<'_>,
+        grasp: &Engine,
         budget: Budget,
-        scale: WrenchScale<C>,
+        scale: WrenchScale<3>,
         question: &'static str,
     ) -> Result<Self, Error> {
+        let (space, axes) = (grasp.space(), grasp.space().axes());
         let about = SVector::from(scale.about);
-        let pushing = |(contact, (local, frame)): (usize, (LocalLaw<'_, C>, &SMatrix<f64, C, C>))| {
+        let pushing = |(contact, (local, frame)): (usize, (LocalLaw<'_>, &SMatrix<f64, 3, 3>))| {
             let arm = grasp.contacts()[contact].point() - about;
-            let mut map = grasp_map(grasp.size(), &arm, frame);
-            for (k, a) in (C..grasp.size().count()).flat_map(|k| (0..C).map(move |a| (k, a))) {
+            let mut map = grasp.space().grasp_map(grasp.size(), &arm, frame);
+            for (k, a) in (axes..grasp.size().count()).flat_map(|k| (0..axes).map(move |a| (k, a))) {
                 map[(k, a)] /= scale.length;
             }
             let unlimited = local.is_bonded() || local.may_pull() || local.never_slides();
@@ -89,15 +91,15 @@ impl<const C: usize> WrenchSet<C> {
         let contacts =
             problem.locals().zip(grasp.sites().iter().map(|site| &site.frame)).enumerate().map(pushing);
         let contacts = contacts.collect::<Result<_, _>>()?;
-        let set = Self { contacts, budget, scale, vacuum: Vector::zeros(), flat: Vec::new() };
+        let set = Self { space, contacts, budget, scale, vacuum: Vector::zeros(), flat: Vec::new() };
         Ok(Self { vacuum: set.inside(&grasp.with_vacuum(&Wrench::ZERO)), ..set })
     }
 
     /// The forces of the support point in a direction.
-    pub(super) fn forces(&self, v: &Vector) -> Vec<SVector<f64, C>> {
+    pub(super) fn forces(&self, v: &Vector) -> Vec<SVector<f64, 3>> {
         let most = self.contacts.iter().map(|contact| contact.most(v));
         let within = |bound: f64| {
-            move |(force, work): (SVector<f64, C>, f64)| force * if work > 0.0 { bound } else { 0.0 }
+            move |(force, work): (SVector<f64, 3>, f64)| force * if work > 0.0 { bound } else { 0.0 }
         };
         match self.budget {
             Budget::Each(bound) => most.map(within(bound)).collect(),
@@ -124,29 +126,29 @@ impl<const C: usize> WrenchSet<C> {
     }
 
     /// A wrench of the question, in the scale of the set.
-    pub(super) fn inside(&self, wrench: &Wrench<C>) -> Vector {
+    pub(super) fn inside(&self, wrench: &Wrench<3>) -> Vector {
         let about = SVector::from(self.scale.about);
-        let moved = moved_wrench::<C>(&-about, &wrench.coordinates());
-        scaled::<C>(moved, 1.0 / self.scale.length)
+        let moved = self.space.moved_wrench(&-about, &wrench.coordinates(self.space));
+        scaled(self.space, moved, 1.0 / self.scale.length)
     }
 
     /// A wrench in the scale of the set, in the user's coordinates.
-    pub(super) fn outside(&self, wrench: Vector) -> Wrench<C> {
+    pub(super) fn outside(&self, wrench: Vector) -> Wrench<3> {
         let about = SVector::from(self.scale.about);
-        let wrench = scaled::<C>(wrench, self.scale.length);
-        Wrench::among(&moved_wrench::<C>(&about, &wrench))
+        let wrench = scaled(self.space, wrench, self.scale.length);
+        Wrench::among(self.space, &self.space.moved_wrench(&about, &wrench))
     }
 
     /// The motion on which a wrench does as much work as it reaches along a direction.
-    pub(super) fn motion(&self, direction: Vector) -> Twist<C> {
+    pub(super) fn motion(&self, direction: Vector) -> Twist<3> {
         let about = SVector::from(self.scale.about);
-        let direction = scaled::<C>(direction, 1.0 / self.scale.length);
-        Twist::among(&moved_twist::<C>(&about, &direction))
+        let direction = scaled(self.space, direction, 1.0 / self.scale.length);
+        Twist::among(self.space, &self.space.moved_twist(&about, &direction))
     }
 }
 
 /// `v` with its angular components times a factor.
-fn scaled<const C: usize>(mut v: Vector, by: f64) -> Vector {
-    v.iter_mut().skip(C).for_each(|x| *x *= by);
+fn scaled(space: Space, mut v: Vector, by: f64) -> Vector {
+    v.iter_mut().skip(space.axes()).for_each(|x| *x *= by);
     v
 }

@@ -25,15 +25,15 @@ pub(super) const PERTURBED: usize = 2;
 
 /// The active pairs of one contact, those whose z is basic, by their numbers within the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Active<const C: usize> {
-    pairs: [u16; C],
+pub(crate) struct Active {
+    pairs: [u16; 3],
     len: u8,
 }
 
-impl<const C: usize> Active<C> {
-    pub(super) const NONE: Self = Self { pairs: [0; C], len: 0 };
+impl Active {
+    pub(super) const NONE: Self = Self { pairs: [0; 3], len: 0 };
 
-    pub(crate) fn len(&self) -> usize {
+    pub(crate) fn len(self) -> usize {
         usize::from(self.len)
     }
 
@@ -48,11 +48,11 @@ impl<const C: usize> Active<C> {
     }
 
     #[inline]
-    pub(super) fn has(&self, pair: usize) -> bool {
+    pub(super) fn has(self, pair: usize) -> bool {
         self.len > 0 && self.position(pair).is_some()
     }
 
-    pub(super) fn position(&self, pair: usize) -> Option<usize> {
+    pub(super) fn position(self, pair: usize) -> Option<usize> {
         self.iter().position(|p| p == pair)
     }
 
@@ -76,41 +76,41 @@ impl<const C: usize> Active<C> {
 
 /// The linear response of a contact in a given state to u and z₀.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Reaction<const C: usize> {
+pub(super) struct Reaction {
     /// P.
-    pub(super) hold: SMatrix<f64, C, C>,
+    pub(super) hold: SMatrix<f64, 3, 3>,
     /// Rows of Z.
-    pub(super) multipliers: [SVector<f64, C>; C],
+    pub(super) multipliers: [SVector<f64, 3>; 3],
     /// ζ and k.
-    pub(super) cover: Jumps<C>,
+    pub(super) cover: Jumps,
     /// ζ and k for the perturbation by which ties are broken.
-    pub(super) tie: Jumps<C>,
+    pub(super) tie: Jumps,
 }
 
 /// Jumps of the active pairs of a contact, and the change of x that they cause.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Jumps<const C: usize> {
-    pub(super) of_pairs: [f64; C],
-    pub(super) of_x: SVector<f64, C>,
+pub(super) struct Jumps {
+    pub(super) of_pairs: [f64; 3],
+    pub(super) of_x: SVector<f64, 3>,
 }
 
-impl<const C: usize> Reaction<C> {
+impl Reaction {
     /// The response of a contact without jumps.
     pub(super) fn sticking() -> Self {
-        let (zero, none) = (SVector::zeros(), Jumps { of_pairs: [0.0; C], of_x: SVector::zeros() });
-        Self { hold: SMatrix::identity(), multipliers: [zero; C], cover: none, tie: none }
+        let (zero, none) = (SVector::zeros(), Jumps { of_pairs: [0.0; 3], of_x: SVector::zeros() });
+        Self { hold: SMatrix::identity(), multipliers: [zero; 3], cover: none, tie: none }
     }
 
     /// The coefficients of u and z₀ in `row·x + d z₀`.
-    pub(super) fn feels(&self, row: &SVector<f64, C>, d: f64) -> (SVector<f64, C>, f64) {
+    pub(super) fn feels(&self, row: &SVector<f64, 3>, d: f64) -> (SVector<f64, 3>, f64) {
         (self.hold.tr_mul(row), d - row.dot(&self.cover.of_x))
     }
 }
 
-impl<const C: usize> ContactForm<C> {
+impl ContactForm {
     /// The response of a contact in a state. `None` if the slips of the active pairs are not independent, which no exact basis
     /// has.
-    pub(super) fn reaction(&self, local: &PairedContact<C>, active: &Active<C>) -> Option<Reaction<C>> {
+    pub(super) fn reaction(&self, local: &PairedContact, active: Active) -> Option<Reaction> {
         let (gap, facets) = (active.position(0).filter(|_| local.contact.gap), self.pairs_of(local));
         let slipping = active.iter().enumerate().filter(|(a, _)| gap != Some(*a));
         let slipping = Slipping::independent(slipping.map(|(_, pair)| &facets[pair]))?;
@@ -124,7 +124,7 @@ impl<const C: usize> ContactForm<C> {
             Some(gap) if a > gap => Some(a - 1),
             _ => Some(a),
         };
-        let mut multipliers = [SVector::zeros(); C];
+        let mut multipliers = [SVector::zeros(); 3];
         for a in 0..active.len() {
             multipliers[a] = match facet(a) {
                 Some(facet) if gap.is_some() => slipping.across[facet],
@@ -139,7 +139,7 @@ impl<const C: usize> ContactForm<C> {
                 *entry = d(pair, facets[pair].unit);
             }
             let of_x = slipping.reaching(of_gap, of_facets);
-            let mut of_pairs = [0.0; C];
+            let mut of_pairs = [0.0; 3];
             for a in 0..active.len() {
                 of_pairs[a] = facet(a).map_or(of_gap, |facet| slipping.across[facet].dot(&of_x));
             }
@@ -155,7 +155,7 @@ impl<const C: usize> ContactForm<C> {
         &self,
         sums: &mut Sums<3>,
         contact: usize,
-        jumped: Option<&Reaction<C>>,
+        jumped: Option<&Reaction>,
         sign: f64,
     ) {
         let PairedContact { contact, trial, .. } = &self.locals[contact];
@@ -168,20 +168,20 @@ impl<const C: usize> ContactForm<C> {
 
 /// A list of contact states.
 #[derive(Debug, Clone)]
-pub(super) struct StateBasis<const C: usize> {
-    pub(super) active: Vec<Active<C>>,
+pub(super) struct StateBasis {
+    pub(super) active: Vec<Active>,
     /// Valid for contacts that jump only.
-    reactions: Vec<Reaction<C>>,
-    sticking: Reaction<C>,
+    reactions: Vec<Reaction>,
+    sticking: Reaction,
 }
 
-impl<const C: usize> Default for StateBasis<C> {
+impl Default for StateBasis {
     fn default() -> Self {
         Self { active: Vec::new(), reactions: Vec::new(), sticking: Reaction::sticking() }
     }
 }
 
-impl<const C: usize> StateBasis<C> {
+impl StateBasis {
     /// Sets every contact to its trial state.
     pub(super) fn unjump(&mut self, contacts: usize) {
         self.active.clear();
@@ -191,26 +191,26 @@ impl<const C: usize> StateBasis<C> {
         }
     }
 
-    pub(super) fn reaction(&self, contact: usize) -> &Reaction<C> {
+    pub(super) fn reaction(&self, contact: usize) -> &Reaction {
         self.jumped(contact).unwrap_or(&self.sticking)
     }
 
     /// The response of a contact, if it jumps.
-    pub(super) fn jumped(&self, contact: usize) -> Option<&Reaction<C>> {
+    pub(super) fn jumped(&self, contact: usize) -> Option<&Reaction> {
         (self.active[contact].len() > 0).then(|| &self.reactions[contact])
     }
 
     /// Sets the state of a contact. `None` for a state that no exact basis has.
-    pub(super) fn set(&mut self, form: &ContactForm<C>, contact: usize, active: Active<C>) -> Option<()> {
+    pub(super) fn set(&mut self, form: &ContactForm, contact: usize, active: Active) -> Option<()> {
         if active.len() > 0 {
-            self.reactions[contact] = form.reaction(&form.locals[contact], &active)?;
+            self.reactions[contact] = form.reaction(&form.locals[contact], active)?;
         }
         self.active[contact] = active;
         Some(())
     }
 
     /// All sums, computed afresh.
-    pub(super) fn sums(&self, form: &ContactForm<C>) -> Sums<3> {
+    pub(super) fn sums(&self, form: &ContactForm) -> Sums<3> {
         Sums::over(form.size, form.len(), form.coordinates.rank, &|sums, contact| {
             form.accumulate(sums, contact, self.jumped(contact), 1.0);
         })

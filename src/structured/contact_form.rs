@@ -19,32 +19,32 @@ use crate::prelude::*;
 
 /// A contact with its pairs (w, z).
 #[derive(Debug, Clone)]
-pub(super) struct PairedContact<const C: usize> {
-    pub(super) contact: EnergyContact<C>,
+pub(super) struct PairedContact {
+    pub(super) contact: EnergyContact,
     /// x⁰_i.
-    pub(super) trial: SVector<f64, C>,
+    pub(super) trial: SVector<f64, 3>,
     /// The index of its first pair in the whole problem. Pair 0 of a contact that may open is its
     /// gap.
     pub(super) first: usize,
 }
 
-impl<const C: usize> PairedContact<C> {
+impl PairedContact {
     /// The entry of the perturbation for a pair, in the unit of its row.
     pub(super) fn perturbation(&self, pair: usize, unit: f64) -> f64 {
         unit * generic(self.first + pair)
     }
 
     /// u = x⁰ - Q y.
-    pub(super) fn stretch(&self, y: &Vector) -> SVector<f64, C> {
+    pub(super) fn stretch(&self, y: &Vector) -> SVector<f64, 3> {
         self.trial - &self.contact.seen * y
     }
 }
 
 /// The kinematic form.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct ContactForm<const C: usize> {
-    pub(super) locals: Vec<PairedContact<C>>,
-    pub(super) coordinates: EnergyCoordinates<C>,
+pub(crate) struct ContactForm {
+    pub(super) locals: Vec<PairedContact>,
+    pub(super) coordinates: EnergyCoordinates,
     pub(super) size: Size,
     /// The number of pairs of all contacts.
     pub(super) pairs: usize,
@@ -55,10 +55,10 @@ pub(crate) struct ContactForm<const C: usize> {
     covering: Vec<f64>,
 }
 
-impl<const C: usize> ContactForm<C> {
+impl ContactForm {
     /// Writes the form for the trial state in which every contact sticks, from the factor of its
     /// springs and x⁰, spring by spring.
-    pub(crate) fn assign(&mut self, problem: &Problem<C>, factor: &Orthogonal, x: &[f64]) {
+    pub(crate) fn assign(&mut self, problem: &Problem, factor: &Orthogonal, x: &[f64]) {
         let Self { locals, coordinates, size, pairs, widest, covering } = self;
         *size = problem.size();
         locals.clear();
@@ -68,7 +68,7 @@ impl<const C: usize> ContactForm<C> {
         let mut x = x.iter();
         coordinates.lay_out(problem, factor, |law, contact| {
             let springs = if law.is_absent() { 0 } else { law.springs.axes() };
-            let mut trial = SVector::<f64, C>::zeros();
+            let mut trial = SVector::<f64, 3>::zeros();
             for (trial, x) in trial.iter_mut().zip(x.by_ref().take(springs)) {
                 *trial = *x;
             }
@@ -86,19 +86,19 @@ impl<const C: usize> ContactForm<C> {
     /// The pairs of a contact: the row of each, and the factor that converts an entry for a row of length one to
     /// the row's unit.
     #[inline]
-    pub(super) fn pairs_of(&self, local: &PairedContact<C>) -> &[Facet<C>] {
+    pub(super) fn pairs_of(&self, local: &PairedContact) -> &[Facet] {
         self.coordinates.pairs(&local.contact)
     }
 
     /// The column of a pair.
-    pub(super) fn column(&self, local: &PairedContact<C>, pair: usize) -> SVector<f64, C> {
+    pub(super) fn column(&self, local: &PairedContact, pair: usize) -> SVector<f64, 3> {
         let is_gap = local.contact.gap && pair == 0;
         if is_gap { normal() } else { self.pairs_of(local)[pair].column() }
     }
 
     /// The entry of the covering vector for a pair, in the unit of its row.
     #[inline]
-    pub(super) fn cover(&self, local: &PairedContact<C>, pair: usize, unit: f64) -> f64 {
+    pub(super) fn cover(&self, local: &PairedContact, pair: usize, unit: f64) -> f64 {
         self.covering.get(local.first + pair).copied().unwrap_or(unit)
     }
 

@@ -21,15 +21,15 @@ struct Sums {
     lawful: bool,
 }
 
-struct OnPolygons<'p, 'g, const C: usize> {
-    problem: &'p Problem<'g, C>,
+struct OnPolygons<'p, 'g> {
+    problem: &'p Problem<'g>,
     states: &'p mut [PolygonState],
-    forces: &'p mut [SVector<f64, C>],
+    forces: &'p mut [SVector<f64, 3>],
     /// The sums at the last twist.
     sums: Sums,
 }
 
-impl<const C: usize> StretchAnswers for OnPolygons<'_, '_, C> {
+impl StretchAnswers for OnPolygons<'_, '_> {
     fn answer(&mut self, twist: &Vector) -> Imbalance {
         self.sums = answer(self.problem, twist, self.states, self.forces);
         let load = &self.problem.wrench;
@@ -46,7 +46,7 @@ impl<const C: usize> StretchAnswers for OnPolygons<'_, '_, C> {
 
 /// Newton's method from the twist at which all contacts that stick would balance the load. Returns the number of steps,
 /// or `None` if it does not converge. Rates on an edge are excluded.
-pub(super) fn newton<const C: usize>(problem: &Problem<C>, found: &mut Solution<C>) -> Option<usize> {
+pub(super) fn newton(problem: &Problem, found: &mut Solution) -> Option<usize> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
     }
@@ -67,7 +67,7 @@ pub(super) fn newton<const C: usize>(problem: &Problem<C>, found: &mut Solution<
 }
 
 /// R without the load and T, with every contact sticking and the object at rest.
-fn stick<const C: usize>(problem: &Problem<C>) -> Sums {
+fn stick(problem: &Problem) -> Sums {
     let part = |contacts: Range<usize>| {
         let mut sum = Sums::zero(problem.size());
         for contact in contacts {
@@ -84,11 +84,11 @@ fn stick<const C: usize>(problem: &Problem<C>) -> Sums {
 }
 
 /// Forces and states of the contacts at a twist, R without the load and T.
-fn answer<const C: usize>(
-    problem: &Problem<C>,
+fn answer(
+    problem: &Problem,
     twist: &Vector,
     states: &mut [PolygonState],
-    forces: &mut [SVector<f64, C>],
+    forces: &mut [SVector<f64, 3>],
 ) -> Sums {
     let part = |(contacts, (states, forces)): (Range<usize>, (&mut [_], &mut [_]))| {
         let mut sum = Sums::zero(problem.size());
@@ -114,7 +114,7 @@ fn answer<const C: usize>(
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T, dyad by dyad.
 #[inline]
-fn add_tangent<const C: usize>(t: &mut Square, site: &Site<C>, tangent: &Tangent<C>) {
+fn add_tangent(t: &mut Square, site: &Site, tangent: &Tangent) {
     match tangent {
         Tangent::Open => {}
         Tangent::Sticking(k) => {
@@ -140,18 +140,14 @@ impl Sums {
         Self { balance: Imbalance::default(), stiffness, lawful: true }
     }
 
-    fn add_tangent<const C: usize>(&mut self, site: &Site<C>, tangent: &Tangent<C>) {
+    fn add_tangent(&mut self, site: &Site, tangent: &Tangent) {
         if self.stiffness.size() == site.coordinates() {
             add_tangent(&mut self.stiffness, site, tangent);
         }
     }
 
     /// Factors of T in these states.
-    fn factors<const C: usize>(
-        &self,
-        problem: &Problem<C>,
-        state: impl Fn(usize) -> State<C>,
-    ) -> Option<TangentFactors> {
+    fn factors(&self, problem: &Problem, state: impl Fn(usize) -> State) -> Option<TangentFactors> {
         if are_many(problem.size()) {
             return problem.tangent_in_a_band(&state);
         }

@@ -36,9 +36,9 @@ pub(crate) enum PivotEnd {
 
 /// A path. Its memory is kept between scenes.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Path<const C: usize> {
-    pub(crate) form: ContactForm<C>,
-    pub(super) basis: StateBasis<C>,
+pub(crate) struct Path {
+    pub(crate) form: ContactForm,
+    pub(super) basis: StateBasis,
     pub(super) sums: Sums<3>,
     pub(crate) pivots: usize,
     /// The number of evaluations of a contact, over all of these pivots.
@@ -53,7 +53,7 @@ pub(crate) struct Path<const C: usize> {
     candidates: Vec<Candidate>,
 }
 
-impl<const C: usize> Path<C> {
+impl Path {
     /// A number of pivots that no problem of this size is known to need.
     pub(crate) fn pivot_limit(&self) -> usize {
         10_000 + 100 * self.form.pairs
@@ -105,12 +105,12 @@ impl<const C: usize> Path<C> {
     }
 
     /// The present state of a contact with this law.
-    pub(super) fn state(&self, contact: usize, law: &LocalLaw<'_, C>) -> PolygonState {
+    pub(super) fn state(&self, contact: usize, law: &LocalLaw<'_>) -> PolygonState {
         let (active, gap) = (&self.basis.active[contact], self.form.locals[contact].contact.gap);
         if law.is_absent() || (gap && active.has(0)) {
             return Mode::Open;
         }
-        let mut facets = [0; C];
+        let mut facets = [0; 3];
         facets.iter_mut().zip(active.facets(gap)).for_each(|(slot, facet)| *slot = facet);
         let facets = &mut facets[..active.len()];
         facets.sort_unstable();

@@ -9,8 +9,8 @@ use crate::prelude::*;
 
 /// The result of a search for contact states, and its cost.
 #[derive(Debug, Clone)]
-pub(crate) struct Proposal<const C: usize> {
-    pub(crate) states: Option<Vec<State<C>>>,
+pub(crate) struct Proposal {
+    pub(crate) states: Option<Vec<State>>,
     pub(crate) pivots: usize,
     /// The number of pairs of the kinematic form.
     pub(crate) pairs: usize,
@@ -19,7 +19,7 @@ pub(crate) struct Proposal<const C: usize> {
 }
 
 /// Contact states by Newton's method on the return maps, if it converges.
-pub(crate) fn propose_by_newton<const C: usize>(problem: &Problem<C>) -> Option<Vec<State<C>>> {
+pub(crate) fn propose_by_newton(problem: &Problem) -> Option<Vec<State>> {
     let mut solution = Solution::default();
     newton(problem, &mut solution)?;
     Some(solution.states.into_iter().map(State::from).collect())
@@ -28,16 +28,16 @@ pub(crate) fn propose_by_newton<const C: usize>(problem: &Problem<C>) -> Option<
 /// Follows Lemke's path on the kinematic form from the trial state. After each failure it follows the path of another
 /// covering vector, up to `other_paths` of them. All paths together make at most `max_pivots` pivots or, without that limit, at most `most_work`
 /// multiplications.
-pub(crate) fn propose<const C: usize>(
-    problem: &Problem<C>,
-    trial: &Piece<C>,
-    state: &PieceState<C>,
+pub(crate) fn propose(
+    problem: &Problem,
+    trial: &Piece,
+    state: &PieceState,
     other_paths: usize,
     max_pivots: Option<usize>,
     most_work: usize,
-) -> Proposal<C> {
+) -> Proposal {
     let mut path = Path::default();
-    let mut x = Vec::with_capacity(C * problem.len());
+    let mut x = Vec::with_capacity(3 * problem.len());
     for (local, force) in problem.locals().zip(&state.forces).filter(|(local, _)| !local.is_absent()) {
         x.extend((0..local.springs.axes()).map(|axis| force[axis] / local.springs.root_along(axis)));
     }

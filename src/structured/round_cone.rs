@@ -12,11 +12,11 @@ use crate::object::{Problem, newton_on_cones};
 use crate::prelude::*;
 
 /// Newton's method from a twist. Returns the number of steps if it converges; the responses of the contacts are then in `answers`.
-pub(super) fn newton<const C: usize>(
-    problem: &Problem<C>,
+pub(super) fn newton(
+    problem: &Problem,
     from: Vector,
-    answers: &mut Vec<ContactResponse<C>>,
-    found: &mut Solution<C>,
+    answers: &mut Vec<ContactResponse>,
+    found: &mut Solution,
 ) -> Option<usize> {
     let (twist, steps, here) = newton_on_cones(problem, (from, BALANCED), answers)?;
     // A contact that is kept closed may pull, but then it has no friction to slide with.
@@ -35,11 +35,11 @@ pub(super) fn newton<const C: usize>(
 }
 
 /// Whether the elastic trial at a twist is an equilibrium; x are the stretches of the contacts' springs there.
-pub(super) fn trial_holds<const C: usize>(
-    problem: &Problem<C>,
+pub(super) fn trial_holds(
+    problem: &Problem,
     (x, twist): (&[f64], &Vector),
-    answers: &mut Vec<ContactResponse<C>>,
-    found: &mut Solution<C>,
+    answers: &mut Vec<ContactResponse>,
+    found: &mut Solution,
 ) -> bool {
     answers.clear();
     found.forces.clear();

@@ -22,26 +22,26 @@ const ROUNDING: f64 = 1e-5;
 
 /// An equilibrium, found by Newton's method or from the last basis of a path.
 #[derive(Debug, Clone)]
-pub(super) struct Solution<const C: usize> {
+pub(super) struct Solution {
     /// The least motion of the object, in inside coordinates.
     pub(super) twist: Vector,
-    pub(super) forces: Vec<SVector<f64, C>>,
+    pub(super) forces: Vec<SVector<f64, 3>>,
     /// The states of the contacts, if Newton's method found it.
     pub(super) states: Vec<PolygonState>,
     /// The largest violation of a condition, over the sizes of its terms.
     pub(super) residual: f64,
 }
 
-impl<const C: usize> Default for Solution<C> {
+impl Default for Solution {
     fn default() -> Self {
         Self { twist: Vector::zeros(), forces: Vec::new(), states: Vec::new(), residual: f64::INFINITY }
     }
 }
 
-impl<const C: usize> Solution<C> {
+impl Solution {
     /// Solves the equations of the present states of a path at z₀ = 0. Returns the motion y on top
     /// of the trial state if every inequality holds there, too.
-    pub(super) fn take(&mut self, path: &mut Path<C>, problem: &Problem<C>) -> Option<Vector> {
+    pub(super) fn take(&mut self, path: &mut Path, problem: &Problem) -> Option<Vector> {
         if path.age <= FRESH
             && let Some(y) = self.check(path, problem)
         {
@@ -51,7 +51,7 @@ impl<const C: usize> Solution<C> {
         self.check(path, problem)
     }
 
-    fn check(&mut self, path: &Path<C>, problem: &Problem<C>) -> Option<Vector> {
+    fn check(&mut self, path: &Path, problem: &Problem) -> Option<Vector> {
         self.residual = f64::INFINITY;
         let y = path.vertex()?;
         self.forces.clear();
@@ -97,7 +97,7 @@ impl<const C: usize> Solution<C> {
     }
 }
 
-impl<const C: usize> Path<C> {
+impl Path {
     /// The motion y of the present states at z₀ = 0.
     fn vertex(&self) -> Option<Vector> {
         if self.basis.active.iter().all(|active| active.len() == 0) {

@@ -69,12 +69,12 @@ const NOISE: f64 = 1e-11;
 /// A rate below this part of the largest changes is rounding of zero for any terms.
 pub(super) const GREY: f64 = 4.0 * f64::EPSILON;
 
-impl<const C: usize> ContactForm<C> {
+impl ContactForm {
     /// Calls `visit` with the basic variables of a contact that decrease along a step. A rate much smaller than
     /// the largest changes counts only if it is not small beside the terms it is made of.
     pub(super) fn decreasing(
         &self,
-        basis: &StateBasis<C>,
+        basis: &StateBasis,
         contact: u32,
         step: &PivotStep,
         entering: &Entering,
@@ -121,14 +121,14 @@ impl<const C: usize> ContactForm<C> {
 
     /// The time until which no variable of this contact can reach zero, on the clock of the direction
     /// e.
-    pub(super) fn slack(&self, basis: &StateBasis<C>, contact: u32, at: &Point, e: &Point) -> f64 {
+    pub(super) fn slack(&self, basis: &StateBasis, contact: u32, at: &Point, e: &Point) -> f64 {
         let local = &self.locals[contact as usize];
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
         let (stretch, change) = (local.stretch(&at.y), -(&local.contact.seen * &e.y));
         let (margin, width) = (MARGIN * local.level(&stretch, at.s), local.contact.seen.norm());
         let mut least = f64::INFINITY;
         // Each variable has the form `felt·u + d z₀`.
-        let mut consider = |felt: &SVector<f64, C>, d: f64, size: f64| {
+        let mut consider = |felt: &SVector<f64, 3>, d: f64, size: f64| {
             let value = felt.dot(&stretch) + d * at.s - margin * size;
             let rate = felt.dot(&change) + d * e.s;
             least = least.min(slack(value, rate, felt.norm() * width + d.abs()));
@@ -147,9 +147,9 @@ impl<const C: usize> ContactForm<C> {
     }
 }
 
-impl<const C: usize> PairedContact<C> {
+impl PairedContact {
     /// Size of the terms of the contact's variables.
-    fn level(&self, stretch: &SVector<f64, C>, z0: f64) -> f64 {
+    fn level(&self, stretch: &SVector<f64, 3>, z0: f64) -> f64 {
         self.trial.amax() + stretch.amax() + z0.abs()
     }
 }

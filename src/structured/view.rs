@@ -5,7 +5,7 @@ use core::fmt::Debug;
 use nalgebra::SVector;
 
 use crate::forms::Row;
-use crate::grasp::Twist;
+use crate::grasp::{Face, Twist};
 
 /// The end of a search for an equilibrium.
 #[derive(Debug, Clone, Copy)]
@@ -27,26 +27,37 @@ pub enum Search<'a, const C: usize> {
 /// An equilibrium in the memory of its workspace.
 #[derive(Debug, Clone, Copy)]
 pub struct EquilibriumView<'a, const C: usize> {
-    workspace: &'a dyn Viewed<C>,
+    workspace: &'a dyn Viewed,
+}
+
+impl<'a, const C: usize> Search<'a, C> {
+    /// The result as the caller sees it.
+    pub(crate) fn outside(inside: Search<'a, 3>) -> Self {
+        match inside {
+            Search::Found(EquilibriumView { workspace }) => Self::Found(EquilibriumView { workspace }),
+            Search::FreeMotion => Self::FreeMotion,
+            Search::NotFound { pivots } => Self::NotFound { pivots },
+        }
+    }
 }
 
 impl<'a, const C: usize> EquilibriumView<'a, C> {
-    pub(super) fn of(workspace: &'a dyn Viewed<C>) -> Self {
+    pub(super) fn of(workspace: &'a dyn Viewed) -> Self {
         Self { workspace }
     }
 
     /// Forces on the object in the contact frames, N, one per contact in the order of the grasp:
     /// (`F_n`, `F_t`…), `F_n` > 0 pushes.
     #[must_use]
-    pub fn forces(&self) -> &'a [SVector<f64, C>] {
-        self.workspace.forces()
+    pub fn forces(&self) -> impl ExactSizeIterator<Item = SVector<f64, C>> + use<'a, C> {
+        self.workspace.forces().iter().map(|force| SVector::leave(*force))
     }
 
     /// Motion of the object: displacement of the origin (m) and rotation (rad), the least one if
     /// the contacts leave it free motions.
     #[must_use]
     pub fn twist(&self) -> Twist<C> {
-        self.workspace.twist()
+        Twist::leave(self.workspace.twist())
     }
 
     /// The largest violation of a condition, relative to the sizes of its terms: balance of forces
@@ -75,14 +86,14 @@ impl<'a, const C: usize> EquilibriumView<'a, C> {
     /// the facet that touches it has the number 0.
     pub fn jumps(&self) -> impl Iterator<Item = Row> + 'a {
         let workspace = self.workspace;
-        (0..self.forces().len()).flat_map(move |contact| workspace.rows(contact)).flatten()
+        (0..workspace.forces().len()).flat_map(move |contact| workspace.rows(contact)).flatten()
     }
 }
 
-/// The methods of a workspace behind its view, for any number of coordinates.
-pub(super) trait Viewed<const C: usize>: Debug {
-    fn forces(&self) -> &[SVector<f64, C>];
-    fn twist(&self) -> Twist<C>;
+/// The methods of a workspace behind its view.
+pub(super) trait Viewed: Debug {
+    fn forces(&self) -> &[SVector<f64, 3>];
+    fn twist(&self) -> Twist<3>;
     fn residual(&self) -> f64;
     fn pivots(&self) -> usize;
     fn newton_steps(&self) -> Option<usize>;

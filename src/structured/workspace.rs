@@ -12,7 +12,7 @@ use super::view::{EquilibriumView, Search, Viewed};
 use crate::contact::{ContactResponse, Law, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::forms::Row;
-use crate::grasp::{Engine, Site, Twist, Wrench};
+use crate::grasp::{Engine, Site, Space, Twist, Wrench};
 use crate::numerics::{Memory, Orthogonal, Vector, without};
 use crate::object::{Problem, spring_rows, stretched_into, worked_on};
 use crate::prelude::*;
@@ -24,8 +24,8 @@ const MANY: usize = 32;
 
 /// Memory for equilibria of one grasp after another, by Lemke's method on lists of contact states.
 #[derive(Debug, Clone)]
-pub(crate) struct Workspace<const C: usize> {
-    pub(super) path: Path<C>,
+pub(crate) struct Workspace {
+    pub(super) path: Path,
     /// K^{1/2}Gᵀ, one row per spring of the contacts, and its factors: they are kept from the
     /// last scene if only load, commands or friction have changed.
     springs: Vec<Vector>,
@@ -34,19 +34,19 @@ pub(crate) struct Workspace<const C: usize> {
     free: Vec<Vector>,
     /// x⁰, spring by spring.
     x: Vec<f64>,
-    laws: Vec<Law<C>>,
-    drives: Vec<SVector<f64, C>>,
-    polygon: Arc<Polygon<C>>,
+    laws: Vec<Law>,
+    drives: Vec<SVector<f64, 3>>,
+    polygon: Arc<Polygon>,
     /// The settings of the present question.
     pub(super) asked: SearchSettings,
     /// The responses of the contacts on the round cone.
-    answers: Vec<ContactResponse<C>>,
-    pub(super) solution: Solution<C>,
+    answers: Vec<ContactResponse>,
+    pub(super) solution: Solution,
     /// R q in the trial state.
     travelled: Vector,
     /// The number of Newton's steps, if Newton's method found the solution.
     pub(super) newton_steps: Option<usize>,
-    pub(super) twist: Twist<C>,
+    pub(super) twist: Twist<3>,
 }
 
 /// The settings of a search.
@@ -60,8 +60,8 @@ pub(crate) struct SearchSettings {
     pub(crate) one_path: bool,
 }
 
-impl<const C: usize> Workspace<C> {
-    fn new(asked: SearchSettings) -> Self {
+impl Workspace {
+    fn new(space: Space, asked: SearchSettings) -> Self {
         Self {
             path: Path::default(),
             springs: Vec::new(),
@@ -70,7 +70,7 @@ impl<const C: usize> Workspace<C> {
             x: Vec::new(),
             laws: Vec::new(),
             drives: Vec::new(),
-            polygon: Polygon::shared(&asked.cone),
+            polygon: Polygon::shared(space, &asked.cone),
             asked,
             answers: Vec::new(),
             solution: Solution::default(),
@@ -80,7 +80,7 @@ impl<const C: usize> Workspace<C> {
         }
     }
 
-    fn solve(&mut self, grasp: &Engine<C>, load: &Wrench<C>) -> Result<Search<'_, C>, Error> {
+    fn solve(&mut self, grasp: &Engine, load: &Wrench<3>) -> Result<Search<'_, 3>, Error> {
         let other_paths = if self.asked.one_path { 0 } else { OTHER_PATHS };
         let wrench = grasp.load_alone(load, "load")?;
         self.path.pivots = 0;
@@ -115,7 +115,7 @@ impl<const C: usize> Workspace<C> {
     }
 
     /// Whether an equilibrium was found; `None` if no contact resists the load.
-    fn seek(&mut self, problem: &mut Problem<C>, other_paths: usize) -> Option<bool> {
+    fn seek(&mut self, problem: &mut Problem, other_paths: usize) -> Option<bool> {
         let newton_first = other_paths > 0 && problem.len() >= MANY && !self.asked.round;
         self.newton_steps = newton_first.then(|| newton(problem, &mut self.solution)).flatten();
         if self.newton_steps.is_some() {
@@ -133,7 +133,7 @@ impl<const C: usize> Workspace<C> {
 
     /// Searches an equilibrium on the round cone: the trial itself, Newton's method from the trial, or Newton's method from an
     /// equilibrium on polygons. If only one path is allowed, only the last is tried.
-    fn round_off(&mut self, problem: &mut Problem<C>, other_paths: usize) -> bool {
+    fn round_off(&mut self, problem: &mut Problem, other_paths: usize) -> bool {
         if other_paths > 0 {
             problem.round = true;
             let trial = self.least_motion(&self.travelled);
@@ -153,7 +153,7 @@ impl<const C: usize> Workspace<C> {
         self.newton_on_the_round_cone(problem, self.solution.twist.clone())
     }
 
-    fn newton_on_the_round_cone(&mut self, problem: &Problem<C>, from: Vector) -> bool {
+    fn newton_on_the_round_cone(&mut self, problem: &Problem, from: Vector) -> bool {
         self.newton_steps = round_cone::newton(problem, from, &mut self.answers, &mut self.solution);
         let twist = core::mem::take(&mut self.solution.twist);
         self.solution.twist = without(twist, &self.free);
@@ -180,7 +180,7 @@ impl<const C: usize> Workspace<C> {
     }
 
     /// Computes the trial state in which every contact sticks; `false` if no contact resists the load.
-    fn stick(&mut self, problem: &Problem<C>) -> bool {
+    fn stick(&mut self, problem: &Problem) -> bool {
         let sites = problem.sites;
         let mut known = self.springs.iter();
         let same = spring_rows(sites).all(|row| known.next() == Some(&row)) && known.next().is_none();
@@ -198,7 +198,7 @@ impl<const C: usize> Workspace<C> {
         true
     }
 
-    fn search(&mut self, problem: &Problem<C>, other_paths: usize) -> bool {
+    fn search(&mut self, problem: &Problem, other_paths: usize) -> bool {
         self.path.form.assign(problem, &self.factor, &self.x);
         let limit = self.path.pivot_limit();
         for attempt in 0..=other_paths {
@@ -220,26 +220,26 @@ impl<const C: usize> Workspace<C> {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Workspace::solve`](crate::ask::Workspace::solve), in memory that this engine has used before or that is new.
     pub(crate) fn search_in<'w>(
         &self,
-        load: &Wrench<C>,
+        load: &Wrench<3>,
         asked: &SearchSettings,
         memory: &'w mut Memory,
-    ) -> Result<Search<'w, C>, Error> {
-        let workspace = memory.of(|| Workspace::<C>::new(*asked));
+    ) -> Result<Search<'w, 3>, Error> {
+        let workspace = memory.of(|| Workspace::new(self.space(), *asked));
         workspace.asked = *asked;
         workspace.solve(self, load)
     }
 }
 
-impl<const C: usize> Viewed<C> for Workspace<C> {
-    fn forces(&self) -> &[SVector<f64, C>] {
+impl Viewed for Workspace {
+    fn forces(&self) -> &[SVector<f64, 3>] {
         &self.solution.forces
     }
 
-    fn twist(&self) -> Twist<C> {
+    fn twist(&self) -> Twist<3> {
         self.twist
     }
 

@@ -24,7 +24,7 @@ enum DatumKind {
 
 impl UncertainDatum {
     /// The engine with this datum off by z σ.
-    pub(super) fn engine<const C: usize>(&self, of: &Engine<C>, z: f64) -> Result<Engine<C>, Error> {
+    pub(super) fn engine(&self, of: &Engine, z: f64) -> Result<Engine, Error> {
         let (factor, added) = ((self.sigma * z).exp(), self.sigma * z);
         let mut off = Off::not();
         let whose = match self.what {
@@ -47,7 +47,7 @@ impl UncertainDatum {
             DatumKind::Joint(_) => None,
         };
         let mut contacts = of.contacts().to_vec();
-        let is_meant = |i: usize, contact: &Contact<C>| Some(i) == whose || !contact.begins_a_whole();
+        let is_meant = |i: usize, contact: &Contact<3>| Some(i) == whose || !contact.begins_a_whole();
         for (i, contact) in contacts.iter_mut().enumerate().skip(whose.unwrap_or(usize::MAX)) {
             if !is_meant(i, contact) {
                 break;
@@ -60,7 +60,7 @@ impl UncertainDatum {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// The uncertain data, without friction and load, which change no force by themselves.
     pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
@@ -76,8 +76,8 @@ impl<const C: usize> Engine<C> {
             if given.commanded()[0] != 0.0 || given.force.is_some() || given.suction != 0.0 {
                 add(DatumKind::Squeeze { contact }, squeeze);
             }
-            (0..C).for_each(|axis| add(DatumKind::Point { contact, axis }, position));
-            (1..C).for_each(|axis| add(DatumKind::Normal { contact, axis }, normal));
+            (0..self.space().axes()).for_each(|axis| add(DatumKind::Point { contact, axis }, position));
+            (1..self.space().axes()).for_each(|axis| add(DatumKind::Normal { contact, axis }, normal));
         }
         for joint in (0..self.joint_commands().len()).filter(|joint| self.drives_of(*joint).next().is_some())
         {

@@ -36,13 +36,13 @@ const SELDOM: f64 = 3.0;
 
 /// The conditions that keep a contact in its state.
 #[derive(Debug, Clone)]
-pub(super) enum LimitState<const C: usize> {
+pub(super) enum LimitState {
     /// No conditions.
     None,
     /// The normal force, or the gap of an open contact, must not become negative.
     Opens,
     /// Facets of a polygon; in the plane both edges.
-    Facets(Coulomb, Vec<SVector<f64, C>>),
+    Facets(Coulomb, Vec<SVector<f64, 3>>),
     /// The round cone.
     Round(Coulomb),
 }
@@ -50,12 +50,12 @@ pub(super) enum LimitState<const C: usize> {
 /// Memory for the margins of a facet under two loads.
 pub(super) type MarginPair = [FacetMargin; 2];
 
-impl<const C: usize> LimitState<C> {
+impl LimitState {
     /// Upper bound of the probability that the contact leaves under one load, and does not under another one, if given.
     pub(super) fn failure(
         &self,
-        here: &UncertainForce<'_, C>,
-        also: Option<&UncertainForce<'_, C>>,
+        here: &UncertainForce<'_>,
+        also: Option<&UncertainForce<'_>>,
         margins: &mut MarginPair,
     ) -> f64 {
         let mut two = TwoLoads { here, also, margins };
@@ -70,7 +70,7 @@ impl<const C: usize> LimitState<C> {
     }
 
     /// Failure probability of the contact under one load, with its force linearised in the data: a starting value for the search.
-    pub(super) fn roughly(&self, here: &UncertainForce<'_, C>) -> f64 {
+    pub(super) fn roughly(&self, here: &UncertainForce<'_>) -> f64 {
         let first_order = here.first_order();
         let fails = |row, rubs| normal_tail(first_order.reliability(&MarginRow { row, rubs }));
         match self {
@@ -85,17 +85,17 @@ impl<const C: usize> LimitState<C> {
 }
 
 /// The facet of a round cone in the tangential direction of this angle, rad.
-fn facet<const C: usize>(cone: Coulomb, angle: f64) -> MarginRow<C> {
+fn facet(cone: Coulomb, angle: f64) -> MarginRow {
     MarginRow { row: cone.facet_row(&along(angle.cos(), angle.sin())), rubs: true }
 }
 
 /// A tangential direction.
-fn along<const C: usize>(x: f64, y: f64) -> SVector<f64, C> {
+fn along(x: f64, y: f64) -> SVector<f64, 3> {
     SVector::from_fn(|a, _| [0.0, x, y][a])
 }
 
 /// The direction in which a round cone most probably fails to first order, rad, and the reliability there.
-fn worst_around<const C: usize>(first_order: &FirstOrder<C>, cone: Coulomb) -> (f64, f64) {
+fn worst_around(first_order: &FirstOrder, cone: Coulomb) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
     for k in 0..AROUND {
         let angle = TAU * k as f64 / AROUND as f64;
@@ -108,28 +108,28 @@ fn worst_around<const C: usize>(first_order: &FirstOrder<C>, cone: Coulomb) -> (
 }
 
 /// The forces of a contact under a load, and under another one, if given.
-struct TwoLoads<'a, const C: usize> {
-    here: &'a UncertainForce<'a, C>,
-    also: Option<&'a UncertainForce<'a, C>>,
+struct TwoLoads<'a> {
+    here: &'a UncertainForce<'a>,
+    also: Option<&'a UncertainForce<'a>>,
     margins: &'a mut MarginPair,
 }
 
-impl<const C: usize> TwoLoads<'_, C> {
+impl TwoLoads<'_> {
     /// The margin of a facet under the first load.
-    fn find(&mut self, facet: &MarginRow<C>) -> &FacetMargin {
+    fn find(&mut self, facet: &MarginRow) -> &FacetMargin {
         self.here.find(facet, &mut self.margins[0]);
         &self.margins[0]
     }
 
     /// The probability that the last margin holds under the other load where it just fails under the first.
-    fn holds_otherwise(&mut self, facet: &MarginRow<C>) -> f64 {
+    fn holds_otherwise(&mut self, facet: &MarginRow) -> f64 {
         let Some(also) = self.also else { return 1.0 };
         let [margin, other] = &mut *self.margins;
         also.find(facet, other);
         margin.while_holds(other)
     }
 
-    fn failure_of(&mut self, row: SVector<f64, C>, rubs: bool) -> f64 {
+    fn failure_of(&mut self, row: SVector<f64, 3>, rubs: bool) -> f64 {
         let facet = MarginRow { row, rubs };
         // The point of failure of another facet is no good start for this one.
         self.margins[0].start_over(self.here.changes.len());

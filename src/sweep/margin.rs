@@ -19,10 +19,10 @@ use crate::prelude::*;
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
 /// Effect of a datum on a force: coefficients of `Σ c_k x^k`, k from 1, with x as a part of the standard deviations in reserve.
-pub(super) type Effect<const C: usize> = [SVector<f64, C>; LOOKED_AT.len()];
+pub(super) type Effect = [SVector<f64, 3>; LOOKED_AT.len()];
 
 /// The polynomial through the changes of a force at the parts `LOOKED_AT`.
-pub(super) fn effect<const C: usize>([low, half_low, half_high, high]: [SVector<f64, C>; 4]) -> Effect<C> {
+pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> Effect {
     let (even, half_even) = (0.5 * (high + low), 0.5 * (half_high + half_low));
     let (odd, half_odd) = (0.5 * (high - low), 0.5 * (half_high - half_low));
     let fourth = (even - 4.0 * half_even) * (4.0 / 3.0);
@@ -31,9 +31,9 @@ pub(super) fn effect<const C: usize>([low, half_low, half_high, high]: [SVector<
 }
 
 /// The force of a contact under one load, with known data, and its changes by each datum.
-pub(super) struct UncertainForce<'a, const C: usize> {
-    pub(super) force: SVector<f64, C>,
-    pub(super) changes: &'a [Effect<C>],
+pub(super) struct UncertainForce<'a> {
+    pub(super) force: SVector<f64, 3>,
+    pub(super) changes: &'a [Effect],
     /// The standard deviations in reserve.
     pub(super) sigmas: f64,
     /// σ of friction.
@@ -42,8 +42,8 @@ pub(super) struct UncertainForce<'a, const C: usize> {
 
 /// A row that defines a margin, `row·F`, and whether friction multiplies its first component.
 #[derive(Clone, Copy)]
-pub(super) struct MarginRow<const C: usize> {
-    pub(super) row: SVector<f64, C>,
+pub(super) struct MarginRow {
+    pub(super) row: SVector<f64, 3>,
     pub(super) rubs: bool,
 }
 
@@ -73,9 +73,9 @@ const FARTHEST: f64 = 5.0;
 const LEVEL: f64 = 0.1;
 const SHORTEST: f64 = 1e-2;
 
-impl<const C: usize> UncertainForce<'_, C> {
+impl UncertainForce<'_> {
     /// The linearisation of the force about the known data, which all facets share.
-    pub(super) fn first_order(&self) -> FirstOrder<C> {
+    pub(super) fn first_order(&self) -> FirstOrder {
         let mut spread = SMatrix::zeros();
         for [slope, ..] in self.changes {
             let by_sigma = slope / self.sigmas;
@@ -86,7 +86,7 @@ impl<const C: usize> UncertainForce<'_, C> {
 
     /// Finds the nearest point at which the margin vanishes. A margin that vanishes nowhere within the largest distance has that distance as its
     /// reliability.
-    pub(super) fn find(&self, facet: &MarginRow<C>, margin: &mut FacetMargin) {
+    pub(super) fn find(&self, facet: &MarginRow, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
         }
@@ -185,7 +185,7 @@ impl<const C: usize> UncertainForce<'_, C> {
 
     /// `φ(β) E[(X' - β')₊]` per unit of the angle, while the row changes at the rate `turned`. X is the margin in deviations about its mean, and X'
     /// is independent of X.
-    pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, C>) -> f64 {
+    pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;
         }
@@ -211,16 +211,16 @@ impl<const C: usize> UncertainForce<'_, C> {
 }
 
 /// Forces to first order about the known data, the same for all facets.
-pub(super) struct FirstOrder<const C: usize> {
-    force: SVector<f64, C>,
+pub(super) struct FirstOrder {
+    force: SVector<f64, 3>,
     /// Covariance of the force, without friction.
-    spread: SMatrix<f64, C, C>,
+    spread: SMatrix<f64, 3, 3>,
     friction: f64,
 }
 
-impl<const C: usize> FirstOrder<C> {
+impl FirstOrder {
     /// The reliability β to first order.
-    pub(super) fn reliability(&self, facet: &MarginRow<C>) -> f64 {
+    pub(super) fn reliability(&self, facet: &MarginRow) -> f64 {
         let by_friction = if facet.rubs { self.friction * facet.row[0] * self.force[0] } else { 0.0 };
         let variance = facet.row.dot(&(self.spread * facet.row)) + by_friction * by_friction;
         ratio(facet.row.dot(&self.force), variance.max(0.0).sqrt())
@@ -228,7 +228,7 @@ impl<const C: usize> FirstOrder<C> {
 }
 
 /// The parts of `row·F` from the normal component of a force and from the others.
-fn parts<const C: usize>(row: &SVector<f64, C>, force: &SVector<f64, C>) -> [f64; 2] {
+fn parts(row: &SVector<f64, 3>, force: &SVector<f64, 3>) -> [f64; 2] {
     let normal = row[0] * force[0];
     [normal, row.dot(force) - normal]
 }

@@ -6,24 +6,24 @@ use crate::grasp::Contact;
 
 /// Errors of a contact's data: factors, and additions to its place and direction.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Off<const C: usize> {
+pub(super) struct Off {
     pub(super) friction: f64,
     pub(super) stiffness: f64,
     pub(super) squeeze: f64,
     /// Displacement of the contact point, m.
-    pub(super) moved: SVector<f64, C>,
+    pub(super) moved: SVector<f64, 3>,
     /// Angles towards its tangents, rad.
-    pub(super) tilt: SVector<f64, C>,
+    pub(super) tilt: SVector<f64, 3>,
 }
 
-impl<const C: usize> Off<C> {
+impl Off {
     /// No errors.
     pub(super) fn not() -> Self {
         let (moved, tilt) = (SVector::zeros(), SVector::zeros());
         Self { friction: 1.0, stiffness: 1.0, squeeze: 1.0, moved, tilt }
     }
 
-    pub(super) fn applied_to(&self, contact: &Contact<C>) -> Contact<C> {
+    pub(super) fn applied_to(&self, contact: &Contact<3>) -> Contact<3> {
         let mut off = contact.clone();
         off.set_friction(off.friction * self.friction);
         off.command[0] *= self.squeeze;

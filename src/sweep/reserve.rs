@@ -7,7 +7,7 @@ use super::uncertainty::Uncertainty;
 use crate::contact::{Polygon, State};
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
-use crate::grasp::{Engine, Wrench, of_the_object};
+use crate::grasp::{Engine, Face, Wrench, inside};
 use crate::numerics::Vector;
 use crate::object::Load;
 use crate::prelude::*;
@@ -19,16 +19,28 @@ const MOST_SIGMAS: f64 = 8.0;
 /// [`Grasp::reserve`](crate::ask::Grasp::reserve).
 #[derive(Debug, Clone)]
 pub struct Reserve<const C: usize> {
-    rest: AtBase<C>,
+    rest: AtBase,
     sigmas: f64,
 }
 
 /// The grasp under the base load.
 #[derive(Debug, Clone)]
-enum AtBase<const C: usize> {
-    Sticks(Box<StuckGrasp<C>>),
+enum AtBase {
+    Sticks(Box<StuckGrasp>),
     Slides,
     NotKnown,
+}
+
+impl<const C: usize> Face for Reserve<C> {
+    type Inside = Reserve<3>;
+
+    fn enter(self) -> Reserve<3> {
+        Reserve { rest: self.rest, sigmas: self.sigmas }
+    }
+
+    fn leave(inside: Reserve<3>) -> Self {
+        Self { rest: inside.rest, sigmas: inside.sigmas }
+    }
 }
 
 impl<const C: usize> Reserve<C> {
@@ -42,7 +54,7 @@ impl<const C: usize> Reserve<C> {
         match &self.rest {
             AtBase::NotKnown => f64::NAN,
             AtBase::Slides => 0.0,
-            AtBase::Sticks(sticking) => sticking.most(direction),
+            AtBase::Sticks(sticking) => sticking.most(&inside(direction)),
         }
     }
 
@@ -53,15 +65,15 @@ impl<const C: usize> Reserve<C> {
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::reserve`](crate::ask::Grasp::reserve).
     pub(crate) fn reserve(
         &self,
-        base: &Wrench<C>,
+        base: &Wrench<3>,
         uncertainty: &Uncertainty,
         sigmas: f64,
         settings: &Settings,
-    ) -> Result<Reserve<C>, Error> {
+    ) -> Result<Reserve<3>, Error> {
         if !(sigmas > 0.0 && sigmas <= MOST_SIGMAS) {
             let what = "standard deviations in reserve";
             return Err(Error::Argument { what, value: sigmas, allowed: "above 0, at most 8" });
@@ -70,9 +82,7 @@ impl<const C: usize> Engine<C> {
             self.refuse_hands("reserve with uncertain positions")?;
         }
         let rest = match self.solve(base, settings)? {
-            Outcome::Equilibrium(state) if state.local.states.iter().any(State::<C>::slides) => {
-                AtBase::Slides
-            }
+            Outcome::Equilibrium(state) if state.local.states.iter().any(State::slides) => AtBase::Slides,
             Outcome::Equilibrium(state) => {
                 let states = &state.local.states;
                 AtBase::Sticks(Box::new(self.sticking(base, states, uncertainty, sigmas, settings)?))
@@ -85,16 +95,16 @@ impl<const C: usize> Engine<C> {
 
     fn sticking(
         &self,
-        base: &Wrench<C>,
-        states: &[State<C>],
+        base: &Wrench<3>,
+        states: &[State],
         uncertainty: &Uncertainty,
         sigmas: f64,
         settings: &Settings,
-    ) -> Result<StuckGrasp<C>, Error> {
-        let polygon = Polygon::shared(&settings.cone);
+    ) -> Result<StuckGrasp, Error> {
+        let polygon = Polygon::shared(self.space(), &settings.cone);
         let problem = self.problem(
             polygon.clone(),
-            settings.is_round::<C>(),
+            settings.is_round(self.space()),
             self.drives(),
             &Load::from(&Vector::zeros()),
         );
@@ -114,9 +124,9 @@ impl<const C: usize> Engine<C> {
         let (forces, piece) = self.all_forces(states, &polygon, &self.data(uncertainty), sigmas)?;
         let mut unresisted = Vec::new();
         for motion in piece.free_motions() {
-            let of = |k: usize| self.inside_unchecked(&unit(k)).dot(motion);
-            let work: Vec<f64> = (0..of_the_object::<C>()).map(of).collect();
-            unresisted.push(Wrench::from_components(&work));
+            let of = |k: usize| self.inside_unchecked(&unit(self.space(), k)).dot(motion);
+            let work: Vec<f64> = (0..self.space().of_the_object()).map(of).collect();
+            unresisted.push(Wrench::among(self.space(), &Vector::from_slice(&work)));
         }
         Ok(StuckGrasp::new(edges, forces, base, unresisted, [sigmas, uncertainty.friction, uncertainty.load]))
     }

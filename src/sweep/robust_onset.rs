@@ -13,7 +13,7 @@ use core::f64::consts::TAU;
 use super::uncertainty::Uncertainty;
 use crate::equilibrium::Settings;
 use crate::error::Error;
-use crate::grasp::{Engine, WholeContacts};
+use crate::grasp::{Engine, WholeContacts, face_of_struct, same_on_both_sides};
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 use crate::prelude::*;
 
@@ -58,14 +58,20 @@ pub struct LeaverSpread {
     pub deviation: f64,
 }
 
-impl<const C: usize> Engine<C> {
+same_on_both_sides! { OnsetSpread }
+
+face_of_struct! {
+    RobustOnset { onset, spread }
+}
+
+impl Engine {
     /// [`Grasp::robust_onset`](crate::ask::Grasp::robust_onset).
     pub(crate) fn robust_onset(
         &self,
-        ramp: &Ramp<C>,
+        ramp: &Ramp<3>,
         uncertainty: &Uncertainty,
         settings: &Settings,
-    ) -> Result<RobustOnset<C>, Error> {
+    ) -> Result<RobustOnset<3>, Error> {
         let onset = self.onset(ramp, settings)?;
         let spread = match onset.event() {
             Some(event) => self.onset_spread(event, uncertainty)?,
@@ -77,7 +83,7 @@ impl<const C: usize> Engine<C> {
     /// [`Sensitivity::onset_spread`](crate::ask::Sensitivity::onset_spread).
     pub(crate) fn onset_spread(
         &self,
-        event: &OnsetEvent<C>,
+        event: &OnsetEvent<3>,
         uncertainty: &Uncertainty,
     ) -> Result<Option<OnsetSpread>, Error> {
         if uncertainty.position != 0.0 {
@@ -112,11 +118,11 @@ impl<const C: usize> Engine<C> {
     /// Changes of the factors of all leaving contacts and drives by one σ of each independent datum.
     fn moves(
         &self,
-        margins: &OnsetMargins<C>,
-        event: &OnsetEvent<C>,
+        margins: &OnsetMargins,
+        event: &OnsetEvent<3>,
         uncertainty: &Uncertainty,
     ) -> Vec<Vec<f64>> {
-        let leavers = margins.leavers().count();
+        let (leavers, axes) = (margins.leavers().count(), self.space().axes());
         let mut moves = Vec::new();
         // Adds one datum z: the parameters proportional to z, each with its change by z = 1.
         let mut add = |together: &[(Parameter, f64)]| {
@@ -143,7 +149,7 @@ impl<const C: usize> Engine<C> {
                 of_all(&|contact| {
                     let k = given(contact).series_stiffness_of_axes();
                     let along = |axis| (Parameter::Stiffness { contact, axis }, stiffness * k[axis]);
-                    (0..C).map(along).collect()
+                    (0..axes).map(along).collect()
                 });
             }
             if squeeze != 0.0 {
@@ -153,11 +159,11 @@ impl<const C: usize> Engine<C> {
                 });
             }
             if position != 0.0 {
-                (0..C)
+                (0..axes)
                     .for_each(|axis| of_all(&|contact| vec![(Parameter::Point { contact, axis }, position)]));
             }
             if normal != 0.0 {
-                (1..C)
+                (1..axes)
                     .for_each(|axis| of_all(&|contact| vec![(Parameter::Normal { contact, axis }, normal)]));
             }
         }

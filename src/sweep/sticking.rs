@@ -29,12 +29,12 @@ const FAR: f64 = 1e6;
 
 /// A grasp that sticks under its base load.
 #[derive(Debug, Clone)]
-pub(super) struct StuckGrasp<const C: usize> {
-    edges: Vec<LimitState<C>>,
-    forces: AllForces<C>,
+pub(super) struct StuckGrasp {
+    edges: Vec<LimitState>,
+    forces: AllForces,
     /// All forces under the base load, and the part of them by that load.
-    base: Course<C>,
-    by_base_load: Course<C>,
+    base: Course,
+    by_base_load: Course,
     /// Failure probability of each contact under the base load.
     fails_at_base: Vec<f64>,
     sigmas: f64,
@@ -42,15 +42,15 @@ pub(super) struct StuckGrasp<const C: usize> {
     friction: f64,
     load: [f64; LOOKED_AT.len()],
     /// Work of each component of the load on the motions that nothing resists.
-    unresisted: Vec<Wrench<C>>,
+    unresisted: Vec<Wrench<3>>,
 }
 
-impl<const C: usize> StuckGrasp<C> {
+impl StuckGrasp {
     pub(super) fn new(
-        edges: Vec<LimitState<C>>,
-        forces: AllForces<C>,
-        base: &Wrench<C>,
-        unresisted: Vec<Wrench<C>>,
+        edges: Vec<LimitState>,
+        forces: AllForces,
+        base: &Wrench<3>,
+        unresisted: Vec<Wrench<3>>,
         [sigmas, friction, load]: [f64; 3],
     ) -> Self {
         let by_base_load = Course::of(&forces, base);
@@ -68,7 +68,7 @@ impl<const C: usize> StuckGrasp<C> {
             unresisted,
         };
         let (mut margins, mut memory) = (MarginPair::default(), Vec::new());
-        let alone = |(i, edges): (usize, &LimitState<C>)| {
+        let alone = |(i, edges): (usize, &LimitState)| {
             edges.failure(&sticking.spread(i, None, &mut memory), None, &mut margins)
         };
         sticking.fails_at_base = sticking.edges.iter().enumerate().map(alone).collect();
@@ -81,9 +81,9 @@ impl<const C: usize> StuckGrasp<C> {
     }
 
     /// The largest factor with at most the allowed failure probability.
-    pub(super) fn most(&self, direction: &Wrench<C>) -> f64 {
+    pub(super) fn most(&self, direction: &Wrench<3>) -> f64 {
         let size = direction.components().iter().map(|x| x.abs()).fold(0.0, f64::max);
-        let work = |motion: &Wrench<C>| {
+        let work = |motion: &Wrench<3>| {
             motion.components().iter().zip(direction.components()).map(|(v, w)| v * w).sum::<f64>()
         };
         if self.unresisted.iter().any(|motion| work(motion).abs() > WORKS * size) {
@@ -109,7 +109,7 @@ impl<const C: usize> StuckGrasp<C> {
     }
 
     /// Sum of the first-order failure probabilities of all contacts under the load of this factor.
-    fn roughly(&self, rate: &Course<C>, factor: f64) -> f64 {
+    fn roughly(&self, rate: &Course, factor: f64) -> f64 {
         let mut memory = Vec::new();
         let mut sum = 0.0;
         for (i, edges) in self.edges.iter().enumerate() {
@@ -119,7 +119,7 @@ impl<const C: usize> StuckGrasp<C> {
     }
 
     /// Upper bound of the probability that some contact leaves on the way to this factor.
-    fn failure(&self, rate: &Course<C>, factor: f64) -> f64 {
+    fn failure(&self, rate: &Course, factor: f64) -> f64 {
         let mut memory = [Vec::new(), Vec::new()];
         let mut margins = MarginPair::default();
         let told_apart = SELDOM * self.allowed();
@@ -144,9 +144,9 @@ impl<const C: usize> StuckGrasp<C> {
     fn spread<'m>(
         &self,
         i: usize,
-        more: Option<(&Course<C>, f64)>,
-        changes: &'m mut Vec<Effect<C>>,
-    ) -> UncertainForce<'m, C> {
+        more: Option<(&Course, f64)>,
+        changes: &'m mut Vec<Effect>,
+    ) -> UncertainForce<'m> {
         changes.clear();
         changes.extend(self.base.off.iter().map(|of_datum| of_datum[i]));
         let (mut force, mut of_load) = (self.base.known[i], self.by_base_load.known[i]);

@@ -142,7 +142,7 @@ fn factor(sigma: f64, draw: &mut Draw) -> f64 {
 /// small are refused, and none becomes zero or infinite, which would mean something else.
 const LEAST_FACTOR: f64 = 1e-200;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::sample`](crate::ask::Grasp::sample).
     pub(crate) fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         if uncertainty.position != 0.0 {
@@ -171,11 +171,11 @@ impl<const C: usize> Engine<C> {
     /// [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).
     pub(crate) fn onset_of_samples(
         &self,
-        ramp: &Ramp<C>,
+        ramp: &Ramp<3>,
         uncertainty: &Uncertainty,
         samples: u64,
         settings: &Settings,
-    ) -> Vec<Result<Onset<C>, Error>> {
+    ) -> Vec<Result<Onset<3>, Error>> {
         let numbers: Vec<u64> = (0..samples).collect();
         each_answered(&numbers, &|number| {
             let sample = self.sample(uncertainty, *number)?;

@@ -4,7 +4,6 @@ use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
-use crate::grasp::rotation::displacement_of;
 use crate::grasp::wrench::{Twist, Wrench};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -82,7 +81,7 @@ pub struct BodyMotion<const C: usize> {
 impl<const C: usize> BodyMotion<C> {
     /// Displacement of the centroid of its contact points, m.
     pub(crate) fn middle_moves(&self) -> SVector<f64, C> {
-        displacement_of::<C>(&self.centre, &self.twist.coordinates())
+        self.twist.moves(&self.centre)
     }
 
     /// Displacement of its contact points by rotation about their centroid, m: the angle times `reach`.

@@ -9,6 +9,7 @@ use super::link::Link;
 use super::place::{PlacedBodies, Sharing};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
+use crate::grasp::face::Face;
 use crate::grasp::hand::{Finger, Hand};
 use crate::grasp::wrench::Wrench;
 use crate::prelude::*;
@@ -120,7 +121,7 @@ impl<const C: usize> Bodies<C> {
     /// # Errors
     /// [`Error::Body`] with the name of the body, [`Error::Link`] with the name of the link, and the fault. [`Error::Wrench`] for a load and
     /// [`Error::Argument`] for a gravity that is out of range.
-    pub(crate) fn checked(self) -> Result<(Hand<C>, PlacedBodies<C>), Error> {
+    pub(crate) fn checked(self) -> Result<(Hand<C>, PlacedBodies), Error> {
         let Self { list: bodies, mut hand, links, gravity, loaded } = self;
         for (number, link) in links.iter().enumerate() {
             let points = link.contacts_called(&link.called(number))?;
@@ -162,12 +163,12 @@ impl<const C: usize> Bodies<C> {
         }
         let sharing = match loaded {
             Loaded::ByMass => {
-                Sharing::ByParts(bodies.iter().map(|body| (body.mass / mass, body.centre)).collect())
+                Sharing::ByParts(bodies.iter().map(|body| (body.mass / mass, body.centre.enter())).collect())
             }
             Loaded::First | Loaded::Body(_) => Sharing::OnObject,
         };
-        let loads = bodies.iter().map(|body| body.load + body.weight(&gravity)).collect();
-        let given = bodies.iter().map(|body| body.load).collect();
+        let loads = bodies.iter().map(|body| (body.load + body.weight(&gravity)).enter()).collect();
+        let given = bodies.iter().map(|body| body.load.enter()).collect();
         Ok((hand, PlacedBodies::new(names, object, (loads, given), sharing)))
     }
 }

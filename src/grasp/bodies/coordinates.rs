@@ -8,14 +8,13 @@ use super::body::{BodyLoad, BodyMotion};
 use super::place::{BodyPlace, PlacedBodies};
 use crate::error::Error;
 use crate::grasp::engine::Engine;
-use crate::grasp::rotation::{moved_twist, moved_wrench, object_alone, of_the_object, wrench_of};
 use crate::grasp::wrench::{Twist, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// The bodies, if there are several.
-    pub(crate) fn bodies(&self) -> Option<&PlacedBodies<C>> {
+    pub(crate) fn bodies(&self) -> Option<&PlacedBodies> {
         self.linkage()?.bodies.as_deref()
     }
 
@@ -25,7 +24,7 @@ impl<const C: usize> Engine<C> {
     }
 
     /// The wrenches of one load on each body, in inside coordinates.
-    pub(crate) fn put_on_each(&self, bodies: &PlacedBodies<C>, loads: &[Wrench<C>]) -> Vector {
+    pub(crate) fn put_on_each(&self, bodies: &PlacedBodies, loads: &[Wrench<3>]) -> Vector {
         let mut inside = Vector::zeros();
         for (body, (place, load)) in bodies.places.iter().zip(loads).enumerate() {
             if body == bodies.object {
@@ -33,9 +32,9 @@ impl<const C: usize> Engine<C> {
                 continue;
             }
             let Some(linkage) = self.linkage() else { continue };
-            let about_centre = moved_wrench::<C>(&-place.centre, &load.coordinates());
-            for (k, x) in Wrench::<C>::among(&about_centre).components().iter().enumerate() {
-                inside[place.first + k] = x / linkage.lengths[place.first + k];
+            let about_centre = self.space.moved_wrench(&-place.centre, &load.coordinates(self.space));
+            for k in 0..self.space.of_the_object() {
+                inside[place.first + k] = about_centre[k] / linkage.lengths[place.first + k];
             }
         }
         inside
@@ -46,24 +45,24 @@ impl<const C: usize> Engine<C> {
     pub(crate) fn moments_of(
         &self,
         contact: usize,
-        point: &SVector<f64, C>,
-        force: &SVector<f64, C>,
+        point: &SVector<f64, 3>,
+        force: &SVector<f64, 3>,
     ) -> Vector {
-        let object = of_the_object::<C>();
+        let angular = self.space.axes()..self.space.of_the_object();
         if contact >= self.len() {
             // A drive acts on no body.
             return Vector::zeros();
         }
-        let in_unit = wrench_of::<C>(&(point / self.length()), force);
+        let in_unit = self.space.wrench_of(&(point / self.length()), force);
         let mut moments = Vector::zeros();
         let Some((bodies, linkage)) = self.bodies().zip(self.linkage()) else {
-            (C..object).for_each(|k| moments[k] = in_unit[k]);
+            angular.for_each(|k| moments[k] = in_unit[k]);
             return moments;
         };
-        let about_origin = wrench_of::<C>(point, force);
+        let about_origin = self.space.wrench_of(point, force);
         for (body, place) in bodies.places.iter().enumerate() {
             let sign = bodies.sign(contact, body);
-            for k in C..object {
+            for k in angular.clone() {
                 let (row, is_object) = (place.first + k, body == bodies.object);
                 let moment = if is_object { in_unit[k] } else { about_origin[k] / linkage.lengths[row] };
                 moments[row] += sign * moment;
@@ -74,7 +73,7 @@ impl<const C: usize> Engine<C> {
 
     /// These bodies under loads that grow from zero, per newton of a question's force along the first axis: the constant loads plus the shares of
     /// `base`. No constant load remains. `None` for a single object.
-    pub(crate) fn growing_from_nothing(&self, base: &Wrench<C>) -> Option<Self> {
+    pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);
         let loads = bodies.loads.iter().zip(shared).map(|(own, base)| *own + base).collect();
@@ -84,8 +83,8 @@ impl<const C: usize> Engine<C> {
     /// [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
     pub(crate) fn growing_together(
         &self,
-        one: &Wrench<C>,
-        others: &[(Arc<str>, Wrench<C>)],
+        one: &Wrench<3>,
+        others: &[(Arc<str>, Wrench<3>)],
     ) -> Result<Self, Error> {
         match (self.bodies(), others.first()) {
             (Some(bodies), _) => Ok(self.with_bodies(bodies.with_others_growing(one, others)?)),
@@ -103,38 +102,38 @@ impl<const C: usize> Engine<C> {
     }
 
     /// These bodies with the loads that a load program has applied, one for each body.
-    pub(crate) fn under_body_loads(&self, loads: Vec<Wrench<C>>) -> Self {
+    pub(crate) fn under_body_loads(&self, loads: Vec<Wrench<3>>) -> Self {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
     /// These bodies with the body loads of an answer applied again, for further questions about it.
-    pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<C>]) -> Result<Self, Error> {
+    pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {
-            load.check("load of a body")?;
+            load.check_in(self.space, "load of a body")?;
             all[self.body_called(body)?] = *load;
         }
         Ok(self.under_body_loads(all))
     }
 
     /// Loads that a load program has applied to bodies, zeros left out.
-    pub(crate) fn body_loads(&self) -> Vec<BodyLoad<C>> {
+    pub(crate) fn body_loads(&self) -> Vec<BodyLoad<3>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let named = bodies.names.iter().zip(&bodies.put_on).filter(|(_, load)| **load != Wrench::ZERO);
         named.map(|(body, load)| BodyLoad { body: body.clone(), load: *load }).collect()
     }
 
     /// Motion of each body in the user's coordinates, from all coordinates in the user's units.
-    pub(crate) fn body_motions(&self, outside: &Vector) -> Vec<BodyMotion<C>> {
+    pub(crate) fn body_motions(&self, outside: &Vector) -> Vec<BodyMotion<3>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
-        let of = |(body, place): (usize, &BodyPlace<C>)| {
+        let of = |(body, place): (usize, &BodyPlace)| {
             let twist = if body == bodies.object {
-                Twist::among(outside)
+                Twist::among(self.space, outside)
             } else {
                 // Components behind the end of the vector are zero.
-                let own: Vec<f64> = (0..of_the_object::<C>()).map(|k| outside[place.first + k]).collect();
-                let about_centre = Twist::<C>::from_components(&own).coordinates();
-                Twist::among(&moved_twist::<C>(&place.centre, &about_centre))
+                let count = Size::of(self.space.of_the_object());
+                let own = Vector::from_fn(count, |k| outside[place.first + k]);
+                Twist::among(self.space, &self.space.moved_twist(&place.centre, &own))
             };
             BodyMotion { body: bodies.names[body].clone(), twist, centre: place.centre, reach: place.reach }
         };
@@ -142,31 +141,30 @@ impl<const C: usize> Engine<C> {
     }
 
     /// Motion of each body in the user's coordinates, from inside coordinates; that of the object if there are no bodies.
-    pub(crate) fn each_moves(&self, inside: &Vector) -> Vec<BodyMotion<C>> {
+    pub(crate) fn each_moves(&self, inside: &Vector) -> Vec<BodyMotion<3>> {
         let outside = self.outside_coordinates(inside);
         if self.bodies().is_some() {
             return self.body_motions(&outside);
         }
-        let (twist, centre, reach) = (Twist::among(&outside), *self.origin(), self.length());
+        let (twist, centre, reach) = (Twist::among(self.space, &outside), *self.origin(), self.length());
         vec![BodyMotion { body: "the object".into(), twist, centre, reach }]
     }
 
     /// Lengths that scale the rotations of all bodies other than the object.
-    pub(crate) fn rotation_lengths(&self, bodies: &PlacedBodies<C>) -> Vec<f64> {
+    pub(crate) fn rotation_lengths(&self, bodies: &PlacedBodies) -> Vec<f64> {
         let Some(linkage) = self.linkage() else { return Vec::new() };
+        let angular = self.space.axes()..self.space.of_the_object();
         let others = bodies.places.iter().enumerate().filter(|(body, _)| *body != bodies.object);
-        others
-            .flat_map(|(_, place)| (C..of_the_object::<C>()).map(|k| linkage.lengths[place.first + k]))
-            .collect()
+        others.flat_map(|(_, place)| angular.clone().map(|k| linkage.lengths[place.first + k])).collect()
     }
 
     /// The coordinates of the body that a contact's normal points into; all others are set to zero.
     pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector) -> Vector {
-        let Some(bodies) = self.bodies() else { return object_alone::<C>(coordinates) };
+        let Some(bodies) = self.bodies() else { return self.space.object_alone(coordinates) };
         let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };
         let first = bodies.places[*on].first;
         let mut alone = coordinates.clone();
-        let own = first..first + of_the_object::<C>();
+        let own = first..first + self.space.of_the_object();
         alone.iter_mut().enumerate().filter(|(k, _)| !own.contains(k)).for_each(|(_, x)| *x = 0.0);
         alone
     }

@@ -6,75 +6,79 @@ use nalgebra::SVector;
 
 use crate::error::Error;
 use crate::grasp::contact::Contact;
+use crate::grasp::engine::space_of;
 use crate::grasp::hand::Columns;
-use crate::grasp::rotation::{displacement_of, moved_wrench, of_the_object};
+use crate::grasp::rotation::Space;
 use crate::grasp::wrench::Wrench;
-use crate::numerics::Vector;
+use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 use crate::words::printable;
 
 /// The coordinates of a body.
 #[derive(Debug, Clone)]
-pub(crate) struct BodyPlace<const C: usize> {
+pub(crate) struct BodyPlace {
     /// Index of the first one; zero for the body in the coordinates of the object.
     pub(crate) first: usize,
     /// Centroid of its contact points, about which its rotation is measured, m.
-    pub(crate) centre: SVector<f64, C>,
+    pub(crate) centre: SVector<f64, 3>,
     /// Root mean square distance of its contact points from the centroid, m.
     pub(crate) reach: f64,
 }
 
 /// How a load of a question is shared among the bodies.
 #[derive(Debug, Clone)]
-pub(super) enum Sharing<const C: usize> {
+pub(super) enum Sharing {
     /// One body carries the whole load.
     OnObject,
     /// For each body its part of the load, and the point where its part of the force acts, m.
-    ByParts(Vec<(f64, SVector<f64, C>)>),
+    ByParts(Vec<(f64, SVector<f64, 3>)>),
     /// These loads, times the ratio of the question's load to `one`.
-    Together { one: Wrench<C>, loads: Vec<Wrench<C>> },
+    Together { one: Wrench<3>, loads: Vec<Wrench<3>> },
 }
 
 /// Several bodies, as the engine stores them.
 #[derive(Debug, Clone)]
-pub(crate) struct PlacedBodies<const C: usize> {
+pub(crate) struct PlacedBodies {
+    /// Plane or space.
+    space: Space,
     pub(crate) names: Vec<Arc<str>>,
     /// Number of the body in the coordinates of the object.
     pub(crate) object: usize,
     /// Constant load on each body, in addition to the loads of questions.
-    pub(crate) loads: Vec<Wrench<C>>,
+    pub(crate) loads: Vec<Wrench<3>>,
     /// The part of `loads` that was given as loads, without weights.
-    pub(crate) given: Vec<Wrench<C>>,
+    pub(crate) given: Vec<Wrench<3>>,
     /// The part of `loads` that a load program has applied; usually empty.
-    pub(super) put_on: Vec<Wrench<C>>,
-    pub(super) sharing: Sharing<C>,
-    pub(crate) places: Vec<BodyPlace<C>>,
+    pub(super) put_on: Vec<Wrench<3>>,
+    pub(super) sharing: Sharing,
+    pub(crate) places: Vec<BodyPlace>,
     /// For each contact the body that its normal points into, and the body on the other side, if any.
     pub(crate) sides: Vec<(usize, Option<usize>)>,
 }
 
-impl<const C: usize> PlacedBodies<C> {
+impl PlacedBodies {
     pub(super) fn new(
         names: Vec<Arc<str>>,
         object: usize,
-        (loads, given): (Vec<Wrench<C>>, Vec<Wrench<C>>),
-        sharing: Sharing<C>,
+        (loads, given): (Vec<Wrench<3>>, Vec<Wrench<3>>),
+        sharing: Sharing,
     ) -> Self {
         let (put_on, places, sides) = (Vec::new(), Vec::new(), Vec::new());
-        Self { names, object, loads, given, put_on, sharing, places, sides }
+        Self { space: Space::Spatial, names, object, loads, given, put_on, sharing, places, sides }
     }
 
     /// Assigns coordinates to every body, beginning at `first`, and returns the first index after them.
     ///
     /// # Errors
     /// [`Error::Body`] if a contact names an unknown body, does not say which of several bodies it is on, or has one body on both sides.
-    pub(crate) fn place(&mut self, contacts: &[Contact<C>], first: usize) -> Result<usize, Error> {
+    pub(crate) fn place(&mut self, contacts: &[Contact<3>], first: usize) -> Result<usize, Error> {
+        self.space = space_of(contacts);
         let sides = contacts.iter().enumerate().map(|(i, contact)| self.sides_of(contact, i));
         self.sides = sides.collect::<Result<_, _>>()?;
         let mut next = first;
         for body in 0..self.names.len() {
             let points = || {
-                let touches = |(i, _): &(usize, &Contact<C>)| self.touches(*i, body);
+                let touches = |(i, _): &(usize, &Contact<3>)| self.touches(*i, body);
                 contacts.iter().enumerate().filter(touches).map(|(_, contact)| contact.point)
             };
             let count = points().count().max(1) as f64;
@@ -82,12 +86,12 @@ impl<const C: usize> PlacedBodies<C> {
             let reach = points().map(|point| (point - centre).norm_squared() / count).sum::<f64>().sqrt();
             let is_object = body == self.object;
             self.places.push(BodyPlace { first: if is_object { 0 } else { next }, centre, reach });
-            next += if is_object { 0 } else { of_the_object::<C>() };
+            next += if is_object { 0 } else { self.space.of_the_object() };
         }
         Ok(next)
     }
 
-    fn sides_of(&self, contact: &Contact<C>, index: usize) -> Result<(usize, Option<usize>), Error> {
+    fn sides_of(&self, contact: &Contact<3>, index: usize) -> Result<(usize, Option<usize>), Error> {
         let refuse = |name: &str, fault: String| Error::Body { name: name.to_owned(), fault };
         let find = |name: &Arc<str>| {
             self.names.iter().position(|other| other == name).ok_or_else(|| {
@@ -129,8 +133,8 @@ impl<const C: usize> PlacedBodies<C> {
 
     /// Displacement of a contact's finger relative to its body, for one unit of each coordinate of the bodies other than the object. These
     /// coordinates are counted from the first one after the object's.
-    pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, C>) -> Columns<C> {
-        let object = of_the_object::<C>();
+    pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
+        let object = self.space.of_the_object();
         let mut columns = Columns::new();
         for (body, place) in self.places.iter().enumerate() {
             let sign = -self.sign(contact, body);
@@ -141,21 +145,21 @@ impl<const C: usize> PlacedBodies<C> {
             for k in 0..object {
                 let mut unit = Vector::zeros();
                 unit[k] = sign;
-                columns.push((place.first - object + k, displacement_of::<C>(&arm, &unit)));
+                columns.push((place.first - object + k, self.space.displacement_of(&arm, &unit)));
             }
         }
         columns
     }
 
     /// Loads on all bodies from a load of a question.
-    pub(crate) fn shared(&self, load: &Wrench<C>) -> Vec<Wrench<C>> {
+    pub(crate) fn shared(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
         let list = match &self.sharing {
             Sharing::OnObject => {
                 let on = |body: usize| if body == self.object { *load } else { Wrench::ZERO };
                 return (0..self.names.len()).map(on).collect();
             }
             Sharing::Together { one, loads } => {
-                let along = |x: &Wrench<C>| {
+                let along = |x: &Wrench<3>| {
                     x.components().iter().zip(one.components()).map(|(x, one)| x * one).sum::<f64>()
                 };
                 let times = along(load) / along(one);
@@ -164,7 +168,7 @@ impl<const C: usize> PlacedBodies<C> {
             Sharing::ByParts(list) => list,
         };
         // Each body takes its part of the force at its own centre, then its part of the moment that remains.
-        let force = SVector::<f64, C>::from_column_slice(&load.components()[..C]);
+        let force = load.force_part();
         let at_centres: Vec<_> =
             list.iter().map(|(part, centre)| Wrench::force_through(centre, &(force * *part))).collect();
         let left = at_centres.iter().fold(*load, |left, wrench| left - *wrench);
@@ -172,11 +176,12 @@ impl<const C: usize> PlacedBodies<C> {
     }
 
     /// Wrenches on all bodies other than the object, about the origin.
-    pub(crate) fn others<'a>(&'a self, outside: &'a Vector) -> impl Iterator<Item = Wrench<C>> + 'a {
+    pub(crate) fn others<'a>(&'a self, outside: &'a Vector) -> impl Iterator<Item = Wrench<3>> + 'a {
         self.places.iter().enumerate().filter(|(body, _)| *body != self.object).map(|(_, place)| {
-            let own = &outside.as_slice()[place.first..place.first + of_the_object::<C>()];
-            let about_centre = Wrench::<C>::from_components(own).coordinates();
-            Wrench::among(&moved_wrench::<C>(&place.centre, &about_centre))
+            let first = place.first;
+            let count = Size::of(self.space.of_the_object());
+            let own = Vector::from_fn(count, |k| outside[first + k]);
+            Wrench::among(self.space, &self.space.moved_wrench(&place.centre, &own))
         })
     }
 
@@ -193,7 +198,7 @@ impl<const C: usize> PlacedBodies<C> {
     }
 
     /// These bodies with the loads `put_on` in addition to the constant ones.
-    pub(super) fn under(&self, put_on: Vec<Wrench<C>>) -> Self {
+    pub(super) fn under(&self, put_on: Vec<Wrench<3>>) -> Self {
         let loads = self.loads.iter().zip(&put_on).map(|(always, more)| *always + *more).collect();
         Self { loads, put_on, ..self.clone() }
     }
@@ -204,7 +209,7 @@ impl<const C: usize> PlacedBodies<C> {
     }
 
     /// These bodies with no constant load; instead `loads` act on them per newton of a question's force along the first axis.
-    pub(super) fn growing_together(&self, loads: Vec<Wrench<C>>) -> Self {
+    pub(super) fn growing_together(&self, loads: Vec<Wrench<3>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         let sharing = Sharing::Together { one: Wrench::from_components(&[1.0]), loads };
         Self { loads: none, sharing, ..self.clone() }
@@ -216,16 +221,16 @@ impl<const C: usize> PlacedBodies<C> {
     /// [`Error::Body`] for an unknown body, [`Error::NothingChanges`] if `one` is zero, [`Error::Wrench`] for a component out of range.
     pub(super) fn with_others_growing(
         &self,
-        one: &Wrench<C>,
-        others: &[(Arc<str>, Wrench<C>)],
+        one: &Wrench<3>,
+        others: &[(Arc<str>, Wrench<3>)],
     ) -> Result<Self, Error> {
         if *one == Wrench::ZERO {
             return Err(Error::NothingChanges);
         }
-        one.check("load")?;
+        one.check_in(self.space, "load")?;
         let mut loads = self.shared(one);
         for (name, load) in others {
-            load.check("load that grows with another")?;
+            load.check_in(self.space, "load that grows with another")?;
             let body = self.called(name)?;
             loads[body] = loads[body] + *load;
         }
@@ -234,7 +239,7 @@ impl<const C: usize> PlacedBodies<C> {
 }
 
 /// Refuses contacts that name a body where there are no bodies.
-pub(crate) fn refuse_sides<const C: usize>(contacts: &[Contact<C>]) -> Result<(), Error> {
+pub(crate) fn refuse_sides(contacts: &[Contact<3>]) -> Result<(), Error> {
     for (i, contact) in contacts.iter().enumerate() {
         if let Some(name) = contact.on.as_ref().or(contact.against.as_ref()) {
             let fault = format!("is named by {}, and the scene has no bodies", contact.said_in_full(i));

@@ -11,24 +11,28 @@ use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::bodies::{PlacedBodies, refuse_sides};
 use crate::grasp::engine::Engine;
-use crate::grasp::rotation::of_the_object;
+use crate::grasp::rotation::Space;
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 use crate::words::printable;
 
-impl<const C: usize> Hand<C> {
+impl Hand<3> {
     /// The grasp of an object by this hand. Its coordinates are those of the object, 3 in the plane and 6 in space, and [those of the
     /// hand](Self::coordinates).
     ///
     /// # Errors
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]
     /// as for [`Grasp::new`](crate::ask::Grasp::new).
-    pub(crate) fn engine(self, mut bodies: Option<PlacedBodies<C>>) -> Result<Engine<C>, Error> {
+    pub(crate) fn engine(self, mut bodies: Option<PlacedBodies>) -> Result<Engine, Error> {
         let others = bodies.as_ref().map_or(0, |bodies| bodies.names.len() - 1);
-        let (most, used) = (Size::of(self.coordinates() + others * of_the_object::<C>()), self.joints());
+        let contacts = self.fingers.iter().flat_map(|finger| &finger.contacts);
+        let space = contacts.map(|carried| carried.contact.space).next().unwrap_or(Space::Spatial);
+        let most = Size::of(self.coordinates_in(space) + others * space.of_the_object());
+        let used = self.joints();
         let Self { fingers, tendons } = self;
-        let joints: Vec<Joint<C>> = fingers.iter().flat_map(|finger| finger.joints.iter().cloned()).collect();
+        let joints: Vec<Joint<3>> = fingers.iter().flat_map(|finger| finger.joints.iter().cloned()).collect();
         let mut assembly = Assembly {
+            space,
             contacts: Vec::new(),
             motions: Vec::new(),
             used,
@@ -69,7 +73,7 @@ impl<const C: usize> Hand<C> {
     }
 }
 
-impl<const C: usize> Assembly<C> {
+impl Assembly {
     /// Chooses the unit of length of each joint displacement, a power of two near the longest motion of a contact: scaling by it does not round.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
@@ -81,7 +85,8 @@ impl<const C: usize> Assembly<C> {
                 }
                 return Self::fault(self.label(k), "motion of all contacts", longest, "more than nothing");
             }
-            self.lengths[Self::OBJECT + k] = power_of_two(longest);
+            let object = self.object();
+            self.lengths[object + k] = power_of_two(longest);
         }
         // So far the drives are compliances of fingers: springs of 1 N/m over coordinates in m, which now get their unit of length.
         for drive in &mut self.drives {
@@ -102,7 +107,7 @@ impl<const C: usize> Assembly<C> {
                     return Self::fault(label, field, value, crate::error::MODERATE);
                 }
             }
-            let k = Self::OBJECT + j;
+            let k = self.object() + j;
             let length = self.lengths[k];
             let mut along = Vector::zeros();
             along[k] = 1.0;
@@ -191,7 +196,7 @@ impl<const C: usize> Assembly<C> {
     fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring, f64) {
         let mut along = Vector::zeros();
         for &(j, arm) in arms {
-            let k = Self::OBJECT + j;
+            let k = self.object() + j;
             along[k] = arm / self.lengths[k];
         }
         let unit = power_of_two(along.amax());
@@ -225,7 +230,7 @@ impl<const C: usize> Assembly<C> {
                 // Two springs in series with one more coordinate between them. One carries the upper bound less the force, the other the force less
                 // the lower bound. The bounds act as constant forces on both sides, so that their sum is the force.
                 let mut between = Vector::zeros();
-                between[Self::OBJECT + self.used] = 1.0;
+                between[self.object() + self.used] = 1.0;
                 self.used += 1;
                 let stiffness = 2.0 * drive.stiffness;
                 let below = if pushes { bound } else { 0.0 };
@@ -245,10 +250,10 @@ impl<const C: usize> Assembly<C> {
         self,
         tendons: Vec<Named>,
         commands: Vec<f64>,
-        bodies: Option<PlacedBodies<C>>,
-    ) -> Result<Engine<C>, Error> {
-        let size = Size::of(Self::OBJECT + self.used);
-        let name = |joint: &Joint<C>| Named {
+        bodies: Option<PlacedBodies>,
+    ) -> Result<Engine, Error> {
+        let size = Size::of(self.object() + self.used);
+        let name = |joint: &Joint<3>| Named {
             name: joint.name.clone(),
             limit: joint.limit,
             kind: joint.kind(),

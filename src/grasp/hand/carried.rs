@@ -1,6 +1,6 @@
 //! Contacts of a finger: their motion with the joints, the compliance behind them, and the commands that press them.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector};
 
 use super::compliant::split;
 use super::draft::{Assembly, Columns, refuse};
@@ -8,26 +8,28 @@ use super::drive::Drive;
 use super::finger::{ContactMover, Finger};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
+use crate::grasp::of_axes;
 use crate::prelude::*;
 
-impl<const C: usize> Assembly<C> {
+impl Assembly {
     /// Adds the contacts of a finger whose joints begin at `first`.
     pub(super) fn add_contacts(
         &mut self,
-        finger: &Finger<C>,
+        finger: &Finger<3>,
         number: usize,
         first: usize,
     ) -> Result<(), Error> {
+        let axes = self.space.axes();
         let (pads, own) = match &finger.compliance {
             None => (DVector::zeros(0), Vec::new()),
-            Some(matrix) => split(matrix, C * finger.contacts.len())
+            Some(matrix) => split(matrix, axes * finger.contacts.len())
                 .or_else(|fault| refuse(fault, format!("finger {number}"), "compliance"))?,
         };
         for (place, carried) in finger.contacts.iter().enumerate() {
             let index = self.contacts.len();
             let mut contact = carried.contact.clone();
             if !pads.is_empty() {
-                contact.stiffness = contact.stiffness.softened(&SVector::from_fn(|a, _| pads[C * place + a]));
+                contact.stiffness = contact.stiffness.softened(&of_axes(axes, |a| pads[axes * place + a]));
             }
             contact.check(index)?;
             let frame = contact.frame(index)?;
@@ -40,7 +42,7 @@ impl<const C: usize> Assembly<C> {
             columns.extend(self.on_slide(finger, (&contact, index), &frame)?);
             // Compliance of the finger behind its pads: coordinates that belong to no joint.
             for (k, column) in own.iter().enumerate() {
-                let along = SVector::from_fn(|a, _| column[C * place + a]);
+                let along = of_axes(axes, |a| column[axes * place + a]);
                 columns.push((self.used + k, frame * along));
             }
             self.contacts.push(contact);
@@ -48,7 +50,7 @@ impl<const C: usize> Assembly<C> {
         }
         self.press_on_compliance(finger, &own);
         for k in 0..own.len() {
-            self.drives.push(Drive::unowned(Self::OBJECT + self.used + k, 1.0));
+            self.drives.push(Drive::unowned(self.object() + self.used + k, 1.0));
         }
         self.used += own.len();
         Ok(())
@@ -58,10 +60,10 @@ impl<const C: usize> Assembly<C> {
     fn on_link(
         &mut self,
         link: usize,
-        finger: &Finger<C>,
-        (contact, index): (&Contact<C>, usize),
+        finger: &Finger<3>,
+        (contact, index): (&Contact<3>, usize),
         first: usize,
-    ) -> Result<Columns<C>, Error> {
+    ) -> Result<Columns, Error> {
         if link > finger.joints.len() {
             let what = format!("contact {}", contact.label(index));
             return Self::fault(what, "link", link as f64, "at most the number of joints of its finger");
@@ -86,13 +88,13 @@ impl<const C: usize> Assembly<C> {
     }
 
     /// Adds to the commands of contacts the displacement by which the compliance behind the pads yields to the forces of `pressed_with`.
-    fn press_on_compliance(&mut self, finger: &Finger<C>, own: &[DVector<f64>]) {
-        let first = self.contacts.len() - finger.contacts.len();
+    fn press_on_compliance(&mut self, finger: &Finger<3>, own: &[DVector<f64>]) {
+        let (axes, first) = (self.space.axes(), self.contacts.len() - finger.contacts.len());
         for column in own {
             let presses = self.presses[first..].iter().enumerate();
-            let pushed: f64 = presses.map(|(i, (force, _))| column[C * i] * force).sum();
+            let pushed: f64 = presses.map(|(i, (force, _))| column[axes * i] * force).sum();
             for (i, contact) in self.contacts[first..].iter_mut().enumerate() {
-                let along = SVector::<f64, C>::from_fn(|a, _| column[C * i + a] * pushed);
+                let along = of_axes(axes, |a| column[axes * i + a] * pushed);
                 if pushed != 0.0 {
                     *contact = contact.clone().resolved();
                     contact.command += along;
@@ -102,7 +104,7 @@ impl<const C: usize> Assembly<C> {
     }
 
     /// Commands of joints by which their contacts press with the forces of `pressed_with`, `K⁻¹ Σ Jᵀ F`.
-    pub(super) fn pressed(&self, fingers: &[Finger<C>]) -> Result<Vec<f64>, Error> {
+    pub(super) fn pressed(&self, fingers: &[Finger<3>]) -> Result<Vec<f64>, Error> {
         let mut torques = vec![0.0; self.joints.len()];
         for (motions, (_, force)) in self.motions.iter().zip(&self.presses) {
             for (k, motion) in motions.iter().filter(|(k, _)| *k < self.joints.len()) {
@@ -136,12 +138,13 @@ impl<const C: usize> Assembly<C> {
 }
 
 /// Columns of a Jacobian that the caller has given.
-fn given<const C: usize>(
+fn given(
     matrix: &DMatrix<f64>,
-    (finger, first): (&Finger<C>, usize),
-    (contact, index): (&Contact<C>, usize),
-) -> Result<Columns<C>, Error> {
-    let expected = (C, finger.joints.len());
+    (finger, first): (&Finger<3>, usize),
+    (contact, index): (&Contact<3>, usize),
+) -> Result<Columns, Error> {
+    let axes = contact.space.axes();
+    let expected = (axes, finger.joints.len());
     if matrix.shape() != expected {
         let what = format!("jacobian of contact {}", contact.label(index));
         return Err(Error::Shape { what, given: matrix.shape(), expected });
@@ -150,6 +153,6 @@ fn given<const C: usize>(
         let what = format!("contact {}", contact.label(index));
         return Err(Error::Hand { what, field: "jacobian", value, allowed: MODERATE });
     }
-    let column = |j: usize| SVector::<f64, C>::from_fn(|a, _| matrix[(a, j)]);
+    let column = |j: usize| of_axes(axes, |a| matrix[(a, j)]);
     Ok((0..expected.1).map(|j| (first + j, column(j))).collect())
 }

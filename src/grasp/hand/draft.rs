@@ -7,33 +7,37 @@ use super::joint::Joint;
 use super::positive::NotPositive;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
-use crate::grasp::rotation::of_the_object;
+use crate::grasp::rotation::Space;
 use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
 /// Motion of one contact along the coordinate axes: coordinate, counted behind the object's, and displacement per unit of it.
-pub(in crate::grasp) type Columns<const C: usize> = Vec<(usize, SVector<f64, C>)>;
+pub(in crate::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
 /// The parts of a grasp, collected from a hand.
-pub(in crate::grasp) struct Assembly<const C: usize> {
-    pub(in crate::grasp) contacts: Vec<Contact<C>>,
-    pub(in crate::grasp) motions: Vec<Columns<C>>,
+pub(in crate::grasp) struct Assembly {
+    /// Plane or space.
+    pub(in crate::grasp) space: Space,
+    pub(in crate::grasp) contacts: Vec<Contact<3>>,
+    pub(in crate::grasp) motions: Vec<Columns>,
     /// Joints of all fingers, then slides of contacts that are held by a force.
-    pub(super) joints: Vec<Joint<C>>,
+    pub(super) joints: Vec<Joint<3>>,
     /// Number of coordinates in use behind those of the object.
     pub(in crate::grasp) used: usize,
     pub(in crate::grasp) lengths: Vector,
     pub(super) drives: Vec<Drive>,
     pub(in crate::grasp) held: Vector,
-    pub(super) bones: Vec<[SVector<f64, C>; 2]>,
+    pub(super) bones: Vec<[SVector<f64, 3>; 2]>,
     /// Force of `pressed_with` for each contact, N: its size, and its vector along the coordinate axes.
-    pub(super) presses: Vec<(f64, SVector<f64, C>)>,
+    pub(super) presses: Vec<(f64, SVector<f64, 3>)>,
 }
 
-impl<const C: usize> Assembly<C> {
-    /// Number of coordinates of the object.
-    pub(super) const OBJECT: usize = of_the_object::<C>();
+impl Assembly {
+    /// Number of coordinates of the object, before those of the joints.
+    pub(super) fn object(&self) -> usize {
+        self.space.of_the_object()
+    }
 
     pub(super) fn fault<T>(
         what: String,

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::contact::{Compliance, Coulomb, Polygon, PolygonCone};
 use crate::grasp::contact::Hold;
+use crate::grasp::rotation::Space;
 use crate::grasp::site::Site;
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
@@ -75,26 +76,26 @@ impl Drive {
     }
 
     /// The site with the contact law of this drive.
-    pub(crate) fn site<const C: usize>(&self, size: Size) -> Site<C> {
+    pub(crate) fn site(&self, space: Space, size: Size) -> Site {
         let slips = self.role == Role::Slips;
-        let springs = Compliance::new(&SVector::repeat(self.stiffness), if slips { C } else { 1 });
+        let springs = Compliance::new(&SVector::repeat(self.stiffness), if slips { space.axes() } else { 1 });
         let hold = match self.role {
             Role::Holds => Hold::Bonded,
             Role::Slips => Hold::KeptClosed,
             Role::Pulls | Role::EndsAbove | Role::EndsBelow => Hold::Unilateral,
         };
-        let mut site = Site::of_axis(size, (self.axis(), &self.along), springs, hold);
+        let mut site = Site::of_axis(space, size, (self.axis(), &self.along), springs, hold);
         if !slips {
             return site;
         }
         // A square with corners on its one axis holds a line to exactly its bound.
-        let square = || alloc::sync::Arc::new(Polygon::new(&PolygonCone::square()));
-        (site.friction, site.polygon) = (Coulomb::new(1.0), (C == 3).then(square));
+        let square = || alloc::sync::Arc::new(Polygon::new(space, &PolygonCone::square()));
+        (site.friction, site.polygon) = (Coulomb::new(1.0), (space == Space::Spatial).then(square));
         site
     }
 
     /// Stretch of its site under these commands.
-    pub(super) fn stretch<const C: usize>(&self, commands: &[f64]) -> SVector<f64, C> {
+    pub(super) fn stretch(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = self.change(commands);
         stretch[self.axis()] += self.rest;
         if self.role == Role::Slips {
@@ -104,14 +105,14 @@ impl Drive {
     }
 
     /// Change of its site's stretch for a change of commands.
-    pub(super) fn change<const C: usize>(&self, commands: &[f64]) -> SVector<f64, C> {
+    pub(super) fn change(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = SVector::zeros();
         stretch[self.axis()] = self.commands.iter().map(|&(k, weight)| weight * commands[k]).sum();
         stretch
     }
 
     /// Torque or tension of its owner for this force of its site. `None` for the lower half of a saturating drive, since the upper half returns it.
-    pub(crate) fn carried<const C: usize>(&self, force: &SVector<f64, C>) -> Option<f64> {
+    pub(crate) fn carried(&self, force: &SVector<f64, 3>) -> Option<f64> {
         match self.role {
             Role::EndsBelow => None,
             Role::EndsAbove => Some((self.bound - force[0]) * self.unit),
@@ -136,7 +137,7 @@ impl Drive {
     }
 
     /// Change of its site's force per unit of the owner's stiffness, N m/rad or N/m, at constant stretch.
-    pub(crate) fn by_stiffness<const C: usize>(&self, force: &SVector<f64, C>) -> SVector<f64, C> {
+    pub(crate) fn by_stiffness(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut more = SVector::zeros();
         // The elastic force of each half of a saturating drive counts from its bound.
         let elastic = match self.role {
@@ -149,7 +150,7 @@ impl Drive {
     }
 
     /// Per unit of the owner's limit: change of its site's stretch, and change of the constant force on the coordinates.
-    pub(crate) fn by_limit<const C: usize>(&self) -> (SVector<f64, C>, Vector) {
+    pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
             Role::Slips => {
@@ -177,7 +178,7 @@ impl Drive {
     }
 
     /// Energy stored at this force of its site, J; the upper half of a saturating drive returns it for both.
-    pub(crate) fn stored<const C: usize>(&self, force: &SVector<f64, C>) -> f64 {
+    pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         let square = |force: f64| force * force / self.stiffness;
         match self.role {
             Role::Holds | Role::Pulls | Role::Slips => 0.5 * square(force[self.axis()]),

@@ -2,7 +2,7 @@
 
 use super::finger::Finger;
 use super::tendon::Tendon;
-use crate::grasp::rotation::of_the_object;
+use crate::grasp::rotation::Space;
 use crate::prelude::*;
 
 /// Fingers and tendons that hold an object; [`Hand::grasp`] makes a grasp of them.
@@ -57,13 +57,18 @@ impl<const C: usize> Hand<C> {
     /// each contact axis of a finger with a compliance matrix. Slides of contacts that are held by a force are joints.
     #[must_use]
     pub fn coordinates(&self) -> usize {
+        self.coordinates_in(Space::of::<C>())
+    }
+
+    /// [`Self::coordinates`] in the plane or in space.
+    pub(super) fn coordinates_in(&self, space: Space) -> usize {
         let joints = self.fingers.iter().flat_map(|finger| &finger.joints);
         let limits = joints.map(|joint| joint.limit).chain(self.tendons.iter().map(|tendon| tendon.limit));
         let saturating =
             limits.flatten().filter(|limit| matches!(limit, super::joint::Limit::Saturates(_))).count();
         let compliant = self.fingers.iter().filter(|finger| finger.compliance.is_some());
-        let axes: usize = compliant.map(|finger| C * finger.contacts.len()).sum();
-        of_the_object::<C>() + self.joints() + saturating + axes
+        let axes: usize = compliant.map(|finger| space.axes() * finger.contacts.len()).sum();
+        space.of_the_object() + self.joints() + saturating + axes
     }
 
     /// Number of joints. Slides of contacts that are [held by a force](crate::grasp::Contact::force) are included, after all others.

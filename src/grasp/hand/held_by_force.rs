@@ -20,14 +20,14 @@ fn begins_a_slide<const C: usize>(contact: &Contact<C>) -> bool {
     contact.force.is_some() && contact.begins_a_whole()
 }
 
-impl<const C: usize> Assembly<C> {
+impl Assembly {
     /// Motion of a contact with its slide, if it is held by a force; adds the force to the torque of the slide.
     pub(super) fn on_slide(
         &mut self,
-        finger: &Finger<C>,
-        (contact, index): (&Contact<C>, usize),
-        frame: &SMatrix<f64, C, C>,
-    ) -> Result<Columns<C>, Error> {
+        finger: &Finger<3>,
+        (contact, index): (&Contact<3>, usize),
+        frame: &SMatrix<f64, 3, 3>,
+    ) -> Result<Columns, Error> {
         let Some(force) = contact.force else { return Ok(Columns::new()) };
         let what = || format!("contact {}", contact.label(index));
         if !finger.joints.is_empty() || finger.compliance.is_some() {
@@ -40,7 +40,7 @@ impl<const C: usize> Assembly<C> {
             let allowed = "zero along the normal where a force holds the contact";
             return Self::fault(what(), "command", along, allowed);
         }
-        let along: [f64; C] = frame.column(0).into_owned().into();
+        let along: [f64; 3] = frame.column(0).into_owned().into();
         if begins_a_slide(contact) {
             let whole = self.contacts.iter().filter(|before| before.begins_a_whole()).count();
             let name = contact.whole_name().map_or_else(|| format!("contact {whole}"), str::to_owned);

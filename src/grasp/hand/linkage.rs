@@ -9,20 +9,20 @@ use super::drive::{Drive, Owner};
 use super::joint::{JointKind, Limit};
 use crate::grasp::bodies::PlacedBodies;
 use crate::grasp::contact::Contact;
-use crate::grasp::rotation::of_the_object;
+use crate::grasp::rotation::Space;
 use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
 /// Joints, tendons, drives and bodies behind a grasp, in inside coordinates.
 #[derive(Debug, Clone)]
-pub(crate) struct Linkage<const C: usize> {
+pub(crate) struct Linkage {
     pub(crate) joints: Vec<Named>,
     pub(crate) tendons: Vec<Named>,
     /// Factors that make lengths of the coordinates behind the object's; those of the object are 1.
     pub(crate) lengths: Vector,
     /// Motion of each contact along the coordinate axes, per unit of each coordinate behind the object's.
-    pub(crate) motions: Vec<Vec<(usize, SVector<f64, C>)>>,
+    pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
     /// Drives, one for each site beyond the contacts.
     pub(crate) drives: Vec<Drive>,
     /// Constant forces on the coordinates, from torques, tensions and held contacts.
@@ -30,11 +30,11 @@ pub(crate) struct Linkage<const C: usize> {
     /// External torques on the joints.
     pub(crate) pulled: Vector,
     /// The bodies, if there are several.
-    pub(crate) bodies: Option<Box<PlacedBodies<C>>>,
+    pub(crate) bodies: Option<Box<PlacedBodies>>,
     /// Line segments from joint to joint and on to the contacts, for pictures only.
-    pub(crate) bones: Vec<[SVector<f64, C>; 2]>,
+    pub(crate) bones: Vec<[SVector<f64, 3>; 2]>,
     /// Points on the axes of revolute joints, for pictures only.
-    pub(crate) centres: Vec<Option<SVector<f64, C>>>,
+    pub(crate) centres: Vec<Option<SVector<f64, 3>>>,
     /// Commands of joints, then of tendons.
     pub(crate) commands: Vec<f64>,
 }
@@ -94,14 +94,14 @@ impl PartLabel {
     }
 }
 
-impl<const C: usize> Linkage<C> {
+impl Linkage {
     /// Stretches of the sites of all drives under these commands.
-    pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
+    pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.drives.iter().map(move |drive| drive.stretch(commands))
     }
 
     /// Changes of these stretches for a change of commands.
-    pub(crate) fn changes(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
+    pub(crate) fn changes(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.drives.iter().map(move |drive| drive.change(commands))
     }
 
@@ -120,23 +120,23 @@ impl<const C: usize> Linkage<C> {
     }
 
     /// Multiplies commands, and torques that hold joints, by `factor`.
-    pub(crate) fn squeeze(&mut self, factor: f64) {
+    pub(crate) fn squeeze(&mut self, space: Space, factor: f64) {
         self.commands.iter_mut().for_each(|command| *command *= factor);
-        (0..self.joints.len()).for_each(|joint| self.hold_joint(joint, factor));
+        (0..self.joints.len()).for_each(|joint| self.hold_joint(space, joint, factor));
     }
 
     /// With the torque that holds a joint so many times as large.
-    pub(crate) fn hold_joint(&mut self, joint: usize, factor: f64) {
-        let (k, joint) = (of_the_object::<C>() + joint, &mut self.joints[joint]);
+    pub(crate) fn hold_joint(&mut self, space: Space, joint: usize, factor: f64) {
+        let (k, joint) = (space.of_the_object() + joint, &mut self.joints[joint]);
         self.held[k] += (factor - 1.0) * (joint.held / self.lengths[k]);
         joint.held *= factor;
     }
 
     /// Replaces the forces that hold contacts by those of `now`.
-    pub(crate) fn press_instead(&mut self, before: &[Contact<C>], now: &[Contact<C>]) {
+    pub(crate) fn press_instead(&mut self, space: Space, before: &[Contact<3>], now: &[Contact<3>]) {
         for ((before, now), motions) in before.iter().zip(now).zip(&self.motions) {
             if let (Some(before), Some(now), Some((slide, _))) = (before.force, now.force, motions.first()) {
-                let k = of_the_object::<C>() + slide;
+                let k = space.of_the_object() + slide;
                 self.held[k] += (now - before) / self.lengths[k];
                 self.joints[*slide].held += now - before;
             }

@@ -23,6 +23,7 @@ mod carried;
 mod compliant;
 mod draft;
 mod drive;
+mod face;
 mod finger;
 mod hand_builder;
 mod held_by_force;

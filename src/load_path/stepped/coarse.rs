@@ -21,17 +21,17 @@ const ONE: f64 = 1e-12;
 
 /// The path of steps made at once.
 #[derive(Debug, Clone)]
-pub(super) struct Coarse<const C: usize> {
-    pub(super) standing: SteppedState<C>,
+pub(super) struct Coarse {
+    pub(super) standing: SteppedState,
     /// Sum of the distances, over the largest force, at which the second path was lost and began again from the first.
     lost: f64,
     /// The largest distance so far plus those sums, over the largest force.
     pub(super) farthest: f64,
 }
 
-impl<const C: usize> Coarse<C> {
+impl Coarse {
     /// The second path at the common beginning of both.
-    pub(super) fn starting_at(standing: &SteppedState<C>) -> Self {
+    pub(super) fn starting_at(standing: &SteppedState) -> Self {
         Self { standing: standing.clone(), lost: 0.0, farthest: 0.0 }
     }
 
@@ -39,9 +39,9 @@ impl<const C: usize> Coarse<C> {
     /// of its own, or only one elsewhere. `beside` is memory for its own step.
     pub(super) fn follow(
         &mut self,
-        along: &mut StepProblem<'_, C>,
-        [from, to, at_once]: [&SteppedState<C>; 3],
-        beside: &mut SteppedState<C>,
+        along: &mut StepProblem<'_>,
+        [from, to, at_once]: [&SteppedState; 3],
+        beside: &mut SteppedState,
     ) {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.apart(&self.standing);

@@ -13,10 +13,10 @@ use crate::search::{Doubt, Settled, settle};
 /// at least a thousandth; towards asymptotes it falls to the root of the rest of the load, 1e-5.
 const STAY: f64 = 2e-4;
 
-impl<'g, const C: usize> Steps<'g, C> {
+impl<'g> Steps<'g> {
     /// The end where no step leads further, from the motion, or from the proof that nothing balances the rates of the contacts on an edge. Otherwise
     /// the path is undecided, for the reason `doubt`.
-    pub(super) fn end_here(&self, journey: &Journey<'g, C>, doubt: Doubt) -> PathEnd<C> {
+    pub(super) fn end_here(&self, journey: &Journey<'g>, doubt: Doubt) -> PathEnd<3> {
         let fraction = self.standing.fraction;
         let edge = self.standing.edge(journey);
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });

@@ -19,17 +19,17 @@ pub(super) const SHORTEST: f64 = 1e-12;
 
 /// The state at a place of the path, in inside coordinates.
 #[derive(Debug, Clone)]
-pub(super) struct SteppedState<const C: usize> {
+pub(super) struct SteppedState {
     /// Fraction of the leg already followed.
     pub(super) fraction: f64,
     pub(super) twist: Vector,
     /// Slips so far, in the contact frames.
-    pub(super) slips: Vec<SVector<f64, C>>,
-    pub(super) forces: Vec<SVector<f64, C>>,
-    pub(super) states: Vec<State<C>>,
+    pub(super) slips: Vec<SVector<f64, 3>>,
+    pub(super) forces: Vec<SVector<f64, 3>>,
+    pub(super) states: Vec<State>,
 }
 
-impl<const C: usize> SteppedState<C> {
+impl SteppedState {
     /// The largest contact force, N.
     pub(super) fn largest_force(&self) -> f64 {
         self.forces.iter().map(SVector::norm_squared).fold(0.0, f64::max).sqrt()
@@ -42,7 +42,7 @@ impl<const C: usize> SteppedState<C> {
     }
 }
 
-impl<const C: usize> SteppedState<C> {
+impl SteppedState {
     /// An empty state, as memory.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
@@ -61,19 +61,19 @@ impl<const C: usize> SteppedState<C> {
 
 /// The problem of a step along a leg; each step sets its drives and load.
 #[derive(Debug)]
-pub(super) struct StepProblem<'g, const C: usize> {
-    pub(super) problem: Problem<'g, C>,
+pub(super) struct StepProblem<'g> {
+    pub(super) problem: Problem<'g>,
     /// Commands less clearances at the beginning of the leg, and their change along it.
-    drives: [Vec<SVector<f64, C>>; 2],
+    drives: [Vec<SVector<f64, 3>>; 2],
     pub(super) course: Trajectory<Vector>,
     /// Stretches before a step, and responses of contacts after it.
-    before: Vec<SVector<f64, C>>,
-    answers: Vec<ContactResponse<C>>,
+    before: Vec<SVector<f64, 3>>,
+    answers: Vec<ContactResponse>,
 }
 
-impl<'g, const C: usize> StepProblem<'g, C> {
+impl<'g> StepProblem<'g> {
     /// The problem on the present leg.
-    pub(super) fn along(journey: &Journey<'g, C>) -> Self {
+    pub(super) fn along(journey: &Journey<'g>) -> Self {
         let course = journey.program.inside_course(journey.grasp);
         let drives = journey.program.drives(journey.grasp);
         let problem = journey.problem(drives[0].clone(), &course.at(0.0));
@@ -81,22 +81,22 @@ impl<'g, const C: usize> StepProblem<'g, C> {
     }
 
     /// Prepares the next leg, in the same memory.
-    pub(super) fn set_out(&mut self, journey: &Journey<'g, C>) {
+    pub(super) fn set_out(&mut self, journey: &Journey<'g>) {
         self.course = journey.program.inside_course(journey.grasp);
         journey.program.drives_into(journey.grasp, &mut self.drives);
     }
 
     /// Change of the drive of a contact along the leg.
-    pub(super) fn change(&self, i: usize) -> SVector<f64, C> {
+    pub(super) fn change(&self, i: usize) -> SVector<f64, 3> {
         self.drives[1][i]
     }
 
     /// The step of a length from a state, written to `to`; the search starts near a given twist. `None` where Newton's method does not converge.
     pub(super) fn step(
         &mut self,
-        from: &SteppedState<C>,
+        from: &SteppedState,
         (length, near): (f64, Vector),
-        to: &mut SteppedState<C>,
+        to: &mut SteppedState,
     ) -> Option<()> {
         let fraction = if from.fraction + length > 1.0 - SHORTEST { 1.0 } else { from.fraction + length };
         let Self { problem, drives: [base, change], course, before, answers } = self;
@@ -114,16 +114,16 @@ impl<'g, const C: usize> StepProblem<'g, C> {
 
 /// The equilibrium of a problem that counts slips from the state `from`, given the stretches before the step; the search starts near a given twist.
 /// `None` where Newton's method does not converge, or only where a contact would have to pull that cannot.
-fn equilibrium_after<const C: usize>(
-    (from, before): (&SteppedState<C>, &[SVector<f64, C>]),
-    problem: &Problem<'_, C>,
-    (near, answers): (Vector, &mut Vec<ContactResponse<C>>),
-    to: &mut SteppedState<C>,
+fn equilibrium_after(
+    (from, before): (&SteppedState, &[SVector<f64, 3>]),
+    problem: &Problem<'_>,
+    (near, answers): (Vector, &mut Vec<ContactResponse>),
+    to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.drives);
     let rounded =
         ROUNDED * springs.map(|(site, drive)| site.springs.stiffest() * site.span(drive, &near)).sum::<f64>();
-    let answer = |i: usize, stretch: &SVector<f64, C>, _: &ContactResponse<C>| {
+    let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
         problem.local(i).answer_after(&before[i], stretch)
     };
     (to.twist, ..) = newton_one_by_one(problem, (near, SETTLED, rounded), answers, answer)?;
@@ -141,7 +141,7 @@ fn equilibrium_after<const C: usize>(
     }
     // A contact that is kept closed and has limited friction cannot pull.
     let least = -SETTLED * to.largest_force();
-    let pulls = |(i, force): (usize, &SVector<f64, C>)| {
+    let pulls = |(i, force): (usize, &SVector<f64, 3>)| {
         force[0] < least && problem.local(i).may_slide() && !problem.local(i).may_open()
     };
     if to.forces.iter().enumerate().any(pulls) { None } else { Some(()) }

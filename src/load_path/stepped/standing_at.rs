@@ -13,15 +13,15 @@ use crate::search::Found;
 /// smaller part, a contact that such a step would bring to its edge still holds, and the limit is missed.
 const AT_AN_EDGE: f64 = 1e-9;
 
-impl<const C: usize> SteppedState<C> {
+impl SteppedState {
     /// The whole equilibrium, computed in one pass over all contacts.
-    pub(super) fn equilibrium(&self, journey: &Journey<'_, C>) -> Equilibrium<C> {
+    pub(super) fn equilibrium(&self, journey: &Journey<'_>) -> Equilibrium<3> {
         let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);
         let spans =
             problem.sites.iter().zip(&problem.drives).map(|(site, drive)| site.span(drive, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
         // All slip so far is memory: of a slide only the direction remains.
-        let standing = |state: &Mode<Slide<C>>| match state {
+        let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
         };
@@ -31,7 +31,7 @@ impl<const C: usize> SteppedState<C> {
     }
 
     /// The rates, with edges within the resolution of the last steps.
-    pub(super) fn edge<'g>(&self, journey: &Journey<'g, C>) -> StandAtEdge<'g, C> {
+    pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StandAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (drives, largest) = (segment.drives(self.fraction), self.largest_force());
         let near = largest * (AT_AN_EDGE / ZERO_SLACK);

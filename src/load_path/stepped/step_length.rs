@@ -49,9 +49,9 @@ struct Twice {
     felt: f64,
 }
 
-impl<'g, const C: usize> Steps<'g, C> {
+impl<'g> Steps<'g> {
     /// Tries a step; reports it if its error is allowed.
-    pub(super) fn try_a_step(&mut self, journey: &Journey<'g, C>) -> Result<Came<Step<C>>, PathEnd<C>> {
+    pub(super) fn try_a_step(&mut self, journey: &Journey<'g>) -> Result<Came<Step<3>>, PathEnd<3>> {
         let from = self.standing.fraction;
         if self.pace.tried == journey.settings.most_steps {
             return Err(journey.undecided(from, Doubt::OutOfSteps));
@@ -107,7 +107,7 @@ impl<'g, const C: usize> Steps<'g, C> {
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, standing: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
-        let near = |at: &SteppedState<C>, rate: &Vector, length: f64| &at.twist + rate * length;
+        let near = |at: &SteppedState, rate: &Vector, length: f64| &at.twist + rate * length;
         along.step(from, (0.5 * length, near(from, &rate, 0.5 * length)), middle)?;
         let rate = (&middle.twist - &from.twist) / (0.5 * length);
         along.step(middle, (0.5 * length, near(middle, &rate, 0.5 * length)), to)?;
@@ -124,7 +124,7 @@ impl<'g, const C: usize> Steps<'g, C> {
         finite.then_some(Twice { largest, unseen, felt })
     }
 
-    fn arrive(&mut self, journey: &Journey<'g, C>, twice: &Twice) -> Step<C> {
+    fn arrive(&mut self, journey: &Journey<'g>, twice: &Twice) -> Step<3> {
         let Twice { largest, unseen, .. } = *twice;
         let Places { to, at_once, beside, .. } = &mut self.places;
         self.coarse.follow(&mut self.along, [&self.standing, to, at_once], beside);
@@ -146,11 +146,11 @@ impl<'g, const C: usize> Steps<'g, C> {
 }
 
 /// The largest force that sticking springs would make of a motion, N.
-fn most_felt<const C: usize>(sites: &[Site<C>], motion: &Vector) -> f64 {
+fn most_felt(sites: &[Site], motion: &Vector) -> f64 {
     sites.iter().map(|site| pull(site, motion)).fold(0.0, f64::max)
 }
 
 /// The force that the springs of a sticking contact make of a motion, N.
-fn pull<const C: usize>(site: &Site<C>, motion: &Vector) -> f64 {
+fn pull(site: &Site, motion: &Vector) -> f64 {
     site.springs.force(&site.map.tr_mul(motion)).norm()
 }

@@ -23,19 +23,19 @@ use crate::serial::AsComputed;
 
 /// The follower of a [`SteppedPath`].
 #[derive(Debug)]
-pub(crate) struct Steps<'g, const C: usize> {
+pub(crate) struct Steps<'g> {
     /// The problem of a step.
-    pub(super) along: StepProblem<'g, C>,
+    pub(super) along: StepProblem<'g>,
     /// The present state.
-    pub(super) standing: SteppedState<C>,
+    pub(super) standing: SteppedState,
     /// The states that the last step tried leads to.
-    pub(super) places: Places<C>,
+    pub(super) places: Places,
     /// Control of the steps of the leg.
     pub(super) pace: StepPace,
     /// The allowed error.
     pub(super) error: f64,
     /// The path of the same steps made at once.
-    pub(super) coarse: Coarse<C>,
+    pub(super) coarse: Coarse,
     /// The largest error that both paths may share.
     pub(super) unseen: f64,
     /// Sum of the changes of forces along the path, over the largest force.
@@ -73,15 +73,15 @@ pub(crate) fn check_leg_error(what: &'static str, value: f64) -> Result<(), Erro
     }
 }
 
-impl<const C: usize> Engine<C> {
+impl Engine {
     /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps).
     pub(crate) fn follow_in_steps(
         &self,
-        start: &Wrench<C>,
-        legs: &[Leg<C>],
+        start: &Wrench<3>,
+        legs: &[Leg<3>],
         error: f64,
         settings: &Settings,
-    ) -> Result<SteppedPath<'_, C>, Error> {
+    ) -> Result<SteppedPath<'_, 3>, Error> {
         self.refuse_hands("follow_in_steps")?;
         self.refuse_kinetic("follow_in_steps")?;
         check_leg_error("error of a leg", error)?;
@@ -99,8 +99,8 @@ impl<const C: usize> Engine<C> {
 }
 
 /// The state of a path at an equilibrium: its slips become memory.
-fn at_start<const C: usize>(problem: &Problem<'_, C>, found: Found<C>) -> SteppedState<C> {
-    let slip = |(i, state): (usize, &crate::contact::State<C>)| {
+fn at_start(problem: &Problem<'_>, found: Found) -> SteppedState {
+    let slip = |(i, state): (usize, &crate::contact::State)| {
         let springs = &problem.sites[i].springs;
         if state.is_sticking() || !springs.resists_tangentially() {
             return SVector::zeros();
@@ -111,10 +111,10 @@ fn at_start<const C: usize>(problem: &Problem<'_, C>, found: Found<C>) -> Steppe
     SteppedState { fraction: 0.0, twist: found.twist, slips, forces: found.forces, states: found.states }
 }
 
-impl<'g, const C: usize> Follower<'g, C> for Steps<'g, C> {
-    type Report = Step<C>;
+impl<'g> Follower<'g> for Steps<'g> {
+    type Report = Step<3>;
 
-    fn set_out(&mut self, journey: &Journey<'g, C>) -> Result<(), PathEnd<C>> {
+    fn set_out(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
         self.along.set_out(journey);
         self.pace.set_out(&self.along.course);
         self.standing.fraction = 0.0;
@@ -122,7 +122,7 @@ impl<'g, const C: usize> Follower<'g, C> for Steps<'g, C> {
         Ok(())
     }
 
-    fn go_on(&mut self, journey: &Journey<'g, C>) -> Result<Came<Step<C>>, PathEnd<C>> {
+    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Came<Step<3>>, PathEnd<3>> {
         if self.standing.fraction >= 1.0 { Ok(Came::ToTheEndOfTheLeg) } else { self.try_a_step(journey) }
     }
 
@@ -130,11 +130,11 @@ impl<'g, const C: usize> Follower<'g, C> for Steps<'g, C> {
         self.standing.fraction
     }
 
-    fn state(&self, journey: &Journey<'g, C>) -> Option<Equilibrium<C>> {
+    fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
         Some(self.standing.equilibrium(journey))
     }
 
-    fn forces(&self, _: &Journey<'g, C>) -> Vec<SVector<f64, C>> {
+    fn forces(&self, _: &Journey<'g>) -> Vec<SVector<f64, 3>> {
         self.standing.forces.clone()
     }
 
@@ -142,7 +142,7 @@ impl<'g, const C: usize> Follower<'g, C> for Steps<'g, C> {
         self.coarse.farthest + self.unseen
     }
 
-    fn edge(&self, journey: &Journey<'g, C>) -> StandAtEdge<'g, C> {
+    fn edge(&self, journey: &Journey<'g>) -> StandAtEdge<'g> {
         self.standing.edge(journey)
     }
 }

@@ -26,13 +26,13 @@ const IN_A_HALF: f64 = 0.25;
 /// The same ratio at a bend somewhere in a half.
 const WHERE_IT_BENDS: f64 = 2.0;
 
-impl<const C: usize> StepProblem<'_, C> {
+impl StepProblem<'_> {
     /// Largest error of a contact force at the end of a step in two halves, N, that its difference from the step made at once does not show.
-    pub(super) fn unseen(&self, at: [&SteppedState<C>; 3]) -> f64 {
+    pub(super) fn unseen(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
     }
 
-    fn unseen_by(&self, i: usize, at: [&SteppedState<C>; 3]) -> f64 {
+    fn unseen_by(&self, i: usize, at: [&SteppedState; 3]) -> f64 {
         let [from, middle, to] = at;
         let (site, local) = (&self.problem.sites[i], self.problem.local(i));
         if !local.may_open() && !local.may_slide() {
@@ -41,17 +41,17 @@ impl<const C: usize> StepProblem<'_, C> {
         let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
         let off = IN_A_HALF * bend.norm();
-        let drawn = |a: &SteppedState<C>, b: &SteppedState<C>| {
+        let drawn = |a: &SteppedState, b: &SteppedState| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
         };
-        let bend_at = |began: &SVector<f64, C>, slide: &Slide<C>| {
+        let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
             // A force turns no farther than its slip.
             let most = (WHERE_IT_BENDS * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
-        let half = |a: &SteppedState<C>, b: &SteppedState<C>| match (&a.states[i], &b.states[i]) {
+        let half = |a: &SteppedState, b: &SteppedState| match (&a.states[i], &b.states[i]) {
             (Mode::Sticking, Mode::Sticking) if local.may_slide() => {
                 let margin = local.margin(&a.forces[i]).min(local.margin(&b.forces[i]));
                 (off - margin / local.cone().round_weight()).max(0.0)
@@ -70,9 +70,9 @@ impl<const C: usize> StepProblem<'_, C> {
             return worst;
         }
         let chord = drawn(from, to);
-        let stops = |(at, part): (&SteppedState<C>, f64)| {
+        let stops = |(at, part): (&SteppedState, f64)| {
             let Some(slide) = at.states[i].slide() else { return 0.0 };
-            let across = |rate: &SVector<f64, C>| -local.cone().facet_margin(rate, &slide.direction);
+            let across = |rate: &SVector<f64, 3>| -local.cone().facet_margin(rate, &slide.direction);
             let (a, c) = (across(&(chord + bend * part)), 8.0 * across(&bend));
             if c < 0.0 && a.abs() < 0.25 * -c { 0.5 * a * a / -c } else { 0.0 }
         };

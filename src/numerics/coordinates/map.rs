@@ -10,14 +10,14 @@ use super::vector::Vector;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A matrix from C numbers of a contact to coordinates: a grasp map.
+/// A matrix from the three axes of a contact to coordinates: a grasp map.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Map<const C: usize> {
-    entries: MapEntries<C>,
+pub(crate) struct Map {
+    entries: MapEntries,
     size: Size,
 }
 
-impl<const C: usize> Map<C> {
+impl Map {
     #[inline]
     pub(crate) fn zeros(size: Size) -> Self {
         Self { entries: MapEntries::zeros(size), size }
@@ -26,7 +26,7 @@ impl<const C: usize> Map<C> {
     #[inline]
     pub(crate) fn from_fn(size: Size, mut entry: impl FnMut(usize, usize) -> f64) -> Self {
         let mut map = Self::zeros(size);
-        for a in 0..C {
+        for a in 0..3 {
             for k in 0..size.count() {
                 map.entries.set(k, a, entry(k, a));
             }
@@ -51,7 +51,7 @@ impl<const C: usize> Map<C> {
 
     #[inline]
     pub(crate) fn norm(&self) -> f64 {
-        (0..C).fold(0.0, |sum, a| sum + self.entries.column_square(a, self.size)).sqrt()
+        (0..3).fold(0.0, |sum, a| sum + self.entries.column_square(a, self.size)).sqrt()
     }
 
     #[inline]
@@ -79,7 +79,7 @@ impl<const C: usize> Map<C> {
     }
 
     #[inline]
-    pub(crate) fn row(&self, k: usize) -> SVector<f64, C> {
+    pub(crate) fn row(&self, k: usize) -> SVector<f64, 3> {
         SVector::from_fn(|a, _| self[(k, a)])
     }
 
@@ -97,19 +97,19 @@ impl<const C: usize> Map<C> {
         }
     }
 
-    pub(crate) fn set_row(&mut self, k: usize, row: &SVector<f64, C>) {
-        for a in 0..C {
+    pub(crate) fn set_row(&mut self, k: usize, row: &SVector<f64, 3>) {
+        for a in 0..3 {
             self.entries.set(k, a, row[a]);
         }
     }
 
     /// `G K`, column by column, as nalgebra sums.
     #[inline]
-    pub(crate) fn times(&self, by: &SMatrix<f64, C, C>) -> Self {
+    pub(crate) fn times(&self, by: &SMatrix<f64, 3, 3>) -> Self {
         let mut product = Self::zeros(self.size);
         for k in self.rows() {
-            for b in 0..C {
-                let entry = (1..C).fold(self[(k, 0)] * by[(0, b)], |sum, a| sum + self[(k, a)] * by[(a, b)]);
+            for b in 0..3 {
+                let entry = (1..3).fold(self[(k, 0)] * by[(0, b)], |sum, a| sum + self[(k, a)] * by[(a, b)]);
                 product.entries.set(k, b, entry);
             }
         }
@@ -118,25 +118,25 @@ impl<const C: usize> Map<C> {
 
     /// `Gᵀv`.
     #[inline]
-    pub(crate) fn tr_mul(&self, v: &Vector) -> SVector<f64, C> {
+    pub(crate) fn tr_mul(&self, v: &Vector) -> SVector<f64, 3> {
         self.entries.felt(self.size, &v.0)
     }
 
     /// Adds `G f` to a vector.
     #[inline]
-    pub(crate) fn push(&self, f: &SVector<f64, C>, to: &mut Vector) {
+    pub(crate) fn push(&self, f: &SVector<f64, 3>, to: &mut Vector) {
         to.reach(self.size);
         self.entries.add_mapped(f, &mut to.0);
     }
 
     /// `|G f|`.
     #[inline]
-    pub(crate) fn pushed_norm(&self, f: &SVector<f64, C>) -> f64 {
+    pub(crate) fn pushed_norm(&self, f: &SVector<f64, 3>) -> f64 {
         self.entries.mapped_square(self.size, f).sqrt()
     }
 }
 
-impl<const C: usize> Index<(usize, usize)> for Map<C> {
+impl Index<(usize, usize)> for Map {
     type Output = f64;
 
     #[inline]
@@ -145,29 +145,29 @@ impl<const C: usize> Index<(usize, usize)> for Map<C> {
     }
 }
 
-impl<const C: usize> IndexMut<(usize, usize)> for Map<C> {
+impl IndexMut<(usize, usize)> for Map {
     #[inline]
     fn index_mut(&mut self, (k, a): (usize, usize)) -> &mut f64 {
         self.entries.entry_mut(k, a)
     }
 }
 
-impl<const C: usize> Mul<&SVector<f64, C>> for &Map<C> {
+impl Mul<&SVector<f64, 3>> for &Map {
     type Output = Vector;
 
     #[inline]
-    fn mul(self, f: &SVector<f64, C>) -> Vector {
+    fn mul(self, f: &SVector<f64, 3>) -> Vector {
         let mut sum = Vector::all_zero(self.size);
         self.entries.add_mapped(f, &mut sum.0);
         sum
     }
 }
 
-impl<const C: usize> Mul<SVector<f64, C>> for &Map<C> {
+impl Mul<SVector<f64, 3>> for &Map {
     type Output = Vector;
 
     #[inline]
-    fn mul(self, f: SVector<f64, C>) -> Vector {
+    fn mul(self, f: SVector<f64, 3>) -> Vector {
         Mul::mul(self, &f)
     }
 }

@@ -12,11 +12,11 @@ use super::products::{Lanes, dot, dot_whole};
 use super::size::{Size, WHOLE};
 use crate::prelude::*;
 
-/// Entries of a matrix with a row for each coordinate and C columns.
+/// Entries of a matrix with a row for each coordinate and a column for each axis of a contact.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum MapEntries<const C: usize> {
+pub(super) enum MapEntries {
     /// Column by column, with zeros behind the last coordinate.
-    Whole([[f64; WHOLE]; C]),
+    Whole([[f64; WHOLE]; 3]),
     Few(FewRows),
 }
 
@@ -28,10 +28,10 @@ pub(super) struct FewRows {
     entries: Vec<f64>,
 }
 
-impl<const C: usize> MapEntries<C> {
+impl MapEntries {
     #[inline]
     pub(super) fn zeros(size: Size) -> Self {
-        if size.count() <= WHOLE { Self::Whole([[0.0; WHOLE]; C]) } else { Self::Few(FewRows::default()) }
+        if size.count() <= WHOLE { Self::Whole([[0.0; WHOLE]; 3]) } else { Self::Few(FewRows::default()) }
     }
 
     #[inline]
@@ -48,7 +48,7 @@ impl<const C: usize> MapEntries<C> {
     pub(super) fn entry_mut(&mut self, k: usize, a: usize) -> &mut f64 {
         match self {
             Self::Whole(columns) => &mut columns[a][k],
-            Self::Few(few) => few.entry_mut(k, a, C),
+            Self::Few(few) => few.entry_mut(k, a, 3),
         }
     }
 
@@ -59,7 +59,7 @@ impl<const C: usize> MapEntries<C> {
             Self::Whole(columns) => columns[a][k] = x,
             Self::Few(few) => {
                 if x != 0.0 || few.rows.binary_search(&k).is_ok() {
-                    *few.entry_mut(k, a, C) = x;
+                    *few.entry_mut(k, a, 3) = x;
                 }
             }
         }
@@ -99,8 +99,8 @@ impl<const C: usize> MapEntries<C> {
     pub(super) fn keep(&mut self, ranges: &[Range<usize>; 2]) {
         if let Self::Few(_) = self {
             let rows: Vec<usize> = ranges.iter().cloned().flatten().collect();
-            let mut entries = Vec::with_capacity(C * rows.len());
-            for a in 0..C {
+            let mut entries = Vec::with_capacity(3 * rows.len());
+            for a in 0..3 {
                 entries.extend(rows.iter().map(|k| *self.entry(*k, a)));
             }
             *self = Self::Few(FewRows { rows, entries });
@@ -109,7 +109,7 @@ impl<const C: usize> MapEntries<C> {
 
     /// Adds `G f` to a list, which reaches all coordinates.
     #[inline]
-    pub(super) fn add_mapped(&self, f: &SVector<f64, C>, to: &mut List) {
+    pub(super) fn add_mapped(&self, f: &SVector<f64, 3>, to: &mut List) {
         match self {
             Self::Whole(_) => {
                 let sum = self.mapped(f);
@@ -127,7 +127,7 @@ impl<const C: usize> MapEntries<C> {
 
     /// `|G f|²`.
     #[inline]
-    pub(super) fn mapped_square(&self, size: Size, f: &SVector<f64, C>) -> f64 {
+    pub(super) fn mapped_square(&self, size: Size, f: &SVector<f64, 3>) -> f64 {
         match self {
             Self::Whole(_) => {
                 let sum = self.mapped(f);
@@ -146,21 +146,21 @@ impl<const C: usize> MapEntries<C> {
 
     /// `Gᵀv`; numbers behind the end of the list are zero.
     #[inline]
-    pub(super) fn felt(&self, size: Size, list: &List) -> SVector<f64, C> {
+    pub(super) fn felt(&self, size: Size, list: &List) -> SVector<f64, 3> {
         let mut felt = SVector::zeros();
         match (self, list.fixed::<WHOLE>()) {
             (Self::Whole(columns), Some(list)) => {
-                for a in 0..C {
+                for a in 0..3 {
                     felt[a] = dot_whole(&columns[a], list);
                 }
             }
             (Self::Whole(columns), None) => {
-                for a in 0..C {
+                for a in 0..3 {
                     felt[a] = dot(&columns[a], list.slice());
                 }
             }
             (Self::Few(few), _) => {
-                for a in 0..C {
+                for a in 0..3 {
                     felt[a] = few.felt(a, size.count(), list.slice());
                 }
             }
@@ -182,7 +182,7 @@ impl<const C: usize> MapEntries<C> {
 
     /// `G f` of one object.
     #[inline]
-    fn mapped(&self, f: &SVector<f64, C>) -> [f64; WHOLE] {
+    fn mapped(&self, f: &SVector<f64, 3>) -> [f64; WHOLE] {
         let mut sum = [0.0; WHOLE];
         if let Self::Whole(columns) = self {
             for (column, f) in columns.iter().zip(f.as_slice()) {
@@ -256,17 +256,17 @@ mod tests {
     #[test]
     fn sums_over_few_rows_have_the_bits_of_those_over_all() {
         let size = Size::of(23);
-        let mut map = Map::<2>::zeros(size);
+        let mut map = Map::zeros(size);
         for (n, k) in [22, 3, 14, 4, 15].into_iter().enumerate() {
-            map.set_row(k, &SVector::<f64, 2>::new(generic(2 * n), generic(2 * n + 1)));
+            map.set_row(k, &SVector::<f64, 3>::new(generic(2 * n), generic(2 * n + 1), generic(80 + n)));
         }
         let v = Vector::from_fn(size, |k| generic(40 + k));
         let felt = map.tr_mul(&v);
-        for a in 0..2 {
+        for a in 0..3 {
             let column: Vec<f64> = (0..23).map(|k| map[(k, a)]).collect();
             assert_eq!(felt[a].to_bits(), dense(&column, v.as_slice()).to_bits());
         }
-        let f = SVector::<f64, 2>::new(0.3, -0.7);
+        let f = SVector::<f64, 3>::new(0.3, -0.7, 0.2);
         let mut pushed = Vector::zeros();
         map.push(&f, &mut pushed);
         assert_eq!(pushed, &map * f);

@@ -8,35 +8,35 @@ use super::size::{Size, WHOLE};
 use super::vector::Vector;
 use crate::prelude::*;
 
-/// A matrix from coordinates to C numbers of a contact.
+/// A matrix from coordinates to the axes of a contact.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Seen<const C: usize> {
+pub(crate) struct Seen {
     /// Column by column.
-    entries: Columns<C>,
+    entries: Columns,
     size: Size,
 }
 
-/// Columns of C numbers: in place for one object, with zeros behind the last one.
+/// Columns of three numbers: in place for one object, with zeros behind the last one.
 #[derive(Debug, Clone, PartialEq)]
-enum Columns<const C: usize> {
-    Few([[f64; C]; WHOLE]),
-    More(Vec<[f64; C]>),
+enum Columns {
+    Few([[f64; 3]; WHOLE]),
+    More(Vec<[f64; 3]>),
 }
 
-impl<const C: usize> Seen<C> {
+impl Seen {
     #[inline]
     pub(crate) fn zeros(size: Size) -> Self {
         let count = size.count();
         let entries = if count <= WHOLE {
-            Columns::Few([[0.0; C]; WHOLE])
+            Columns::Few([[0.0; 3]; WHOLE])
         } else {
-            Columns::More(vec![[0.0; C]; count])
+            Columns::More(vec![[0.0; 3]; count])
         };
         Self { entries, size }
     }
 
     #[inline]
-    pub(super) fn columns(&self) -> &[[f64; C]] {
+    pub(super) fn columns(&self) -> &[[f64; 3]] {
         match &self.entries {
             Columns::Few(few) => &few[..self.size.count().min(WHOLE)],
             Columns::More(more) => more,
@@ -44,7 +44,7 @@ impl<const C: usize> Seen<C> {
     }
 
     #[inline]
-    fn columns_mut(&mut self) -> &mut [[f64; C]] {
+    fn columns_mut(&mut self) -> &mut [[f64; 3]] {
         match &mut self.entries {
             Columns::Few(few) => &mut few[..self.size.count().min(WHOLE)],
             Columns::More(more) => more,
@@ -53,9 +53,9 @@ impl<const C: usize> Seen<C> {
 
     /// `Sᵀf`.
     #[inline]
-    pub(crate) fn tr_mul(&self, f: &SVector<f64, C>) -> Vector {
+    pub(crate) fn tr_mul(&self, f: &SVector<f64, 3>) -> Vector {
         let columns = self.columns();
-        Vector::from_fn(self.size, |k| (0..C).fold(0.0, |sum, a| sum + columns[k][a] * f[a]))
+        Vector::from_fn(self.size, |k| (0..3).fold(0.0, |sum, a| sum + columns[k][a] * f[a]))
     }
 
     #[inline]
@@ -73,7 +73,7 @@ impl<const C: usize> Seen<C> {
     }
 }
 
-impl<const C: usize> Index<(usize, usize)> for Seen<C> {
+impl Index<(usize, usize)> for Seen {
     type Output = f64;
 
     #[inline]
@@ -82,21 +82,21 @@ impl<const C: usize> Index<(usize, usize)> for Seen<C> {
     }
 }
 
-impl<const C: usize> IndexMut<(usize, usize)> for Seen<C> {
+impl IndexMut<(usize, usize)> for Seen {
     #[inline]
     fn index_mut(&mut self, (a, k): (usize, usize)) -> &mut f64 {
         &mut self.columns_mut()[k][a]
     }
 }
 
-impl<const C: usize> Mul<&Vector> for &Seen<C> {
-    type Output = SVector<f64, C>;
+impl Mul<&Vector> for &Seen {
+    type Output = SVector<f64, 3>;
 
     #[inline]
-    fn mul(self, v: &Vector) -> SVector<f64, C> {
+    fn mul(self, v: &Vector) -> SVector<f64, 3> {
         let mut sum = SVector::zeros();
         for (column, v) in self.columns().iter().zip(v.iter()) {
-            for a in 0..C {
+            for a in 0..3 {
                 sum[a] += column[a] * v;
             }
         }

@@ -149,20 +149,15 @@ impl Square {
 
 impl Square {
     /// Adds `w SᵀH S`; `hold` is H, and `None` the identity.
-    pub(crate) fn add_congruent<const C: usize>(
-        &mut self,
-        seen: &Seen<C>,
-        hold: Option<&SMatrix<f64, C, C>>,
-        weight: f64,
-    ) {
+    pub(crate) fn add_congruent(&mut self, seen: &Seen, hold: Option<&SMatrix<f64, 3, 3>>, weight: f64) {
         let columns = seen.columns();
         for (to, moved) in self.as_mut_slice().chunks_exact_mut(columns.len().max(1)).zip(columns) {
             let moved = SVector::from(*moved);
             let held = hold.map_or(moved, |hold| hold * moved) * weight;
             // One object's columns lie in an array, so that this loop has its length.
             match columns.len() {
-                WHOLE => add_felt::<WHOLE, C>(columns, &held, to),
-                3 => add_felt::<3, C>(columns, &held, to),
+                WHOLE => add_felt::<WHOLE>(columns, &held, to),
+                3 => add_felt::<3>(columns, &held, to),
                 _ => {
                     for (to, column) in to.iter_mut().zip(columns) {
                         *to += SVector::from(*column).dot(&held);
@@ -175,7 +170,7 @@ impl Square {
 
 /// Adds the products of N columns with a vector of a contact.
 #[inline]
-fn add_felt<const N: usize, const C: usize>(columns: &[[f64; C]], held: &SVector<f64, C>, to: &mut [f64]) {
+fn add_felt<const N: usize>(columns: &[[f64; 3]], held: &SVector<f64, 3>, to: &mut [f64]) {
     let (Some(columns), Some(to)) = (columns.first_chunk::<N>(), to.first_chunk_mut::<N>()) else { return };
     for k in 0..N {
         to[k] += SVector::from(columns[k]).dot(held);

@@ -37,6 +37,10 @@ impl Vector {
         v
     }
 
+    pub(crate) fn from_slice(components: &[f64]) -> Self {
+        Self::from_fn(Size::of(components.len()), |k| components[k])
+    }
+
     /// The zero vector with a component for every coordinate.
     #[inline]
     pub(crate) fn all_zero(size: Size) -> Self {

@@ -1,0 +1,288 @@
+//! Questions and answers at the door, with vectors of two or three components, and the same inside the engine, with three.
+//!
+//! A value of a planar grasp has a third component of zero inside. A wrench or a twist of the plane has its moment or its rotation about z there. So
+//! the engine is compiled once, and a value for space goes through as it is.
+
+use alloc::borrow::Cow;
+use alloc::sync::Arc;
+use core::any::Any;
+
+use nalgebra::{DMatrix, SMatrix, SVector};
+
+use super::bodies::{BodyLoad, BodyMotion};
+use super::commands::Axes;
+use super::contact::{Contact, Hold};
+use super::motion::Motion;
+use super::rotation::Space;
+use super::stiffness::Stiffness;
+use super::wrench::{Twist, Wrench};
+use crate::numerics::Harmonic;
+use crate::prelude::*;
+use crate::words::LinkKind;
+
+/// A value of questions or answers that goes through the door.
+pub(crate) trait Face: Sized + Clone + 'static {
+    /// The value inside the engine.
+    type Inside: Clone + 'static;
+
+    /// The value as the engine has it.
+    fn enter(self) -> Self::Inside;
+
+    /// The value as the caller sees it.
+    fn leave(inside: Self::Inside) -> Self;
+}
+
+/// The value as the engine has it; that of space is lent.
+pub(crate) fn inside<T: Face>(value: &T) -> Cow<'_, T::Inside> {
+    match (value as &dyn Any).downcast_ref::<T::Inside>() {
+        Some(same) => Cow::Borrowed(same),
+        None => Cow::Owned(value.clone().enter()),
+    }
+}
+
+/// The values as the engine has them.
+pub(crate) fn all_inside<T: Face>(values: &[T]) -> Vec<T::Inside> {
+    let mut all = Vec::with_capacity(values.len());
+    for value in values {
+        all.push(value.clone().enter());
+    }
+    all
+}
+
+/// The value as the caller sees it; that of space is moved as it is.
+pub(crate) fn outside<T: Face>(inside: T::Inside) -> T {
+    let mut inside = Some(inside);
+    match (&mut inside as &mut dyn Any).downcast_mut::<Option<T>>().and_then(Option::take) {
+        Some(same) => same,
+        None => T::leave(inside.expect("is taken by the other arm alone")),
+    }
+}
+
+/// Declares that a structure goes through the door field by field.
+macro_rules! face_of_struct {
+    ($($name:ident { $($field:ident),* $(,)? })*) => {$(
+        impl<const C: usize> crate::grasp::Face for $name<C> {
+            type Inside = $name<3>;
+
+            fn enter(self) -> $name<3> {
+                let Self { $($field),* } = self;
+                $name { $($field: crate::grasp::Face::enter($field)),* }
+            }
+
+            fn leave(inside: $name<3>) -> Self {
+                let $name { $($field),* } = inside;
+                Self { $($field: crate::grasp::Face::leave($field)),* }
+            }
+        }
+    )*};
+}
+pub(crate) use face_of_struct;
+
+/// Declares that an enumeration goes through the door; the field of a tuple is written `0: name`.
+macro_rules! face_of_enum {
+    ($($name:ident { $($variant:ident { $($key:tt : $field:ident),* $(,)? }),* $(,)? })*) => {$(
+        impl<const C: usize> crate::grasp::Face for $name<C> {
+            type Inside = $name<3>;
+
+            fn enter(self) -> $name<3> {
+                match self {
+                    $(Self::$variant { $($key: $field),* } =>
+                        $name::$variant { $($key: crate::grasp::Face::enter($field)),* },)*
+                }
+            }
+
+            fn leave(inside: $name<3>) -> Self {
+                match inside {
+                    $($name::$variant { $($key: $field),* } =>
+                        Self::$variant { $($key: crate::grasp::Face::leave($field)),* },)*
+                }
+            }
+        }
+    )*};
+}
+pub(crate) use face_of_enum;
+
+/// Declares that values without vectors are the same on both sides of the door.
+macro_rules! same_on_both_sides {
+    ($($name:ty),* $(,)?) => {$(
+        impl crate::grasp::Face for $name {
+            type Inside = Self;
+
+            #[inline]
+            fn enter(self) -> Self {
+                self
+            }
+
+            #[inline]
+            fn leave(inside: Self) -> Self {
+                inside
+            }
+        }
+    )*};
+}
+pub(crate) use same_on_both_sides;
+
+same_on_both_sides! {
+    bool, f64, usize, String, Arc<str>, DMatrix<f64>, Space, super::WholeContact, super::PartLabel, crate::error::ContactLabel,
+}
+
+impl<T: Face> Face for Vec<T> {
+    type Inside = Vec<T::Inside>;
+
+    fn enter(self) -> Self::Inside {
+        let mut all = Vec::with_capacity(self.len());
+        for value in self {
+            all.push(value.enter());
+        }
+        all
+    }
+
+    fn leave(inside: Self::Inside) -> Self {
+        let mut all = Self::with_capacity(inside.len());
+        for value in inside {
+            all.push(T::leave(value));
+        }
+        all
+    }
+}
+
+impl<T: Face> Face for Option<T> {
+    type Inside = Option<T::Inside>;
+
+    fn enter(self) -> Self::Inside {
+        self.map(T::enter)
+    }
+
+    fn leave(inside: Self::Inside) -> Self {
+        inside.map(T::leave)
+    }
+}
+
+impl<T: Face> Face for Box<T> {
+    type Inside = Box<T::Inside>;
+
+    fn enter(self) -> Self::Inside {
+        Box::new((*self).enter())
+    }
+
+    fn leave(inside: Self::Inside) -> Self {
+        Self::new(T::leave(*inside))
+    }
+}
+
+impl<A: Face, B: Face> Face for (A, B) {
+    type Inside = (A::Inside, B::Inside);
+
+    fn enter(self) -> Self::Inside {
+        (self.0.enter(), self.1.enter())
+    }
+
+    fn leave(inside: Self::Inside) -> Self {
+        (A::leave(inside.0), B::leave(inside.1))
+    }
+}
+
+impl<T: Face> Face for Harmonic<T> {
+    type Inside = Harmonic<T::Inside>;
+
+    fn enter(self) -> Self::Inside {
+        Harmonic { constant: self.constant.enter(), cosine: self.cosine.enter(), sine: self.sine.enter() }
+    }
+
+    fn leave(inside: Self::Inside) -> Self {
+        let Harmonic { constant, cosine, sine } = inside;
+        Self { constant: T::leave(constant), cosine: T::leave(cosine), sine: T::leave(sine) }
+    }
+}
+
+impl<const C: usize> Face for SVector<f64, C> {
+    type Inside = SVector<f64, 3>;
+
+    #[inline]
+    fn enter(self) -> SVector<f64, 3> {
+        SVector::from_fn(|a, _| if a < C { self[a] } else { 0.0 })
+    }
+
+    #[inline]
+    fn leave(inside: SVector<f64, 3>) -> Self {
+        Self::from_fn(|a, _| inside[a])
+    }
+}
+
+/// The frame of a contact as the caller sees it.
+pub(crate) fn frame_outside<const C: usize>(inside: &SMatrix<f64, 3, 3>) -> SMatrix<f64, C, C> {
+    SMatrix::from_fn(|a, b| inside[(a, b)])
+}
+
+impl<const C: usize> Face for [f64; C] {
+    type Inside = [f64; 3];
+
+    fn enter(self) -> [f64; 3] {
+        SVector::from(self).enter().into()
+    }
+
+    fn leave(inside: [f64; 3]) -> Self {
+        SVector::<f64, C>::leave(inside.into()).into()
+    }
+}
+
+/// Declares that linear and angular components go through the door; in the plane the angular one is about z.
+macro_rules! face_of_six {
+    ($($name:ident),*) => {$(
+        impl<const C: usize> Face for $name<C> {
+            type Inside = $name<3>;
+
+            #[inline]
+            fn enter(self) -> $name<3> {
+                let space = Space::of::<C>();
+                $name::among(space, &self.coordinates(space))
+            }
+
+            #[inline]
+            fn leave(inside: $name<3>) -> Self {
+                let space = Space::of::<C>();
+                Self::among(space, &inside.coordinates(space))
+            }
+        }
+    )*};
+}
+face_of_six!(Wrench, Twist);
+
+face_of_struct! {
+    Motion { object, joints, bodies }
+    BodyLoad { body, load }
+    BodyMotion { body, twist, centre, reach }
+}
+
+same_on_both_sides! { Axes, Hold, LinkKind }
+
+face_of_struct! {
+    Contact {
+        space, name, point, normal, tangent, stiffness, friction, kinetic, command, command_axes, press, at_rest, force, suction, clearance, hold,
+        point_of_pad, on, against, link,
+    }
+}
+
+/// The stiffness along an axis that the plane does not have is that of the tangent, so that it passes every check; no spring has it.
+impl<const C: usize> Face for Stiffness<C> {
+    type Inside = Stiffness<3>;
+
+    fn enter(self) -> Stiffness<3> {
+        let filled = |k: &SVector<f64, C>| SVector::from_fn(|a, _| k[a.min(C - 1)]);
+        match self {
+            Self::BodyAndFinger { body, finger } => {
+                Stiffness::BodyAndFinger { body: filled(&body), finger: filled(&finger) }
+            }
+            Self::Series(k) => Stiffness::Series(filled(&k)),
+        }
+    }
+
+    fn leave(inside: Stiffness<3>) -> Self {
+        match inside {
+            Stiffness::BodyAndFinger { body, finger } => {
+                Self::BodyAndFinger { body: Face::leave(body), finger: Face::leave(finger) }
+            }
+            Stiffness::Series(k) => Self::Series(Face::leave(k)),
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! Hands at the door: inside, a joint that turns in the plane turns about z.
+
+use nalgebra::SVector;
+
+use super::finger::{Carried, ContactMover, Finger};
+use super::hand_builder::Hand;
+use super::joint::{Joint, JointMotion, Limit};
+use super::tendon::Tendon;
+use crate::grasp::{Face, face_of_struct, same_on_both_sides};
+
+same_on_both_sides! { ContactMover, Limit, Tendon }
+
+face_of_struct! {
+    Hand { fingers, tendons }
+    Finger { joints, coupling, compliance, contacts }
+    Carried { contact, by }
+    Joint { name, motion, stiffness, command, torque, limit }
+}
+
+impl<const C: usize> Face for JointMotion<C> {
+    type Inside = JointMotion<3>;
+
+    fn enter(self) -> JointMotion<3> {
+        match self {
+            Self::Revolute { point, axis } => {
+                let axis = if C == 2 { SVector::from([0.0, 0.0, 1.0]) } else { axis.enter() };
+                JointMotion::Revolute { point: point.enter(), axis }
+            }
+            Self::Prismatic { direction } => JointMotion::Prismatic { direction: direction.enter() },
+            Self::Given => JointMotion::Given,
+        }
+    }
+
+    fn leave(inside: JointMotion<3>) -> Self {
+        match inside {
+            JointMotion::Revolute { point, axis } => {
+                Self::Revolute { point: Face::leave(point), axis: Face::leave(axis) }
+            }
+            JointMotion::Prismatic { direction } => Self::Prismatic { direction: Face::leave(direction) },
+            JointMotion::Given => Self::Given,
+        }
+    }
+}

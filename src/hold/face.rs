@@ -1,0 +1,38 @@
+//! Verdicts at the door.
+
+use super::caught::Caught;
+use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
+use super::way_out::{BodyWay, WayOut};
+use crate::grasp::{face_of_enum, face_of_struct, same_on_both_sides};
+
+same_on_both_sides! { Caught, FirstSlip, NothingNear }
+
+face_of_struct! {
+    Verdict { base, load, holding, first_slip, caught, held_to, everything_slides, left_out, lost, state }
+    Lost {
+        factor, kind, way_out, too_far, slide, is_gross_slip, falls_at_once, then_takes, snaps, drives, motion, state, nothing_near,
+    }
+    BodyWay { body, way }
+}
+
+face_of_enum! {
+    Holding {
+        Sticks {},
+        Slides { contacts: contacts },
+        Loose {},
+        Lost {},
+        NoRest { 0: none },
+        LostAtRest { at_rest: at_rest },
+        Undecided { doubt: doubt },
+    }
+    WayOut {
+        LiftsOff { direction: direction },
+        SlidesOut { direction: direction },
+        TipsOver { about: about, opens: opens },
+        TurnsAbout { about: about },
+        Turns { centre: centre, axis: axis },
+        Apart { bodies: bodies },
+        LetsGo { cups: cups },
+        NotKnown {},
+    }
+}

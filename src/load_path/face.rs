@@ -1,0 +1,128 @@
+//! Onsets, programs and paths at the door.
+
+use super::beyond::{Beyond, Continuation};
+use super::drive_change::PartChange;
+use super::event::{Change, ContactChange, Event, Loss, LossKind, PathEnd};
+use super::geometry_gradient::GeometryGradient;
+use super::jump::{Jump, JumpSlip};
+use super::leg::{Leg, LegGoal, LegLoad};
+use super::onset::{Departure, Leaving, Onset, OnsetEvent, StickingState};
+use super::onset_gradient::OnsetGradient;
+use super::onset_margins::Leaver;
+use super::ramp::Ramp;
+use super::sensitivity::Derivative;
+use super::stepped::Step;
+use super::turn::{Touch, Turn};
+use super::turn_questions::TurnOnset;
+use crate::grasp::{Coordinates, Face, face_of_enum, face_of_struct, same_on_both_sides};
+
+same_on_both_sides! { Coordinates, Leaver, LossKind, PartChange, StickingState, Touch }
+
+face_of_struct! {
+    Continuation { states, force_rates, twist_rate, rule }
+    Event { leg, fraction, load, changes, drives, free_motions, other_continuations, state, jump }
+    ContactChange { contact, what }
+    Loss { leg, fraction, load, kind, contacts, drives, motion, jumped, against, leaves }
+    GeometryGradient { leaving, point, normal }
+    Jump { changes, slips, reaches, moved, energy_lost, state }
+    JumpSlip { contact, slip }
+    Leg { load, commands, joints, torques, bodies }
+    OnsetEvent { factor, load, leaving, drives, cone, local }
+    Leaving { contact, how }
+    OnsetGradient {
+        leaving, friction, stiffness, command, joint_command, joint_stiffness, joint_limit, base_load, load_scale,
+    }
+    Ramp { base, direction, command_change, joint_change }
+    Derivative { twist, joints, forces }
+    Step { leg, fraction, load, sliding, open, error }
+    Turn { load, angle, tilts_bodies_about }
+    TurnOnset { onset, touches }
+}
+
+face_of_enum! {
+    Beyond {
+        Continues { 0: on },
+        LimitLoad {},
+        Snap {},
+        Ends { reason: reason },
+        WithoutVacuum { cups: cups },
+        Undecided { doubt: doubt },
+    }
+    Change {
+        Slides { direction: direction },
+        Sticks {},
+        Reverses { direction: direction },
+        Turns { direction: direction },
+        Opens {},
+        Closes {},
+        ClosesSliding { direction: direction },
+    }
+    PathEnd {
+        Completed {},
+        Lost { 0: loss },
+        NoStart { 0: outcome },
+        Undecided { leg: leg, fraction: fraction, doubt: doubt },
+    }
+    Onset {
+        At { 0: event },
+        Never {},
+        AlreadySliding { 0: equilibrium },
+        NoBase { 0: none },
+        GivesWay { factor: factor, reason: reason },
+        Undecided { 0: doubt },
+    }
+    Departure { Slides { direction: direction }, Opens {}, WouldPull {} }
+    LegLoad { Straight { 0: goal }, Turn { 0: turn } }
+}
+
+impl<T: Face> Face for LegGoal<T> {
+    type Inside = LegGoal<T::Inside>;
+
+    fn enter(self) -> Self::Inside {
+        match self {
+            Self::Stay => LegGoal::Stay,
+            Self::By(change) => LegGoal::By(change.enter()),
+            Self::To(goal) => LegGoal::To(goal.enter()),
+        }
+    }
+
+    fn leave(inside: Self::Inside) -> Self {
+        match inside {
+            LegGoal::Stay => Self::Stay,
+            LegGoal::By(change) => Self::By(T::leave(change)),
+            LegGoal::To(goal) => Self::To(T::leave(goal)),
+        }
+    }
+}
+
+impl<const C: usize> OnsetEvent<C> {
+    /// Exchanges the lists that are the same on both sides of the door.
+    pub(crate) fn exchange(&mut self, inside: &mut OnsetEvent<3>) {
+        core::mem::swap(&mut self.local, &mut inside.local);
+        core::mem::swap(&mut self.drives, &mut inside.drives);
+    }
+
+    /// Becomes an event of the engine, in its own memory.
+    pub(crate) fn take_over(&mut self, inside: &mut OnsetEvent<3>) {
+        self.exchange(inside);
+        (self.factor, self.load, self.cone) = (inside.factor, Face::leave(inside.load), inside.cone);
+        self.leaving.clear();
+        self.leaving.extend(inside.leaving.iter().cloned().map(Leaving::leave));
+    }
+}
+
+impl<const C: usize> Ramp<C> {
+    /// The ramp as the engine has it, in the memory of another one.
+    pub(crate) fn enter_into(&self, inside: &mut Ramp<3>) {
+        (inside.base, inside.direction) = (self.base.enter(), self.direction.enter());
+        inside.joint_change.clone_from(&self.joint_change);
+        match (&self.command_change, &mut inside.command_change) {
+            (None, kept) => *kept = None,
+            (Some(given), kept) => {
+                let kept = kept.get_or_insert_default();
+                kept.clear();
+                kept.extend(given.iter().map(|command| command.enter()));
+            }
+        }
+    }
+}

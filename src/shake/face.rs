@@ -1,0 +1,24 @@
+//! Answers about repeated loads at the door.
+
+use super::shakedown::{BindingContact, Shakedown};
+use super::verdict::{Repeats, Shaken};
+use crate::grasp::{face_of_enum, face_of_struct, same_on_both_sides};
+
+same_on_both_sides! { BindingContact }
+
+face_of_struct! {
+    Shakedown { factor, slips, binding, slips_change_normal_forces, friction_falls, around_the_round_cone }
+    Shaken { base, repeats, every, cycles, followed, change, ratio, moved, state }
+}
+
+face_of_enum! {
+    Repeats {
+        Rests { after: after, slid: slid },
+        DiesOut { slid: slid },
+        Alternates { slides: slides, way: way, dissipated: dissipated },
+        Walks { by: by, slides: slides, dissipated: dissipated },
+        Lost { cycle: cycle, leg: leg, load: load, lost: lost },
+        NoRest { rest: rest },
+        Undecided { doubt: doubt },
+    }
+}

@@ -1,0 +1,35 @@
+//! Questions and answers about squeezes at the door.
+
+use super::bounds::Bounds;
+use super::least_onset::LeastOnset;
+use super::least_squeeze::LeastSqueeze;
+use super::loads::Loads;
+use super::weakest_direction::WeakestDirection;
+use crate::grasp::{face_of_enum, face_of_struct};
+
+face_of_struct! {
+    Bounds { commands, base, direction }
+}
+
+face_of_enum! {
+    LeastOnset {
+        At { factor: factor, contact: contact, commands: commands, ramp: ramp },
+        Never {},
+        NotSticking { contact: contact },
+        GivesWay { motion: motion },
+    }
+    LeastSqueeze {
+        Factor { factor: factor, binding: binding },
+        NoFactor { contact: contact, load: load, factor: factor },
+        GivesWay { motion: motion },
+        Undecided {},
+    }
+    Loads { Each { 0: loads }, AnyForce { base: base, size: size, point: point }, Turn { 0: turn } }
+    WeakestDirection {
+        Force { size: size, direction: direction, load: load, leaver: leaver },
+        Never {},
+        GivesWay { motion: motion },
+        NotSticking {},
+        Undecided {},
+    }
+}

@@ -1,0 +1,21 @@
+//! Questions and answers of statics at the door.
+
+use super::budget::WrenchScale;
+use super::closure::Closure;
+use super::ferrari_canny::WrenchBall;
+use super::load_limit::LoadLimit;
+use crate::grasp::{face_of_enum, face_of_struct};
+
+face_of_struct! {
+    WrenchScale { about, length }
+    WrenchBall { at_least, at_most, weakest }
+}
+
+face_of_enum! {
+    Closure { Closed { internal: internal }, Open { motion: motion, bodies: bodies }, Boundary {} }
+    LoadLimit {
+        Factor { at_least: at_least, at_most: at_most, forces: forces, motion: motion },
+        NoBase { motion: motion },
+        Undecided {},
+    }
+}
