@@ -19,8 +19,10 @@ pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
             near[*j].insert(i);
         }
     }
-    let mut waiting: BTreeSet<(usize, usize)> =
-        near.iter().enumerate().map(|(i, near)| (near.len(), i)).collect();
+    let mut waiting: BTreeSet<(usize, usize)> = BTreeSet::new();
+    for (i, near) in near.iter().enumerate() {
+        waiting.insert((near.len(), i));
+    }
     let mut order = Vec::with_capacity(n);
     while let Some((_, i)) = waiting.pop_first() {
         order.push(i);

@@ -10,7 +10,7 @@ use super::fit::{FitEnd, Fitted, Scatter, rank, singular};
 use super::grouped::Grouped;
 use super::model::{Linear, Model};
 use super::robust::Huber;
-use crate::numerics::two_sided;
+use crate::numerics::{increasing, two_sided};
 use crate::prelude::*;
 
 /// Probability that an interval contains the true value.
@@ -144,9 +144,7 @@ impl Spread {
 
     /// Directions in the order of decreasing singular values.
     fn in_order(&self) -> Vec<usize> {
-        let mut order: Vec<_> = (0..self.values.len()).collect();
-        order.sort_by(|a, b| self.values[*b].total_cmp(&self.values[*a]));
-        order
+        increasing(&self.values.iter().map(|value| -value).collect::<Vec<_>>())
     }
 
     /// Directions that the slips do not determine, as columns.

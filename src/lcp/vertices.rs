@@ -85,7 +85,7 @@ fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
 
 /// All subsets of 0 … count − 1, those of few elements first.
 fn subsets(count: usize) -> impl Iterator<Item = Vec<usize>> {
-    let mut all: Vec<u32> = (0..1_u32 << count).collect();
-    all.sort_by_key(|bits| bits.count_ones());
-    all.into_iter().map(move |bits| (0..count).filter(|i| bits >> i & 1 == 1).collect())
+    let members = move |bits: u32| (0..count).filter(move |i| bits >> i & 1 == 1);
+    let of_size = move |size| (0..1_u32 << count).filter(move |bits| bits.count_ones() as usize == size);
+    (0..=count).flat_map(of_size).map(move |bits| members(bits).collect())
 }

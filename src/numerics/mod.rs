@@ -21,6 +21,7 @@
 //! | `nearest_point` | the nearest point of a polyhedral cone |
 //! | `band` | LU of a band matrix |
 //! | `positive_band` | Cholesky factors of a symmetric positive definite band matrix |
+//! | `increasing` | the order of anything by a number |
 //! | `narrow_order` | an order of coordinates with a narrow band |
 //! | `bordered` | LU of a matrix with one more row and column |
 //! | `bordered_band` | the same for a band |
@@ -52,6 +53,7 @@ mod exact_sum;
 mod factors;
 mod gram_schmidt;
 mod harmonic;
+mod increasing;
 mod largest_ball;
 mod linearly_implicit;
 mod memory;
@@ -88,6 +90,7 @@ pub(crate) use double_double::{DoubleDouble, rounding_of};
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
 pub(crate) use harmonic::Harmonic;
+pub(crate) use increasing::increasing;
 pub(crate) use largest_ball::largest_ball;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use memory::Memory;

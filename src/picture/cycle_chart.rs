@@ -12,6 +12,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Leg;
+use crate::numerics::increasing;
 
 /// Slips below this part of the longest count as zero.
 const NO_SLIP: f64 = 1e-6;
@@ -60,7 +61,8 @@ pub fn charts_of_cycles<const C: usize>(
     if order.is_empty() {
         return Ok(Vec::new());
     }
-    order.sort_by(|a, b| slides[*b].farthest.total_cmp(&slides[*a].farthest));
+    let lengths: Vec<f64> = order.iter().map(|k| -slides[*k].farthest).collect();
+    order = increasing(&lengths).into_iter().map(|i| order[i]).collect();
     let others = if order.len() > MOST_CURVES { "slide less, or nowhere" } else { "slide nowhere" };
     order.truncate(MOST_CURVES);
     order.sort_unstable();

@@ -186,7 +186,8 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
         }
     }
     let mut highest: Vec<f64> = drawn.iter().map(|(_, series)| most(series)).collect();
-    highest.sort_by(|a, b| b.total_cmp(a));
+    highest.sort_by(f64::total_cmp);
+    highest.reverse();
     if drawn.len() > MOST_CURVES {
         let least = highest[MOST_CURVES - 1];
         let mut room = MOST_CURVES;

@@ -126,14 +126,13 @@ impl<const C: usize> fmt::Display for Shakedown<C> {
                 "MAY COME TO REST: up to {times} times these loads slips could keep everything still; whether they become such, the order of the loads decides"
             )?,
         }
-        let mut parts: Vec<&WholeContact> = Vec::new();
+        let mut parts: Vec<WholeContact> = Vec::new();
         for BindingContact { contact, .. } in &self.binding {
-            if !parts.contains(&contact) {
-                parts.push(contact);
+            if !parts.contains(contact) {
+                let place = parts.partition_point(|part| part.contact <= contact.contact);
+                parts.insert(place, contact.clone());
             }
         }
-        let mut parts: Vec<_> = parts.into_iter().cloned().collect();
-        parts.sort_by_key(|part| part.contact);
         if parts.is_empty() { Ok(()) } else { write!(f, ". With more, {}", does(&parts, "slides", "slide")) }
     }
 }

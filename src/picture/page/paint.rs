@@ -6,6 +6,7 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 use super::drawing::SHORTEST;
 use super::eye::Eye;
 use super::marks::Mark;
+use crate::numerics::increasing;
 use crate::picture::painting::{EyePoint, Painting};
 
 /// Grey level of edges of the object nearest to the eye.
@@ -121,7 +122,11 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColo
 
 /// Corners of the convex hull of these places (Andrew's monotone chain).
 fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    // By the first coordinate, and by the second among places of the same first.
+    for coordinate in [|place: &(f64, f64)| place.1, |place: &(f64, f64)| place.0] {
+        let values: Vec<f64> = places.iter().map(coordinate).collect();
+        places = increasing(&values).into_iter().map(|i| places[i]).collect();
+    }
     let mut corners: Vec<(f64, f64)> = Vec::new();
     let turns_back =
         |[a, b]: [(f64, f64); 2], c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) <= 0.0;
