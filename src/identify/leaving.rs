@@ -10,7 +10,7 @@
 //! displacement y that has changed the normal springs: dNᵢ = −kᵢ nᵢᵀ dy. The number of equations is the same. Newton's method starts from the end of
 //! the load path, and the root has exact derivatives. They do not depend on the path, and hence not on tangential springs and commands.
 
-use nalgebra::{DMatrix, DVector, Matrix, SVector};
+use nalgebra::{DMatrix, DVector, SVector};
 
 use super::model::SlipToPredict;
 use super::pressing::{NONE, Pressing, at_length, pressing};
@@ -90,12 +90,16 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
 
     /// Directions along which the object does not move as it leaves.
     fn kept(&self) -> Vec<DVector<f64>> {
-        let of = |contact: &Pressing| {
-            let stuck = if contact.sticks { C - 1 } else { 0 };
-            let tangents = contact.tangents.column_iter().take(stuck).map(Matrix::into_owned);
-            core::iter::once(contact.normal.clone()).chain(tangents).collect::<Vec<_>>()
-        };
-        self.pressing.iter().flat_map(of).collect()
+        let mut kept = Vec::new();
+        for contact in &self.pressing {
+            kept.push(contact.normal.clone());
+            if contact.sticks {
+                for axis in 0..C - 1 {
+                    kept.push(contact.tangents.column(axis).into_owned());
+                }
+            }
+        }
+        kept
     }
 
     fn stuck(&mut self) -> impl Iterator<Item = &mut Pressing> {
@@ -188,28 +192,37 @@ impl Equations {
         let mut kept = leaving.kept();
         kept.push(motion.clone());
         let (_, turns) = spaces(&kept, size);
-        let by_spring = |y: DVector<f64>| {
-            let part = |contact: &Pressing| {
-                contact.by_newton(motion) * (-contact.stiffness * contact.normal.dot(&y))
-            };
-            pressing.iter().map(part).fold(DVector::zeros(size), |sum, part| sum + part)
-        };
-        let by_turn = |by: DVector<f64>| {
-            let sliding = pressing.iter().filter(|contact| contact.slides());
-            sliding
-                .map(|contact| contact.turning(motion, &by))
-                .fold(DVector::zeros(size), |sum, part| sum + part)
-        };
-        let stuck = pressing.iter().filter(|contact| contact.sticks);
         let mut columns: Vec<DVector<f64>> = Vec::new();
-        columns.extend(springs.column_iter().map(|y| by_spring(y.into_owned())));
-        columns.extend(turns.column_iter().map(|by| by_turn(by.into_owned())));
-        columns.extend(stuck.flat_map(|contact| contact.tangents.column_iter().map(Matrix::into_owned)));
+        for y in springs.column_iter() {
+            let mut sum = DVector::zeros(size);
+            for contact in pressing {
+                sum += contact.by_newton(motion) * (-contact.stiffness * contact.normal.dot(&y));
+            }
+            columns.push(sum);
+        }
+        for by in turns.column_iter() {
+            let (by, mut sum) = (by.into_owned(), DVector::zeros(size));
+            for contact in pressing {
+                if contact.slides() {
+                    sum += contact.turning(motion, &by);
+                }
+            }
+            columns.push(sum);
+        }
+        for contact in pressing {
+            if contact.sticks {
+                for tangent in contact.tangents.column_iter() {
+                    columns.push(tangent.into_owned());
+                }
+            }
+        }
         columns.push(leaving.one_length(&leaving.seen.load_rate(leaving.at)));
-        let scale = |column: &DVector<f64>| if column.norm() > 0.0 { column.norm().recip() } else { 0.0 };
-        let scales = DVector::from_iterator(columns.len(), columns.iter().map(scale));
-        let mut matrix = DMatrix::from_columns(&columns);
-        matrix.column_iter_mut().zip(&scales).for_each(|(mut column, scale)| column *= *scale);
+        let mut scales = DVector::zeros(columns.len());
+        for (column, scale) in columns.iter_mut().zip(scales.iter_mut()) {
+            *scale = if column.norm() > 0.0 { column.norm().recip() } else { 0.0 };
+            *column *= *scale;
+        }
+        let matrix = DMatrix::from_columns(&columns);
         // The decomposition of a matrix with infinite entries would not end.
         if !matrix.iter().all(|x| x.is_finite()) {
             return None;

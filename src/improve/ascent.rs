@@ -217,13 +217,18 @@ impl<const C: usize> Climb<'_, C> {
             bounds.iter().map(|bound| (&bound.gradient / force, bound.left / force)).collect();
         let (mut rooms, mut reach) = (Vec::new(), vec![[f64::NEG_INFINITY, f64::INFINITY]; variables.len()]);
         for (i, spot) in held.placing.spots.iter().enumerate() {
-            for (row, room) in spot.iter().flat_map(|spot| &spot.rooms) {
+            let Some(spot) = spot else { continue };
+            for (row, room) in &spot.rooms {
                 let unit = variables.iter().find(|v| v.contact == i).map_or(1.0, |v| v.unit);
-                let of = variables.iter().map(|variable| match variable.what {
-                    DesignKind::Along(axis) if variable.contact == i => -row[axis],
-                    _ => 0.0,
-                });
-                rows.push((DVector::from_iterator(variables.len(), of), room / unit));
+                let mut of = DVector::zeros(variables.len());
+                for (j, variable) in variables.iter().enumerate() {
+                    if let DesignKind::Along(axis) = variable.what
+                        && variable.contact == i
+                    {
+                        of[j] = -row[axis];
+                    }
+                }
+                rows.push((of, room / unit));
                 rooms.push(i);
             }
         }

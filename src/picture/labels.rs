@@ -89,26 +89,34 @@ impl Labels {
     }
 
     fn beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<Plate> {
-        let middles = AWAY.iter().flat_map(|away| {
-            SIDES.map(|(x, y)| {
+        let mut plates = Vec::new();
+        for away in AWAY {
+            for (x, y) in SIDES {
                 // At a corner the distance is split between both directions.
-                let away = if x * y == 0.0 { *away } else { 0.6 * away };
-                (point.0 + x * (wide / 2.0 + away), point.1 + y * (high / 2.0 + away))
-            })
-        });
-        middles.map(|middle| (self.inside(middle, (wide, high)), (wide, high))).collect()
+                let away = if x * y == 0.0 { away } else { 0.6 * away };
+                let middle = (point.0 + x * (wide / 2.0 + away), point.1 + y * (high / 2.0 + away));
+                plates.push((self.inside(middle, (wide, high)), (wide, high)));
+            }
+        }
+        plates
     }
 
     fn anywhere(&self, (wide, high): (f64, f64)) -> Vec<Plate> {
         let places = |low: f64, room: f64, size: f64| {
-            let first = low + size / 2.0;
-            (0..)
-                .map(move |k| first + STEP * f64::from(k))
-                .take_while(move |at| *at <= low + room - size / 2.0)
+            let (first, mut places) = (low + size / 2.0, Vec::new());
+            while first + STEP * places.len() as f64 <= low + room - size / 2.0 {
+                places.push(first + STEP * places.len() as f64);
+            }
+            places
         };
         let Window { left, top, wide: room, high: tall } = self.window;
-        let rows = places(top, tall, high);
-        rows.flat_map(|y| places(left, room, wide).map(move |x| ((x, y), (wide, high)))).collect()
+        let mut plates = Vec::new();
+        for y in places(top, tall, high) {
+            for x in places(left, room, wide) {
+                plates.push(((x, y), (wide, high)));
+            }
+        }
+        plates
     }
 
     fn inside(&self, (x, y): Place, (wide, high): (f64, f64)) -> Place {

@@ -204,13 +204,16 @@ impl SphereMap {
                 let aside: Vec<usize> =
                     if pole { (0..around).collect() } else { vec![k + around - 1, k, k + 1] };
                 let rows = ring.saturating_sub(1)..=(ring + 1).min(2 * rings);
-                let near = rows.flat_map(|row| aside.iter().map(move |k| (row, *k)));
-                let near: Vec<f64> = near
-                    .map(|(row, k)| self.values[self.grid.index(row, k)])
-                    .filter(|value| value.is_finite())
-                    .collect();
-                let mean = near.iter().sum::<f64>() / near.len() as f64;
-                filled[index] = if near.is_empty() { overall } else { mean };
+                let (mut sum, mut count) = (0.0, 0.0);
+                for row in rows {
+                    for k in &aside {
+                        let value = self.values[self.grid.index(row, *k)];
+                        if value.is_finite() {
+                            (sum, count) = (sum + value, count + 1.0);
+                        }
+                    }
+                }
+                filled[index] = if count > 0.0 { sum / count } else { overall };
             }
         }
         filled

@@ -98,9 +98,15 @@ impl<const C: usize> Setup<C> {
         let pressed: f64 =
             self.entries().filter_map(|entry| entry.contact.press.or(entry.contact.force)).sum();
         let force = |load: &Wrench<C>| SVector::<f64, C>::from_column_slice(&load.components()[..C]);
-        // Onsets are left out: the size of their direction has no meaning.
-        let asked = || self.questions.iter().filter(|question| !matches!(question, Question::Onset(_)));
-        let heaviest = asked().flat_map(put_on).map(|load| force(&load).norm()).fold(0.0, f64::max);
+        let mut heaviest = 0.0_f64;
+        for question in &self.questions {
+            // Onsets are left out: the size of their direction has no meaning.
+            if !matches!(question, Question::Onset(_)) {
+                for load in put_on(question) {
+                    heaviest = heaviest.max(force(&load).norm());
+                }
+            }
+        }
         if pressed > 0.0 && heaviest > HEAVY * pressed {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }
@@ -117,7 +123,12 @@ impl<const C: usize> Setup<C> {
             // A moment alone has no arm.
             if force.norm() > 0.0 { moment / force.norm() } else { 0.0 }
         };
-        let far = self.questions.iter().flat_map(put_on).map(|load| arm(&load)).fold(0.0, f64::max);
+        let mut far = 0.0_f64;
+        for question in &self.questions {
+            for load in put_on(question) {
+                far = far.max(arm(&load));
+            }
+        }
         if far > 1.0 && far > FAR * size {
             let what = "a load acts at a distance of".to_owned();
             warnings.push(Warning::ManyMetres { what, length: far, beside: Some(size) });

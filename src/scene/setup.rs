@@ -212,7 +212,11 @@ impl<const C: usize> Setup<C> {
 
     /// All contacts, those of fingers behind the others. The index of an entry is that of the contact in questions and answers.
     pub fn entries(&self) -> impl Iterator<Item = &Fingertip<C>> {
-        self.contacts.iter().chain(self.fingers.iter().flat_map(|finger| &finger.contacts))
+        let mut all: Vec<&Fingertip<C>> = self.contacts.iter().collect();
+        for finger in &self.fingers {
+            all.extend(&finger.contacts);
+        }
+        all.into_iter()
     }
 
     /// Number of point contacts of the grasp: soft fingertips and links count with all their points.

@@ -131,10 +131,17 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 impl<const C: usize> CycleState<C> {
     /// Forces and gaps as numbers without unit, and which sites slide with less friction than at rest; gaps of sites `aside` are zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
-        let forces = self.forces.iter().flat_map(|force| force.iter().map(|x| x / scale.force));
-        let gap = |(i, gap): (usize, &f64)| if aside(i) { 0.0 } else { gap / scale.stretch };
-        let weaker = self.weaker.iter().map(|weaker| f64::from(u8::from(*weaker)));
-        DVector::from_vec(forces.chain(self.gaps.iter().enumerate().map(gap)).chain(weaker).collect())
+        let mut numbers = Vec::new();
+        for force in &self.forces {
+            numbers.extend(force.iter().map(|x| x / scale.force));
+        }
+        for (i, gap) in self.gaps.iter().enumerate() {
+            numbers.push(if aside(i) { 0.0 } else { gap / scale.stretch });
+        }
+        for weaker in &self.weaker {
+            numbers.push(f64::from(u8::from(*weaker)));
+        }
+        DVector::from_vec(numbers)
     }
 
     /// This state moved on by `times` the step that leads here from another state; forces stay.

@@ -100,13 +100,16 @@ impl<const C: usize> Engine<C> {
             under.push(answer.forces);
         }
         let mut slips = Vec::new();
-        for (i, axis) in
-            (0..n).filter(|i| problem.local(*i).may_slide()).flat_map(|i| (1..C).map(move |a| (i, a)))
-        {
-            let mut drives = none.clone();
-            drives[i][axis] = -1.0;
-            let Ok(answer) = piece.solve(problem.sites, &drives, &(&at_rest * 0.0)) else { return Ok(None) };
-            slips.push(((i, axis), answer.forces));
+        let sliding = (0..n).filter(|i| problem.local(*i).may_slide());
+        for i in sliding {
+            for axis in 1..C {
+                let mut drives = none.clone();
+                drives[i][axis] = -1.0;
+                let Ok(answer) = piece.solve(problem.sites, &drives, &(&at_rest * 0.0)) else {
+                    return Ok(None);
+                };
+                slips.push(((i, axis), answer.forces));
+            }
         }
         let edges: Vec<Vec<SVector<f64, C>>> = problem.each(|local| match local.edges() {
             Edges::Rows(rows) => rows,
@@ -131,8 +134,12 @@ impl<const C: usize> Engine<C> {
             let of = parts.with(&binds).into_iter();
             binding.extend(of.map(|contact| BindingContact { load: k.checked_sub(1), contact }));
         }
-        let normal = slips.iter().flat_map(|(_, forces)| forces).map(|f| f[0].abs()).fold(0.0, f64::max);
-        let all = slips.iter().flat_map(|(_, forces)| forces).map(Matrix::norm).fold(0.0, f64::max);
+        let (mut normal, mut all) = (0.0_f64, 0.0_f64);
+        for (_, forces) in &slips {
+            for force in forces {
+                (normal, all) = (normal.max(force[0].abs()), all.max(force.norm()));
+            }
+        }
         let slips_change_normal_forces = normal > CHANGES * all;
         let around_the_round_cone = settings.is_round::<C>();
         Ok(Some(Shakedown {
@@ -171,15 +178,15 @@ impl Program {
         let units: Vec<f64> = slips.iter().map(|forces| force / or_one(size(forces))).collect();
         let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for k in 0..=under.len() {
-            for (i, row) in
-                edges.iter().enumerate().flat_map(|(i, rows)| rows.iter().map(move |row| (i, row)))
-            {
-                of.push((k, i));
-                b.push(row.dot(&rest[i]) / force);
-                a.push(if k == 0 { 0.0 } else { row.dot(&under[k - 1][i]) * unit / force });
-                rows.extend(
-                    slips.iter().zip(&units).map(|(forces, unit)| row.dot(&forces[i]) * unit / force),
-                );
+            for (i, edges) in edges.iter().enumerate() {
+                for row in edges {
+                    of.push((k, i));
+                    b.push(row.dot(&rest[i]) / force);
+                    a.push(if k == 0 { 0.0 } else { row.dot(&under[k - 1][i]) * unit / force });
+                    for (forces, unit) in slips.iter().zip(&units) {
+                        rows.push(row.dot(&forces[i]) * unit / force);
+                    }
+                }
             }
         }
         let s = DMatrix::from_row_slice(b.len(), slips.len(), &rows);

@@ -131,7 +131,11 @@ impl<const C: usize> Engine<C> {
         let Uncertainty { friction, stiffness, squeeze, position, normal, load, .. } = *uncertainty;
         for whole in WholeContacts::of(self.contacts()).ranges() {
             let mut of_all = |of: &dyn Fn(usize) -> Vec<(Parameter, f64)>| {
-                add(&whole.clone().flat_map(of).collect::<Vec<_>>());
+                let mut together = Vec::new();
+                for contact in whole.clone() {
+                    together.extend(of(contact));
+                }
+                add(&together);
             };
             let given = |contact: usize| &self.contacts()[contact];
             if friction != 0.0 && given(whole.start).friction_coefficient().is_finite() {

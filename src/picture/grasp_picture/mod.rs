@@ -97,14 +97,15 @@ impl<'a> Picture<'a> {
     pub(super) fn new(of: &'a PlanarPicture<'a>) -> Self {
         let PlanarPicture { grasp, state, outlines, .. } = of;
         let contacts = grasp.contacts();
-        let held = || contacts.iter().map(|contact| contact.point).chain(outlines.iter().flatten().copied());
-        let (low, high) = bounds(held());
+        let points: Vec<_> = contacts.iter().map(|contact| contact.point).collect();
+        let held = [&points[..], &outlines.concat()].concat();
+        let (low, high) = bounds(held.iter().copied());
         // A single contact has no extent, so that 1 m is used.
         let size =
             |(low, high): (Vector2<f64>, Vector2<f64>)| if low == high { 1.0 } else { (high - low).amax() };
         let load = state.map(|state| state.load).or(of.load);
         let load = load.map(|load| PlanarLoad::new(&load, low / 2.0 + high / 2.0, size((low, high))));
-        let span = size(bounds(held().chain(grasp.links().iter().flatten().copied())));
+        let span = size(bounds([held, grasp.links().concat()].concat().into_iter()));
         let frames: Vec<_> = grasp.frames().copied().collect();
         let tip = |tip: ContactGroup| Tip {
             middle: tip.middle(contacts),
@@ -123,9 +124,9 @@ impl<'a> Picture<'a> {
         };
         let pushes: Vec<_> = doing().map(push).collect();
         let scale = metres_per_newton(&pushes, size((low, high)), most);
-        let points = contacts.iter().map(|contact| contact.point);
-        let way_out =
-            of.leaving.and_then(|motion| MovedOutlines::new(motion, outlines, points, size((low, high))));
+        let way_out = of
+            .leaving
+            .and_then(|motion| MovedOutlines::new(motion, outlines, points.into_iter(), size((low, high))));
         Self { of, actuators: Actuators::of(grasp), tips, load, way_out, span, scale }
     }
 
@@ -172,14 +173,7 @@ impl<'a> Picture<'a> {
 
     /// The points that the picture must contain.
     fn points(&self) -> Vec<Vector2<f64>> {
-        let mut points: Vec<_> = self
-            .of
-            .outlines
-            .iter()
-            .flatten()
-            .chain(self.of.grasp.links().iter().flatten())
-            .copied()
-            .collect();
+        let mut points = [self.of.outlines.concat(), self.of.grasp.links().concat()].concat();
         for tip in &self.tips {
             if let Some(link) = &tip.link {
                 points.extend(link.ends);
@@ -197,7 +191,9 @@ impl<'a> Picture<'a> {
         if let Some(load) = &self.load {
             points.extend([load.at, load.at + load.force * self.scale]);
         }
-        points.extend(self.way_out.iter().flat_map(MovedOutlines::points));
+        if let Some(way_out) = &self.way_out {
+            points.extend(way_out.points());
+        }
         points
     }
 

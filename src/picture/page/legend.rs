@@ -124,8 +124,10 @@ fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
     let resultant = |tip: &ContactGroup| tip.resultant(contacts, state);
     let tips: Vec<Resultant<3>> = drawing.tips.iter().map(resultant).collect();
-    let soft = drawing.tips.iter().filter(|tip| tip.is_soft()).flat_map(|tip| tip.contacts.clone());
-    let points: Vec<_> = soft.map(|i| word(&state.contacts[i])).collect();
+    let mut points = Vec::new();
+    for tip in drawing.tips.iter().filter(|tip| tip.is_soft()) {
+        points.extend(state.contacts[tip.contacts.clone()].iter().map(word));
+    }
     let mut entries = Vec::new();
     for what in ["sticking", "about to slide", "sliding", "separated", "frictionless"] {
         let open = what == "separated";

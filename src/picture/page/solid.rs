@@ -10,14 +10,15 @@ const ROUND: usize = 8;
 pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
     // There is no part between two bodies.
     let of_one_body = outlines.chunk_by(|a, b| a.body == b.body);
-    of_one_body.flat_map(solids).collect()
+    of_one_body.map(solids).collect::<Vec<_>>().concat()
 }
 
 fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
-    let rings: Vec<_> = outlines.iter().flat_map(|outline| rings(&outline.corners)).collect();
+    let rings = outlines.iter().map(|outline| rings(&outline.corners)).collect::<Vec<_>>().concat();
     let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= ROUND));
-    let between = between.map(<[Vec<_>]>::concat);
-    between.chain(rings.iter().cloned()).collect()
+    let mut solids: Vec<_> = between.map(<[Vec<_>]>::concat).collect();
+    solids.extend(rings);
+    solids
 }
 
 fn rings(outline: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
