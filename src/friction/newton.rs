@@ -3,6 +3,7 @@
 
 use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
+use crate::numerics::numbered;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
@@ -45,7 +46,7 @@ impl<'a, const C: usize> Newton<'a, C> {
             let size = if own > 0.0 { own } else { any };
             if size > 0.0 { 1.0 / size } else { 1.0 }
         };
-        Self { problem, rho: (0..problem.len()).map(rho).collect() }
+        Self { problem, rho: numbered(problem.len(), &rho) }
     }
 
     /// The forces after at most `steps` Newton steps, and the number of steps made.

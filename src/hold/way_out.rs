@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts, displacement_of};
+use crate::numerics::mapped;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -169,7 +170,7 @@ fn seen_from<const C: usize>(
     let touches = |i: usize| sign(i) != 0.0 && touches(i);
     let touching = parts.with(&touches);
     let places = parts.mean(&|i| contacts[i].point);
-    let moves: Vec<_> = places.iter().map(velocity).collect();
+    let moves: Vec<_> = mapped(&places, &velocity);
     let part_holds = parts.first(|i| contacts[i].hold);
     let normals = parts.mean(&|i| contacts[i].normal.normalize() * sign(i));
     let count = touching.len().max(1) as f64;

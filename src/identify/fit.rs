@@ -6,6 +6,7 @@ use super::model::{Linear, Model, NoSlip};
 use super::robust::Huber;
 use super::unknown::UnknownKind;
 use crate::error::Error;
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// Relative singular value below which a combination is not determined: derivatives from differences are exact to about 1e-8.
@@ -91,7 +92,7 @@ type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 /// squeezes and carried loads have the factor instead.
 fn begun<const C: usize>(model: &Model<'_, C>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
-    let begin: Vec<f64> = unknowns.iter().map(|unknown| unknown.begins_at(model.layouts).ln()).collect();
+    let begin: Vec<f64> = mapped(&unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
     let first = model.linear(&begin)?;
     let Err((_, mut why)) = first else { return Ok((begin, first)) };
     let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);

@@ -16,6 +16,7 @@ use super::model::SlipToPredict;
 use super::pressing::{NONE, Pressing, at_length, pressing};
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Twist, Wrench};
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// Relative singular value below which a direction depends on the others.
@@ -140,7 +141,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
     /// Derivatives of the logarithm of the factor or angle by the logarithms of the unknowns. `None` at a kink.
     pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
         let equations = Equations::of(self)?;
-        self.seen.by_unknowns(|kind, unknown, value| {
+        self.seen.by_unknowns(&|kind, unknown, value| {
             let change = self.change(kind, unknown, value);
             let step = equations.solved(&-&change);
             let misses = (&equations.matrix * equations.scaled(&step) + &change).norm();
@@ -187,7 +188,7 @@ impl Equations {
     /// `None` if the equations do not determine the load.
     fn of<const C: usize>(leaving: &GrossSlip<'_, '_, C>) -> Option<Self> {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
-        let normals: Vec<_> = pressing.iter().map(|contact| contact.normal.clone()).collect();
+        let normals: Vec<_> = mapped(&pressing, &|contact| contact.normal.clone());
         let (springs, _) = spaces(&normals, size);
         let mut kept = leaving.kept();
         kept.push(motion.clone());

@@ -10,6 +10,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{Lcp, Outcome, Settings};
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// A program in numbers near one: factors relative to the present value, variables in their units.
@@ -138,7 +139,7 @@ impl StepProgram {
         let share = if share > 0.0 { share } else { 1.0 };
         let mut events = vec![0.0; self.factors.len()];
         near.iter().enumerate().for_each(|(row, k)| events[*k] = z[first + row] / share);
-        let bounds = z.rows(first + m, b).iter().map(|y| y / share).collect();
+        let bounds = mapped(&z.as_slice()[first + m..][..b], &|y| y / share);
         Some(Solved { d, events, bounds })
     }
 }

@@ -15,7 +15,7 @@ use super::linear_program::{self, MARGINS};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
-use crate::numerics::increasing;
+use crate::numerics::{increasing, mapped};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -69,7 +69,7 @@ impl Judge<'_> {
         let outside = (0..n).filter(|i| !alpha.contains(i)).map(|i| (w(i), Broken::Slack(i)));
         let mut broken: Vec<_> = (0..size).map(|j| (z[j], Broken::Domain(j))).chain(outside).collect();
         broken.retain(|(value, _)| *value < 0.0);
-        let values: Vec<f64> = broken.iter().map(|(value, _)| *value).collect();
+        let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
         increasing(&values).into_iter().take(TRIED).any(|place| {
             let (value, which) = &broken[place];

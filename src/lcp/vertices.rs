@@ -9,6 +9,7 @@ use super::linear_program::MARGINS;
 use super::principal;
 use super::problem::Lcp;
 use super::scaling::Scaling;
+use crate::numerics::mapped;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -19,7 +20,7 @@ pub(super) const MOST_ROWS: usize = 6;
 pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<Item = DVector<f64>> + 'a {
     let n = lcp.len();
     subsets(alpha.len()).filter(|columns| !columns.is_empty()).flat_map(move |columns| {
-        let chosen: Vec<usize> = columns.iter().map(|k| alpha[*k]).collect();
+        let chosen: Vec<usize> = mapped(&columns, &|k| alpha[*k]);
         let count = columns.len();
         subsets(n).filter(move |rows| rows.len() == count).filter_map(move |rows| {
             let block = DMatrix::from_fn(count, count, |i, j| lcp.m[(rows[i], chosen[j])]);

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{Holding, Verdict};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
+use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 use crate::words::Words;
@@ -184,7 +185,7 @@ impl<const C: usize> Loading<C> {
         let (besides, times) = (self.base, self.times);
         Ok(match &self.loads {
             Loads::Each(loads) => {
-                let ramps: Vec<_> = loads.iter().map(|load| Ramp::load(besides, *load * times)).collect();
+                let ramps: Vec<_> = mapped(&loads, &|load| Ramp::load(besides, *load * times));
                 self.all(&ramps, demand, first)?
             }
             Loads::AnyForce { base, size, point } => {
@@ -357,5 +358,5 @@ fn directions<const C: usize>() -> Vec<[f64; C]> {
         let (sin, cos) = (angle * k as f64).sin_cos();
         core::array::from_fn(|a| [radius * cos, radius * sin, z][a])
     };
-    (0..count).map(direction).collect()
+    numbered(count, &direction)
 }

@@ -4,6 +4,7 @@ use super::palette::GREY;
 use super::sheet::{Place, Sheet, plaque_size};
 use super::window::Window;
 use super::words::{lines, shortened};
+use crate::numerics::mapped;
 
 /// Directions from a point to its name, to the right and downwards, in order of preference.
 const SIDES: [(f64, f64); 8] =
@@ -50,9 +51,9 @@ impl Labels {
 
     /// Writes lines beside their point without touching other names; only the first line if there is no room for all.
     pub(super) fn write(&mut self, paper: &mut Sheet, point: Place, words: &[&str], size: f64) {
-        let words: Vec<_> = words.iter().map(|line| shortened(line, LETTERS)).collect();
+        let words: Vec<_> = mapped(&words, &|line| shortened(line, LETTERS));
         for count in [words.len(), 1] {
-            let sizes: Vec<_> = words[..count].iter().map(|line| plaque_size(line, size)).collect();
+            let sizes: Vec<_> = mapped(&words[..count], &|line| plaque_size(line, size));
             let wide = sizes.iter().map(|line| line.0).fold(0.0, f64::max);
             let high: f64 = sizes.iter().map(|line| line.1).sum();
             let Some((x, y)) = self.place(paper, point, (wide, high)) else { continue };

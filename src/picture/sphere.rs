@@ -124,10 +124,12 @@ impl SphereMap {
         let (low, high) =
             (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
         let bands = Bands::new(low, high);
-        let both = self.rays.iter().map(|ray| (ray, false)).chain(self.marks.iter().map(|mark| (mark, true)));
-        let marked: Vec<_> = both
-            .map(|((direction, label), dot)| Ok((way(*direction, label)?, label, dot)))
-            .collect::<Result<_, PictureError>>()?;
+        let mut marked = Vec::new();
+        for (list, dot) in [(&self.rays, false), (&self.marks, true)] {
+            for (direction, label) in list {
+                marked.push((way(*direction, label)?, label, dot));
+            }
+        }
         let notes: Vec<_> = self.notes.iter().flat_map(|note| lines(note, LETTERS)).collect();
         Ok(sheet((WIDE, HIGH + 18.0 * notes.len() as f64), |paper| {
             paper.title(&self.title);

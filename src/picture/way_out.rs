@@ -8,6 +8,7 @@ use super::painting::{Painting, flat};
 use super::palette::VERMILION;
 use super::sheet::Place;
 use crate::grasp::Motion;
+use crate::numerics::mapped;
 use crate::planar::Twist;
 
 /// Distance by which the fastest point is moved, as a part of the size of the scene.
@@ -47,7 +48,7 @@ impl MovedOutlines {
             return None;
         }
         let next = |(p, twist): &(Vector2<f64>, &Twist)| ((**twist * time).exp() * Point2::from(*p)).coords;
-        let to = points.iter().map(next).collect();
+        let to = mapped(&points, &next);
         Some(Self { from: points.into_iter().map(|(point, _)| point).collect(), to, closed })
     }
 

@@ -9,6 +9,7 @@ use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
+use crate::numerics::mapped;
 use crate::statics::Closure;
 
 /// Friction coefficient above which a scene gets a warning: soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
@@ -38,7 +39,7 @@ impl<const C: usize> Setup<C> {
         let mut warnings = Vec::new();
         let entries: Vec<_> = self.entries().collect();
         let name = |i: usize| entries[i].contact.label_text(i);
-        let names = |contacts: &[usize]| contacts.iter().map(|i| name(*i)).collect::<Vec<_>>();
+        let names = |contacts: &[usize]| mapped(&contacts, &|i| name(*i));
         let mu = |i: usize| entries[i].contact.friction_coefficient();
         let much = |i: &usize| mu(*i) > MUCH_FRICTION && mu(*i).is_finite();
         let contacts: Vec<_> = (0..entries.len()).filter(much).collect();
@@ -51,7 +52,7 @@ impl<const C: usize> Setup<C> {
         {
             warnings.push(Warning::NoFriction);
         }
-        let size = spread(&entries.iter().map(|entry| entry.contact.point).collect::<Vec<_>>());
+        let size = spread(&mapped(&entries, &|entry| entry.contact.point));
         if size > MANY_METRES {
             warnings.push(Warning::ManyMetres {
                 what: "the contacts are apart by up to".to_owned(),
@@ -62,8 +63,7 @@ impl<const C: usize> Setup<C> {
         warnings.extend(self.outwards(&entries));
         let (mut first, mut is_wide) = (0, false);
         for (i, entry) in entries.iter().enumerate() {
-            let points: Vec<_> =
-                grasp.contacts()[first..first + entry.count()?].iter().map(|c| c.point).collect();
+            let points: Vec<_> = mapped(&grasp.contacts()[first..first + entry.count()?], &|c| c.point);
             first += points.len();
             let wide = spread(&points);
             if size > 0.0 && wide > WIDE * size && !is_wide {
@@ -150,7 +150,7 @@ impl<const C: usize> Setup<C> {
             return None;
         }
         let contacts: Vec<_> = (0..entries.len()).collect();
-        let names = contacts.iter().map(|i| entries[*i].contact.label_text(*i)).collect();
+        let names = mapped(&contacts, &|i| entries[*i].contact.label_text(*i));
         Some(Warning::Outwards { contacts, names })
     }
 
@@ -174,7 +174,7 @@ impl<const C: usize> Setup<C> {
         let along = |i: usize, j: usize| entries[i].contact.normal.dot(&entries[j].contact.normal) > 0.0;
         let is_so = (0..entries.len()).all(|i| (0..i).all(|j| along(i, j)));
         let contacts: Vec<_> = (0..entries.len()).collect();
-        let names = contacts.iter().map(|i| entries[*i].contact.label_text(*i)).collect();
+        let names = mapped(&contacts, &|i| entries[*i].contact.label_text(*i));
         is_so.then_some(Warning::SameSide { contacts, names })
     }
 }

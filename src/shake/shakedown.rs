@@ -12,6 +12,7 @@ use crate::contact::{Edges, Fit, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, Lcp};
+use crate::numerics::{mapped, tried};
 use crate::object::Load;
 use crate::prelude::*;
 use crate::search::Settings;
@@ -85,8 +86,7 @@ impl<const C: usize> Engine<C> {
         settings: &Settings,
     ) -> Result<Option<Shakedown<C>>, Error> {
         let at_rest = self.load_alone(base, "base load")?;
-        let loads: Vec<_> =
-            loads.iter().map(|load| self.inside(load, "load that repeats")).collect::<Result<_, _>>()?;
+        let loads = tried(loads, &|load| self.inside(load, "load that repeats"))?;
         // An upper bound for rest needs a polygon outside the round cone.
         let around = PolygonCone::new(settings.cone.facets(), Fit::Circumscribed)?;
         let cone = if settings.is_round::<C>() { around } else { settings.cone };
@@ -115,8 +115,7 @@ impl<const C: usize> Engine<C> {
             Edges::Rows(rows) => rows,
             Edges::Round { .. } => Vec::new(),
         });
-        let program =
-            Program::new(&edges, &rest.forces, &under, &slips.iter().map(|(_, f)| f).collect::<Vec<_>>());
+        let program = Program::new(&edges, &rest.forces, &under, &mapped(&slips, &|(_, f)| f));
         let Some((factor, sizes, multipliers)) = program.solved() else { return Ok(None) };
         let mut told = none;
         for (((i, axis), _), size) in slips.iter().zip(&sizes) {
@@ -175,7 +174,7 @@ impl Program {
         let or_one = |x: f64| if x > 0.0 { x } else { 1.0 };
         let force = or_one(size(rest));
         let unit = force / or_one(under.iter().map(|forces| size(forces)).fold(0.0, f64::max));
-        let units: Vec<f64> = slips.iter().map(|forces| force / or_one(size(forces))).collect();
+        let units: Vec<f64> = mapped(&slips, &|forces| force / or_one(size(forces)));
         let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for k in 0..=under.len() {
             for (i, edges) in edges.iter().enumerate() {

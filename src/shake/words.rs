@@ -6,6 +6,7 @@ use super::shakedown::{BindingContact, Shakedown};
 use super::verdict::{Repeats, Shaken};
 use crate::grasp::{BodyMotion, WholeContact};
 use crate::hold::does;
+use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -103,7 +104,7 @@ fn cycles(many: usize) -> String {
 
 /// "the object moves 3 mm along +x", or the motion of each body.
 fn moves<const C: usize>(words: Words, by: &[BodyMotion<C>]) -> String {
-    listed(&by.iter().map(|body| words.body_motion(body)).collect::<Vec<_>>())
+    listed(&mapped(&by, &|body| words.body_motion(body)))
 }
 
 impl<const C: usize> fmt::Display for Shakedown<C> {

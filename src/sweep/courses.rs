@@ -9,7 +9,7 @@ use super::margin::{Effect, LOOKED_AT, effect};
 use crate::contact::{Polygon, State};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, of_the_object};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, mapped, numbered};
 use crate::object::{Load, Piece, PieceState};
 use crate::prelude::*;
 
@@ -36,25 +36,30 @@ pub(super) struct Course<const C: usize> {
 }
 
 impl<const C: usize> Course<C> {
-    fn with(all: &AllForces<C>, forces: impl Fn(&LinearForces<C>) -> Vec<SVector<f64, C>>) -> Self {
+    fn with(all: &AllForces<C>, forces: &dyn Fn(&LinearForces<C>) -> Vec<SVector<f64, C>>) -> Self {
         let known = forces(&all.known);
         let of_datum = |values: &[LinearForces<C>; LOOKED_AT.len()]| {
-            let seen = values.each_ref().map(&forces);
-            let of_site = |(i, known)| effect(seen.each_ref().map(|forces| forces[i] - known));
-            known.iter().enumerate().map(of_site).collect()
+            let seen = mapped(values, forces);
+            numbered(known.len(), &|i| {
+                let mut changes = [SVector::zeros(); LOOKED_AT.len()];
+                for (change, forces) in changes.iter_mut().zip(&seen) {
+                    *change = forces[i] - known[i];
+                }
+                effect(changes)
+            })
         };
-        let off = all.off.iter().map(of_datum).collect();
+        let off = mapped(&all.off, &of_datum);
         Self { known, off }
     }
 
     /// Forces by commands and by forces that hold contacts.
     pub(super) fn commanded(all: &AllForces<C>) -> Self {
-        Self::with(all, |forces| forces.commanded.clone())
+        Self::with(all, &|forces| forces.commanded.clone())
     }
 
     /// Forces by a load.
     pub(super) fn of(all: &AllForces<C>, load: &Wrench<C>) -> Self {
-        Self::with(all, |forces| {
+        Self::with(all, &|forces| {
             let mut sum = vec![SVector::zeros(); forces.commanded.len()];
             for (by, x) in forces.by_load.iter().zip(load.components()).filter(|(_, x)| **x != 0.0) {
                 sum.iter_mut().zip(by).for_each(|(sum, by)| *sum += by * *x);
@@ -111,8 +116,7 @@ impl<const C: usize> Engine<C> {
             forces
         };
         let commanded = seen(&drives, &self.load_unchecked(&Wrench::ZERO));
-        let by_load =
-            (0..of_the_object::<C>()).map(|k| seen(&at_rest, &self.inside_unchecked(&unit(k)))).collect();
+        let by_load = numbered(of_the_object::<C>(), &|k| seen(&at_rest, &self.inside_unchecked(&unit(k))));
         (LinearForces { commanded, by_load }, piece)
     }
 }

@@ -8,7 +8,7 @@ use crate::contact::{Polygon, State};
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, of_the_object};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, numbered};
 use crate::object::Load;
 use crate::prelude::*;
 
@@ -115,7 +115,7 @@ impl<const C: usize> Engine<C> {
         let mut unresisted = Vec::new();
         for motion in piece.free_motions() {
             let of = |k: usize| self.inside_unchecked(&unit(k)).dot(motion);
-            let work: Vec<f64> = (0..of_the_object::<C>()).map(of).collect();
+            let work: Vec<f64> = numbered(of_the_object::<C>(), &of);
             unresisted.push(Wrench::from_components(&work));
         }
         Ok(StuckGrasp::new(edges, forces, base, unresisted, [sigmas, uncertainty.friction, uncertainty.load]))

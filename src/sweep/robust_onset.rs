@@ -15,6 +15,7 @@ use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContacts};
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
+use crate::numerics::numbered;
 use crate::prelude::*;
 
 /// An onset of sliding with its spread.
@@ -147,7 +148,7 @@ impl<const C: usize> Engine<C> {
                 of_all(&|contact| {
                     let k = given(contact).series_stiffness_of_axes();
                     let along = |axis| (Parameter::Stiffness { contact, axis }, stiffness * k[axis]);
-                    (0..C).map(along).collect()
+                    numbered(C, &along)
                 });
             }
             if squeeze != 0.0 {

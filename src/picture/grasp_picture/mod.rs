@@ -5,6 +5,7 @@ mod names;
 use nalgebra::{Matrix2, Vector2};
 use plotters::style::{Color, RGBColor};
 
+use crate::numerics::{mapped, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
 use crate::picture::contact_look::{ink, slope, word};
@@ -73,14 +74,14 @@ pub(super) struct Picture<'a> {
 /// Pictures of one page, on the same axes and with the same scale of forces.
 pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, PictureError> {
     of.iter().try_for_each(PlanarPicture::check)?;
-    let mut pictures: Vec<_> = of.iter().map(Picture::new).collect();
+    let mut pictures: Vec<_> = mapped(&of, &Picture::new);
     let scales = pictures.iter().map(|picture| picture.scale).filter(|scale| *scale > 0.0);
     let scale = scales.fold(f64::INFINITY, f64::min);
     for picture in &mut pictures {
         picture.scale = picture.scale.min(scale);
     }
     let points: Vec<_> = pictures.iter().flat_map(Picture::points).collect();
-    pictures.iter().map(|picture| picture.draw_on(&OF_A_PAGE, &points)).collect()
+    tried(&pictures, &|picture| picture.draw_on(&OF_A_PAGE, &points))
 }
 
 /// A fingertip with its contact frame, and its resultant if there is an equilibrium.
@@ -97,7 +98,7 @@ impl<'a> Picture<'a> {
     pub(super) fn new(of: &'a PlanarPicture<'a>) -> Self {
         let PlanarPicture { grasp, state, outlines, .. } = of;
         let contacts = grasp.contacts();
-        let points: Vec<_> = contacts.iter().map(|contact| contact.point).collect();
+        let points: Vec<_> = mapped(&contacts, &|contact| contact.point);
         let held = [&points[..], &outlines.concat()].concat();
         let (low, high) = bounds(held.iter().copied());
         // A single contact has no extent, so that 1 m is used.

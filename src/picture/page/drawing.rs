@@ -5,6 +5,7 @@ use nalgebra::{Vector3, Vector6};
 use super::frame::Frame;
 use super::solid::bodies;
 use super::spatial_page::SpatialPage;
+use crate::numerics::mapped;
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, fingertips};
 use crate::picture::force_scale::metres_per_newton;
@@ -97,7 +98,7 @@ impl<'p> Drawing<'p> {
                 return Err(PictureError(format!("\"{}\" has {x} among its numbers", frame.label)));
             }
         }
-        let mut points: Vec<Vector3<f64>> = page.grasp.contacts().iter().map(Contact::point).collect();
+        let mut points: Vec<Vector3<f64>> = mapped(&page.grasp.contacts(), &Contact::point);
         for corners in page.outlines.iter().map(|line| &line.corners).chain(&page.fixtures) {
             for corner in corners {
                 points.push((*corner).into());
@@ -177,7 +178,7 @@ impl<'p> Drawing<'p> {
                 let pushed = tip.resultant(grasp.contacts(), state).normal_force;
                 (tip.middle(grasp.contacts()), frames[tip.contacts.start].column(0).into_owned(), pushed)
             };
-            let pushes: Vec<_> = self.tips.iter().map(push).collect();
+            let pushes: Vec<_> = mapped(&self.tips, &push);
             metres_per_newton(&pushes, self.size, largest)
         };
         // Without an equilibrium the load is the only force.

@@ -1,6 +1,7 @@
 //! Convex parts of the object between its outlines, so that it looks like a body instead of wire.
 
 use super::spatial_page::MovingLine;
+use crate::numerics::mapped;
 
 /// A ring of fewer corners is a face of an edged body, or the line of a handle, and the space to the next ring may be empty.
 const ROUND: usize = 8;
@@ -14,7 +15,7 @@ pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
 }
 
 fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
-    let rings = outlines.iter().map(|outline| rings(&outline.corners)).collect::<Vec<_>>().concat();
+    let rings = mapped(&outlines, &|outline| rings(&outline.corners)).concat();
     let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= ROUND));
     let mut solids: Vec<_> = between.map(<[Vec<_>]>::concat).collect();
     solids.extend(rings);
