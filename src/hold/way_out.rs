@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts, displacement_of};
-use crate::numerics::mapped;
+use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -111,7 +111,7 @@ pub(super) fn way_out<const C: usize>(
     let Some(sides) = sides else {
         return seen_from(contacts, &motion.object, &|_| 1.0, touches);
     };
-    let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+    let fastest = largest(&motion.bodies, &BodyMotion::speed);
     let moves = |body: &BodyMotion<C>| body.speed() > STAYS * fastest;
     let mut bodies: Vec<_> = motion.bodies.iter().filter(|body| moves(body)).map(BodyWay::of).collect();
     let Some(first) = motion.bodies.iter().find(|body| moves(body)) else { return WayOut::Apart { bodies } };
@@ -142,7 +142,7 @@ pub(super) fn comes_apart<const C: usize>(
     (on, against): (usize, Option<usize>),
     motion: &Motion<C>,
 ) -> bool {
-    let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+    let fastest = largest(&motion.bodies, &BodyMotion::speed);
     let at_the_point = |body: usize| {
         let twist = motion.bodies[body].twist.coordinates();
         displacement_of::<C>(&contact.point, &twist)
@@ -176,7 +176,7 @@ fn seen_from<const C: usize>(
     let count = touching.len().max(1) as f64;
     let centre = touching.iter().fold(SVector::zeros(), |sum, part| sum + places[part.contact] / count);
     let along = velocity(&centre);
-    let reach = contacts.iter().map(|contact| (contact.point - centre).norm()).fold(0.0, f64::max);
+    let reach = largest(&contacts, &|contact| (contact.point - centre).norm());
     let spin = coordinates.iter().skip(C).map(|x| x * x).sum::<f64>().sqrt() * reach;
     let fastest = touching.iter().map(|part| moves[part.contact].norm()).fold(spin, f64::max);
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STAYS * fastest;

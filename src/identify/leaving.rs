@@ -16,7 +16,7 @@ use super::model::SlipToPredict;
 use super::pressing::{NONE, Pressing, at_length, pressing};
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Twist, Wrench};
-use crate::numerics::mapped;
+use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
 /// Relative singular value below which a direction depends on the others.
@@ -50,11 +50,11 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         if !is_round || !seen.is_pressed_by_commands() || forces.len() != contacts.len() {
             return None;
         }
-        let farthest = contacts.iter().map(|contact| contact.point.norm()).fold(0.0, f64::max);
+        let farthest = largest(&contacts, &|contact| contact.point.norm());
         let length = if farthest > 0.0 { farthest } else { 1.0 };
         let motion = at_length::<C>(motion.components(), length);
         let mut pressing = pressing(seen, forces, length);
-        let fastest = pressing.iter().map(|contact| contact.velocity(&motion).norm()).fold(0.0, f64::max);
+        let fastest = largest(&pressing, &|contact| contact.velocity(&motion).norm());
         for contact in &mut pressing {
             let opens = contact.normal.dot(&motion).abs() > NONE * fastest;
             if opens {

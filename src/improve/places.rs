@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::surface::{Shape, Surface};
-use crate::numerics::numbered;
+use crate::numerics::{largest, numbered};
 use crate::prelude::*;
 
 pub(super) fn unit_direction<const C: usize>(to: &SVector<f64, C>) -> [f64; 3] {
@@ -80,7 +80,7 @@ impl<const C: usize> Surface<C> {
 
     /// The largest coordinate of a corner at which parts meet, m. The rounding of places is relative to it.
     pub(super) fn largest(&self) -> f64 {
-        let of = |corners: &[SVector<f64, C>]| corners.iter().map(SVector::amax).fold(0.0, f64::max);
+        let of = |corners: &[SVector<f64, C>]| largest(&corners, &SVector::amax);
         match &self.0 {
             Shape::Segments(parts) => of(parts.as_flattened()),
             Shape::Triangles(parts) => of(parts.as_flattened()),

@@ -7,7 +7,7 @@ use super::spot::Spot;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold};
-use crate::numerics::{Draw, numbered};
+use crate::numerics::{Draw, largest, numbered};
 use crate::prelude::*;
 
 /// Largest distance of a point from its surface relative to the size of its coordinates, and largest angle of its normal to that of the surface, rad.
@@ -173,7 +173,7 @@ impl<'q, const C: usize> Choice<'q, C> {
         let press = |variable: &DesignVariable| {
             if let DesignKind::Press { most } = variable.what { most } else { 0.0 }
         };
-        let most = self.variables.iter().map(press).fold(0.0, f64::max);
+        let most = largest(&self.variables, &press);
         if most > 0.0 { most } else { 1.0 }
     }
 

@@ -91,15 +91,20 @@ impl StepProgram {
                 [least + a.min(b), most + a.max(b)]
             })
         };
-        let events = || self.factors.iter().zip(&self.gradients);
-        let top = events().map(|(factor, g)| factor + ends(g)[1]).fold(f64::INFINITY, f64::min);
+        let ranges = mapped(&self.gradients, &ends);
+        let mut top = f64::INFINITY;
+        for (factor, [_, most]) in self.factors.iter().zip(&ranges) {
+            top = top.min(factor + most);
+        }
         if !top.is_finite() {
             return None;
         }
         // All other events stay above this value within the box.
-        let near: Vec<usize> =
-            events().enumerate().filter(|(_, (f, g))| *f + ends(g)[0] < top).map(|(k, _)| k).collect();
-        let near = if near.is_empty() { vec![0] } else { near };
+        let mut near: Vec<usize> = (0..ranges.len()).collect();
+        near.retain(|k| self.factors[*k] + ranges[*k][0] < top);
+        if near.is_empty() {
+            near.push(0);
+        }
         let top = top + ABOVE;
         let (m, b) = (near.len(), self.bounds.len());
         let (first, size) = (n + 1, n + 1 + m + b + n);

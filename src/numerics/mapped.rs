@@ -28,3 +28,12 @@ pub(crate) fn tried<'a, T, U, E>(list: &'a [T], f: &dyn Fn(&'a T) -> Result<U, E
     }
     Ok(all)
 }
+
+/// The largest of `f` of all elements, and at least 0.
+pub(crate) fn largest<T>(list: &[T], f: &dyn Fn(&T) -> f64) -> f64 {
+    let mut largest = 0.0_f64;
+    for element in list {
+        largest = largest.max(f(element));
+    }
+    largest
+}

@@ -12,7 +12,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Leg;
-use crate::numerics::{increasing, mapped};
+use crate::numerics::{increasing, largest, mapped};
 
 /// Slips below this part of the longest count as zero.
 const NO_SLIP: f64 = 1e-6;
@@ -56,7 +56,7 @@ pub fn charts_of_cycles<const C: usize>(
     let states = drawn.states(&path, &events);
     let tips = fingertips(grasp.contacts());
     let slides: Vec<_> = mapped(&tips, &|tip| Rubbing::of(tip, &states));
-    let farthest = slides.iter().map(|slide| slide.farthest).fold(0.0, f64::max);
+    let farthest = largest(&slides, &|slide| slide.farthest);
     let mut order: Vec<_> = (0..tips.len()).filter(|k| slides[*k].farthest > NO_SLIP * farthest).collect();
     if order.is_empty() {
         return Ok(Vec::new());

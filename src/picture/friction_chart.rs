@@ -10,7 +10,7 @@ use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
-use crate::numerics::mapped;
+use crate::numerics::{largest, mapped};
 use crate::words::opens;
 
 /// Number of intervals between drawn states on a leg along which the load turns; events are added.
@@ -145,7 +145,7 @@ impl<const C: usize> Drawn<'_, C> {
 fn part_used<const C: usize>(tip: &ContactGroup, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
     let (answers, contacts) = (&state.contacts[tip.contacts.clone()], &contacts[tip.contacts.clone()]);
     // The ratio is meaningless for forces that are rounding.
-    let force = answers.iter().map(|answer| answer.force.norm()).fold(0.0, f64::max);
+    let force = largest(&answers, &|answer| answer.force.norm());
     if force > 0.0 && without_rounding(force, state) == 0.0 {
         return f64::NAN;
     }

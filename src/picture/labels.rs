@@ -4,7 +4,7 @@ use super::palette::GREY;
 use super::sheet::{Place, Sheet, plaque_size};
 use super::window::Window;
 use super::words::{lines, shortened};
-use crate::numerics::mapped;
+use crate::numerics::{largest, mapped};
 
 /// Directions from a point to its name, to the right and downwards, in order of preference.
 const SIDES: [(f64, f64); 8] =
@@ -54,7 +54,7 @@ impl Labels {
         let words: Vec<_> = mapped(&words, &|line| shortened(line, LETTERS));
         for count in [words.len(), 1] {
             let sizes: Vec<_> = mapped(&words[..count], &|line| plaque_size(line, size));
-            let wide = sizes.iter().map(|line| line.0).fold(0.0, f64::max);
+            let wide = largest(&sizes, &|line| line.0);
             let high: f64 = sizes.iter().map(|line| line.1).sum();
             let Some((x, y)) = self.place(paper, point, (wide, high)) else { continue };
             let (mut below, line) = (y - high / 2.0, high / count as f64);

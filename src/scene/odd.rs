@@ -9,7 +9,7 @@ use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
-use crate::numerics::mapped;
+use crate::numerics::{largest, mapped};
 use crate::statics::Closure;
 
 /// Friction coefficient above which a scene gets a warning: soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
@@ -196,7 +196,7 @@ pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
 
 /// The largest distance from the first point; the largest of all distances is at most twice as large.
 fn spread<const C: usize>(points: &[SVector<f64, C>]) -> f64 {
-    points.iter().map(|point| (point - points[0]).norm()).fold(0.0, f64::max)
+    largest(&points, &|point| (point - points[0]).norm())
 }
 
 /// Whether two contacts of the same bodies are at one point with parallel normals.
@@ -219,7 +219,7 @@ fn points_out<const C: usize>(
     if C != 2 || outline.len() < 3 {
         return false;
     }
-    let size = outline.iter().map(|corner| (corner - outline[0]).norm()).fold(0.0, f64::max);
+    let size = largest(&outline, &|corner| (corner - outline[0]).norm());
     let step = normal.normalize() * (STEP * size);
     is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
 }

@@ -67,9 +67,10 @@ impl<'p, const C: usize> Recurrence<'p, C> {
         if rest.abs() <= NOWHERE {
             return None;
         }
-        let others = self.coefficients.iter().map(|c| -c / rest);
         // A change leads from its state to the next one, so that weights belong to the later state.
-        let weights: Vec<f64> = core::iter::once(0.0).chain(others).chain([1.0 / rest]).collect();
+        let mut weights = vec![0.0];
+        weights.extend(self.coefficients.iter().map(|c| -c / rest));
+        weights.push(1.0 / rest);
         Some(self.combination(&weights))
     }
 

@@ -12,7 +12,7 @@ use crate::contact::{Edges, Fit, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, Lcp};
-use crate::numerics::{mapped, tried};
+use crate::numerics::{largest, mapped, tried};
 use crate::object::Load;
 use crate::prelude::*;
 use crate::search::Settings;
@@ -170,10 +170,10 @@ impl Program {
         under: &[Vec<SVector<f64, C>>],
         slips: &[&Vec<SVector<f64, C>>],
     ) -> Self {
-        let size = |forces: &[SVector<f64, C>]| forces.iter().map(Matrix::norm).fold(0.0, f64::max);
+        let size = |forces: &[SVector<f64, C>]| largest(&forces, &Matrix::norm);
         let or_one = |x: f64| if x > 0.0 { x } else { 1.0 };
         let force = or_one(size(rest));
-        let unit = force / or_one(under.iter().map(|forces| size(forces)).fold(0.0, f64::max));
+        let unit = force / or_one(largest(&under, &|forces| size(forces)));
         let units: Vec<f64> = mapped(&slips, &|forces| force / or_one(size(forces)));
         let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for k in 0..=under.len() {

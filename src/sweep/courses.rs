@@ -9,7 +9,7 @@ use super::margin::{Effect, LOOKED_AT, effect};
 use crate::contact::{Polygon, State};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, of_the_object};
-use crate::numerics::{Vector, mapped, numbered};
+use crate::numerics::{Vector, largest, mapped, numbered};
 use crate::object::{Load, Piece, PieceState};
 use crate::prelude::*;
 
@@ -79,7 +79,7 @@ impl<const C: usize> Course<C> {
 
     /// The largest force with data as known.
     pub(super) fn largest(&self) -> f64 {
-        self.known.iter().map(Matrix::norm).fold(0.0, f64::max)
+        largest(&self.known, &Matrix::norm)
     }
 }
 

@@ -7,7 +7,7 @@ use super::courses::{AllForces, Course};
 use super::failure::{LimitState, MarginPair};
 use super::margin::{Effect, LOOKED_AT, UncertainForce, effect};
 use crate::grasp::Wrench;
-use crate::numerics::normal_tail;
+use crate::numerics::{largest, normal_tail};
 use crate::prelude::*;
 
 /// Part of the allowed failure probability reserved for joint effects of two data, which are neglected and may be as large.
@@ -82,7 +82,7 @@ impl<const C: usize> StuckGrasp<C> {
 
     /// The largest factor with at most the allowed failure probability.
     pub(super) fn most(&self, direction: &Wrench<C>) -> f64 {
-        let size = direction.components().iter().map(|x| x.abs()).fold(0.0, f64::max);
+        let size = largest(&direction.components(), &|x| x.abs());
         let work = |motion: &Wrench<C>| {
             motion.components().iter().zip(direction.components()).map(|(v, w)| v * w).sum::<f64>()
         };

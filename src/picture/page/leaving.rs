@@ -5,7 +5,7 @@ use nalgebra::{Point3, Vector3};
 use super::drawing::Drawing;
 use super::spatial_page::MovingLine;
 use crate::grasp::Motion;
-use crate::numerics::mapped;
+use crate::numerics::{largest, mapped};
 use crate::spatial::{Contact, Twist};
 
 /// Distance by which the fastest point is moved, as a part of the span.
@@ -36,7 +36,7 @@ impl Drawing<'_> {
             if lines.is_empty() { contacts().collect() } else { lines.concat() };
         let speed =
             |(point, twist): &(Vector3<f64>, Twist)| Vector3::from(twist.displacement_at(*point)).norm();
-        let fastest = points.iter().map(speed).fold(0.0, f64::max);
+        let fastest = largest(&points, &speed);
         let time = LEAVES * self.span / fastest;
         if !(time.is_finite() && time > 0.0) {
             return MovedLines { lines: Vec::new(), arrows: Vec::new() };
