@@ -73,9 +73,9 @@ impl<const C: usize> FrictionProblem<C> {
             for (j, d) in directions.iter().enumerate() {
                 let mut generator: SVector<f64, C> = d * (self.mu[i] * around);
                 generator[0] = 1.0;
-                let moved = self.w.columns(C * i, C) * generator;
                 for row in 0..n {
-                    normals[(row, count * i + j)] = moved[C * row];
+                    let moved = (0..C).map(|a| self.w[(C * row, C * i + a)] * generator[a]);
+                    normals[(row, count * i + j)] = moved.sum();
                 }
             }
         }

@@ -126,11 +126,11 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
     /// Changes all unknowns by a step.
     fn go(&mut self, equations: &Equations, step: &DVector<f64>) {
         let (springs, turns) = (equations.springs.ncols(), equations.turns.ncols());
-        let y = &equations.springs * step.rows(0, springs);
+        let y = &equations.springs * step.rows(0, springs).into_owned();
         for contact in &mut self.pressing {
             contact.normal_force -= contact.stiffness * contact.normal.dot(&y);
         }
-        self.motion += &equations.turns * step.rows(springs, turns);
+        self.motion += &equations.turns * step.rows(springs, turns).into_owned();
         self.motion.normalize_mut();
         for (j, contact) in self.stuck().enumerate() {
             contact.held += step.rows(springs + turns + j * (C - 1), C - 1);
@@ -230,7 +230,7 @@ impl Equations {
         }
         let inverse = matrix.clone().svd(true, true).pseudo_inverse(DEPENDENT).ok()?;
         let last = columns.len() - 1;
-        let told = inverse.row(last).dot(&matrix.column(last).transpose());
+        let told = matrix.column(last).dot(&inverse.row(last).transpose());
         ((told - 1.0).abs() <= NONE).then_some(Self { springs, turns, matrix, scales, inverse })
     }
 

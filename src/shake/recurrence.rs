@@ -83,7 +83,7 @@ impl<'p, const C: usize> Recurrence<'p, C> {
         });
         let (power, sum) = power_and_sum(&next, cycles);
         let all = sum.row(modes - 1);
-        let then = next.row(modes - 1) * power;
+        let then = power.tr_mul(&next.row(modes - 1).transpose());
         let change = then.iter().zip(&self.changes[1..]).map(|(weight, change)| change * *weight).sum();
         let mut weights = vec![0.0; self.places.len()];
         weights[modes + 1] = 1.0;
