@@ -16,7 +16,7 @@ use super::model::SlipToPredict;
 use super::pressing::{NONE, Pressing, at_length, pressing};
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Twist, Wrench};
-use crate::numerics::{largest, mapped};
+use crate::numerics::{SingularValues, largest, mapped};
 use crate::prelude::*;
 
 /// Relative singular value below which a direction depends on the others.
@@ -178,10 +178,10 @@ struct Equations {
     /// Orthonormal bases: displacements that change normal forces, and changes of the motion.
     springs: DMatrix<f64>,
     turns: DMatrix<f64>,
-    /// The matrix with columns of length one, the scale of each column, and the pseudo-inverse.
+    /// The matrix with columns of length one, the scale of each column, and the factors of the matrix.
     matrix: DMatrix<f64>,
     scales: DVector<f64>,
-    inverse: DMatrix<f64>,
+    factors: SingularValues,
 }
 
 impl Equations {
@@ -228,15 +228,15 @@ impl Equations {
         if !matrix.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let inverse = matrix.clone().svd(true, true).pseudo_inverse(DEPENDENT).ok()?;
+        let factors = SingularValues::of(&matrix);
         let last = columns.len() - 1;
-        let told = matrix.column(last).dot(&inverse.row(last).transpose());
-        ((told - 1.0).abs() <= NONE).then_some(Self { springs, turns, matrix, scales, inverse })
+        let told = factors.solve(&columns[last], DEPENDENT)[last];
+        ((told - 1.0).abs() <= NONE).then_some(Self { springs, turns, matrix, scales, factors })
     }
 
     /// The least-squares solution of least norm, for the scaled columns.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
-        (&self.inverse * change).component_mul(&self.scales)
+        self.factors.solve(change, DEPENDENT).component_mul(&self.scales)
     }
 
     /// A step in units of the scaled columns.
@@ -247,12 +247,10 @@ impl Equations {
 
 /// Orthonormal bases of the span of these directions, and of its orthogonal complement.
 fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f64>) {
-    // Rows of zeros, so that the decomposition contains a basis of the whole space.
-    let rows = directions.len().max(size);
-    let matrix = DMatrix::from_fn(rows, size, |i, j| directions.get(i).map_or(0.0, |row| row[j]));
-    let svd = matrix.svd(false, true);
-    let all = svd.v_t.map_or_else(|| DMatrix::identity(size, size), |v| v.transpose());
-    let most = svd.singular_values.max();
-    let spanned = svd.singular_values.iter().filter(|value| **value > DEPENDENT * most).count();
+    let matrix = DMatrix::from_fn(directions.len(), size, |i, j| directions[i][j]);
+    let factors = SingularValues::of(&matrix);
+    let least = DEPENDENT * factors.largest();
+    let spanned = factors.values.iter().filter(|value| **value > least).count();
+    let all = factors.right;
     (all.columns(0, spanned).into_owned(), all.columns(spanned, size - spanned).into_owned())
 }

@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::cycle::Scale;
 use crate::load_path::CycleState;
+use crate::numerics::SingularValues;
 use crate::prelude::*;
 
 /// Largest number of modes; with more of them, cycles are followed until some have died out.
@@ -37,9 +38,8 @@ impl<'p, const C: usize> Recurrence<'p, C> {
             let places = &places[n - modes - 2..];
             let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).collect();
             let (last, others) = changes.split_last()?;
-            let decomposed = DMatrix::from_columns(others).svd(true, true);
-            let rank = RANK * decomposed.singular_values.max();
-            let coefficients = decomposed.solve(last, rank).ok()?;
+            let decomposed = SingularValues::of(&DMatrix::from_columns(others));
+            let coefficients = decomposed.solve(last, RANK * decomposed.largest());
             let told = others.iter().zip(coefficients.iter());
             let left = told.fold(last.clone(), |left, (change, weight)| left - change * *weight);
             let coefficients = coefficients.iter().copied().collect();
