@@ -16,6 +16,7 @@ use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
+use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
@@ -72,14 +73,14 @@ impl<'a, const C: usize> Anchored<'a, C> {
         anchor: &DVector<f64>,
         (delta, by_contact): (f64, bool),
     ) -> Self {
-        let energy = || rho.iter().map(|rho| 1.0 / rho).collect();
+        let energy = || mapped(&rho, &|rho| 1.0 / rho);
         let own_sizes = || {
             let terms = blocks.terms(anchor, &problem.q);
             let size =
                 |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
             let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
             let weight = |i: usize| 1.0 / size(i).max(FAINTEST * FAINTEST * largest * rho[i]);
-            (0..rho.len()).map(weight).collect()
+            numbered(rho.len(), &weight)
         };
         let weight = if by_contact { own_sizes() } else { energy() };
         Self { problem, blocks, rho, anchor: anchor.clone(), delta, weight }

@@ -3,6 +3,7 @@
 //! In piles and stacks each contact is coupled with a few others, so most of W vanishes.
 
 use super::problem::{FrictionProblem, part};
+use crate::numerics::numbered;
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
@@ -30,7 +31,7 @@ impl<const C: usize> Blocks<C> {
                 }
             }
         }
-        Self { own: (0..n).map(|i| block(i, i)).collect(), others }
+        Self { own: numbered(n, &|i| block(i, i)), others }
     }
 
     /// The number of contacts.
@@ -58,7 +59,7 @@ impl<const C: usize> Blocks<C> {
     /// ρ of each contact, the inverse of [`Self::size`], which converts velocities to forces.
     pub(super) fn scales(&self) -> Vec<f64> {
         let scale = |i| if self.size(i) > 0.0 { 1.0 / self.size(i) } else { 1.0 };
-        (0..self.len()).map(scale).collect()
+        numbered(self.len(), &scale)
     }
 
     /// The part of W r at one contact that other contacts cause.

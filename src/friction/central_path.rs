@@ -14,6 +14,7 @@ use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation, Patience, descend};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
+use crate::numerics::numbered;
 use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::{DVector, SVector};
@@ -61,7 +62,7 @@ pub(super) fn scales<const C: usize>(problem: &FrictionProblem<C>, blocks: &Bloc
         }
         if size > 0.0 { 1.0 / size } else { 1.0 }
     };
-    (0..problem.len()).map(scale).collect()
+    numbered(problem.len(), &scale)
 }
 
 fn tangent_block<const C: usize>(own: &ContactBlock<C>) -> ContactBlock<C> {

@@ -11,7 +11,7 @@
 use super::facets::Facets;
 use super::problem::{FrictionProblem, part};
 use crate::lcp::{self, Lcp};
-use crate::numerics::{ExactSum, rounding_of, times_power_of_two};
+use crate::numerics::{ExactSum, mapped, rounding_of, times_power_of_two};
 use crate::prelude::*;
 use core::cmp::Ordering;
 use core::f64::consts::PI;
@@ -49,7 +49,7 @@ impl<const C: usize> FrictionProblem<C> {
                     edge(y, columns, C, side * mu).is_some_and(|sum| sum.sign() != Ordering::Greater)
                 });
             }
-            let sums: Vec<(f64, i32)> = columns.iter().map(|column| weighed(column).leading()).collect();
+            let sums: Vec<(f64, i32)> = mapped(&columns, &|column| weighed(column).leading());
             let (normal, slips) = (sums[0], &sums[1..]);
             if *mu == 0.0 || slips.iter().all(|slip| slip.0 == 0.0) {
                 return normal.0 <= 0.0;
@@ -73,9 +73,9 @@ impl<const C: usize> FrictionProblem<C> {
             for (j, d) in directions.iter().enumerate() {
                 let mut generator: SVector<f64, C> = d * (self.mu[i] * around);
                 generator[0] = 1.0;
-                let moved = self.w.columns(C * i, C) * generator;
                 for row in 0..n {
-                    normals[(row, count * i + j)] = moved[C * row];
+                    let moved = (0..C).map(|a| self.w[(C * row, C * i + a)] * generator[a]);
+                    normals[(row, count * i + j)] = moved.sum();
                 }
             }
         }

@@ -19,8 +19,10 @@ pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
             near[*j].insert(i);
         }
     }
-    let mut waiting: BTreeSet<(usize, usize)> =
-        near.iter().enumerate().map(|(i, near)| (near.len(), i)).collect();
+    let mut waiting: BTreeSet<(usize, usize)> = BTreeSet::new();
+    for (i, near) in near.iter().enumerate() {
+        waiting.insert((near.len(), i));
+    }
     let mut order = Vec::with_capacity(n);
     while let Some((_, i)) = waiting.pop_first() {
         order.push(i);
@@ -33,6 +35,37 @@ pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
         }
     }
     order
+}
+
+/// The inverse of a block by row operations with partial pivoting; `None` if the block is singular.
+fn inverse<const C: usize>(mut block: ContactBlock<C>) -> Option<ContactBlock<C>> {
+    let mut inverse = ContactBlock::<C>::identity();
+    for k in 0..C {
+        let mut pivot = k;
+        for row in k + 1..C {
+            if block[(row, k)].abs() > block[(pivot, k)].abs() {
+                pivot = row;
+            }
+        }
+        for matrix in [&mut block, &mut inverse] {
+            matrix.swap_rows(k, pivot);
+        }
+        let over = block[(k, k)];
+        for column in 0..C {
+            block[(k, column)] /= over;
+            inverse[(k, column)] /= over;
+        }
+        for row in 0..C {
+            let times = block[(row, k)];
+            for column in 0..C {
+                if row != k {
+                    block[(row, column)] -= times * block[(k, column)];
+                    inverse[(row, column)] -= times * inverse[(k, column)];
+                }
+            }
+        }
+    }
+    inverse.iter().all(|x| x.is_finite()).then_some(inverse)
 }
 
 /// A block row: pairs of a contact and its block.
@@ -79,7 +112,7 @@ pub(super) fn solve<const C: usize>(
             }
         }
         there[k] = false;
-        pivots.push(work[k].try_inverse().filter(|p| p.iter().all(|x| x.is_finite()))?);
+        pivots.push(inverse(work[k])?);
         let mut upper = Vec::new();
         for j in k + 1..n {
             if core::mem::take(&mut there[j]) {

@@ -5,6 +5,7 @@
 
 use super::blocks::{Blocks, ContactBlock};
 use super::elimination;
+use crate::numerics::numbered;
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
@@ -127,6 +128,6 @@ pub(super) fn newton_step<const C: usize>(
         }
         row
     };
-    let rows: Vec<elimination::SparseRow<C>> = (0..blocks.len()).map(row).collect();
+    let rows: Vec<elimination::SparseRow<C>> = numbered(blocks.len(), &row);
     elimination::solve(order, &rows, &-&here.missed)
 }

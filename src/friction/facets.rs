@@ -13,6 +13,7 @@
 use super::problem::FrictionProblem;
 use super::settings::MOST_FACETS;
 use crate::lcp::{Lcp, LcpError};
+use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use core::f64::consts::TAU;
 use nalgebra::{DMatrix, DVector, SVector};
@@ -38,9 +39,9 @@ impl<const C: usize> Facets<C> {
             if C == 2 {
                 return vec![either(1.0), either(-1.0)];
             }
-            (0..count).map(|k| direction(angle + TAU * k as f64 / count as f64)).collect()
+            numbered(count, &|k| direction(angle + TAU * k as f64 / count as f64))
         };
-        Self(angles.iter().map(of).collect())
+        Self(mapped(&angles, &of))
     }
 
     /// The number of unknowns of each contact: r_N, its β, λ.

@@ -7,6 +7,7 @@ use super::problem::FrictionProblem;
 use super::settings::Settings;
 use super::solution::Solution;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
+use crate::numerics::mapped;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -51,7 +52,7 @@ impl<const C: usize> FrictionProblem<C> {
         Self {
             w: DMatrix::from_fn(size, size, |i, j| self.w[(component(i), component(j))]),
             q: DVector::from_fn(size, |i, _| self.q[component(i)]),
-            mu: contacts.iter().map(|i| self.mu[*i]).collect(),
+            mu: mapped(&contacts, &|i| self.mu[*i]),
         }
     }
 

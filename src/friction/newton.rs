@@ -3,6 +3,7 @@
 
 use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
+use crate::numerics::numbered;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
@@ -45,7 +46,7 @@ impl<'a, const C: usize> Newton<'a, C> {
             let size = if own > 0.0 { own } else { any };
             if size > 0.0 { 1.0 / size } else { 1.0 }
         };
-        Self { problem, rho: (0..problem.len()).map(rho).collect() }
+        Self { problem, rho: numbered(problem.len(), &rho) }
     }
 
     /// The forces after at most `steps` Newton steps, and the number of steps made.
@@ -96,10 +97,16 @@ impl<'a, const C: usize> Newton<'a, C> {
         let mut jacobian = DMatrix::zeros(size, size);
         for (i, change) in here.changes.iter().enumerate() {
             // d(r − Π(r − ρ (W r + q))).
-            let rows = change * self.problem.w.fixed_rows::<C>(C * i) * self.rho[i];
-            jacobian.fixed_rows_mut::<C>(C * i).copy_from(&rows);
-            let mut own = jacobian.fixed_view_mut::<C, C>(C * i, C * i);
-            own += SMatrix::<f64, C, C>::identity() - change;
+            for a in 0..C {
+                for column in 0..size {
+                    let row = (0..C).map(|b| change[(a, b)] * self.problem.w[(C * i + b, column)]);
+                    jacobian[(C * i + a, column)] = row.sum::<f64>() * self.rho[i];
+                }
+                for b in 0..C {
+                    let unchanged = if a == b { 1.0 } else { 0.0 };
+                    jacobian[(C * i + a, C * i + b)] += unchanged - change[(a, b)];
+                }
+            }
         }
         let step = least_squares(jacobian, &-&here.missed);
         step.iter().all(|x| x.is_finite()).then_some(step)

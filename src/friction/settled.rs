@@ -3,6 +3,7 @@
 use super::law::{ContactMode, projection, tangent};
 use super::problem::{FrictionProblem, part};
 use super::solution::Solution;
+use crate::numerics::numbered;
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
@@ -49,7 +50,7 @@ impl<const C: usize> FrictionProblem<C> {
         let states = |r: &DVector<f64>| -> Vec<ContactMode> {
             let u = self.velocities(r);
             let state = |i| Self::state(&part(r, i), &part(&u, i), self.mu[i], rho[i]);
-            (0..self.len()).map(state).collect()
+            numbered(self.len(), &state)
         };
         let found = states(&r);
         for (i, _) in found.iter().enumerate().filter(|(_, state)| **state == ContactMode::Open) {

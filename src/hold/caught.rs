@@ -5,6 +5,7 @@ use core::fmt;
 use super::words::{AT_ONCE, amount_of};
 use crate::grasp::{Contact, Engine, WholeContact, WholeContacts};
 use crate::load_path::{Event, Jump, JumpSlip, Leg, PathEnd, Ramp};
+use crate::numerics::largest;
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -152,7 +153,7 @@ impl Caught {
 impl fmt::Display for Caught {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
-        let longest = self.slips.iter().map(|slip| slip.distance).fold(0.0, f64::max);
+        let longest = largest(&self.slips, &|slip| slip.distance);
         let told = self.slips.iter().filter(|slip| slip.distance > SHORT * longest);
         let told = told.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
         write!(f, "after slipping {}", listed(&told.collect::<Vec<_>>()))

@@ -18,6 +18,7 @@ use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{WayOut, comes_apart, way_out};
 use super::words::AT_ONCE;
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// Largest gap of a contact that still touches, relative to the size of the grasp, where the motion of a loss gets its name. Smaller ones let
@@ -122,7 +123,7 @@ impl Engine {
     fn lost_at_rest(&self, base: &Wrench<3>, settings: &Settings) -> Option<Box<Lost<3>>> {
         let growing = self.growing_from_nothing(base);
         let direction = if growing.is_some() { Wrench::from_components(&[1.0]) } else { *base };
-        let commands: Vec<_> = self.contacts().iter().map(|contact| contact.command).collect();
+        let commands: Vec<_> = mapped(&self.contacts(), &|contact| contact.command);
         let none = vec![SVector::zeros(); self.len()];
         let grasp = growing.as_ref().unwrap_or(self).with_commands(&none).ok()?;
         let leg = Leg::along(&Ramp::load(Wrench::ZERO, direction).with_commands(commands));
@@ -189,7 +190,7 @@ impl Engine {
                     },
                     open: leaves(|how| matches!(how, Departure::Opens)),
                     would_pull: leaves(|how| matches!(how, Departure::WouldPull)),
-                    give_way: event.drives.iter().map(|drive| drive.part.text()).collect(),
+                    give_way: mapped(&event.drives, &|drive| drive.part.text()),
                 })
             }
             Onset::AlreadySliding(state) => Some(FirstSlip {

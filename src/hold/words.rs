@@ -8,6 +8,7 @@ use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
 use crate::equilibrium::TooFar;
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
+use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{Words, listed, open, opens, printable};
 
@@ -227,7 +228,7 @@ impl FirstSlip {
 /// "left and right slide, thumb opens".
 impl fmt::Display for FirstSlip {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let give_way: Vec<_> = self.give_way.iter().map(|name| printable(name)).collect();
+        let give_way: Vec<_> = mapped(&self.give_way, &|name| printable(name));
         let gives = if give_way.len() == 1 { "gives way" } else { "give way" };
         let all = [
             (!self.slide.is_empty()).then(|| does(&self.slide, "slides", "slide")),
@@ -345,7 +346,7 @@ fn told_together<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String 
             format!("{} {}", listed(names), way.goes(words, true))
         }
     };
-    listed(&ways.iter().map(told).collect::<Vec<_>>())
+    listed(&mapped(&ways, &told))
 }
 
 impl<const C: usize> WayOut<C> {
@@ -368,7 +369,7 @@ impl<const C: usize> WayOut<C> {
                 };
                 let about_whole =
                     |part: &WholeContact| about.iter().all(|other| other.contact != part.contact);
-                let edges: Vec<_> = about.iter().map(edge).collect();
+                let edges: Vec<_> = mapped(&about, &edge);
                 let opens: Vec<_> = opens.iter().filter(|part| about_whole(part)).cloned().collect();
                 let they_open =
                     if opens.is_empty() { String::new() } else { format!(", {}", they_open(&opens)) };

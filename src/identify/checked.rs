@@ -5,6 +5,7 @@ use super::slip::Slip;
 use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
 use crate::error::Error;
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
@@ -46,8 +47,8 @@ impl<const C: usize> Identify<C> {
         }
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check_numbers(k, layouts))?;
         self.slips.iter().enumerate().try_for_each(|(k, slip)| slip.check(k, layouts))?;
-        let scatters: Vec<_> = self.slips.iter().map(|slip| slip.scatter).collect();
-        let groups: Vec<_> = self.slips.iter().map(|slip| slip.group.map(|group| group as f64)).collect();
+        let scatters: Vec<_> = mapped(&self.slips, &|slip| slip.scatter);
+        let groups: Vec<_> = mapped(&self.slips, &|slip| slip.group.map(|group| group as f64));
         for (field, column) in [("scatter", scatters), ("group", groups)] {
             let has_none = column.contains(&None);
             if let Some(slip) = column.iter().position(Option::is_some).filter(|_| has_none) {

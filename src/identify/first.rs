@@ -59,7 +59,7 @@ fn exact<const C: usize>(seen: &SlipToPredict<'_, C>, event: &OnsetEvent<C>) -> 
         seen.contacts_of(unknown).map(of).sum::<f64>()
     };
     let presses = seen.is_pressed_by_commands();
-    seen.by_unknowns(|kind, unknown, value| {
+    seen.by_unknowns(&|kind, unknown, value| {
         if kind == UnknownKind::Squeeze && !presses {
             return None;
         }

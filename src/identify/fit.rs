@@ -6,6 +6,7 @@ use super::model::{Linear, Model, NoSlip};
 use super::robust::Huber;
 use super::unknown::UnknownKind;
 use crate::error::Error;
+use crate::numerics::{SingularValues, mapped};
 use crate::prelude::*;
 
 /// Relative singular value below which a combination is not determined: derivatives from differences are exact to about 1e-8.
@@ -91,7 +92,7 @@ type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 /// squeezes and carried loads have the factor instead.
 fn begun<const C: usize>(model: &Model<'_, C>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
-    let begin: Vec<f64> = unknowns.iter().map(|unknown| unknown.begins_at(model.layouts).ln()).collect();
+    let begin: Vec<f64> = mapped(&unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
     let first = model.linear(&begin)?;
     let Err((_, mut why)) = first else { return Ok((begin, first)) };
     let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);
@@ -233,16 +234,10 @@ pub(super) fn singular(
     residuals: &[f64],
     weights: &[f64],
 ) -> (Vec<f64>, DMatrix<f64>, Vec<f64>) {
-    let columns = jacobian.ncols();
-    // Rows of zeros if there are fewer slips than unknowns, so that the decomposition has a vector for every unknown.
-    let rows = jacobian.nrows().max(columns);
-    let weighted = |i: usize, x: f64| if i < weights.len() { weights[i] * x } else { 0.0 };
-    let matrix =
-        DMatrix::from_fn(rows, columns, |i, j| weighted(i, jacobian.get((i, j)).copied().unwrap_or(0.0)));
-    let right = DVector::from_fn(rows, |i, _| weighted(i, residuals.get(i).copied().unwrap_or(0.0)));
-    let svd = matrix.svd(true, true);
-    let along =
-        svd.u.as_ref().map_or_else(|| vec![0.0; columns], |u| u.tr_mul(&right).iter().copied().collect());
-    let directions = svd.v_t.as_ref().map_or_else(|| DMatrix::identity(columns, columns), DMatrix::transpose);
-    (svd.singular_values.iter().copied().collect(), directions, along)
+    let (rows, columns) = jacobian.shape();
+    let matrix = DMatrix::from_fn(rows, columns, |i, j| weights[i] * jacobian[(i, j)]);
+    let right = DVector::from_fn(rows, |i, _| weights[i] * residuals[i]);
+    let found = SingularValues::of(&matrix);
+    let along = found.along_left(&right);
+    (found.values, found.right, along)
 }

@@ -13,6 +13,7 @@ use super::slip::Grown;
 use crate::error::Error;
 use crate::grasp::{Motion, Twist};
 use crate::load_path::{Leg, PathEnd};
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// The load factor or angle at gross slip.
@@ -38,7 +39,7 @@ pub(super) fn predicted<const C: usize>(
     };
     for event in path.by_ref() {
         let Some(jump) = event.jump.filter(|jump| !jump.reaches.is_empty()) else { continue };
-        let forces: Vec<_> = event.state.contacts.iter().map(|contact| contact.force).collect();
+        let forces: Vec<_> = mapped(&event.state.contacts, &|contact| contact.force);
         let motion = match &jump.moved[..] {
             [object] if event.drives.is_empty() => Some(&object.twist),
             _ => None,

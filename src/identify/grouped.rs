@@ -15,6 +15,7 @@ use alloc::collections::BTreeMap;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// Eigenvalues of `1 - Q_g` below this are zero: one group determines the direction alone, and the others give no error for it.
@@ -71,7 +72,7 @@ impl Grouped {
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + self.groups.iter().map(|group| group.moves.dot(unknown).powi(2)).sum::<f64>();
-        let made_up: Vec<_> = self.groups.iter().map(|group| &group.made_up * unknown).collect();
+        let made_up: Vec<_> = mapped(&self.groups, &|group| &group.made_up * unknown);
         let told: Vec<_> = self.groups.iter().zip(&made_up).map(|(group, a)| &group.tells * a).collect();
         // Covariances of the groups' contributions, for independent rows.
         let covariance = |g: usize, h: usize| {

@@ -10,12 +10,13 @@
 //! displacement y that has changed the normal springs: dNᵢ = −kᵢ nᵢᵀ dy. The number of equations is the same. Newton's method starts from the end of
 //! the load path, and the root has exact derivatives. They do not depend on the path, and hence not on tangential springs and commands.
 
-use nalgebra::{DMatrix, DVector, Matrix, SVector};
+use nalgebra::{DMatrix, DVector, SVector};
 
 use super::model::SlipToPredict;
 use super::pressing::{NONE, Pressing, at_length, pressing};
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Twist, Wrench};
+use crate::numerics::{SingularValues, largest, mapped};
 use crate::prelude::*;
 
 /// Relative singular value below which a direction depends on the others.
@@ -49,11 +50,11 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         if !is_round || !seen.is_pressed_by_commands() || forces.len() != contacts.len() {
             return None;
         }
-        let farthest = contacts.iter().map(|contact| contact.point.norm()).fold(0.0, f64::max);
+        let farthest = largest(&contacts, &|contact| contact.point.norm());
         let length = if farthest > 0.0 { farthest } else { 1.0 };
         let motion = at_length::<C>(motion.components(), length);
         let mut pressing = pressing(seen, forces, length);
-        let fastest = pressing.iter().map(|contact| contact.velocity(&motion).norm()).fold(0.0, f64::max);
+        let fastest = largest(&pressing, &|contact| contact.velocity(&motion).norm());
         for contact in &mut pressing {
             let opens = contact.normal.dot(&motion).abs() > NONE * fastest;
             if opens {
@@ -90,12 +91,16 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
 
     /// Directions along which the object does not move as it leaves.
     fn kept(&self) -> Vec<DVector<f64>> {
-        let of = |contact: &Pressing| {
-            let stuck = if contact.sticks { C - 1 } else { 0 };
-            let tangents = contact.tangents.column_iter().take(stuck).map(Matrix::into_owned);
-            core::iter::once(contact.normal.clone()).chain(tangents).collect::<Vec<_>>()
-        };
-        self.pressing.iter().flat_map(of).collect()
+        let mut kept = Vec::new();
+        for contact in &self.pressing {
+            kept.push(contact.normal.clone());
+            if contact.sticks {
+                for axis in 0..C - 1 {
+                    kept.push(contact.tangents.column(axis).into_owned());
+                }
+            }
+        }
+        kept
     }
 
     fn stuck(&mut self) -> impl Iterator<Item = &mut Pressing> {
@@ -121,11 +126,11 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
     /// Changes all unknowns by a step.
     fn go(&mut self, equations: &Equations, step: &DVector<f64>) {
         let (springs, turns) = (equations.springs.ncols(), equations.turns.ncols());
-        let y = &equations.springs * step.rows(0, springs);
+        let y = &equations.springs * step.rows(0, springs).into_owned();
         for contact in &mut self.pressing {
             contact.normal_force -= contact.stiffness * contact.normal.dot(&y);
         }
-        self.motion += &equations.turns * step.rows(springs, turns);
+        self.motion += &equations.turns * step.rows(springs, turns).into_owned();
         self.motion.normalize_mut();
         for (j, contact) in self.stuck().enumerate() {
             contact.held += step.rows(springs + turns + j * (C - 1), C - 1);
@@ -136,7 +141,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
     /// Derivatives of the logarithm of the factor or angle by the logarithms of the unknowns. `None` at a kink.
     pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
         let equations = Equations::of(self)?;
-        self.seen.by_unknowns(|kind, unknown, value| {
+        self.seen.by_unknowns(&|kind, unknown, value| {
             let change = self.change(kind, unknown, value);
             let step = equations.solved(&-&change);
             let misses = (&equations.matrix * equations.scaled(&step) + &change).norm();
@@ -173,56 +178,65 @@ struct Equations {
     /// Orthonormal bases: displacements that change normal forces, and changes of the motion.
     springs: DMatrix<f64>,
     turns: DMatrix<f64>,
-    /// The matrix with columns of length one, the scale of each column, and the pseudo-inverse.
+    /// The matrix with columns of length one, the scale of each column, and the factors of the matrix.
     matrix: DMatrix<f64>,
     scales: DVector<f64>,
-    inverse: DMatrix<f64>,
+    factors: SingularValues,
 }
 
 impl Equations {
     /// `None` if the equations do not determine the load.
     fn of<const C: usize>(leaving: &GrossSlip<'_, '_, C>) -> Option<Self> {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
-        let normals: Vec<_> = pressing.iter().map(|contact| contact.normal.clone()).collect();
+        let normals: Vec<_> = mapped(&pressing, &|contact| contact.normal.clone());
         let (springs, _) = spaces(&normals, size);
         let mut kept = leaving.kept();
         kept.push(motion.clone());
         let (_, turns) = spaces(&kept, size);
-        let by_spring = |y: DVector<f64>| {
-            let part = |contact: &Pressing| {
-                contact.by_newton(motion) * (-contact.stiffness * contact.normal.dot(&y))
-            };
-            pressing.iter().map(part).fold(DVector::zeros(size), |sum, part| sum + part)
-        };
-        let by_turn = |by: DVector<f64>| {
-            let sliding = pressing.iter().filter(|contact| contact.slides());
-            sliding
-                .map(|contact| contact.turning(motion, &by))
-                .fold(DVector::zeros(size), |sum, part| sum + part)
-        };
-        let stuck = pressing.iter().filter(|contact| contact.sticks);
         let mut columns: Vec<DVector<f64>> = Vec::new();
-        columns.extend(springs.column_iter().map(|y| by_spring(y.into_owned())));
-        columns.extend(turns.column_iter().map(|by| by_turn(by.into_owned())));
-        columns.extend(stuck.flat_map(|contact| contact.tangents.column_iter().map(Matrix::into_owned)));
+        for y in springs.column_iter() {
+            let mut sum = DVector::zeros(size);
+            for contact in pressing {
+                sum += contact.by_newton(motion) * (-contact.stiffness * contact.normal.dot(&y));
+            }
+            columns.push(sum);
+        }
+        for by in turns.column_iter() {
+            let (by, mut sum) = (by.into_owned(), DVector::zeros(size));
+            for contact in pressing {
+                if contact.slides() {
+                    sum += contact.turning(motion, &by);
+                }
+            }
+            columns.push(sum);
+        }
+        for contact in pressing {
+            if contact.sticks {
+                for tangent in contact.tangents.column_iter() {
+                    columns.push(tangent.into_owned());
+                }
+            }
+        }
         columns.push(leaving.one_length(&leaving.seen.load_rate(leaving.at)));
-        let scale = |column: &DVector<f64>| if column.norm() > 0.0 { column.norm().recip() } else { 0.0 };
-        let scales = DVector::from_iterator(columns.len(), columns.iter().map(scale));
-        let mut matrix = DMatrix::from_columns(&columns);
-        matrix.column_iter_mut().zip(&scales).for_each(|(mut column, scale)| column *= *scale);
+        let mut scales = DVector::zeros(columns.len());
+        for (column, scale) in columns.iter_mut().zip(scales.iter_mut()) {
+            *scale = if column.norm() > 0.0 { column.norm().recip() } else { 0.0 };
+            *column *= *scale;
+        }
+        let matrix = DMatrix::from_columns(&columns);
         // The decomposition of a matrix with infinite entries would not end.
         if !matrix.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let inverse = matrix.clone().svd(true, true).pseudo_inverse(DEPENDENT).ok()?;
+        let factors = SingularValues::of(&matrix);
         let last = columns.len() - 1;
-        let told = inverse.row(last).dot(&matrix.column(last).transpose());
-        ((told - 1.0).abs() <= NONE).then_some(Self { springs, turns, matrix, scales, inverse })
+        let told = factors.solve(&columns[last], DEPENDENT)[last];
+        ((told - 1.0).abs() <= NONE).then_some(Self { springs, turns, matrix, scales, factors })
     }
 
     /// The least-squares solution of least norm, for the scaled columns.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
-        (&self.inverse * change).component_mul(&self.scales)
+        self.factors.solve(change, DEPENDENT).component_mul(&self.scales)
     }
 
     /// A step in units of the scaled columns.
@@ -233,12 +247,10 @@ impl Equations {
 
 /// Orthonormal bases of the span of these directions, and of its orthogonal complement.
 fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f64>) {
-    // Rows of zeros, so that the decomposition contains a basis of the whole space.
-    let rows = directions.len().max(size);
-    let matrix = DMatrix::from_fn(rows, size, |i, j| directions.get(i).map_or(0.0, |row| row[j]));
-    let svd = matrix.svd(false, true);
-    let all = svd.v_t.map_or_else(|| DMatrix::identity(size, size), |v| v.transpose());
-    let most = svd.singular_values.max();
-    let spanned = svd.singular_values.iter().filter(|value| **value > DEPENDENT * most).count();
+    let matrix = DMatrix::from_fn(directions.len(), size, |i, j| directions[i][j]);
+    let factors = SingularValues::of(&matrix);
+    let least = DEPENDENT * factors.largest();
+    let spanned = factors.values.iter().filter(|value| **value > least).count();
+    let all = factors.right;
     (all.columns(0, spanned).into_owned(), all.columns(spanned, size - spanned).into_owned())
 }

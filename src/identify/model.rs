@@ -64,10 +64,14 @@ pub(super) struct Linear {
 impl<const C: usize> Model<'_, C> {
     /// The grasps for these logarithms of the unknowns.
     pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess<C>>, Error> {
-        let with = |(layout, grasp): (usize, &Grasp<C>)| {
+        let mut guesses = Vec::with_capacity(self.layouts.len());
+        for (layout, grasp) in self.layouts.iter().enumerate() {
             let (mut contacts, mut base) = (grasp.contacts().to_vec(), Wrench::ZERO);
             let mut squeeze = 1.0;
-            for (unknown, log) in self.asked.unknowns.iter().zip(logs).filter(|(u, _)| u.is_in(layout)) {
+            for (unknown, log) in self.asked.unknowns.iter().zip(logs) {
+                if !unknown.is_in(layout) {
+                    continue;
+                }
                 unknown.put(layout, log.exp(), &mut contacts, &mut base);
                 if unknown.kind == UnknownKind::Squeeze && unknown.contacts.is_none() {
                     squeeze = log.exp();
@@ -77,9 +81,9 @@ impl<const C: usize> Model<'_, C> {
             if squeeze != 1.0 {
                 grasp = grasp.squeezed(squeeze)?;
             }
-            Ok(LayoutGuess { grasp, base })
-        };
-        self.layouts.iter().enumerate().map(with).collect()
+            guesses.push(LayoutGuess { grasp, base });
+        }
+        Ok(guesses)
     }
 
     /// The residuals alone. The inner error is the first slip that is not predicted, and the reason.
@@ -96,18 +100,25 @@ impl<const C: usize> Model<'_, C> {
         let (slips, knowns, columns) = (all.len(), self.asked.known.len(), logs.len());
         let mut jacobian = DMatrix::zeros(slips + knowns, columns);
         let unknown: Vec<_> = (0..slips).filter(|k| all[*k].exact.is_none()).collect();
-        for (k, exact) in all.iter().enumerate().filter_map(|(k, told)| Some((k, told.exact.as_ref()?))) {
-            (0..columns).for_each(|j| jacobian[(k, j)] = exact[j]);
+        for (k, told) in all.iter().enumerate() {
+            let Some(exact) = &told.exact else { continue };
+            for j in 0..columns {
+                jacobian[(k, j)] = exact[j];
+            }
         }
         if !unknown.is_empty() {
             for column in 0..columns {
                 let differences = self.differences(logs, column, &unknown, &all)?;
-                unknown.iter().zip(differences).for_each(|(k, value)| jacobian[(*k, column)] = value);
+                for (k, value) in unknown.iter().zip(differences) {
+                    jacobian[(*k, column)] = value;
+                }
             }
         }
         for (k, known) in self.asked.known.iter().enumerate() {
             let sum: f64 = known.unknowns.iter().map(|j| logs[*j].exp()).sum();
-            known.unknowns.iter().for_each(|j| jacobian[(slips + k, *j)] = logs[*j].exp() / sum);
+            for j in &known.unknowns {
+                jacobian[(slips + k, *j)] = logs[*j].exp() / sum;
+            }
         }
         Ok(Ok(Linear { residuals: self.off(logs, &all), jacobian, by_differences: unknown.len() }))
     }
@@ -125,7 +136,11 @@ impl<const C: usize> Model<'_, C> {
             logs[column] += by;
             let layouts = self.at(&logs)?;
             let told = map_in_order(those, |k| self.slip(&layouts, *k, false, &logs));
-            told.into_iter().collect::<Result<Vec<_>, Error>>()
+            let mut all = Vec::with_capacity(told.len());
+            for told in told {
+                all.push(told?);
+            }
+            Ok::<_, Error>(all)
         };
         let (up, down) = (beside(STEP)?, beside(-STEP)?);
         let difference = |((up, down), k): ((Result<Predicted, _>, Result<Predicted, _>), &usize)| {
@@ -242,16 +257,19 @@ impl<const C: usize> SlipToPredict<'_, C> {
     /// Derivatives by the logarithm of each unknown, from `by` for its kind; zero for unknowns of other layouts.
     pub(super) fn by_unknowns(
         &self,
-        by: impl Fn(UnknownKind, usize, f64) -> Option<f64>,
+        by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,
     ) -> Option<Vec<f64>> {
-        let each = |(j, log): (usize, &f64)| {
+        let mut all = Vec::with_capacity(self.logs.len());
+        for (j, log) in self.logs.iter().enumerate() {
             let unknown = &self.asked.unknowns[j];
-            if !unknown.is_in(self.slip.layout) {
-                return Some(0.0);
+            let is_in = unknown.is_in(self.slip.layout);
+            let value = if is_in { by(unknown.kind, j, log.exp())? } else { 0.0 };
+            if !value.is_finite() {
+                return None;
             }
-            by(unknown.kind, j, log.exp()).filter(|value| value.is_finite())
-        };
-        self.logs.iter().enumerate().map(each).collect()
+            all.push(value);
+        }
+        Some(all)
     }
 
     /// Whether the squeeze consists only of commands of contacts, for which derivatives are exact.

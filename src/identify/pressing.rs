@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::model::SlipToPredict;
 use crate::grasp::{Contact, Hold, Wrench};
+use crate::numerics::largest;
 use crate::prelude::*;
 
 /// Forces and velocities below this part of the largest are zero. A root whose load differs by more than this part is another root.
@@ -60,7 +61,7 @@ pub(super) fn pressing<const C: usize>(
     length: f64,
 ) -> Vec<Pressing> {
     let contacts = seen.grasp.contacts();
-    let largest = forces.iter().map(|force| force[0].abs()).fold(0.0, f64::max);
+    let largest = largest(&forces, &|force| force[0].abs());
     let may_pull = |contact: &Contact<C>| contact.hold != Hold::Unilateral;
     let of = |(contact, (data, frame)): (usize, (&Contact<C>, &SMatrix<f64, C, C>))| {
         let along = |axis: usize| {

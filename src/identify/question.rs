@@ -8,6 +8,7 @@ use super::spread::told;
 use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
 use crate::error::Error;
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// Unknown numbers of a grasp, and the observed slips. The question is checked when it is answered.
@@ -92,7 +93,7 @@ impl<const C: usize> Identify<C> {
     pub fn grasp_with(&self, grasp: &Grasp<C>, found: &Identified) -> Result<Grasp<C>, Error> {
         let layouts = self.layouts(grasp);
         self.check(&layouts)?;
-        let logs: Vec<_> = found.estimates.iter().map(|estimate| estimate.value.ln()).collect();
+        let logs: Vec<_> = mapped(&found.estimates, &|estimate| estimate.value.ln());
         let model = Model { layouts: &layouts, asked: self };
         Ok(model.at(&logs)?.swap_remove(0).grasp)
     }

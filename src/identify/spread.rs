@@ -1,7 +1,5 @@
 //! Errors of the unknowns.
 
-use alloc::collections::BTreeSet;
-
 use nalgebra::DMatrix;
 
 use super::answer::{Ending, Estimate, Identified};
@@ -10,7 +8,7 @@ use super::fit::{FitEnd, Fitted, Scatter, rank, singular};
 use super::grouped::Grouped;
 use super::model::{Linear, Model};
 use super::robust::Huber;
-use crate::numerics::two_sided;
+use crate::numerics::{increasing, mapped, numbered, two_sided};
 use crate::prelude::*;
 
 /// Probability that an interval contains the true value.
@@ -26,10 +24,10 @@ const STAYS: f64 = 1e-6;
 /// The answer at the end of a search.
 pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
-    let names: Vec<String> = model.asked.unknowns.iter().map(|unknown| unknown.called(grasp)).collect();
+    let names: Vec<String> = mapped(&model.asked.unknowns, &|unknown| unknown.called(grasp));
     let spread = fit.linear.as_ref().map(|linear| Spread::of(model, linear));
-    let estimates = names.iter().zip(&fit.logs).enumerate().map(|(j, (name, log))| {
-        let value = log.exp();
+    let estimates = numbered(names.len(), &|j| {
+        let (name, value) = (&names[j], fit.logs[j].exp());
         let known = spread.as_ref().and_then(|spread| spread.of_unknown(j));
         let (error, degrees) = known.unwrap_or((f64::INFINITY, None));
         let is_known = error.is_finite() && error <= TOO_WIDE;
@@ -45,7 +43,6 @@ pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identi
             degrees_of_freedom: degrees.filter(|_| is_known),
         }
     });
-    let estimates: Vec<_> = estimates.collect();
     let ending = match fit.end {
         FitEnd::Converged => Ending::Converged,
         FitEnd::Limit => Ending::NotConverged { iterations: fit.iterations },
@@ -56,7 +53,7 @@ pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identi
         let (Ok(Ok(there)), Some(here)) = (model.residuals(&there), &fit.linear) else { return false };
         there.iter().zip(&here.residuals).all(|(there, here)| (there - here).abs() <= STAYS)
     };
-    let values: Vec<_> = fit.logs.iter().map(|log| log.exp()).collect();
+    let values: Vec<_> = mapped(&fit.logs, &|log| log.exp());
     let among = |spread: &Spread| FreeCombination::among(spread.free(), (&names, &values), &stays);
     let free = spread.as_ref().map_or_else(Vec::new, among);
     let (residuals, by_differences) = fit.linear.as_ref().map_or_else(Default::default, |linear| {
@@ -68,7 +65,8 @@ pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identi
         estimates,
         ending,
         slips: model.asked.slips.len(),
-        groups: groups(model).map(|groups| groups.iter().collect::<BTreeSet<_>>().len()),
+        groups: groups(model)
+            .map(|groups| (0..groups.len()).filter(|k| !groups[..*k].contains(&groups[*k])).count()),
         scatter: spread
             .as_ref()
             .and_then(|spread| spread.scatter.estimated)
@@ -109,25 +107,24 @@ impl Spread {
         let degrees = rows.saturating_sub(rank);
         let scatter = model.scatter(&linear.residuals, rank);
         let huber = model.huber();
-        let off = || linear.residuals[..slips].iter().zip(&scatter.rows).map(|(r, sigma)| r / sigma);
-        let inside = off().filter(|u| u.abs() <= huber.0).count();
+        let all_off = numbered(rows, &|k| linear.residuals[k] / scatter.rows[k]);
+        let off = &all_off[..slips];
+        let inside = off.iter().filter(|u| u.abs() <= huber.0).count();
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
         // The contributions of groups are computed from the slips; for independent slips they have the mean square of a normal distribution.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
-        let weight = |(k, sigma): (usize, &f64)| if k < slips { counts / sigma } else { sigma.recip() };
-        let weights: Vec<_> = scatter.rows.iter().enumerate().map(weight).collect();
+        let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
         let square = scatter.estimated.is_none() && degrees > 0;
-        let square = square.then(|| huber.squares(off()) / (degrees as f64 * huber.mean_square()));
+        let square =
+            square.then(|| huber.squares(off.iter().copied()) / (degrees as f64 * huber.mean_square()));
         let mut spread = Self { values, directions, rank, degrees, scatter, square, grouped: None };
         spread.grouped = groups.map(|groups| {
             let rows = DMatrix::from_diagonal(&weights.into()) * &linear.jacobian * spread.told_directions();
-            let off = |(k, (r, sigma)): (usize, (&f64, &f64))| {
-                if k < slips { huber.pull(r / sigma) / slope.sqrt() } else { r / sigma }
-            };
-            let off: Vec<_> =
-                linear.residuals.iter().zip(&spread.scatter.rows).enumerate().map(off).collect();
+            let off = numbered(rows.nrows(), &|k| {
+                if k < slips { huber.pull(all_off[k]) / slope.sqrt() } else { all_off[k] }
+            });
             Grouped::of(&rows, &off, &groups)
         });
         spread
@@ -144,9 +141,7 @@ impl Spread {
 
     /// Directions in the order of decreasing singular values.
     fn in_order(&self) -> Vec<usize> {
-        let mut order: Vec<_> = (0..self.values.len()).collect();
-        order.sort_by(|a, b| self.values[*b].total_cmp(&self.values[*a]));
-        order
+        increasing(&mapped(&self.values, &|value| -value))
     }
 
     /// Directions that the slips do not determine, as columns.

@@ -2,6 +2,7 @@
 
 use crate::ask::Grasp;
 use crate::grasp::{Contact, Wrench};
+use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::listed;
 
@@ -115,7 +116,7 @@ impl Unknown {
         };
         let whose = self.contacts.as_ref().map_or_else(String::new, |contacts| {
             let those = grasp.whole_contacts(|i| contacts.contains(&i));
-            let names: Vec<_> = those.iter().map(ToString::to_string).collect();
+            let names: Vec<_> = mapped(&those, &ToString::to_string);
             format!(" of {}", listed(&names))
         });
         let at = self.layout.map_or_else(String::new, |layout| format!(" in layout {layout}"));

@@ -4,6 +4,7 @@ use core::fmt;
 
 use super::answer::{Ending, Estimate, Identified};
 use super::unknown::UnknownKind;
+use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -19,7 +20,7 @@ impl fmt::Display for Identified {
         if let Ending::NotPredicted { slip, says } = &self.ending {
             return write!(f, "NOT FOUND from {slips}: slip {slip} is not predicted, {says}");
         }
-        let told: Vec<_> = self.estimates.iter().map(|estimate| estimate.told(words)).collect();
+        let told: Vec<_> = mapped(&self.estimates, &|estimate| estimate.told(words));
         write!(f, "{} from {slips}", told.join(", "))?;
         if let Some(groups) = self.groups {
             write!(f, " in {groups} groups")?;

@@ -12,6 +12,7 @@ use super::step::{StepProgram, TrialStep};
 use super::sticking::StickingForces;
 use crate::ask::Grasp;
 use crate::error::Error;
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// Half width of the trust region (a box): at first, at most and at least, in units of the variables.
@@ -213,17 +214,21 @@ impl<const C: usize> Climb<'_, C> {
     ) -> (StepProgram, Vec<usize>) {
         let variables = &self.choice.variables;
         let force = self.choice.unit_of_force();
-        let mut rows: Vec<_> =
-            bounds.iter().map(|bound| (&bound.gradient / force, bound.left / force)).collect();
+        let mut rows: Vec<_> = mapped(&bounds, &|bound| (&bound.gradient / force, bound.left / force));
         let (mut rooms, mut reach) = (Vec::new(), vec![[f64::NEG_INFINITY, f64::INFINITY]; variables.len()]);
         for (i, spot) in held.placing.spots.iter().enumerate() {
-            for (row, room) in spot.iter().flat_map(|spot| &spot.rooms) {
+            let Some(spot) = spot else { continue };
+            for (row, room) in &spot.rooms {
                 let unit = variables.iter().find(|v| v.contact == i).map_or(1.0, |v| v.unit);
-                let of = variables.iter().map(|variable| match variable.what {
-                    DesignKind::Along(axis) if variable.contact == i => -row[axis],
-                    _ => 0.0,
-                });
-                rows.push((DVector::from_iterator(variables.len(), of), room / unit));
+                let mut of = DVector::zeros(variables.len());
+                for (j, variable) in variables.iter().enumerate() {
+                    if let DesignKind::Along(axis) = variable.what
+                        && variable.contact == i
+                    {
+                        of[j] = -row[axis];
+                    }
+                }
+                rows.push((of, room / unit));
                 rooms.push(i);
             }
         }
@@ -235,8 +240,8 @@ impl<const C: usize> Climb<'_, C> {
             }
         }
         let program = StepProgram {
-            factors: events.iter().map(|event| 1.0 + (event.value - held.value) / held.scale).collect(),
-            gradients: events.iter().map(|event| &event.gradient / held.scale).collect(),
+            factors: mapped(&events, &|event| 1.0 + (event.value - held.value) / held.scale),
+            gradients: mapped(&events, &|event| &event.gradient / held.scale),
             bounds: rows,
             reach,
         };

@@ -35,8 +35,11 @@ impl Curvature {
         let mixed = fell * part + &told * (1.0 - part);
         let new = step.dot(&mixed);
         if known > 0.0 && new > 0.0 && new.is_finite() {
-            self.0 += &mixed * mixed.transpose() / new - &told * told.transpose() / known;
-            self.0 = (&self.0 + self.0.transpose()) * 0.5;
+            for i in 0..step.len() {
+                for j in 0..step.len() {
+                    self.0[(i, j)] += mixed[i] * mixed[j] / new - told[i] * told[j] / known;
+                }
+            }
         }
     }
 }

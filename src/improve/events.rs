@@ -10,6 +10,7 @@ use nalgebra::{DVector, SVector};
 use super::goal::ImproveGoal;
 use super::sticking::{BySource, FrameForces, StickingForces};
 use crate::grasp::{Contact, Hold};
+use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 
 /// A friction force below this part of the normal force has no reliable direction, so that several directions are used.
@@ -88,7 +89,7 @@ fn worst<const C: usize>(mu: f64, force: &SVector<f64, C>) -> Vec<SVector<f64, C
     if friction > NO_FRICTION * force[0].abs() {
         vec![SVector::from_fn(|k, _| if k == 0 { mu } else { -force[k] / friction })]
     } else {
-        (0..AT_THE_TIP).map(|k| round(mu, TAU * k as f64 / AT_THE_TIP as f64)).collect()
+        numbered(AT_THE_TIP, &|k| round(mu, TAU * k as f64 / AT_THE_TIP as f64))
     }
 }
 
@@ -146,7 +147,7 @@ impl<const C: usize> Pressed<'_, C> {
         };
         let at_rest = rows(self.contact).unwrap_or_else(|| worst(self.contact.friction, &self.force));
         let sticks = |row: &SVector<f64, C>| constraint(ConstraintKind::Sticks, row, row.dot(&self.force));
-        let mut all: Vec<_> = at_rest.iter().map(sticks).collect();
+        let mut all: Vec<_> = mapped(&at_rest, &sticks);
         if let Some(most) = most {
             let row = SVector::from_fn(|k, _| if k == 0 { -1.0 } else { 0.0 });
             all.push(constraint(ConstraintKind::Force, &row, most - self.force[0]));
@@ -237,7 +238,7 @@ pub(super) fn events<const C: usize>(
 /// The angles of all local minima of a periodic function of an angle.
 fn worst_angles(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
     let step = TAU / ANGLES as f64;
-    let values: Vec<f64> = (0..ANGLES).map(|k| of(step * k as f64)).collect();
+    let values: Vec<f64> = numbered(ANGLES, &|k| of(step * k as f64));
     let lowest =
         |k: &usize| values[*k] <= values[(k + ANGLES - 1) % ANGLES] && values[*k] < values[(k + 1) % ANGLES];
     let refine = |k: usize| {
@@ -252,7 +253,7 @@ fn worst_angles(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
     };
     let mut angles: Vec<f64> = (0..ANGLES).filter(lowest).map(refine).collect();
     if angles.is_empty() {
-        angles = (0..4).map(|k| PI * 0.5 * f64::from(k)).collect();
+        angles = numbered(4, &|k| PI * 0.5 * k as f64);
     }
     angles
 }

@@ -10,7 +10,7 @@ use super::question::Improve;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::WholeContacts;
-use crate::numerics::{Draw, in_order};
+use crate::numerics::{Draw, in_order, increasing};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -67,24 +67,37 @@ impl<const C: usize> Improve<C> {
             // Only places are kept here: the forces of thousands of them would take much memory.
             Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.value, held.placing)))
         });
-        let mut drawn: Vec<_> =
-            drawn.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
-        drawn.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let best = drawn.into_iter().take(self.starts).map(|(_, placing)| placing);
-        let placings: Vec<_> = core::iter::once(given.clone()).chain(best).collect();
+        let (mut values, mut places) = (Vec::new(), Vec::new());
+        for held in drawn {
+            if let Some((value, placing)) = held? {
+                values.push(-value);
+                places.push(placing);
+            }
+        }
+        let mut placings = vec![given.clone()];
+        for k in increasing(&values).into_iter().take(self.starts) {
+            placings.push(places[k].clone());
+        }
         let ascents = in_order(&placings, &|placing| {
             climb.held(placing.clone())?.map(|held| climb.over_edges(held)).transpose()
         });
-        let ascents: Vec<Ascent<C>> =
-            ascents.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
-        let (count, steps) = (ascents.len(), ascents.iter().map(|ascent| ascent.steps).sum());
-        let best = ascents.into_iter().reduce(|best, next| {
-            let more = next.held.value > best.held.value + BETTER * best.held.scale;
-            let proved = next.held.value >= best.held.value
-                && next.search == SearchEnd::Optimum
-                && best.search != SearchEnd::Optimum;
-            if more || proved { next } else { best }
-        });
+        let (mut count, mut steps) = (0, 0);
+        let mut best: Option<Ascent<C>> = None;
+        for ascent in ascents {
+            let Some(next) = ascent? else { continue };
+            count += 1;
+            steps += next.steps;
+            let is_better = best.as_ref().is_none_or(|best| {
+                let more = next.held.value > best.held.value + BETTER * best.held.scale;
+                let proved = next.held.value >= best.held.value
+                    && next.search == SearchEnd::Optimum
+                    && best.search != SearchEnd::Optimum;
+                more || proved
+            });
+            if is_better {
+                best = Some(next);
+            }
+        }
         let force = match &self.loads {
             Loads::Each(list) if list.len() == 1 => {
                 list[0].measure().filter(|(_, unit)| *unit == "N").map(|(size, _)| size)

@@ -6,6 +6,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::{Onset, Ramp};
+use crate::numerics::numbered;
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
@@ -30,7 +31,7 @@ impl<const C: usize> Loaded<C> {
                     let force = core::array::from_fn(|k| if k == axis { *size } else { 0.0 });
                     Wrench::force_through(&(*point).into(), &force.into())
                 };
-                let (loads, asked) = ((0..C).map(axis).collect(), asked(Acts::AnyForce));
+                let (loads, asked) = (numbered(C, &axis), asked(Acts::AnyForce));
                 Self { base: *base + *beside, loads, asked, any: Some((*point, *size)) }
             }
             Loads::Turn(_) => Self { base: *base, loads: Vec::new(), asked: asked(Acts::Each), any: None },

@@ -5,7 +5,6 @@
 
 use super::ascent::{Ascent, Climb, Held};
 use super::placing::Placing;
-use super::spot::Spot;
 use crate::error::Error;
 use crate::prelude::*;
 
@@ -44,19 +43,19 @@ impl<const C: usize> Climb<'_, C> {
     /// Placings with one finger moved from the end of its part to an adjacent part, and one placing with all such fingers moved to their first
     /// adjacent part.
     fn beside(&self, from: &Placing<C>) -> Vec<Placing<C>> {
-        let others = self.choice.question.surfaces.iter().map(|(contact, surface)| {
-            let spot = from.spots[*contact].as_ref();
-            (*contact, spot.map_or(Vec::new(), |spot| spot.beside(surface)))
-        });
-        let others: Vec<(usize, Vec<Spot<C>>)> = others.filter(|(_, spots)| !spots.is_empty()).collect();
-        let one = others.iter().flat_map(|(contact, spots)| {
-            spots.iter().map(|spot| self.choice.put(from, *contact, spot.clone()))
-        });
-        let mut placings: Vec<_> = one.collect();
-        if others.len() > 1 {
-            let all = others.iter().fold(from.clone(), |placing, (contact, spots)| {
-                self.choice.put(&placing, *contact, spots[0].clone())
-            });
+        let (mut placings, mut all, mut move_at_once) = (Vec::new(), from.clone(), 0);
+        for (contact, surface) in &self.choice.question.surfaces {
+            let Some(spot) = &from.spots[*contact] else { continue };
+            let others = spot.beside(surface);
+            if let Some(first) = others.first() {
+                all = self.choice.put(&all, *contact, first.clone());
+                move_at_once += 1;
+            }
+            for other in others {
+                placings.push(self.choice.put(from, *contact, other));
+            }
+        }
+        if move_at_once > 1 {
             placings.push(all);
         }
         placings

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::surface::{Shape, Surface};
+use crate::numerics::{largest, numbered};
 use crate::prelude::*;
 
 pub(super) fn unit_direction<const C: usize>(to: &SVector<f64, C>) -> [f64; 3] {
@@ -53,7 +54,7 @@ fn on_triangle<const C: usize>(corners: &[SVector<f64, C>; 3], [a, b]: [f64; 2])
         let out = across(&[(to - from).normalize(), normal]);
         ([out.dot(&x), out.dot(&y)], -out.dot(&(point - from)))
     };
-    There { point, normal, bends: vec![0.0; 2], rooms: (0..3).map(room).collect(), along }
+    There { point, normal, bends: vec![0.0; 2], rooms: numbered(3, &room), along }
 }
 
 impl<const C: usize> Surface<C> {
@@ -79,7 +80,7 @@ impl<const C: usize> Surface<C> {
 
     /// The largest coordinate of a corner at which parts meet, m. The rounding of places is relative to it.
     pub(super) fn largest(&self) -> f64 {
-        let of = |corners: &[SVector<f64, C>]| corners.iter().map(SVector::amax).fold(0.0, f64::max);
+        let of = |corners: &[SVector<f64, C>]| largest(&corners, &SVector::amax);
         match &self.0 {
             Shape::Segments(parts) => of(parts.as_flattened()),
             Shape::Triangles(parts) => of(parts.as_flattened()),
@@ -127,11 +128,11 @@ impl<const C: usize> Surface<C> {
                 There { point, normal, along, bends, rooms }
             }
             Shape::Rectangle { corner, sides } => {
-                let along: Vec<_> = sides.iter().map(SVector::normalize).collect();
+                let along = sides.map(|side| side.normalize());
                 let mut rooms = Vec::from(between(0, a, sides[0].norm()));
                 rooms.extend(between(1, b, sides[1].norm()));
                 let point = corner + along[0] * a + along[1] * b;
-                There { point, normal: across(&along), along, bends: vec![0.0; 2], rooms }
+                There { point, normal: across(&along), along: along.to_vec(), bends: vec![0.0; 2], rooms }
             }
             Shape::Cylinder { ends, radius } => {
                 let axis = ends[1] - ends[0];

@@ -7,7 +7,7 @@ use super::spot::Spot;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold};
-use crate::numerics::Draw;
+use crate::numerics::{Draw, largest, numbered};
 use crate::prelude::*;
 
 /// Largest distance of a point from its surface relative to the size of its coordinates, and largest angle of its normal to that of the surface, rad.
@@ -57,8 +57,14 @@ impl<'q, const C: usize> Choice<'q, C> {
         let given = grasp.contacts().to_vec();
         let tangents: Vec<SVector<f64, C>> =
             grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
-        let middle = given.iter().map(Contact::point).sum::<SVector<f64, C>>() / given.len() as f64;
-        let square = given.iter().map(|contact| (contact.point - middle).norm_squared()).sum::<f64>();
+        let (mut middle, mut square) = (SVector::<f64, C>::zeros(), 0.0);
+        for contact in &given {
+            middle += contact.point;
+        }
+        middle /= given.len() as f64;
+        for contact in &given {
+            square += (contact.point - middle).norm_squared();
+        }
         let length = (square / given.len() as f64).sqrt();
         let length = if length > 0.0 { length } else { 1.0 };
         let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
@@ -81,16 +87,18 @@ impl<'q, const C: usize> Choice<'q, C> {
                 if aside > OFF {
                     return refused("angle between its normal and that of its surface", aside, "0 rad");
                 }
-                let along = |axis| DesignVariable { contact, what: DesignKind::Along(axis), unit: length };
-                variables.extend((0..spot.along.len()).map(along));
+                for axis in 0..spot.along.len() {
+                    variables.push(DesignVariable { contact, what: DesignKind::Along(axis), unit: length });
+                }
             }
             spots.push(spot);
             let most = question.most_of(contact).filter(|_| at.hold != Hold::Bonded);
             let stiffness = at.series_stiffness_of_axes()[0];
             let given = |most: f64| (stiffness * (at.command[0] - at.clearance)).clamp(0.0, most);
             presses.push(most.map(given));
-            let press = |most| DesignVariable { contact, what: DesignKind::Press { most }, unit: most };
-            variables.extend(most.map(press));
+            if let Some(most) = most {
+                variables.push(DesignVariable { contact, what: DesignKind::Press { most }, unit: most });
+            }
         }
         let choice = Self { question, given, tangents: tangents.clone(), variables };
         Ok((choice, Placing { spots, tangents, presses }))
@@ -122,12 +130,12 @@ impl<'q, const C: usize> Choice<'q, C> {
     pub(super) fn moved(&self, from: &Placing<C>, step: &[f64]) -> Placing<C> {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
-            let of = self.variables.iter().zip(step);
-            let of = of.filter(|(variable, _)| variable.contact == *contact);
-            let along: Vec<f64> = of
-                .filter(|(variable, _)| matches!(variable.what, DesignKind::Along(_)))
-                .map(|(variable, step)| variable.unit * step)
-                .collect();
+            let mut along = Vec::new();
+            for (variable, step) in self.variables.iter().zip(step) {
+                if variable.contact == *contact && matches!(variable.what, DesignKind::Along(_)) {
+                    along.push(variable.unit * step);
+                }
+            }
             let spot = from.spots[*contact].as_ref().map(|spot| spot.moved(surface, &along));
             placing.tangents[*contact] = self.tangent(*contact, &from.tangents[*contact], spot.as_ref());
             placing.spots[*contact] = spot;
@@ -165,14 +173,14 @@ impl<'q, const C: usize> Choice<'q, C> {
         let press = |variable: &DesignVariable| {
             if let DesignKind::Press { most } = variable.what { most } else { 0.0 }
         };
-        let most = self.variables.iter().map(press).fold(0.0, f64::max);
+        let most = largest(&self.variables, &press);
         if most > 0.0 { most } else { 1.0 }
     }
 
     /// The contacts of a placing, with their commands.
     pub(super) fn contacts(&self, placing: &Placing<C>) -> Vec<Contact<C>> {
-        let with = |(i, given): (usize, &Contact<C>)| {
-            let mut contact = given.clone();
+        numbered(self.given.len(), &|i| {
+            let mut contact = self.given[i].clone();
             if let Some(spot) = &placing.spots[i] {
                 (contact.point, contact.normal) = (spot.point, spot.normal);
                 contact.tangent = Some(placing.tangents[i]);
@@ -181,7 +189,6 @@ impl<'q, const C: usize> Choice<'q, C> {
                 contact.command[0] = contact.clearance + press / contact.series_stiffness_of_axes()[0];
             }
             contact
-        };
-        self.given.iter().enumerate().map(with).collect()
+        })
     }
 }

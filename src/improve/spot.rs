@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::places::unit_direction;
 use super::surface::{Shape, Surface};
-use crate::numerics::Draw;
+use crate::numerics::{Draw, mapped, numbered};
 use crate::prelude::*;
 
 /// A place on a part of a surface. Its coordinates `at` are those of the part: lengths or angles, and on a sphere a unit direction.
@@ -28,7 +28,7 @@ pub(super) struct Spot<const C: usize> {
 impl<const C: usize> Spot<C> {
     fn new(surface: &Surface<C>, part: usize, at: [f64; 3], side: f64) -> Self {
         let there = surface.there(part, at);
-        let (normal, bends) = (there.normal * side, there.bends.iter().map(|bend| bend * side).collect());
+        let (normal, bends) = (there.normal * side, mapped(&there.bends, &|bend| bend * side));
         Self { part, at, side, point: there.point, normal, along: there.along, bends, rooms: there.rooms }
     }
 
@@ -112,7 +112,7 @@ impl<const C: usize> Spot<C> {
 
     /// A uniformly random place on the whole surface, on the same side.
     pub(super) fn drawn(&self, surface: &Surface<C>, draw: &mut Draw) -> Self {
-        let sizes: Vec<f64> = (0..surface.parts()).map(|part| surface.size(part)).collect();
+        let sizes: Vec<f64> = numbered(surface.parts(), &|part| surface.size(part));
         let mut left = draw.uniform() * sizes.iter().sum::<f64>();
         let mut part = 0;
         while part + 1 < sizes.len() && left > sizes[part] {

@@ -10,6 +10,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{Lcp, Outcome, Settings};
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// A program in numbers near one: factors relative to the present value, variables in their units.
@@ -90,15 +91,20 @@ impl StepProgram {
                 [least + a.min(b), most + a.max(b)]
             })
         };
-        let events = || self.factors.iter().zip(&self.gradients);
-        let top = events().map(|(factor, g)| factor + ends(g)[1]).fold(f64::INFINITY, f64::min);
+        let ranges = mapped(&self.gradients, &ends);
+        let mut top = f64::INFINITY;
+        for (factor, [_, most]) in self.factors.iter().zip(&ranges) {
+            top = top.min(factor + most);
+        }
         if !top.is_finite() {
             return None;
         }
         // All other events stay above this value within the box.
-        let near: Vec<usize> =
-            events().enumerate().filter(|(_, (f, g))| *f + ends(g)[0] < top).map(|(k, _)| k).collect();
-        let near = if near.is_empty() { vec![0] } else { near };
+        let mut near: Vec<usize> = (0..ranges.len()).collect();
+        near.retain(|k| self.factors[*k] + ranges[*k][0] < top);
+        if near.is_empty() {
+            near.push(0);
+        }
         let top = top + ABOVE;
         let (m, b) = (near.len(), self.bounds.len());
         let (first, size) = (n + 1, n + 1 + m + b + n);
@@ -138,7 +144,7 @@ impl StepProgram {
         let share = if share > 0.0 { share } else { 1.0 };
         let mut events = vec![0.0; self.factors.len()];
         near.iter().enumerate().for_each(|(row, k)| events[*k] = z[first + row] / share);
-        let bounds = z.rows(first + m, b).iter().map(|y| y / share).collect();
+        let bounds = mapped(&z.as_slice()[first + m..][..b], &|y| y / share);
         Some(Solved { d, events, bounds })
     }
 }

@@ -11,6 +11,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::Parameter;
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// Forces of all contacts in their frames, N.
@@ -88,8 +89,7 @@ impl<const C: usize> StickingForces<C> {
             return Ok(None);
         };
         let states = BySource { rest, squeeze, loads: states };
-        let forces =
-            states.each(|(_, state)| Some(state.contacts.iter().map(|contact| contact.force).collect()));
+        let forces = states.each(|(_, state)| Some(mapped(&state.contacts, &|contact| contact.force)));
         Ok(forces.map(|forces| Self { states, forces }))
     }
 

@@ -208,8 +208,9 @@ impl<const C: usize> Surface<C> {
 
     fn is_one(&self) -> Result<(), NoSurface> {
         let refused = |field, value, allowed| Err(NoSurface { field, value, allowed });
-        let wrong = |points: &mut dyn Iterator<Item = &SVector<f64, C>>| {
-            points.flat_map(|p| p.iter().copied().collect::<Vec<_>>()).find(|x| !is_moderate(*x))
+        let wrong = |points: &[SVector<f64, C>]| {
+            let mut numbers = points.iter().flat_map(|point| point.as_slice());
+            numbers.find(|x| !is_moderate(**x)).copied()
         };
         let size = "finite, above 0 and at most 1e50 m";
         let long = |length: f64| length > 0.0 && is_moderate(length);
@@ -217,7 +218,7 @@ impl<const C: usize> Surface<C> {
             Shape::Segments(parts) => {
                 let least = parts.iter().map(|[a, b]| (b - a).norm()).fold(f64::INFINITY, f64::min);
                 let least = if parts.is_empty() { 0.0 } else { least };
-                (wrong(&mut parts.iter().flatten()), ("length of an edge of its surface", least))
+                (wrong(&parts.concat()), ("length of an edge of its surface", least))
             }
             Shape::Arc { centre, radius, from, over } => {
                 let over = over.unwrap_or(1.0);
@@ -229,11 +230,11 @@ impl<const C: usize> Surface<C> {
                         "finite, the arc above 0 and at most a full turn, rad",
                     );
                 }
-                (wrong(&mut core::iter::once(centre)), ("radius of its surface", *radius))
+                (wrong(&[*centre]), ("radius of its surface", *radius))
             }
             Shape::Spline(spline) => {
                 let least = spline.least_distance();
-                (wrong(&mut spline.points().iter()), ("least distance of points of its spline", least))
+                (wrong(spline.points()), ("least distance of points of its spline", least))
             }
             Shape::Rectangle { corner, sides } => {
                 let [a, b] = sides.map(|side| side.norm());
@@ -241,16 +242,13 @@ impl<const C: usize> Surface<C> {
                 if skew.abs() > SKEWED {
                     return refused("cosine between the sides of its rectangle", skew, "0, a right angle");
                 }
-                let points = wrong(&mut core::iter::once(corner).chain(sides));
-                (points, ("side of its rectangle", a.min(b)))
+                (wrong(&[*corner, sides[0], sides[1]]), ("side of its rectangle", a.min(b)))
             }
             Shape::Cylinder { ends, radius } => {
                 let least = radius.min((ends[1] - ends[0]).norm());
-                (wrong(&mut ends.iter()), ("radius or length of its cylinder", least))
+                (wrong(ends), ("radius or length of its cylinder", least))
             }
-            Shape::Sphere { centre, radius } => {
-                (wrong(&mut core::iter::once(centre)), ("radius of its surface", *radius))
-            }
+            Shape::Sphere { centre, radius } => (wrong(&[*centre]), ("radius of its surface", *radius)),
             Shape::Triangles(parts) => {
                 let height = |[a, b, c]: &[SVector<f64, C>; 3]| {
                     let (side, other) = (b - a, c - a);
@@ -258,7 +256,7 @@ impl<const C: usize> Surface<C> {
                 };
                 let least = parts.iter().map(height).fold(f64::INFINITY, f64::min);
                 let least = if parts.is_empty() { 0.0 } else { least };
-                (wrong(&mut parts.iter().flatten()), ("height of a triangle of its surface", least))
+                (wrong(&parts.concat()), ("height of a triangle of its surface", least))
             }
         };
         if let Some(value) = points {

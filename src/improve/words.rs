@@ -4,6 +4,7 @@ use core::fmt;
 
 use super::answer::{Binds, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;
+use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -46,27 +47,36 @@ impl<const C: usize> fmt::Display for Improved<C> {
 impl<const C: usize> Improved<C> {
     /// "left moves 3.1 mm along its edge, right 2 mm along its circle; both press with 10 N".
     fn told(&self, words: Words) -> String {
-        let far = self.contacts.iter().map(|placed| placed.moved).fold(0.0, f64::max);
-        let moves: Vec<&Placed<C>> =
-            self.contacts.iter().filter(|placed| placed.moved > ALIKE * far && far > 0.0).collect();
+        let mut far = 0.0_f64;
+        for placed in &self.contacts {
+            far = far.max(placed.moved);
+        }
+        let (mut moves, mut pressed): (Vec<&Placed<C>>, Vec<&Placed<C>>) = (Vec::new(), Vec::new());
+        for placed in &self.contacts {
+            if placed.moved > ALIKE * far && far > 0.0 {
+                moves.push(placed);
+            }
+            if placed.pressed_with.is_some() {
+                pressed.push(placed);
+            }
+        }
         let mut told = Vec::new();
         if moves.len() > MANY {
             told.push(format!("{} contacts move", moves.len()));
         } else if !moves.is_empty() {
-            let one = |(k, placed): (usize, &&Placed<C>)| {
-                let verb = if k == 0 { "moves " } else { "" };
+            let one = |k: usize| {
+                let (placed, verb) = (moves[k], if k == 0 { "moves " } else { "" });
                 let surface = placed.surface.as_deref().unwrap_or("surface");
                 format!("{} {verb}{} along its {surface}", placed.contact, words.length(placed.moved))
             };
-            told.push(listed(&moves.iter().enumerate().map(one).collect::<Vec<_>>()));
+            told.push(listed(&numbered(moves.len(), &one)));
         }
-        let pressed: Vec<&Placed<C>> =
-            self.contacts.iter().filter(|placed| placed.pressed_with.is_some()).collect();
         let force = |placed: &Placed<C>| words.number(placed.normal_force);
         if let Some(first) = pressed.first() {
-            let most = pressed.iter().map(|placed| placed.normal_force).fold(0.0, f64::max);
-            let alike = pressed.iter().all(|p| (p.normal_force - first.normal_force).abs() <= ALIKE * most);
-            let names: Vec<_> = pressed.iter().map(|placed| placed.contact.text()).collect();
+            let forces = mapped(&pressed, &|placed| placed.normal_force);
+            let most = forces.iter().copied().fold(0.0, f64::max);
+            let alike = forces.iter().all(|force| (force - first.normal_force).abs() <= ALIKE * most);
+            let names: Vec<_> = mapped(&pressed, &|placed| placed.contact.text());
             if alike {
                 let (who, verb) = match names.len() {
                     1 => (names[0].to_string(), "presses"),
@@ -75,11 +85,11 @@ impl<const C: usize> Improved<C> {
                 };
                 told.push(format!("{who} {verb} with {} N", force(first)));
             } else if pressed.len() <= MANY {
-                let each = pressed.iter().enumerate().map(|(k, placed)| {
+                let each = numbered(pressed.len(), &|k| {
                     let verb = if k == 0 { "presses with " } else { "with " };
-                    format!("{} {verb}{} N", placed.contact.text(), force(placed))
+                    format!("{} {verb}{} N", pressed[k].contact.text(), force(pressed[k]))
                 });
-                told.push(listed(&each.collect::<Vec<_>>()));
+                told.push(listed(&each));
             }
         }
         told.join("; ")

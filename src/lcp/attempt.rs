@@ -10,6 +10,7 @@ use super::problem::Lcp;
 use super::settings::Settings;
 use super::tolerances::{VALUE_ROUNDING, residual_rounding};
 use super::workspace::Workspace;
+use crate::numerics::numbered;
 use crate::prelude::*;
 
 /// The number of times a path is resumed after rounding has led it to a basis that is not feasible.
@@ -84,7 +85,7 @@ impl Workspace {
                 self.sharpen(lcp, settings, limit);
                 return None;
             };
-            let active: Vec<bool> = (0..lcp.len()).map(|i| self.path.dictionary.is_active(i)).collect();
+            let active: Vec<bool> = numbered(lcp.len(), &|i| self.path.dictionary.is_active(i));
             if !self.path.run_from(lcp.m.as_slice(), |i| active[i], settings, limit) {
                 return Some(failure);
             }

@@ -15,6 +15,7 @@ use super::linear_program::{self, MARGINS};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
+use crate::numerics::{increasing, mapped};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -68,17 +69,18 @@ impl Judge<'_> {
         let outside = (0..n).filter(|i| !alpha.contains(i)).map(|i| (w(i), Broken::Slack(i)));
         let mut broken: Vec<_> = (0..size).map(|j| (z[j], Broken::Domain(j))).chain(outside).collect();
         broken.retain(|(value, _)| *value < 0.0);
-        broken.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
-        broken.into_iter().take(TRIED).any(|(value, which)| {
+        increasing(&values).into_iter().take(TRIED).any(|place| {
+            let (value, which) = &broken[place];
             let push = if reach > 0.0 { USED_UP * -value / reach } else { USED_UP };
             let mut target = DVector::from_element(size, -push);
             let mut v = DVector::zeros(n);
             match which {
-                Broken::Domain(j) => target[j] -= 1.0,
+                Broken::Domain(j) => target[*j] -= 1.0,
                 Broken::Slack(i) => {
-                    target -= row(i);
-                    v[i] = 1.0;
+                    target -= row(*i);
+                    v[*i] = 1.0;
                 }
             }
             let Some(within) = solved(&transposed, &target) else { return false };

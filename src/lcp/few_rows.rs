@@ -4,7 +4,9 @@
 //! contradict each other, explain more, and their proof does not depend on the last digit of an entry.
 
 use super::problem::Lcp;
-use crate::prelude::*;
+#[cfg(not(feature = "std"))]
+use crate::numerics::FloatFunctions;
+use crate::numerics::increasing;
 use nalgebra::DVector;
 
 /// The largest number of rows for which pairs of rows are tried and vectors simplified: n² checks of n² products.
@@ -72,9 +74,10 @@ impl Lcp {
         if self.len() > MOST_ROWS {
             return y;
         }
-        let mut places: Vec<usize> = (0..y.len()).filter(|i| y[*i] != 0.0).collect();
-        places.sort_by(|i, j| y[*i].total_cmp(&y[*j]));
-        for i in places {
+        for i in increasing(y.as_slice()) {
+            if y[i] == 0.0 {
+                continue;
+            }
             let entry = core::mem::replace(&mut y[i], 0.0);
             if !self.proves_infeasible(&y) {
                 y[i] = entry;

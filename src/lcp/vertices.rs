@@ -9,6 +9,7 @@ use super::linear_program::MARGINS;
 use super::principal;
 use super::problem::Lcp;
 use super::scaling::Scaling;
+use crate::numerics::mapped;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -19,7 +20,7 @@ pub(super) const MOST_ROWS: usize = 6;
 pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<Item = DVector<f64>> + 'a {
     let n = lcp.len();
     subsets(alpha.len()).filter(|columns| !columns.is_empty()).flat_map(move |columns| {
-        let chosen: Vec<usize> = columns.iter().map(|k| alpha[*k]).collect();
+        let chosen: Vec<usize> = mapped(&columns, &|k| alpha[*k]);
         let count = columns.len();
         subsets(n).filter(move |rows| rows.len() == count).filter_map(move |rows| {
             let block = DMatrix::from_fn(count, count, |i, j| lcp.m[(rows[i], chosen[j])]);
@@ -85,7 +86,7 @@ fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
 
 /// All subsets of 0 … count − 1, those of few elements first.
 fn subsets(count: usize) -> impl Iterator<Item = Vec<usize>> {
-    let mut all: Vec<u32> = (0..1_u32 << count).collect();
-    all.sort_by_key(|bits| bits.count_ones());
-    all.into_iter().map(move |bits| (0..count).filter(|i| bits >> i & 1 == 1).collect())
+    let members = move |bits: u32| (0..count).filter(move |i| bits >> i & 1 == 1);
+    let of_size = move |size| (0..1_u32 << count).filter(move |bits| bits.count_ones() as usize == size);
+    (0..=count).flat_map(of_size).map(move |bits| members(bits).collect())
 }

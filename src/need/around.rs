@@ -5,6 +5,7 @@ use super::search::{SearchPlan, Tries};
 use super::threshold::Threshold;
 use super::trial::Trial;
 use crate::error::Error;
+use crate::numerics::{increasing, mapped};
 use crate::prelude::*;
 
 /// Ratio of the farthest scanned amount to the bound, above and below it; the k-th of n amounts is at `SCANNED^((k/n)³)`. A larger ratio scans more
@@ -67,7 +68,8 @@ impl Around {
             };
             around.side(from, up, is_beyond, &amounts, tries)?;
         }
-        around.elsewhere.sort_by(|one, other| low(one).total_cmp(&low(other)));
+        let lows: Vec<f64> = mapped(&around.elsewhere, &low);
+        around.elsewhere = increasing(&lows).into_iter().map(|i| around.elsewhere[i].clone()).collect();
         Ok(around)
     }
 
@@ -80,9 +82,12 @@ impl Around {
     ) -> Result<Option<Threshold>, Error> {
         let mut around = Self { changes: 0, until: None, elsewhere: Vec::new() };
         let up = plan.is_least;
-        let mut amounts: Vec<f64> = known.iter().map(|(at, _)| *at).collect();
+        let mut amounts: Vec<f64> = mapped(&known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
-        amounts.sort_by(|one, other| if up { one.total_cmp(other) } else { other.total_cmp(one) });
+        amounts.sort_by(f64::total_cmp);
+        if !up {
+            amounts.reverse();
+        }
         around.side((to, None), up, true, &amounts, tries)?;
         Ok(around.until)
     }

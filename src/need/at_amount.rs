@@ -6,6 +6,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::error::Error;
 use crate::load_path::{Leg, Ramp};
+use crate::numerics::tried;
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
@@ -38,10 +39,7 @@ impl<const C: usize> Grasp<C> {
         let Loading { loads, times, grasp, base: besides, .. } = &loading;
         let put_on = |ramp: Ramp<C>| Ok::<_, Error>(grasp.hold(ramp)?.state.map(|state| *state));
         let states: Vec<Option<Equilibrium<C>>> = match loads {
-            Loads::Each(list) => list
-                .iter()
-                .map(|load| put_on(Ramp::load(*besides, *load * *times)))
-                .collect::<Result<_, _>>()?,
+            Loads::Each(list) => tried(list, &|load| put_on(Ramp::load(*besides, *load * *times)))?,
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
                 // The force in the weakest direction with the size of the need.

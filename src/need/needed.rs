@@ -13,6 +13,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{WholeContacts, Wrench};
+use crate::numerics::largest;
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -178,7 +179,7 @@ fn start<const C: usize>(grasp: &Grasp<C>, need: &Need<C>) -> f64 {
             let away = |contact: &crate::grasp::Contact<C>| {
                 (contact.point() - first.unwrap_or(contact.point())).norm()
             };
-            let width = contacts.iter().map(away).fold(0.0, f64::max);
+            let width = largest(&contacts, &away);
             if width > 0.0 { width } else { 1.0 }
         }
         Sought::Angle { turn } => turn.angle(),

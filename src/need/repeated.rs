@@ -7,6 +7,7 @@ use super::trial::{Loading, NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Wrench};
 use crate::load_path::Leg;
+use crate::numerics::largest;
 use crate::prelude::*;
 use crate::shake::{Repeats, Shaken};
 use crate::squeeze::Loads;
@@ -38,15 +39,21 @@ impl<const C: usize> Loading<C> {
     fn cycle(&self) -> Option<(Wrench<C>, Vec<Leg<C>>)> {
         match &self.loads {
             Loads::Each(loads) => {
-                let legs = loads.iter().flat_map(|load| Leg::there_and_back(*load * self.times));
-                Some((self.base, legs.collect()))
+                let mut legs = Vec::new();
+                for load in loads {
+                    legs.extend(Leg::there_and_back(*load * self.times));
+                }
+                Some((self.base, legs))
             }
             Loads::Turn(turn) => {
                 let there = self.so_many(turn);
                 let round = there.angle() / TAU;
                 let is_round = (round - round.round()).abs() <= ROUND && round > 0.5;
-                let back = (!is_round).then(|| Leg::turn(&there.back()));
-                Some((there.load_at(0.0), core::iter::once(Leg::turn(&there)).chain(back).collect()))
+                let mut legs = vec![Leg::turn(&there)];
+                if !is_round {
+                    legs.push(Leg::turn(&there.back()));
+                }
+                Some((there.load_at(0.0), legs))
             }
             Loads::AnyForce { .. } => None,
         }
@@ -63,7 +70,7 @@ fn carried<const C: usize>(shaken: &Shaken<C>, legs: usize) -> f64 {
         }
         Repeats::Walks { by, .. } => {
             let part = |motion: &BodyMotion<C>| motion.speed() / motion.reach.max(f64::MIN_POSITIVE);
-            HELD + (1.0 - HELD) / (2.0 + by.iter().map(part).fold(0.0, f64::max))
+            HELD + (1.0 - HELD) / (2.0 + largest(&by, &part))
         }
         _ => HELD + 0.5 * (1.0 - HELD),
     }

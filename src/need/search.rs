@@ -7,6 +7,7 @@ use super::range::Range;
 use super::threshold::{Enough, Threshold};
 use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
+use crate::numerics::increasing;
 use crate::prelude::*;
 
 /// Offset that moves a guess across the bound, relative to the amount, so that trials on both sides leave a bracket within [`EXACT`]. Below it
@@ -297,8 +298,8 @@ fn edge_from(
 /// A golden section around the best trial therefore finds its maximum.
 fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64, Trial)>, Error> {
     let known = vain.iter().filter_map(|(at, trial)| Some((*at, trial.carried()?)));
-    let mut in_order: Vec<_> = known.collect();
-    in_order.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let (amounts, carried): (Vec<f64>, Vec<f64>) = known.unzip();
+    let in_order: Vec<_> = increasing(&amounts).into_iter().map(|i| (amounts[i], carried[i])).collect();
     let carries_most = |i: &usize, j: &usize| in_order[*i].1.total_cmp(&in_order[*j].1);
     let Some(best) = (0..in_order.len()).max_by(carries_most) else { return Ok(None) };
     // Equal carried parts show no direction.

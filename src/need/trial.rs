@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{Holding, Verdict};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
+use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 use crate::words::Words;
@@ -119,7 +120,7 @@ pub(super) struct Loading<const C: usize> {
 impl<const C: usize> Loading<C> {
     /// The grasp and its loads with an amount of the sought quantity, friction and squeeze reduced and loads enlarged by `safety`.
     pub(super) fn of(grasp: &Grasp<C>, need: &Need<C>, amount: f64, safety: Safety) -> Result<Self, Error> {
-        let [friction, squeeze] = safety.lower.map(|part| 1.0 - part);
+        let (friction, squeeze) = (1.0 - safety.lower[0], 1.0 - safety.lower[1]);
         let changed =
             |squeezed: f64| if squeezed == 1.0 { Ok(grasp.clone()) } else { grasp.squeezed(squeezed) };
         let (mut times, mut base) = (safety.load, need.base);
@@ -184,7 +185,7 @@ impl<const C: usize> Loading<C> {
         let (besides, times) = (self.base, self.times);
         Ok(match &self.loads {
             Loads::Each(loads) => {
-                let ramps: Vec<_> = loads.iter().map(|load| Ramp::load(besides, *load * times)).collect();
+                let ramps: Vec<_> = mapped(&loads, &|load| Ramp::load(besides, *load * times));
                 self.all(&ramps, demand, first)?
             }
             Loads::AnyForce { base, size, point } => {
@@ -198,7 +199,9 @@ impl<const C: usize> Loading<C> {
                         let force = |d: [f64; C]| force_at(d.map(|x| x * *size * times), *point);
                         let loaded = besides + *base * times;
                         let mut ramps = vec![Ramp::load(besides, *base * times)];
-                        ramps.extend(directions::<C>().into_iter().map(|d| Ramp::load(loaded, force(d))));
+                        for d in directions::<C>() {
+                            ramps.push(Ramp::load(loaded, force(d)));
+                        }
                         Trials { sticks: None, ..self.all(&ramps, demand, first)? }
                     }
                 }
@@ -209,8 +212,8 @@ impl<const C: usize> Loading<C> {
 
     /// The turn with its loads multiplied by `times`, plus the load at rest.
     pub(super) fn so_many(&self, turn: &Turn<C>) -> Turn<C> {
-        let [constant, cosine, sine] = turn.parts().map(|part| part * self.times);
-        Turn::new(self.base + constant, cosine, sine).up_to(turn.angle())
+        let ([constant, cosine, sine], times) = (turn.parts(), self.times);
+        Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
     /// The trials of these ramps, up to the first that is not carried.
@@ -356,5 +359,5 @@ fn directions<const C: usize>() -> Vec<[f64; C]> {
         let (sin, cos) = (angle * k as f64).sin_cos();
         core::array::from_fn(|a| [radius * cos, radius * sin, z][a])
     };
-    (0..count).map(direction).collect()
+    numbered(count, &direction)
 }

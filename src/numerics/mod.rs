@@ -6,6 +6,7 @@
 //! | `orthogonal` | rank-revealing orthogonal factors of a tall matrix with graded rows |
 //! | `gram_schmidt` | its orthogonalisation, column by column |
 //! | `orthonormal_set` | the part of a vector across orthonormal vectors |
+//! | `singular_values` | singular values and vectors of a matrix |
 //! | `complete_pivoting` | LU with rank, kernels and the unreachable part of a right-hand side |
 //! | `cores` | work spread over the cores |
 //! | `partial_pivoting` | LU of a matrix far from singular |
@@ -21,6 +22,7 @@
 //! | `nearest_point` | the nearest point of a polyhedral cone |
 //! | `band` | LU of a band matrix |
 //! | `positive_band` | Cholesky factors of a symmetric positive definite band matrix |
+//! | `increasing` | the order of anything by a number |
 //! | `narrow_order` | an order of coordinates with a narrow band |
 //! | `bordered` | LU of a matrix with one more row and column |
 //! | `bordered_band` | the same for a band |
@@ -34,6 +36,7 @@
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
 //! | `square_root` | the square root of std under a name of its own |
+//! | `mapped` | lists made of other lists or of numbers |
 //! | `cleared_for` | lists that are refilled in their own memory |
 //! | `memory` | memory that is kept from question to question |
 //! | `without_std` | replacements for std where it is missing |
@@ -52,8 +55,10 @@ mod exact_sum;
 mod factors;
 mod gram_schmidt;
 mod harmonic;
+mod increasing;
 mod largest_ball;
 mod linearly_implicit;
+mod mapped;
 mod memory;
 mod narrow_order;
 mod nearest_point;
@@ -66,6 +71,7 @@ mod partial_pivoting;
 mod positive_band;
 mod pseudo_random;
 mod ray_shooting;
+mod singular_values;
 mod square_root;
 mod student_t;
 mod support;
@@ -88,8 +94,10 @@ pub(crate) use double_double::{DoubleDouble, rounding_of};
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
 pub(crate) use harmonic::Harmonic;
+pub(crate) use increasing::increasing;
 pub(crate) use largest_ball::largest_ball;
 pub(crate) use linearly_implicit::implicit_step;
+pub(crate) use mapped::{largest, mapped, numbered, tried};
 pub(crate) use memory::Memory;
 pub(crate) use narrow_order::{narrow_order, widest};
 pub(crate) use nearest_point::NearestPoint;
@@ -102,6 +110,7 @@ pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{RayExit, shoot};
+pub(crate) use singular_values::SingularValues;
 pub(crate) use square_root::square_root;
 #[cfg(feature = "std")]
 pub(crate) use std::sync::OnceLock as Once;

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Equilibrium};
 use crate::grasp::HandPart;
+use crate::numerics::numbered;
 
 /// Names of joints and tendons, and the centres of the joints.
 #[derive(Debug, Clone)]
@@ -18,7 +19,7 @@ impl<const C: usize> Actuators<C> {
         let joint = |(j, at): (usize, &Option<SVector<f64, C>>)| (grasp.label_of(HandPart::Joint(j)), *at);
         let joints: Vec<_> = grasp.joint_centres().iter().enumerate().map(joint).collect();
         let tendons = grasp.joint_commands().len() - joints.len();
-        Self { joints, tendons: (0..tendons).map(|t| grasp.label_of(HandPart::Tendon(t))).collect() }
+        Self { joints, tendons: numbered(tendons, &|t| grasp.label_of(HandPart::Tendon(t))) }
     }
 
     /// Joints and tendons at their limit; joints with their centres, if these are known.

@@ -59,7 +59,7 @@ pub(super) fn draw_series<'a, 'b: 'a>(
         Stroke::Circles => _ = chart.draw_series(points.map(|p| Circle::new(p, 4 * FINE, style)))?,
         Stroke::Dots => _ = chart.draw_series(points.map(|p| Circle::new(p, 2 * FINE, faint(color))))?,
         Stroke::Bars => {
-            let corners = series.bars().filter(|corners| corners.iter().all(is_finite));
+            let corners = series.bars().into_iter().filter(|corners| corners.iter().all(is_finite));
             chart.draw_series(corners.map(|corners| Rectangle::new(corners, faint(color))))?;
         }
         Stroke::Line | Stroke::Directed | Stroke::Dashed => {}

@@ -12,6 +12,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Leg;
+use crate::numerics::{increasing, largest, mapped};
 
 /// Slips below this part of the longest count as zero.
 const NO_SLIP: f64 = 1e-6;
@@ -54,13 +55,14 @@ pub fn charts_of_cycles<const C: usize>(
     let events = path.run();
     let states = drawn.states(&path, &events);
     let tips = fingertips(grasp.contacts());
-    let slides: Vec<_> = tips.iter().map(|tip| Rubbing::of(tip, &states)).collect();
-    let farthest = slides.iter().map(|slide| slide.farthest).fold(0.0, f64::max);
+    let slides: Vec<_> = mapped(&tips, &|tip| Rubbing::of(tip, &states));
+    let farthest = largest(&slides, &|slide| slide.farthest);
     let mut order: Vec<_> = (0..tips.len()).filter(|k| slides[*k].farthest > NO_SLIP * farthest).collect();
     if order.is_empty() {
         return Ok(Vec::new());
     }
-    order.sort_by(|a, b| slides[*b].farthest.total_cmp(&slides[*a].farthest));
+    let lengths: Vec<f64> = mapped(&order, &|k| -slides[*k].farthest);
+    order = increasing(&lengths).into_iter().map(|i| order[i]).collect();
     let others = if order.len() > MOST_CURVES { "slide less, or nowhere" } else { "slide nowhere" };
     order.truncate(MOST_CURVES);
     order.sort_unstable();
@@ -71,17 +73,16 @@ pub fn charts_of_cycles<const C: usize>(
     for (k, tip) in order.iter().enumerate() {
         let (name, curve) = (tips[*tip].name.clone(), &slides[*tip].curve);
         let stroke = if k < PALETTE.len() { Stroke::Line } else { Stroke::Dashed };
-        slips = slips.series(name.clone(), curve.iter().map(|(x, slip, _)| (*x, *slip)).collect(), stroke);
+        slips = slips.series(name.clone(), mapped(&curve, &|(x, slip, _)| (*x, *slip)), stroke);
         let of_the_last: Vec<_> = curve.iter().filter(|(x, ..)| *x >= last - 1.0).collect();
         let slips = || of_the_last.iter().map(|(_, slip, _)| *slip);
         if slips().fold(f64::MIN, f64::max) - slips().fold(f64::MAX, f64::min) > NO_SLIP * farthest {
-            loops =
-                loops.series(name, of_the_last.iter().map(|(_, s, force)| (*s, *force)).collect(), stroke);
+            loops = loops.series(name, mapped(&of_the_last, &|(_, s, force)| (*s, *force)), stroke);
         }
     }
     let rest: Vec<_> = (0..tips.len()).filter(|tip| !order.contains(tip)).collect();
     if !rest.is_empty() {
-        let names: Vec<_> = rest.iter().map(|tip| tips[*tip].name.as_str()).collect();
+        let names: Vec<_> = mapped(&rest, &|tip| tips[*tip].name.as_str());
         slips = slips.note(format!("Not drawn: {} ({others}).", some(&names, MOST_NAMES, NAME_LETTERS)));
     }
     let marks = drawn.marks(&path, &events, &tips);

@@ -10,6 +10,7 @@ use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
+use crate::numerics::{largest, mapped};
 use crate::words::opens;
 
 /// Number of intervals between drawn states on a leg along which the load turns; events are added.
@@ -53,7 +54,7 @@ impl<const C: usize> Drawn<'_, C> {
         let curve = |tip: &ContactGroup| -> Vec<(f64, f64)> {
             let used =
                 |(x, state): &(f64, Equilibrium<C>)| (*x, part_used(tip, self.grasp.contacts(), state));
-            states.iter().map(used).collect()
+            mapped(&states, &used)
         };
         let named = tips.iter().map(|tip| {
             (tip, ChartSeries { name: tip.name.clone(), points: curve(tip), stroke: Stroke::Line })
@@ -144,7 +145,7 @@ impl<const C: usize> Drawn<'_, C> {
 fn part_used<const C: usize>(tip: &ContactGroup, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
     let (answers, contacts) = (&state.contacts[tip.contacts.clone()], &contacts[tip.contacts.clone()]);
     // The ratio is meaningless for forces that are rounding.
-    let force = answers.iter().map(|answer| answer.force.norm()).fold(0.0, f64::max);
+    let force = largest(&answers, &|answer| answer.force.norm());
     if force > 0.0 && without_rounding(force, state) == 0.0 {
         return f64::NAN;
     }
@@ -185,8 +186,9 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
             left_out.push(format!("{} ({why})", some(&names, MOST_NAMES, NAME_LETTERS)));
         }
     }
-    let mut highest: Vec<f64> = drawn.iter().map(|(_, series)| most(series)).collect();
-    highest.sort_by(|a, b| b.total_cmp(a));
+    let mut highest: Vec<f64> = mapped(&drawn, &|(_, series)| most(series));
+    highest.sort_by(f64::total_cmp);
+    highest.reverse();
     if drawn.len() > MOST_CURVES {
         let least = highest[MOST_CURVES - 1];
         let mut room = MOST_CURVES;
@@ -195,7 +197,7 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
             room -= usize::from(is_kept);
             is_kept
         });
-        let names: Vec<_> = lower.iter().map(|(tip, _)| tip.name.as_str()).collect();
+        let names: Vec<_> = mapped(&lower, &|(tip, _)| tip.name.as_str());
         left_out.push(format!(
             "{} that use no more than {least:.3} of their friction: {}",
             names.len(),
@@ -232,7 +234,7 @@ fn no_curve<const C: usize>(contact: &Contact<C>) -> &'static str {
 /// The names joined by commas, each shortened to `letters`; beyond `most` of them only their number.
 pub(super) fn some(names: &[&str], most: usize, letters: usize) -> String {
     let more = names.len().saturating_sub(most);
-    let shown: Vec<_> = names[..names.len() - more].iter().map(|name| shortened(name, letters)).collect();
+    let shown: Vec<_> = mapped(&names[..names.len() - more], &|name| shortened(name, letters));
     let shown = shown.join(", ");
     if more > 0 { format!("{shown} and {more} more") } else { shown }
 }

@@ -4,6 +4,7 @@ use super::palette::GREY;
 use super::sheet::{Place, Sheet, plaque_size};
 use super::window::Window;
 use super::words::{lines, shortened};
+use crate::numerics::{largest, mapped};
 
 /// Directions from a point to its name, to the right and downwards, in order of preference.
 const SIDES: [(f64, f64); 8] =
@@ -50,10 +51,10 @@ impl Labels {
 
     /// Writes lines beside their point without touching other names; only the first line if there is no room for all.
     pub(super) fn write(&mut self, paper: &mut Sheet, point: Place, words: &[&str], size: f64) {
-        let words: Vec<_> = words.iter().map(|line| shortened(line, LETTERS)).collect();
+        let words: Vec<_> = mapped(&words, &|line| shortened(line, LETTERS));
         for count in [words.len(), 1] {
-            let sizes: Vec<_> = words[..count].iter().map(|line| plaque_size(line, size)).collect();
-            let wide = sizes.iter().map(|line| line.0).fold(0.0, f64::max);
+            let sizes: Vec<_> = mapped(&words[..count], &|line| plaque_size(line, size));
+            let wide = largest(&sizes, &|line| line.0);
             let high: f64 = sizes.iter().map(|line| line.1).sum();
             let Some((x, y)) = self.place(paper, point, (wide, high)) else { continue };
             let (mut below, line) = (y - high / 2.0, high / count as f64);
@@ -89,26 +90,34 @@ impl Labels {
     }
 
     fn beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<Plate> {
-        let middles = AWAY.iter().flat_map(|away| {
-            SIDES.map(|(x, y)| {
+        let mut plates = Vec::new();
+        for away in AWAY {
+            for (x, y) in SIDES {
                 // At a corner the distance is split between both directions.
-                let away = if x * y == 0.0 { *away } else { 0.6 * away };
-                (point.0 + x * (wide / 2.0 + away), point.1 + y * (high / 2.0 + away))
-            })
-        });
-        middles.map(|middle| (self.inside(middle, (wide, high)), (wide, high))).collect()
+                let away = if x * y == 0.0 { away } else { 0.6 * away };
+                let middle = (point.0 + x * (wide / 2.0 + away), point.1 + y * (high / 2.0 + away));
+                plates.push((self.inside(middle, (wide, high)), (wide, high)));
+            }
+        }
+        plates
     }
 
     fn anywhere(&self, (wide, high): (f64, f64)) -> Vec<Plate> {
         let places = |low: f64, room: f64, size: f64| {
-            let first = low + size / 2.0;
-            (0..)
-                .map(move |k| first + STEP * f64::from(k))
-                .take_while(move |at| *at <= low + room - size / 2.0)
+            let (first, mut places) = (low + size / 2.0, Vec::new());
+            while first + STEP * places.len() as f64 <= low + room - size / 2.0 {
+                places.push(first + STEP * places.len() as f64);
+            }
+            places
         };
         let Window { left, top, wide: room, high: tall } = self.window;
-        let rows = places(top, tall, high);
-        rows.flat_map(|y| places(left, room, wide).map(move |x| ((x, y), (wide, high)))).collect()
+        let mut plates = Vec::new();
+        for y in places(top, tall, high) {
+            for x in places(left, room, wide) {
+                plates.push(((x, y), (wide, high)));
+            }
+        }
+        plates
     }
 
     fn inside(&self, (x, y): Place, (wide, high): (f64, f64)) -> Place {

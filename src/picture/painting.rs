@@ -6,6 +6,7 @@ use nalgebra::{Vector2, Vector3};
 use plotters::style::{Color, RGBAColor, RGBColor, colors::WHITE};
 
 use super::sheet::{Place, Sheet};
+use crate::numerics::{increasing, mapped};
 
 /// Depth in pixels by which a dot lies in front of the lines that end at it; a tenth of it separates the head of an arrow from its line. It is
 /// invisible, and far above the rounding of places on paper.
@@ -44,7 +45,7 @@ pub(super) fn flat((x, y): Place) -> EyePoint {
 impl Painting {
     pub(super) fn line(&mut self, ends: [EyePoint; 2], ink: RGBColor, width: f64) {
         let depth = f64::midpoint(ends[0].z, ends[1].z);
-        let places = ends.iter().map(place).collect();
+        let places = mapped(&ends, &place);
         self.strokes.push((depth, Shape::Line { places, ink, width }));
     }
 
@@ -142,9 +143,9 @@ impl Painting {
     }
 
     pub(super) fn draw(&mut self, paper: &mut Sheet) {
-        self.strokes.sort_by(|a, b| a.0.total_cmp(&b.0));
-        for (_, shape) in &self.strokes {
-            match shape {
+        let depths: Vec<f64> = mapped(&self.strokes, &|(depth, _)| *depth);
+        for i in increasing(&depths) {
+            match &self.strokes[i].1 {
                 Shape::Line { places, ink, width } => paper.line(places.iter().copied(), *ink, *width),
                 Shape::Dashes { ends, ink, width } => paper.dashes(ends, *ink, *width),
                 Shape::Area { corners, ink } => paper.area(corners.iter().copied(), *ink),

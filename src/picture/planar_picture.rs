@@ -5,6 +5,7 @@ use nalgebra::Vector2;
 use super::error::PictureError;
 use super::grasp_picture::Picture;
 use crate::grasp::Motion;
+use crate::numerics::mapped;
 use crate::planar::{Equilibrium, Grasp, Wrench};
 
 /// The outline of the object: corners (x, y) in order, m; the last is joined to the first. Outlines affect nothing but the drawing.
@@ -70,7 +71,7 @@ impl<'a> PlanarPicture<'a> {
     /// Draws the outline of each of [several bodies](crate::grasp::Bodies), in order; an empty outline omits a body.
     #[must_use]
     pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
-        let points = |corners: Outline| corners.iter().map(|corner| Vector2::from(*corner)).collect();
+        let points = |corners: Outline| mapped(&corners, &|corner| Vector2::from(*corner));
         self.outlines = outlines.into_iter().map(points).collect();
         self
     }

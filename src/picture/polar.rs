@@ -180,14 +180,19 @@ impl Polar {
     /// Writes the radii of the rings along the spoke with the fewest points of curves nearby.
     fn draw_numbers(&self, paper: &mut Sheet, rim: f64, step: f64) {
         let numbered: Vec<f64> = rings(rim, step).chain([rim]).collect();
+        let mut drawn: Vec<(f64, f64)> = Vec::new();
+        for curve in &self.curves {
+            drawn.extend(&curve.points);
+        }
+        for (points, _) in &self.marks {
+            drawn.extend(points.iter().map(|(angle, _)| (*angle, numbered[0])));
+        }
         let crowd = |angle: f64| {
-            let close = |a: f64, r: f64| {
-                let near = |ring: &&f64| (r - **ring).abs() < 0.05 * rim;
-                turn(angle, a).abs() < BESIDE && numbered.iter().find(near).is_some()
+            let close = |(a, r): &&(f64, f64)| {
+                let near = |ring: &f64| (r - ring).abs() < 0.05 * rim;
+                turn(angle, *a).abs() < BESIDE && numbered.iter().any(near)
             };
-            let marks = self.marks.iter().flat_map(|(points, _)| points).map(|(a, _)| (*a, numbered[0]));
-            let points = self.curves.iter().flat_map(|curve| &curve.points).copied();
-            points.chain(marks).filter(|(a, r)| close(*a, *r)).count()
+            drawn.iter().filter(close).count()
         };
         let spokes = (0..12).map(|k| f64::from(k) * PI / 6.0 + PI / 12.0);
         let spoke = spokes.min_by_key(|angle| crowd(*angle)).unwrap_or(FRAC_PI_2);

@@ -1,5 +1,7 @@
 //! The series of a chart, and their strokes.
 
+use crate::numerics::mapped;
+
 /// One series of a chart.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -14,14 +16,14 @@ pub struct ChartSeries {
 
 impl ChartSeries {
     /// Two opposite corners of each bar.
-    pub(super) fn bars(&self) -> impl Iterator<Item = [(f64, f64); 2]> {
+    pub(super) fn bars(&self) -> Vec<[(f64, f64); 2]> {
         let wide = self.points.windows(2).next().map_or(1.0, |pair| pair[1].0 - pair[0].0);
-        self.points.iter().map(move |(x, y)| [(x - 0.48 * wide, 0.0), (x + 0.48 * wide, *y)])
+        mapped(&self.points, &|(x, y)| [(x - 0.48 * wide, 0.0), (x + 0.48 * wide, *y)])
     }
 
     /// The points that the chart must contain.
     pub(super) fn corners(&self) -> Vec<(f64, f64)> {
-        if self.stroke == Stroke::Bars { self.bars().flatten().collect() } else { self.points.clone() }
+        if self.stroke == Stroke::Bars { self.bars().concat() } else { self.points.clone() }
     }
 }
 

@@ -124,10 +124,12 @@ impl SphereMap {
         let (low, high) =
             (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
         let bands = Bands::new(low, high);
-        let both = self.rays.iter().map(|ray| (ray, false)).chain(self.marks.iter().map(|mark| (mark, true)));
-        let marked: Vec<_> = both
-            .map(|((direction, label), dot)| Ok((way(*direction, label)?, label, dot)))
-            .collect::<Result<_, PictureError>>()?;
+        let mut marked = Vec::new();
+        for (list, dot) in [(&self.rays, false), (&self.marks, true)] {
+            for (direction, label) in list {
+                marked.push((way(*direction, label)?, label, dot));
+            }
+        }
         let notes: Vec<_> = self.notes.iter().flat_map(|note| lines(note, LETTERS)).collect();
         Ok(sheet((WIDE, HIGH + 18.0 * notes.len() as f64), |paper| {
             paper.title(&self.title);
@@ -204,13 +206,16 @@ impl SphereMap {
                 let aside: Vec<usize> =
                     if pole { (0..around).collect() } else { vec![k + around - 1, k, k + 1] };
                 let rows = ring.saturating_sub(1)..=(ring + 1).min(2 * rings);
-                let near = rows.flat_map(|row| aside.iter().map(move |k| (row, *k)));
-                let near: Vec<f64> = near
-                    .map(|(row, k)| self.values[self.grid.index(row, k)])
-                    .filter(|value| value.is_finite())
-                    .collect();
-                let mean = near.iter().sum::<f64>() / near.len() as f64;
-                filled[index] = if near.is_empty() { overall } else { mean };
+                let (mut sum, mut count) = (0.0, 0.0);
+                for row in rows {
+                    for k in &aside {
+                        let value = self.values[self.grid.index(row, *k)];
+                        if value.is_finite() {
+                            (sum, count) = (sum + value, count + 1.0);
+                        }
+                    }
+                }
+                filled[index] = if count > 0.0 { sum / count } else { overall };
             }
         }
         filled

@@ -8,6 +8,7 @@ use super::painting::{Painting, flat};
 use super::palette::VERMILION;
 use super::sheet::Place;
 use crate::grasp::Motion;
+use crate::numerics::{largest, mapped};
 use crate::planar::Twist;
 
 /// Distance by which the fastest point is moved, as a part of the size of the scene.
@@ -41,13 +42,13 @@ impl MovedOutlines {
             points.extend(contacts.map(|point| (point, motion.of_body(0))));
         }
         let speed = |(p, twist): &(Vector2<f64>, &Twist)| Vector2::from(twist.displacement_at(*p)).norm();
-        let fastest = points.iter().map(speed).fold(0.0, f64::max);
+        let fastest = largest(&points, &speed);
         let time = FAR * size / fastest;
         if !(time.is_finite() && time > 0.0) {
             return None;
         }
         let next = |(p, twist): &(Vector2<f64>, &Twist)| ((**twist * time).exp() * Point2::from(*p)).coords;
-        let to = points.iter().map(next).collect();
+        let to = mapped(&points, &next);
         Some(Self { from: points.into_iter().map(|(point, _)| point).collect(), to, closed })
     }
 

@@ -17,6 +17,7 @@ use crate::ask::Grasp;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::Wrench;
 use crate::load_path::{self, Ramp};
+use crate::numerics::tried;
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
@@ -42,7 +43,7 @@ impl<const C: usize> Setup<C> {
     /// [`Error::Size`] unless a leg has one command for each contact of the scene.
     /// [`Error::JointCommands`] unless it has one for each joint and each tendon.
     pub fn legs(&self, legs: &[LegAsked<C>]) -> Result<Vec<load_path::Leg<C>>, Error> {
-        legs.iter().map(|leg| self.leg(leg)).collect()
+        tried(legs, &|leg| self.leg(leg))
     }
 
     fn leg(&self, leg: &LegAsked<C>) -> Result<load_path::Leg<C>, Error> {
@@ -166,7 +167,7 @@ impl<const C: usize> Setup<C> {
     /// As for [`Self::answers`].
     pub fn answers_in(&self, words: Words) -> Result<Vec<Answer<C>>, Error> {
         let (grasp, labels) = (self.grasp()?, self.labels()?);
-        self.questions.iter().map(|question| self.answer(&grasp, &labels, question, words)).collect()
+        tried(&self.questions, &|question| self.answer(&grasp, &labels, question, words))
     }
 
     fn answer(

@@ -8,6 +8,7 @@ use serde::ser::{Serialize, Serializer};
 
 use super::object;
 use crate::grasp::{Body, Wrench};
+use crate::numerics::mapped;
 use crate::serial::{AsGiven, AxisRow, Given};
 
 /// A body of a scene: its name, its mass and constant load, and its outline for pictures; see [`Bodies`](crate::grasp::Bodies).
@@ -76,7 +77,7 @@ impl<'de, const C: usize> Deserialize<'de> for BodySetup<C> {
                 mass: written.mass.unwrap_or(0.0),
                 centre_of_mass: written.centre_of_mass.map_or_else(SVector::zeros, |row| row.0),
                 load: written.load.unwrap_or(Wrench::ZERO),
-                outline: written.outline.into_iter().map(|row| row.0).collect(),
+                outline: mapped(&written.outline, &|row| row.0),
             })
         })
     }

@@ -15,6 +15,7 @@ use crate::identify::Identified;
 use crate::improve::{Binds, Improved, SearchEnd};
 use crate::load_path::{DriveChange, Onset, PathEnd, Ramp};
 use crate::need::{Amount, Needed, Quantity};
+use crate::numerics::tried;
 use crate::shake::{Repeats, Shakedown, Shaken};
 
 /// A short answer. It omits the behaviour beyond an onset or the end of a path, which a full answer computes.
@@ -73,7 +74,7 @@ impl<const C: usize> Setup<C> {
     /// As for [`Self::answers`].
     pub fn brief_answers(&self) -> Result<Vec<Brief>, Error> {
         let (grasp, labels) = (self.grasp()?, self.labels()?);
-        self.questions.iter().map(|question| self.brief(&grasp, &labels, question)).collect()
+        tried(&self.questions, &|question| self.brief(&grasp, &labels, question))
     }
 
     /// The short answer to one question.

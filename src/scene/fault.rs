@@ -3,8 +3,8 @@
 use std::fmt;
 
 use serde::Deserialize;
-use serde_path_to_error::Track;
 
+use super::field_path::faulty_field;
 use super::plain_words::in_plain_words;
 use super::written::{FORMAT, Id, Scene};
 use crate::error::Error;
@@ -77,26 +77,34 @@ struct Outside {
 }
 
 impl Fault {
-    fn new(text: &[u8], error: &serde_path_to_error::Error<serde_json::Error>) -> Self {
-        let inner = error.inner();
-        let (line, column) = (inner.line(), inner.column());
-        let at = (line > 0).then_some(TextPosition { line, column });
+    /// The fault that stopped the reader of a scene.
+    fn of_reader(text: &[u8], error: &serde_json::Error) -> Self {
+        let unreadable = if text.starts_with(BYTE_ORDER_MARK) {
+            Some("begins with a byte-order mark, must begin with {: save it as UTF-8 without one")
+        } else if text.trim_ascii().is_empty() {
+            Some("the text is empty, must be a scene; `grasp-lcp new gripper` writes one to begin with")
+        } else {
+            None
+        };
+        if let Some(message) = unreadable {
+            let at = Some(TextPosition { line: 1, column: 1 });
+            return Self { kind: FaultKind::Syntax, message: message.to_owned(), field: None, at };
+        }
         // A wrong version is reported before all other faults, since another version may have any fields.
         let format = serde_json::from_slice::<Outside>(text).ok().and_then(|outside| outside.format);
         if let Some(format) = format.filter(|format| format != FORMAT) {
             let message = format!("\"{format}\" is not a format that is read here, must be \"{FORMAT}\"");
             return Self { kind: FaultKind::Scene, message, field: Some("format".to_owned()), at: None };
         }
-        let message = inner.to_string();
-        let position = format!(" at line {line} column {column}");
-        let here = text.split(|byte| *byte == b'\n').nth(line.saturating_sub(1));
-        let here = here.and_then(|line| line.get(column.saturating_sub(1))).copied();
-        let message = in_plain_words(message.strip_suffix(&position).unwrap_or(&message), here);
-        let path = error.path().to_string();
-        // The path ends in `.?` if the name of the faulty field was not read yet.
-        let path = path.strip_suffix(".?").unwrap_or(&path);
-        let field = Some(path.to_owned()).filter(|path| path != "." && path != "?");
-        let kind = if inner.is_data() { FaultKind::Scene } else { FaultKind::Syntax };
+        let (line, column) = (error.line(), error.column());
+        let at = (line > 0).then_some(TextPosition { line, column });
+        let message = error.to_string();
+        let message = message.strip_suffix(&format!(" at line {line} column {column}")).unwrap_or(&message);
+        let lines = text.split_inclusive(|byte| *byte == b'\n').take(line.saturating_sub(1));
+        let read = text.len().min(lines.map(<[u8]>::len).sum::<usize>() + column);
+        let field = faulty_field(text, read, error, message);
+        let message = in_plain_words(message, text.get(read.saturating_sub(1)).copied());
+        let kind = if error.is_data() { FaultKind::Scene } else { FaultKind::Syntax };
         Self { kind, message, field, at }
     }
 
@@ -139,28 +147,8 @@ impl Scene {
     /// # Errors
     /// A [`Fault`] with the field, its place in the text and the allowed values.
     pub fn from_json(text: &[u8]) -> Result<Self, Fault> {
-        // The path of fields costs time, and is tracked only after a fault.
-        let scene: Self = serde_json::from_slice(text).or_else(|_| parse_on_track(text))?;
+        let scene: Self = serde_json::from_slice(text).map_err(|error| Fault::of_reader(text, &error))?;
         scene.refuse_weights_twice(text)?;
         Ok(scene)
     }
-}
-
-fn parse_on_track(text: &[u8]) -> Result<Scene, Fault> {
-    if text.starts_with(BYTE_ORDER_MARK) {
-        let message = "begins with a byte-order mark, must begin with {: save it as UTF-8 without one";
-        let at = Some(TextPosition { line: 1, column: 1 });
-        return Err(Fault { kind: FaultKind::Syntax, message: message.to_owned(), field: None, at });
-    }
-    if text.trim_ascii().is_empty() {
-        let message = "the text is empty, must be a scene; `grasp-lcp new gripper` writes one to begin with";
-        let at = Some(TextPosition { line: 1, column: 1 });
-        return Err(Fault { kind: FaultKind::Syntax, message: message.to_owned(), field: None, at });
-    }
-    let mut json = serde_json::Deserializer::from_slice(text);
-    let mut track = Track::new();
-    let scene = Scene::deserialize(serde_path_to_error::Deserializer::new(&mut json, &mut track));
-    scene
-        .and_then(|scene| json.end().map(|()| scene))
-        .map_err(|error| Fault::new(text, &serde_path_to_error::Error::new(track.path(), error)))
 }

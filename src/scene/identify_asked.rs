@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::identify::{Ending, Identified, Identify, Slip, SlipKind, Unknown, UnknownKind};
 use crate::load_path::Turn;
+use crate::numerics::tried;
 use crate::serial::AsGiven;
 use crate::words::Words;
 
@@ -239,15 +240,22 @@ impl<const C: usize> Setup<C> {
                 UnknownKind::Stiffness => Unknown::stiffness(),
             };
             if !given.contacts.is_empty() {
-                let points = given.contacts.iter().map(|contact| self.points_of(*contact));
-                unknown = unknown.of_contacts(points.collect::<Result<Vec<_>, _>>()?.concat());
+                let points = tried(&given.contacts, &|contact| self.points_of(*contact))?;
+                unknown = unknown.of_contacts(points.concat());
             }
-            let unknown = given.layout.into_iter().fold(unknown, Unknown::in_layout);
-            let unknown = given.name.iter().fold(unknown, Unknown::named);
-            Ok(given.start.into_iter().fold(unknown, Unknown::starting_at))
+            if let Some(layout) = given.layout {
+                unknown = unknown.in_layout(layout);
+            }
+            if let Some(name) = &given.name {
+                unknown = unknown.named(name);
+            }
+            Ok(match given.start {
+                Some(start) => unknown.starting_at(start),
+                None => unknown,
+            })
         };
-        let unknowns = asked.unknowns.iter().map(unknown).collect::<Result<Vec<_>, Error>>()?;
-        let slips = asked.slips.iter().map(SlipAsked::as_seen).collect::<Result<Vec<_>, Error>>()?;
+        let unknowns = tried(&asked.unknowns, &unknown)?;
+        let slips = tried(&asked.slips, &SlipAsked::as_seen)?;
         let mut sought = Identify::new(unknowns, slips);
         for known in &asked.known {
             sought = sought.knowing(known.unknowns.iter().copied(), known.value, known.scatter);
@@ -286,7 +294,7 @@ impl<const C: usize> Setup<C> {
             contacts.for_each(|(entry, point)| entry.contact.point = *point);
             setup.grasp()
         };
-        let layouts = asked.layouts.iter().map(moved).collect::<Result<Vec<_>, _>>()?;
+        let layouts = tried(&asked.layouts, &moved)?;
         Ok(self.sought(asked)?.and_layouts(layouts))
     }
 }

@@ -10,6 +10,7 @@ use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::{Error, LARGEST};
 use crate::grasp::Link;
 use crate::load_path::Ramp;
+use crate::numerics::mapped;
 
 /// Default stiffness of a contact in all directions, N/m.
 pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
@@ -33,14 +34,18 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::answers`].
     pub fn stiffness_left_out(&self) -> Result<Option<Warning>, Error> {
-        let who = self.entries().enumerate().filter(|(_, entry)| entry.no_stiffness);
-        let (contacts, names): (Vec<_>, Vec<_>) =
-            who.map(|(i, entry)| (i, entry.contact.label_text(i))).unzip();
+        let (mut contacts, mut names) = (Vec::new(), Vec::new());
+        for (i, entry) in self.entries().enumerate() {
+            if entry.no_stiffness {
+                contacts.push(i);
+                names.push(entry.contact.label_text(i));
+            }
+        }
         if contacts.is_empty() || self.questions.is_empty() {
             return Ok(None);
         }
         let is_motion = |question: &Question<C>| matches!(question, Question::Solve { .. });
-        let questions = self.questions_that_depend(|trial| self.with_springs(trial), is_motion, SAME)?;
+        let questions = self.questions_that_depend(&|trial| self.with_springs(trial), &is_motion, SAME)?;
         let depends = !questions.is_empty();
         let stiffness = DEFAULT_STIFFNESS;
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
@@ -52,14 +57,18 @@ impl<const C: usize> Setup<C> {
     /// As for [`Self::answers`].
     pub(super) fn stiffness_of_links_left_out(&self) -> Result<Option<Warning>, Error> {
         let first = self.entries().count();
-        let who = self.links.iter().enumerate().filter(|(_, link)| link.link.stiffness.is_none());
-        let (contacts, names): (Vec<_>, Vec<_>) =
-            who.map(|(number, link)| (first + number, link.link.called(number))).unzip();
+        let (mut contacts, mut names) = (Vec::new(), Vec::new());
+        for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
+            if link.stiffness.is_none() {
+                contacts.push(first + number);
+                names.push(link.called(number));
+            }
+        }
         if contacts.is_empty() || self.questions.is_empty() {
             return Ok(None);
         }
         let questions =
-            self.questions_that_depend(|trial| self.with_links(trial), |_| false, SAME_BY_LINKS)?;
+            self.questions_that_depend(&|trial| self.with_links(trial), &|_| false, SAME_BY_LINKS)?;
         let (depends, stiffness) = (!questions.is_empty(), Link::<C>::STIFF);
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
@@ -67,12 +76,12 @@ impl<const C: usize> Setup<C> {
     /// The questions whose answers change in one of two trials, or for which `is_known` holds.
     fn questions_that_depend(
         &self,
-        trial: impl Fn(usize) -> Self,
-        is_known: impl Fn(&Question<C>) -> bool,
+        trial: &dyn Fn(usize) -> Self,
+        is_known: &dyn Fn(&Question<C>) -> bool,
         same_within: f64,
     ) -> Result<Vec<usize>, Error> {
         let given = self.grasp()?;
-        let others = [1, 2].map(&trial);
+        let others = [trial(1), trial(2)];
         let mut questions = Vec::new();
         for (number, question) in self.questions.iter().enumerate() {
             // Where motions are small depends on stiffness always: it matters where it bounds the answer.
@@ -104,12 +113,16 @@ impl<const C: usize> Setup<C> {
     /// This setup with trial springs of contacts in place of those left out.
     fn with_springs(&self, trial: usize) -> Self {
         let mut setup = self.clone();
-        let fingers = setup.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
-        for (index, entry) in setup.contacts.iter_mut().chain(fingers).enumerate() {
+        let mut entries: Vec<&mut Fingertip<C>> = setup.contacts.iter_mut().collect();
+        for finger in &mut setup.fingers {
+            entries.extend(&mut finger.contacts);
+        }
+        for (index, entry) in entries.into_iter().enumerate() {
             if entry.no_stiffness {
-                let springs = std::array::from_fn::<_, C, _>(|axis| {
-                    DEFAULT_STIFFNESS * RANGE.powf(2.0 * part(trial + 2 * (C * index + axis)) - 1.0)
-                });
+                let mut springs = [DEFAULT_STIFFNESS; C];
+                for (axis, spring) in springs.iter_mut().enumerate() {
+                    *spring *= RANGE.powf(2.0 * part(trial + 2 * (C * index + axis)) - 1.0);
+                }
                 entry.contact = entry.contact.clone().series_stiffness_axes(springs);
             }
         }
@@ -126,9 +139,9 @@ impl<const C: usize> Setup<C> {
                 let (first, lost) = (verdict.first_slip.as_ref(), verdict.lost.as_ref());
                 // First slip is not reported of a load that is lost.
                 let first = first.filter(|_| verdict.holds() == Some(true));
-                let factors = [first.map(|first| first.factor), lost.map(|lost| lost.factor)];
-                let factors = factors.map(|factor| factor.unwrap_or(f64::INFINITY));
-                Ok([known(verdict.holds()), known(verdict.sticks())].into_iter().chain(factors).collect())
+                let first = first.map_or(f64::INFINITY, |first| first.factor);
+                let lost = lost.map_or(f64::INFINITY, |lost| lost.factor);
+                Ok(vec![known(verdict.holds()), known(verdict.sticks()), first, lost])
             }
             Question::Need(asked) => {
                 Ok(vec![grasp.need(&self.need(asked)?)?.amount.bound().unwrap_or(f64::INFINITY)])
@@ -137,14 +150,12 @@ impl<const C: usize> Setup<C> {
                 Ok(vec![self.improve(asked)?.answered_by(grasp)?.after.unwrap_or(f64::INFINITY)])
             }
             Question::Solve { load, .. } => Ok(match grasp.solve(load)? {
-                Outcome::Equilibrium(state) => {
-                    state.contacts.iter().map(ContactAnswer::normal_force).collect()
-                }
+                Outcome::Equilibrium(state) => mapped(&state.contacts, &ContactAnswer::normal_force),
                 _ => Vec::new(),
             }),
             Question::Identify(asked) => {
                 let found = self.identify(asked)?.answered_by(grasp)?;
-                Ok(found.estimates.iter().map(|estimate| estimate.value).collect())
+                Ok(mapped(&found.estimates, &|estimate| estimate.value))
             }
             Question::Onset(_)
             | Question::OnsetOfTurn(_)
@@ -153,7 +164,7 @@ impl<const C: usize> Setup<C> {
             | Question::Shakedown(_) => {
                 let brief = self.brief_answer(whole, question)?;
                 let place = [brief.factor, brief.angle, brief.fraction, brief.leg.map(|leg| leg as f64)];
-                Ok(place.map(|number| number.unwrap_or(f64::INFINITY)).to_vec())
+                Ok(mapped(&place, &|number| number.unwrap_or(f64::INFINITY)))
             }
         }
     }

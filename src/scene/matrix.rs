@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
+use crate::numerics::numbered;
 use crate::serial::{Given, Number};
 
 /// The rows of a matrix.
@@ -13,8 +14,8 @@ pub(super) struct Rows(Vec<Vec<Number<Given>>>);
 
 impl Rows {
     pub(super) fn of(matrix: &DMatrix<f64>) -> Self {
-        let row = |i: usize| matrix.row(i).iter().map(|x| Number::new(*x)).collect();
-        Self((0..matrix.nrows()).map(row).collect())
+        let row = |i: usize| numbered(matrix.ncols(), &|j| Number::new(matrix[(i, j)]));
+        Self(numbered(matrix.nrows(), &row))
     }
 
     /// The matrix; `field` names it in messages.

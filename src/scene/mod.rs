@@ -328,6 +328,8 @@ mod carried;
 mod cup;
 #[cfg(feature = "json")]
 mod fault;
+#[cfg(feature = "json")]
+mod field_path;
 mod finger;
 mod fingertip;
 mod given_answers;

@@ -9,6 +9,7 @@ use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
+use crate::numerics::{largest, mapped};
 use crate::statics::Closure;
 
 /// Friction coefficient above which a scene gets a warning: soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
@@ -38,7 +39,7 @@ impl<const C: usize> Setup<C> {
         let mut warnings = Vec::new();
         let entries: Vec<_> = self.entries().collect();
         let name = |i: usize| entries[i].contact.label_text(i);
-        let names = |contacts: &[usize]| contacts.iter().map(|i| name(*i)).collect::<Vec<_>>();
+        let names = |contacts: &[usize]| mapped(&contacts, &|i| name(*i));
         let mu = |i: usize| entries[i].contact.friction_coefficient();
         let much = |i: &usize| mu(*i) > MUCH_FRICTION && mu(*i).is_finite();
         let contacts: Vec<_> = (0..entries.len()).filter(much).collect();
@@ -51,7 +52,7 @@ impl<const C: usize> Setup<C> {
         {
             warnings.push(Warning::NoFriction);
         }
-        let size = spread(&entries.iter().map(|entry| entry.contact.point).collect::<Vec<_>>());
+        let size = spread(&mapped(&entries, &|entry| entry.contact.point));
         if size > MANY_METRES {
             warnings.push(Warning::ManyMetres {
                 what: "the contacts are apart by up to".to_owned(),
@@ -62,8 +63,7 @@ impl<const C: usize> Setup<C> {
         warnings.extend(self.outwards(&entries));
         let (mut first, mut is_wide) = (0, false);
         for (i, entry) in entries.iter().enumerate() {
-            let points: Vec<_> =
-                grasp.contacts()[first..first + entry.count()?].iter().map(|c| c.point).collect();
+            let points: Vec<_> = mapped(&grasp.contacts()[first..first + entry.count()?], &|c| c.point);
             first += points.len();
             let wide = spread(&points);
             if size > 0.0 && wide > WIDE * size && !is_wide {
@@ -98,9 +98,15 @@ impl<const C: usize> Setup<C> {
         let pressed: f64 =
             self.entries().filter_map(|entry| entry.contact.press.or(entry.contact.force)).sum();
         let force = |load: &Wrench<C>| SVector::<f64, C>::from_column_slice(&load.components()[..C]);
-        // Onsets are left out: the size of their direction has no meaning.
-        let asked = || self.questions.iter().filter(|question| !matches!(question, Question::Onset(_)));
-        let heaviest = asked().flat_map(put_on).map(|load| force(&load).norm()).fold(0.0, f64::max);
+        let mut heaviest = 0.0_f64;
+        for question in &self.questions {
+            // Onsets are left out: the size of their direction has no meaning.
+            if !matches!(question, Question::Onset(_)) {
+                for load in put_on(question) {
+                    heaviest = heaviest.max(force(&load).norm());
+                }
+            }
+        }
         if pressed > 0.0 && heaviest > HEAVY * pressed {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }
@@ -117,7 +123,12 @@ impl<const C: usize> Setup<C> {
             // A moment alone has no arm.
             if force.norm() > 0.0 { moment / force.norm() } else { 0.0 }
         };
-        let far = self.questions.iter().flat_map(put_on).map(|load| arm(&load)).fold(0.0, f64::max);
+        let mut far = 0.0_f64;
+        for question in &self.questions {
+            for load in put_on(question) {
+                far = far.max(arm(&load));
+            }
+        }
         if far > 1.0 && far > FAR * size {
             let what = "a load acts at a distance of".to_owned();
             warnings.push(Warning::ManyMetres { what, length: far, beside: Some(size) });
@@ -139,7 +150,7 @@ impl<const C: usize> Setup<C> {
             return None;
         }
         let contacts: Vec<_> = (0..entries.len()).collect();
-        let names = contacts.iter().map(|i| entries[*i].contact.label_text(*i)).collect();
+        let names = mapped(&contacts, &|i| entries[*i].contact.label_text(*i));
         Some(Warning::Outwards { contacts, names })
     }
 
@@ -163,7 +174,7 @@ impl<const C: usize> Setup<C> {
         let along = |i: usize, j: usize| entries[i].contact.normal.dot(&entries[j].contact.normal) > 0.0;
         let is_so = (0..entries.len()).all(|i| (0..i).all(|j| along(i, j)));
         let contacts: Vec<_> = (0..entries.len()).collect();
-        let names = contacts.iter().map(|i| entries[*i].contact.label_text(*i)).collect();
+        let names = mapped(&contacts, &|i| entries[*i].contact.label_text(*i));
         is_so.then_some(Warning::SameSide { contacts, names })
     }
 }
@@ -185,7 +196,7 @@ pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
 
 /// The largest distance from the first point; the largest of all distances is at most twice as large.
 fn spread<const C: usize>(points: &[SVector<f64, C>]) -> f64 {
-    points.iter().map(|point| (point - points[0]).norm()).fold(0.0, f64::max)
+    largest(&points, &|point| (point - points[0]).norm())
 }
 
 /// Whether two contacts of the same bodies are at one point with parallel normals.
@@ -208,7 +219,7 @@ fn points_out<const C: usize>(
     if C != 2 || outline.len() < 3 {
         return false;
     }
-    let size = outline.iter().map(|corner| (corner - outline[0]).norm()).fold(0.0, f64::max);
+    let size = largest(&outline, &|corner| (corner - outline[0]).norm());
     let step = normal.normalize() * (STEP * size);
     is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
 }

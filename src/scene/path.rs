@@ -7,6 +7,7 @@ use crate::equilibrium::{Doubt, Equilibrium, Outcome};
 use crate::load_path::{
     Beyond, EndOfSmallMotions, Event, Jump, LegEnergy, LoadPath, Loss, PathEnd, Step, SteppedPath,
 };
+use crate::numerics::mapped;
 use crate::serial::AsComputed;
 
 /// A load path that was followed to its end; see [`LoadPath`], and [`SteppedPath`] for one that was followed in steps.
@@ -103,7 +104,7 @@ impl SceneNames {
             events: events.into_iter().map(|event| self.event(event)).collect(),
             steps: Vec::new(),
             small_motions_end: path.end_of_small_motions().cloned(),
-            energies: path.energies().iter().map(balanced).collect(),
+            energies: mapped(&path.energies(), &balanced),
             step_error: path.step_error(),
         }
     }

@@ -332,13 +332,17 @@ impl<const C: usize> WrittenLeg<C> {
 
     /// The changes of the loads of bodies; giving one in two ways is an error.
     fn body_loads(&self) -> Result<BTreeMap<String, Goal<Wrench<C>>>, String> {
-        let named = |name: &String, goal| (name.clone(), goal);
         if let Some(name) = self.body_loads_by.keys().find(|name| self.body_loads_to.contains_key(*name)) {
             return Err(format!("body_loads_by and body_loads_to: {} is in both", printable(name)));
         }
-        let by = self.body_loads_by.iter().map(|(name, change)| named(name, Goal::By(*change)));
-        let to = self.body_loads_to.iter().map(|(name, load)| named(name, Goal::To(*load)));
-        Ok(by.chain(to).collect())
+        let mut loads = BTreeMap::new();
+        for (name, change) in &self.body_loads_by {
+            loads.insert(name.clone(), Goal::By(*change));
+        }
+        for (name, load) in &self.body_loads_to {
+            loads.insert(name.clone(), Goal::To(*load));
+        }
+        Ok(loads)
     }
 }
 

@@ -9,6 +9,7 @@ use super::springs::Springs;
 use super::written::{FORMAT, Format};
 use crate::error::LARGEST;
 use crate::grasp::{Twist, Wrench, of_the_object};
+use crate::numerics::mapped;
 use crate::serial::{As, AxisRow, Computed, Friction, Given, Kind, Number, Numeric, SpringStiffness};
 
 /// The schema of a type is that of its written form.
@@ -83,7 +84,7 @@ fn number<K: Bounded>() -> Schema {
     if K::WORDS.is_empty() {
         return number;
     }
-    let words: Vec<&str> = K::WORDS.iter().map(|(word, _)| *word).collect();
+    let words: Vec<&str> = mapped(&K::WORDS, &|(word, _)| *word);
     json_schema!({ "anyOf": [number, { "enum": words }] })
 }
 

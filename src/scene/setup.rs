@@ -13,6 +13,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{self, Bodies, Hand, Tendon};
+use crate::numerics::mapped;
 use crate::serial::{AsComputed, AxisRow, Given};
 
 /// Contacts, questions and settings: 3 degrees of freedom of the object and `C` = 2 axes of a contact in the plane, 6 and 3 in space.
@@ -127,7 +128,7 @@ struct Written<const C: usize> {
 impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a setup", |written: Written<C>| {
-            let outline = written.outline.into_iter().map(|row| row.0).collect();
+            let outline = mapped(&written.outline, &|row| row.0);
             let setup = Self {
                 contacts: written.contacts,
                 fingers: written.fingers,
@@ -212,7 +213,11 @@ impl<const C: usize> Setup<C> {
 
     /// All contacts, those of fingers behind the others. The index of an entry is that of the contact in questions and answers.
     pub fn entries(&self) -> impl Iterator<Item = &Fingertip<C>> {
-        self.contacts.iter().chain(self.fingers.iter().flat_map(|finger| &finger.contacts))
+        let mut all: Vec<&Fingertip<C>> = self.contacts.iter().collect();
+        for finger in &self.fingers {
+            all.extend(&finger.contacts);
+        }
+        all.into_iter()
     }
 
     /// Number of point contacts of the grasp: soft fingertips and links count with all their points.
@@ -284,10 +289,13 @@ impl<const C: usize> Setup<C> {
 
     /// Refuses fields about bodies in a scene without bodies, and two ways of sharing a load.
     fn check_bodies(&self) -> Result<(), String> {
-        let said = [("gravity", self.gravity.is_some()), ("loaded", self.loaded.is_some())];
-        let mut said = said.into_iter().chain([("shared_by_mass", self.shared_by_mass)]);
-        if let Some((field, _)) = said.find(|(_, said)| *said && self.bodies.is_empty()) {
-            let payload = if field == "gravity" {
+        let said = [
+            ("gravity", self.gravity.is_some()),
+            ("loaded", self.loaded.is_some()),
+            ("shared_by_mass", self.shared_by_mass),
+        ];
+        if let Some((field, _)) = said.iter().find(|(_, said)| *said && self.bodies.is_empty()) {
+            let payload = if *field == "gravity" {
                 "; of one object its weight is a load with a mass, {\"mass\": 2, \"at\": …}, which may have a `gravity`"
             } else {
                 ""

@@ -155,7 +155,13 @@ impl<const C: usize> Setup<C> {
     /// As for [`Self::legs`]; [`Error::Question`] unless there are loads or legs.
     pub fn cycle(&self, asked: &ShakeAsked<C>) -> Result<Vec<Leg<C>>, Error> {
         match (asked.loads.is_empty(), asked.legs.is_empty()) {
-            (false, true) => Ok(asked.loads.iter().flat_map(|load| Leg::there_and_back(*load)).collect()),
+            (false, true) => {
+                let mut legs = Vec::new();
+                for load in &asked.loads {
+                    legs.extend(Leg::there_and_back(*load));
+                }
+                Ok(legs)
+            }
             (true, false) => self.legs(&asked.legs),
             (true, true) => Err(Error::Question {
                 question: "shake",

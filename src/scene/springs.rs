@@ -1,7 +1,7 @@
 //! Stiffness in the file.
 
 use nalgebra::SVector;
-use serde::de::{Deserialize, Deserializer, Error as _};
+use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
 use crate::serial::{Few, SpringStiffness};
@@ -17,17 +17,22 @@ impl<const C: usize> Serialize for Springs<C> {
 
 impl<'de, const C: usize> Deserialize<'de> for Springs<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        match *Few::<SpringStiffness, 3>::deserialize(deserializer)?.as_slice() {
+        Few::read(deserializer, Self::of_given)
+    }
+}
+
+impl<const C: usize> Springs<C> {
+    fn of_given(given: Few<SpringStiffness, 3>) -> Result<Self, String> {
+        match *given.as_slice() {
             [all] => Ok(Self(SVector::repeat(all))),
             [n, t] => Ok(Self(SVector::from_fn(|a, _| if a == 0 { n } else { t }))),
             ref axes if axes.len() == C => Ok(Self(SVector::from_column_slice(axes))),
             ref other => {
                 let or_axes = if C == 3 { " or 3 (normal, two tangential)" } else { "" };
-                let message = format!(
+                Err(format!(
                     "{} given, must be one for all directions, or 2 (normal, tangential){or_axes}, each a number or \"rigid\"",
                     other.len()
-                );
-                Err(D::Error::custom(message))
+                ))
             }
         }
     }

@@ -5,6 +5,7 @@ use serde::ser::{Serialize, Serializer};
 
 use super::object;
 use crate::improve::{Shape, Surface};
+use crate::numerics::mapped;
 use crate::serial::{AsGiven, AxisRow, Given};
 
 /// A curve in the plane or a surface in space, all lengths in m.
@@ -93,9 +94,10 @@ impl<const C: usize> WrittenSurface<C> {
             let space = if C == 2 { "the plane" } else { "space" };
             return Err(format!("{name} given, must be one of {allowed} in {space}"));
         }
-        let points = |rows: Vec<AxisRow<Given, C>>| rows.into_iter().map(|row| row.0).collect::<Vec<_>>();
+        let points = |rows: Vec<AxisRow<Given, C>>| mapped(&rows, &|row| row.0);
+        let two = |[one, other]: [AxisRow<Given, C>; 2]| [one.0, other.0];
         Ok(Surface::of(match self {
-            Self::Segment(ends) => Shape::Segments(vec![ends.map(|row| row.0)]),
+            Self::Segment(ends) => Shape::Segments(vec![two(ends)]),
             Self::Polyline(rows) => Shape::polyline(&points(rows)),
             Self::Circle { centre, radius } => Shape::Arc { centre: centre.0, radius, from: 0.0, over: None },
             Self::Arc { centre, radius, from_deg, over_deg } => Shape::Arc {
@@ -106,14 +108,10 @@ impl<const C: usize> WrittenSurface<C> {
             },
             Self::Spline(rows) => Shape::spline(points(rows), false),
             Self::ClosedSpline(rows) => Shape::spline(points(rows), true),
-            Self::Rectangle { corner, sides } => {
-                Shape::Rectangle { corner: corner.0, sides: sides.map(|row| row.0) }
-            }
-            Self::Cylinder { axis, radius } => Shape::Cylinder { ends: axis.map(|row| row.0), radius },
+            Self::Rectangle { corner, sides } => Shape::Rectangle { corner: corner.0, sides: two(sides) },
+            Self::Cylinder { axis, radius } => Shape::Cylinder { ends: two(axis), radius },
             Self::Sphere { centre, radius } => Shape::Sphere { centre: centre.0, radius },
-            Self::Triangles(rows) => {
-                Shape::Triangles(rows.into_iter().map(|corners| corners.map(|row| row.0)).collect())
-            }
+            Self::Triangles(rows) => Shape::Triangles(mapped(&rows, &|[a, b, c]| [a.0, b.0, c.0])),
         }))
     }
 
@@ -123,8 +121,14 @@ impl<const C: usize> WrittenSurface<C> {
             Shape::Segments(parts) => match &parts[..] {
                 [ends] => Self::Segment(ends.map(row)),
                 parts => {
-                    let first = parts.iter().take(1).map(|ends| ends[0]);
-                    Self::Polyline(first.chain(parts.iter().map(|ends| ends[1])).map(row).collect())
+                    let mut rows = Vec::new();
+                    for (k, ends) in parts.iter().enumerate() {
+                        if k == 0 {
+                            rows.push(row(ends[0]));
+                        }
+                        rows.push(row(ends[1]));
+                    }
+                    Self::Polyline(rows)
                 }
             },
             Shape::Arc { centre, radius, over: None, .. } => {
@@ -145,9 +149,7 @@ impl<const C: usize> WrittenSurface<C> {
             }
             Shape::Cylinder { ends, radius } => Self::Cylinder { axis: ends.map(row), radius: *radius },
             Shape::Sphere { centre, radius } => Self::Sphere { centre: row(*centre), radius: *radius },
-            Shape::Triangles(parts) => {
-                Self::Triangles(parts.iter().map(|corners| corners.map(row)).collect())
-            }
+            Shape::Triangles(parts) => Self::Triangles(mapped(&parts, &|corners| corners.map(row))),
         }
     }
 }

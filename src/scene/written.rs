@@ -1,6 +1,8 @@
 //! The whole of a scene: its version, its id, and its plane or space.
 
-use serde::de::{Deserialize, Deserializer, Error as _};
+use std::fmt;
+
+use serde::de::{Deserialize, Deserializer, Error as _, Unexpected, Visitor};
 use serde::ser::{Serialize, Serializer};
 
 use super::answer::Answer;
@@ -37,14 +39,44 @@ pub enum Space {
 }
 
 /// The caller's identifier of a scene; answers repeat it.
-#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(untagged, expecting = "an id is a text or a whole number")]
+#[serde(untagged)]
 pub enum Id {
     /// A number.
     Number(i64),
     /// A text.
     Text(String),
+}
+
+/// A text or a whole number (feature `serde`), see [`crate::scene`].
+impl<'de> Deserialize<'de> for Id {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(IdVisitor)
+    }
+}
+
+struct IdVisitor;
+
+impl Visitor<'_> for IdVisitor {
+    type Value = Id;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a text or a whole number")
+    }
+
+    fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<Id, E> {
+        Ok(Id::Number(number))
+    }
+
+    fn visit_u64<E: serde::de::Error>(self, number: u64) -> Result<Id, E> {
+        let small = i64::try_from(number).map(Id::Number);
+        small.map_err(|_| E::invalid_value(Unexpected::Unsigned(number), &"a number below 2^63"))
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Id, E> {
+        Ok(Id::Text(text.to_owned()))
+    }
 }
 
 /// The answers to the questions of a scene, in their order. They are written as a list.

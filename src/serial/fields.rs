@@ -8,6 +8,7 @@ use serde::ser::{Serialize, Serializer};
 
 use super::numbers::{Computed, Given, Kind, Number};
 use super::rows::AxisRow;
+use crate::numerics::mapped;
 
 /// A value made of numbers of kind `K`.
 pub(crate) trait Numeric<K>: Sized {
@@ -49,7 +50,7 @@ impl<K, T: Numeric<K>> Numeric<K> for Option<T> {
 impl<K, T: Numeric<K>> Numeric<K> for Vec<T> {
     type Written = Vec<T::Written>;
     fn write(&self) -> Self::Written {
-        self.iter().map(T::write).collect()
+        mapped(&self, &T::write)
     }
     fn read(written: Self::Written) -> Self {
         written.into_iter().map(T::read).collect()

@@ -40,45 +40,61 @@ impl<K: Kind, const MOST: usize> Serialize for Few<K, MOST> {
 
 impl<'de, K: Kind, const MOST: usize> Deserialize<'de> for Few<K, MOST> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(FewVisitor(PhantomData))
+        Self::read(deserializer, Ok)
     }
 }
 
-struct FewVisitor<K, const MOST: usize>(PhantomData<K>);
+impl<K: Kind, const MOST: usize> Few<K, MOST> {
+    /// Reads a list and makes a `T` of it. A fault is reported before the list is left, so that a format with lines and columns adds its end.
+    pub(crate) fn read<'de, D: Deserializer<'de>, T>(
+        deserializer: D,
+        make: fn(Self) -> Result<T, String>,
+    ) -> Result<T, D::Error> {
+        deserializer.deserialize_any(FewVisitor { make })
+    }
+}
 
-impl<'de, K: Kind, const MOST: usize> Visitor<'de> for FewVisitor<K, MOST> {
-    type Value = Few<K, MOST>;
+struct FewVisitor<K, T, const MOST: usize> {
+    make: fn(Few<K, MOST>) -> Result<T, String>,
+}
+
+impl<'de, K: Kind, T, const MOST: usize> Visitor<'de> for FewVisitor<K, T, MOST> {
+    type Value = T;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "a list of at most {MOST} numbers")
     }
 
-    fn visit_f64<E: Error>(self, x: f64) -> Result<Self::Value, E> {
-        NumberVisitor::<K>::new().visit_f64(x).map(|x| Few::of(&[x]))
+    fn visit_f64<E: Error>(self, x: f64) -> Result<T, E> {
+        let x = NumberVisitor::<K>::new().visit_f64(x)?;
+        (self.make)(Few::of(&[x])).map_err(E::custom)
     }
 
-    fn visit_u64<E: Error>(self, x: u64) -> Result<Self::Value, E> {
+    fn visit_u64<E: Error>(self, x: u64) -> Result<T, E> {
         self.visit_f64(x as f64)
     }
 
-    fn visit_i64<E: Error>(self, x: i64) -> Result<Self::Value, E> {
+    fn visit_i64<E: Error>(self, x: i64) -> Result<T, E> {
         self.visit_f64(x as f64)
     }
 
-    fn visit_str<E: Error>(self, word: &str) -> Result<Self::Value, E> {
-        NumberVisitor::<K>::new().visit_str(word).map(|x| Few::of(&[x]))
+    fn visit_str<E: Error>(self, word: &str) -> Result<T, E> {
+        let x = NumberVisitor::<K>::new().visit_str(word)?;
+        (self.make)(Few::of(&[x])).map_err(E::custom)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<T, A::Error> {
         let mut few = Few { values: [0.0; MOST], count: 0, kind: PhantomData };
         while let Some(number) = seq.next_element::<Number<K>>()? {
-            if few.count == MOST {
-                return Err(A::Error::invalid_length(MOST + 1, &self));
+            if few.count < MOST {
+                few.values[few.count] = number.0;
             }
-            few.values[few.count] = number.0;
             few.count += 1;
         }
-        Ok(few)
+        if few.count > MOST {
+            return Err(A::Error::invalid_length(few.count, &self));
+        }
+        (self.make)(few).map_err(A::Error::custom)
     }
 }
 

@@ -7,6 +7,7 @@ use super::verdict::{Repeats, Shaken};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, WholeContacts, Wrench};
 use crate::load_path::{CycleState, Cycles, Leg, PathEnd, Ramp};
+use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -174,7 +175,7 @@ impl<'g> Shaking<'g, '_> {
     /// is.
     fn ahead(&mut self, last: &Cycle) -> Ahead<'g> {
         let places = self.places.clone();
-        let numbers: Vec<_> = places.iter().map(|place| last.numbers(place)).collect();
+        let numbers: Vec<_> = mapped(&places, &|place| last.numbers(place));
         let Some(recurrence) = Recurrence::of(&places, &numbers, last.same()) else {
             return Ahead::NotKnown;
         };

@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::cycle::Scale;
 use crate::load_path::CycleState;
+use crate::numerics::SingularValues;
 use crate::prelude::*;
 
 /// Largest number of modes; with more of them, cycles are followed until some have died out.
@@ -37,9 +38,8 @@ impl<'p> Recurrence<'p> {
             let places = &places[n - modes - 2..];
             let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).collect();
             let (last, others) = changes.split_last()?;
-            let decomposed = DMatrix::from_columns(others).svd(true, true);
-            let rank = RANK * decomposed.singular_values.max();
-            let coefficients = decomposed.solve(last, rank).ok()?;
+            let decomposed = SingularValues::of(&DMatrix::from_columns(others));
+            let coefficients = decomposed.solve(last, RANK * decomposed.largest());
             let told = others.iter().zip(coefficients.iter());
             let left = told.fold(last.clone(), |left, (change, weight)| left - change * *weight);
             let coefficients = coefficients.iter().copied().collect();
@@ -67,9 +67,10 @@ impl<'p> Recurrence<'p> {
         if rest.abs() <= NOWHERE {
             return None;
         }
-        let others = self.coefficients.iter().map(|c| -c / rest);
         // A change leads from its state to the next one, so that weights belong to the later state.
-        let weights: Vec<f64> = core::iter::once(0.0).chain(others).chain([1.0 / rest]).collect();
+        let mut weights = vec![0.0];
+        weights.extend(self.coefficients.iter().map(|c| -c / rest));
+        weights.push(1.0 / rest);
         Some(self.combination(&weights))
     }
 
@@ -82,7 +83,7 @@ impl<'p> Recurrence<'p> {
         });
         let (power, sum) = power_and_sum(&next, cycles);
         let all = sum.row(modes - 1);
-        let then = next.row(modes - 1) * power;
+        let then = power.tr_mul(&next.row(modes - 1).transpose());
         let change = then.iter().zip(&self.changes[1..]).map(|(weight, change)| change * *weight).sum();
         let mut weights = vec![0.0; self.places.len()];
         weights[modes + 1] = 1.0;
@@ -131,10 +132,17 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 impl CycleState {
     /// Forces and gaps as numbers without unit, and which sites slide with less friction than at rest; gaps of sites `aside` are zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
-        let forces = self.forces.iter().flat_map(|force| force.iter().map(|x| x / scale.force));
-        let gap = |(i, gap): (usize, &f64)| if aside(i) { 0.0 } else { gap / scale.stretch };
-        let weaker = self.weaker.iter().map(|weaker| f64::from(u8::from(*weaker)));
-        DVector::from_vec(forces.chain(self.gaps.iter().enumerate().map(gap)).chain(weaker).collect())
+        let mut numbers = Vec::new();
+        for force in &self.forces {
+            numbers.extend(force.iter().map(|x| x / scale.force));
+        }
+        for (i, gap) in self.gaps.iter().enumerate() {
+            numbers.push(if aside(i) { 0.0 } else { gap / scale.stretch });
+        }
+        for weaker in &self.weaker {
+            numbers.push(f64::from(u8::from(*weaker)));
+        }
+        DVector::from_vec(numbers)
     }
 
     /// This state moved on by `times` the step that leads here from another state; forces stay.

@@ -6,6 +6,7 @@ use super::shakedown::{BindingContact, Shakedown};
 use super::verdict::{Repeats, Shaken};
 use crate::grasp::{BodyMotion, WholeContact};
 use crate::hold::does;
+use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -103,7 +104,7 @@ fn cycles(many: usize) -> String {
 
 /// "the object moves 3 mm along +x", or the motion of each body.
 fn moves<const C: usize>(words: Words, by: &[BodyMotion<C>]) -> String {
-    listed(&by.iter().map(|body| words.body_motion(body)).collect::<Vec<_>>())
+    listed(&mapped(&by, &|body| words.body_motion(body)))
 }
 
 impl<const C: usize> fmt::Display for Shakedown<C> {
@@ -126,14 +127,13 @@ impl<const C: usize> fmt::Display for Shakedown<C> {
                 "MAY COME TO REST: up to {times} times these loads slips could keep everything still; whether they become such, the order of the loads decides"
             )?,
         }
-        let mut parts: Vec<&WholeContact> = Vec::new();
+        let mut parts: Vec<WholeContact> = Vec::new();
         for BindingContact { contact, .. } in &self.binding {
-            if !parts.contains(&contact) {
-                parts.push(contact);
+            if !parts.contains(contact) {
+                let place = parts.partition_point(|part| part.contact <= contact.contact);
+                parts.insert(place, contact.clone());
             }
         }
-        let mut parts: Vec<_> = parts.into_iter().cloned().collect();
-        parts.sort_by_key(|part| part.contact);
         if parts.is_empty() { Ok(()) } else { write!(f, ". With more, {}", does(&parts, "slides", "slide")) }
     }
 }

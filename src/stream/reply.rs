@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use crate::error::Error;
+use crate::numerics::mapped;
 use crate::scene::{Answers, Brief, Fault, Id, Scene, Setup, Space, Warning};
 use crate::sweep::fault_in;
 
@@ -114,7 +115,7 @@ impl Reply {
         }
         setup.settings.most_states = setup.settings.most_states.min(options.most_states);
         setup.settings.most_steps = setup.settings.most_steps.min(options.most_steps);
-        self.warnings = setup.warnings().map_err(refused)?.iter().map(Warning::to_string).collect();
+        self.warnings = mapped(&setup.warnings().map_err(refused)?, &Warning::to_string);
         if options.brief {
             self.brief = Some(setup.brief_answers().map_err(refused)?);
         } else {

@@ -3,6 +3,7 @@
 use alloc::borrow::Cow;
 use core::fmt;
 
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// A user's text in a form that is safe to print. Control characters, marks of writing direction and line separators are escaped as in Rust, so that
@@ -33,11 +34,11 @@ pub(crate) fn listed<T: fmt::Display>(names: &[T]) -> String {
         [] => "nothing".to_owned(),
         [one] => one.to_string(),
         many if many.len() > MOST_NAMES => {
-            let first: Vec<_> = many[..FIRST_NAMES].iter().map(ToString::to_string).collect();
+            let first: Vec<_> = mapped(&many[..FIRST_NAMES], &ToString::to_string);
             format!("{} and {} more", first.join(", "), many.len() - FIRST_NAMES)
         }
         [first @ .., last] => {
-            let first: Vec<_> = first.iter().map(ToString::to_string).collect();
+            let first: Vec<_> = mapped(&first, &ToString::to_string);
             format!("{} and {last}", first.join(", "))
         }
     }

@@ -4,6 +4,7 @@ use core::fmt;
 
 use nalgebra::SVector;
 
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// Default number of significant digits.
@@ -76,7 +77,7 @@ impl Words {
     pub fn numbers(self, components: &[f64]) -> String {
         let largest = components.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let clean = |x: &f64| self.number(self.beside(*x, largest));
-        format!("({})", components.iter().map(clean).collect::<Vec<_>>().join(", "))
+        format!("({})", mapped(&components, &clean).join(", "))
     }
 
     /// The number, or zero if it is rounding beside `largest`.

@@ -3,6 +3,7 @@
 mod bodies;
 mod carried;
 mod direction_pictures;
+mod field_paths;
 mod followed_in_steps;
 mod format;
 mod friction_charts;

@@ -5,6 +5,7 @@ mod names;
 use nalgebra::{Matrix2, Vector2};
 use plotters::style::{Color, RGBColor};
 
+use crate::numerics::{mapped, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
 use crate::picture::contact_look::{ink, slope, word};
@@ -73,14 +74,14 @@ pub(super) struct Picture<'a> {
 /// Pictures of one page, on the same axes and with the same scale of forces.
 pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, PictureError> {
     of.iter().try_for_each(PlanarPicture::check)?;
-    let mut pictures: Vec<_> = of.iter().map(Picture::new).collect();
+    let mut pictures: Vec<_> = mapped(&of, &Picture::new);
     let scales = pictures.iter().map(|picture| picture.scale).filter(|scale| *scale > 0.0);
     let scale = scales.fold(f64::INFINITY, f64::min);
     for picture in &mut pictures {
         picture.scale = picture.scale.min(scale);
     }
     let points: Vec<_> = pictures.iter().flat_map(Picture::points).collect();
-    pictures.iter().map(|picture| picture.draw_on(&OF_A_PAGE, &points)).collect()
+    tried(&pictures, &|picture| picture.draw_on(&OF_A_PAGE, &points))
 }
 
 /// A fingertip with its contact frame, and its resultant if there is an equilibrium.
@@ -97,14 +98,15 @@ impl<'a> Picture<'a> {
     pub(super) fn new(of: &'a PlanarPicture<'a>) -> Self {
         let PlanarPicture { grasp, state, outlines, .. } = of;
         let contacts = grasp.contacts();
-        let held = || contacts.iter().map(|contact| contact.point).chain(outlines.iter().flatten().copied());
-        let (low, high) = bounds(held());
+        let points: Vec<_> = mapped(&contacts, &|contact| contact.point);
+        let held = [&points[..], &outlines.concat()].concat();
+        let (low, high) = bounds(held.iter().copied());
         // A single contact has no extent, so that 1 m is used.
         let size =
             |(low, high): (Vector2<f64>, Vector2<f64>)| if low == high { 1.0 } else { (high - low).amax() };
         let load = state.map(|state| state.load).or(of.load);
         let load = load.map(|load| PlanarLoad::new(&load, low / 2.0 + high / 2.0, size((low, high))));
-        let span = size(bounds(held().chain(grasp.links().iter().flatten().copied())));
+        let span = size(bounds([held, grasp.links().concat()].concat().into_iter()));
         let frames: Vec<_> = grasp.frames().copied().collect();
         let tip = |tip: ContactGroup| Tip {
             middle: tip.middle(contacts),
@@ -123,9 +125,9 @@ impl<'a> Picture<'a> {
         };
         let pushes: Vec<_> = doing().map(push).collect();
         let scale = metres_per_newton(&pushes, size((low, high)), most);
-        let points = contacts.iter().map(|contact| contact.point);
-        let way_out =
-            of.leaving.and_then(|motion| MovedOutlines::new(motion, outlines, points, size((low, high))));
+        let way_out = of
+            .leaving
+            .and_then(|motion| MovedOutlines::new(motion, outlines, points.into_iter(), size((low, high))));
         Self { of, actuators: Actuators::of(grasp), tips, load, way_out, span, scale }
     }
 
@@ -172,14 +174,7 @@ impl<'a> Picture<'a> {
 
     /// The points that the picture must contain.
     fn points(&self) -> Vec<Vector2<f64>> {
-        let mut points: Vec<_> = self
-            .of
-            .outlines
-            .iter()
-            .flatten()
-            .chain(self.of.grasp.links().iter().flatten())
-            .copied()
-            .collect();
+        let mut points = [self.of.outlines.concat(), self.of.grasp.links().concat()].concat();
         for tip in &self.tips {
             if let Some(link) = &tip.link {
                 points.extend(link.ends);
@@ -197,7 +192,9 @@ impl<'a> Picture<'a> {
         if let Some(load) = &self.load {
             points.extend([load.at, load.at + load.force * self.scale]);
         }
-        points.extend(self.way_out.iter().flat_map(MovedOutlines::points));
+        if let Some(way_out) = &self.way_out {
+            points.extend(way_out.points());
+        }
         points
     }
 

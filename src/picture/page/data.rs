@@ -7,6 +7,7 @@ use super::eye::View;
 use super::frame::Frame;
 use super::spatial_page::MovingLine;
 use super::text::{json_number, json_row, json_string};
+use crate::numerics::tried;
 use crate::picture::contact_look::{slope, word};
 use crate::picture::error::PictureError;
 use crate::picture::words::short;
@@ -15,16 +16,17 @@ use crate::spatial::Equilibrium;
 impl Drawing<'_> {
     pub(super) fn json(&self) -> Result<String, PictureError> {
         let page = self.page;
-        let lines = |lines: &[Vec<[f64; 3]>]| list(lines, |corners| list(corners, |corner| json_row(corner)));
-        let outlines = list(&page.outlines, |line| list(&line.corners, |corner| json_row(corner)))?;
+        let lines =
+            |lines: &[Vec<[f64; 3]>]| list(lines, &|corners| list(corners, &|corner| json_row(corner)));
+        let outlines = list(&page.outlines, &|line| list(&line.corners, &|corner| json_row(corner)))?;
         let (fixtures, bodies) = (lines(&page.fixtures)?, lines(&self.bodies)?);
         let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
-        let tips = list(&self.tips, |tip| {
+        let tips = list(&self.tips, &|tip| {
             let frame = frames[tip.contacts.start];
             let points =
-                list(&contacts[tip.contacts.clone()], |contact| json_row(contact.point().as_slice()))?;
-            let row = |end: Vector3<f64>| json_row(end.as_slice());
-            let line = tip.ends_of_link(contacts).map(|ends| list(ends, row)).transpose()?;
+                list(&contacts[tip.contacts.clone()], &|contact| json_row(contact.point().as_slice()))?;
+            let row = |end: &Vector3<f64>| json_row(end.as_slice());
+            let line = tip.ends_of_link(contacts).map(|ends| list(&ends, &row)).transpose()?;
             let line = line.map_or(String::new(), |line| format!(",\"line\":{line}"));
             Ok(format!(
                 "{{\"name\":{},\"point\":{},\"points\":{points},\"normal\":{},\"tangents\":[{},{}]{line}}}",
@@ -35,8 +37,8 @@ impl Drawing<'_> {
                 json_row(frame.column(2).as_slice())?
             ))
         })?;
-        let frames = list(&page.frames, |frame| self.frame(frame))?;
-        let lengths: Vec<_> = [
+        let frames = list(&page.frames, &|frame| self.frame(frame))?;
+        let lengths = [
             ("span", self.span),
             ("finger", FINGER * self.span),
             ("slip", SLIP * self.span),
@@ -46,10 +48,10 @@ impl Drawing<'_> {
             ("moment", self.moment),
             ("shortest", SHORTEST),
             ("displacement", self.displacement),
-        ]
-        .into_iter()
-        .map(|(name, length)| Ok(format!("\"{name}\":{}", json_number(length)?)))
-        .collect::<Result<_, PictureError>>()?;
+        ];
+        let lengths = tried(&lengths, &|(name, length)| {
+            Ok::<_, PictureError>(format!("\"{name}\":{}", json_number(*length)?))
+        })?;
         let View { yaw, pitch } = View::default();
         Ok(format!(
             "{{\"view\":{{\"yaw\":{},\"pitch\":{}}},\"centre\":{},{},\"many\":{MANY},\n\"outlines\":{outlines},\n\"fixtures\":{fixtures},\n\"bodies\":{bodies},\n\"contacts\":{tips},\n\"frames\":{frames}}}",
@@ -78,9 +80,9 @@ impl Drawing<'_> {
         if let Some(motion) = &frame.leaving {
             let way = self.way_out(motion);
             let row = |point: &Vector3<f64>| json_row(point.as_slice());
-            let lines = list(&way.lines, |corners| list(corners, row))?;
+            let lines = list(&way.lines, &|corners| list(corners, &row))?;
             let arrows =
-                list(&way.arrows, |[from, to]| Ok(format!("[{},{}]", row(from)?, row(&(to - from))?)))?;
+                list(&way.arrows, &|[from, to]| Ok(format!("[{},{}]", row(from)?, row(&(to - from))?)))?;
             parts.push(format!("\"leaves\":{{\"lines\":{lines},\"arrows\":{arrows}}}"));
         }
         Ok(if parts.is_empty() { "null".to_owned() } else { format!("{{{}}}", parts.join(",")) })
@@ -88,11 +90,11 @@ impl Drawing<'_> {
 
     fn state(&self, frame: &Frame<3>, state: &Equilibrium) -> Result<Vec<String>, PictureError> {
         let given = self.page.grasp.contacts();
-        let contacts = list(&self.tips, |tip| {
+        let contacts = list(&self.tips, &|tip| {
             let resultant = tip.resultant(given, state);
             let slides = resultant.slides.map(|way| json_row(way.as_slice())).transpose()?;
             let state_of = |word: &str| json_string(&word.replace(' ', "-"));
-            let states = list(&state.contacts[tip.contacts.clone()], |answer| Ok(state_of(word(answer))))?;
+            let states = list(&state.contacts[tip.contacts.clone()], &|answer| Ok(state_of(word(answer))))?;
             let first = tip.contacts.start;
             Ok(format!(
                 "{{\"state\":{},\"states\":{states},\"at\":{},\"force\":{},\"normal_force\":{},\"mu\":{},\"displacement\":{},\"slides\":{}}}",
@@ -105,13 +107,13 @@ impl Drawing<'_> {
                 slides.unwrap_or_else(|| "null".to_owned()),
             ))
         })?;
-        let free = list(&state.free_motions, |motion| {
+        let free = list(&state.free_motions, &|motion| {
             let axis = self.axis(&motion.object);
             let (at, along) = (json_row(axis.at.as_slice())?, json_row(axis.along.as_slice())?);
             Ok(format!("{{\"at\":{at},\"along\":{along},\"turns\":{}}}", axis.turns))
         })?;
         let at = self.page.actuators.that_yield(state).filter_map(|(name, at)| Some((name, at?)));
-        let yields = list(at, |(name, at)| {
+        let yields = list(&at.collect::<Vec<_>>(), &|(name, at)| {
             Ok(format!("{{\"name\":{},\"at\":{}}}", json_string(name), json_row(at.as_slice())?))
         })?;
         let of_line = |line: &MovingLine| json_row(twist_of(state, line.body).components());
@@ -119,7 +121,7 @@ impl Drawing<'_> {
         let twists = if state.bodies.is_empty() {
             String::new()
         } else {
-            format!(",\"twists\":{}", list(&self.page.outlines, of_line)?)
+            format!(",\"twists\":{}", list(&self.page.outlines, &of_line)?)
         };
         Ok(vec![
             format!("\"twist\":{}{twists}", json_row(state.twist.components())?),
@@ -128,10 +130,6 @@ impl Drawing<'_> {
     }
 }
 
-fn list<T>(
-    items: impl IntoIterator<Item = T>,
-    write: impl Fn(T) -> Result<String, PictureError>,
-) -> Result<String, PictureError> {
-    let items: Vec<_> = items.into_iter().map(write).collect::<Result<_, _>>()?;
-    Ok(format!("[{}]", items.join(",")))
+fn list<T>(items: &[T], write: &dyn Fn(&T) -> Result<String, PictureError>) -> Result<String, PictureError> {
+    Ok(format!("[{}]", tried(items, write)?.join(",")))
 }

@@ -5,6 +5,7 @@ use nalgebra::{Vector3, Vector6};
 use super::frame::Frame;
 use super::solid::bodies;
 use super::spatial_page::SpatialPage;
+use crate::numerics::mapped;
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, fingertips};
 use crate::picture::force_scale::metres_per_newton;
@@ -86,21 +87,25 @@ impl<'p> Drawing<'p> {
             if let Some(state) = frame.state() {
                 check(page, &frame.label, state)?;
             }
-            let motion = frame.leaving.iter().flat_map(|motion| motion.object.components());
-            let numbers = frame.load.iter().flat_map(Wrench::components).chain(motion);
-            if let Some(x) = numbers.into_iter().find(|x| !x.is_finite()) {
+            let mut numbers: Vec<f64> = Vec::new();
+            if let Some(load) = &frame.load {
+                numbers.extend(load.components());
+            }
+            if let Some(motion) = &frame.leaving {
+                numbers.extend(motion.object.components());
+            }
+            if let Some(x) = numbers.iter().find(|x| !x.is_finite()) {
                 return Err(PictureError(format!("\"{}\" has {x} among its numbers", frame.label)));
             }
         }
-        let corners = page
-            .outlines
-            .iter()
-            .map(|line| &line.corners)
-            .chain(&page.fixtures)
-            .flatten()
-            .map(|corner| Vector3::from(*corner));
+        let mut points: Vec<Vector3<f64>> = mapped(&page.grasp.contacts(), &Contact::point);
+        for corners in page.outlines.iter().map(|line| &line.corners).chain(&page.fixtures) {
+            for corner in corners {
+                points.push((*corner).into());
+            }
+        }
         let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
-        for point in page.grasp.contacts().iter().map(Contact::point).chain(corners) {
+        for point in points {
             if !point.iter().all(|x| x.is_finite()) {
                 return Err(PictureError("a corner of an outline is not finite".into()));
             }
@@ -173,7 +178,7 @@ impl<'p> Drawing<'p> {
                 let pushed = tip.resultant(grasp.contacts(), state).normal_force;
                 (tip.middle(grasp.contacts()), frames[tip.contacts.start].column(0).into_owned(), pushed)
             };
-            let pushes: Vec<_> = self.tips.iter().map(push).collect();
+            let pushes: Vec<_> = mapped(&self.tips, &push);
             metres_per_newton(&pushes, self.size, largest)
         };
         // Without an equilibrium the load is the only force.
@@ -243,19 +248,24 @@ fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Result<(), Pic
     if given != expected {
         return Err(PictureError(format!("\"{label}\" has {given} contacts, the grasp has {expected}")));
     }
-    let of_bodies = state.bodies.iter().map(|motion| &motion.twist).chain([&state.twist]);
-    let whole =
-        state.free_motions.iter().map(|motion| &motion.object).chain(of_bodies).map(Twist::components);
-    let whole = whole.chain([state.load.components()]).flat_map(|v| v.iter().copied());
-    let of_contacts = state.contacts.iter().flat_map(|answer| {
-        let slides = match answer.state {
-            ContactState::Sliding { direction } => direction,
-            _ => Vector3::zeros(),
-        };
-        let [u, f] = [answer.body_core, answer.force_world];
-        [answer.normal_force(), u.x, u.y, u.z, f.x, f.y, f.z, slides.x, slides.y, slides.z]
-    });
-    match whole.chain(of_contacts).find(|x| !x.is_finite()) {
+    let mut numbers: Vec<f64> = Vec::new();
+    for motion in &state.free_motions {
+        numbers.extend(motion.object.components());
+    }
+    for motion in &state.bodies {
+        numbers.extend(motion.twist.components());
+    }
+    numbers.extend(state.twist.components());
+    numbers.extend(state.load.components());
+    for answer in &state.contacts {
+        numbers.push(answer.normal_force());
+        numbers.extend(answer.body_core.as_slice());
+        numbers.extend(answer.force_world.as_slice());
+        if let ContactState::Sliding { direction } = &answer.state {
+            numbers.extend(direction.as_slice());
+        }
+    }
+    match numbers.iter().find(|x| !x.is_finite()) {
         Some(x) => Err(PictureError(format!("\"{label}\" has {x} among its numbers"))),
         None => Ok(()),
     }

@@ -3,6 +3,7 @@
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{Contact, Motion, Wrench};
+use crate::numerics::mapped;
 use crate::picture::contact_look::STEEPEST;
 
 /// One of the answers that the buttons of a page select.
@@ -28,7 +29,7 @@ impl<const C: usize> Frame<C> {
 
     /// An equilibrium of a grasp whose coefficients of friction may differ from those of the page.
     pub(super) fn of(label: String, grasp: &Grasp<C>, state: &Equilibrium<C>) -> Self {
-        let friction = grasp.contacts().iter().map(Contact::friction_coefficient).collect();
+        let friction = mapped(&grasp.contacts(), &Contact::friction_coefficient);
         Self { friction: Some(friction), ..Self::new(label, Ok(Box::new(state.clone()))) }
     }
 

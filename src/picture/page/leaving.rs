@@ -5,6 +5,7 @@ use nalgebra::{Point3, Vector3};
 use super::drawing::Drawing;
 use super::spatial_page::MovingLine;
 use crate::grasp::Motion;
+use crate::numerics::{largest, mapped};
 use crate::spatial::{Contact, Twist};
 
 /// Distance by which the fastest point is moved, as a part of the span.
@@ -23,9 +24,9 @@ impl Drawing<'_> {
     pub(super) fn way_out(&self, motion: &Motion<3>) -> MovedLines {
         let moving = |line: &MovingLine| {
             let twist = *motion.of_body(line.body);
-            line.corners.iter().map(|corner| (Vector3::from(*corner), twist)).collect()
+            mapped(&line.corners, &|corner| (Vector3::from(*corner), twist))
         };
-        let lines: Vec<Vec<_>> = self.page.outlines.iter().map(moving).collect();
+        let lines: Vec<Vec<_>> = mapped(&self.page.outlines, &moving);
         // With several bodies the body of a contact is not known here, so that contacts are not drawn.
         let of_object = motion.bodies.is_empty().then_some(motion.object);
         let contacts = self.page.grasp.contacts().iter().map(Contact::point);
@@ -35,7 +36,7 @@ impl Drawing<'_> {
             if lines.is_empty() { contacts().collect() } else { lines.concat() };
         let speed =
             |(point, twist): &(Vector3<f64>, Twist)| Vector3::from(twist.displacement_at(*point)).norm();
-        let fastest = points.iter().map(speed).fold(0.0, f64::max);
+        let fastest = largest(&points, &speed);
         let time = LEAVES * self.span / fastest;
         if !(time.is_finite() && time > 0.0) {
             return MovedLines { lines: Vec::new(), arrows: Vec::new() };
@@ -44,7 +45,7 @@ impl Drawing<'_> {
             |(point, twist): &(Vector3<f64>, Twist)| ((*twist * time).exp() * Point3::from(*point)).coords;
         let every = points.len().div_ceil(ARROWS).max(1);
         MovedLines {
-            lines: lines.iter().map(|line| line.iter().map(next).collect()).collect(),
+            lines: mapped(&lines, &|line| line.iter().map(next).collect()),
             arrows: points.iter().step_by(every).map(|at| [at.0, next(at)]).collect(),
         }
     }

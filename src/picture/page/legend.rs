@@ -5,6 +5,7 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
 use super::marks::{BROWN, CONTACT, PINK, POINT, SKY};
+use crate::numerics::mapped;
 use crate::picture::contact_look::{ink, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::painting::{Painting, flat};
@@ -123,9 +124,11 @@ fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
 fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
     let resultant = |tip: &ContactGroup| tip.resultant(contacts, state);
-    let tips: Vec<Resultant<3>> = drawing.tips.iter().map(resultant).collect();
-    let soft = drawing.tips.iter().filter(|tip| tip.is_soft()).flat_map(|tip| tip.contacts.clone());
-    let points: Vec<_> = soft.map(|i| word(&state.contacts[i])).collect();
+    let tips: Vec<Resultant<3>> = mapped(&drawing.tips, &resultant);
+    let mut points = Vec::new();
+    for tip in drawing.tips.iter().filter(|tip| tip.is_soft()) {
+        points.extend(state.contacts[tip.contacts.clone()].iter().map(word));
+    }
     let mut entries = Vec::new();
     for what in ["sticking", "about to slide", "sliding", "separated", "frictionless"] {
         let open = what == "separated";

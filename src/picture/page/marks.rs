@@ -8,6 +8,7 @@ use plotters::style::RGBColor;
 use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP, goes};
 use super::frame::Frame;
 use super::leaving::MovedLines;
+use crate::numerics::mapped;
 use crate::picture::contact_look::{ink, slope, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::palette::{GREY, PALETTE, VERMILION};
@@ -238,7 +239,7 @@ fn draw_way_out(marks: &mut Vec<Mark>, way: &MovedLines) {
 }
 
 fn points(corners: &[[f64; 3]]) -> Vec<Point> {
-    corners.iter().map(|corner| Point::from(*corner)).collect()
+    mapped(&corners, &|corner| Point::from(*corner))
 }
 
 /// A line closed back to its first corner; for two corners the line between them, for fewer `None`.

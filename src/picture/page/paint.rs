@@ -6,6 +6,7 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 use super::drawing::SHORTEST;
 use super::eye::Eye;
 use super::marks::Mark;
+use crate::numerics::{increasing, mapped};
 use crate::picture::painting::{EyePoint, Painting};
 
 /// Grey level of edges of the object nearest to the eye.
@@ -24,14 +25,14 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
     for mark in marks {
         match mark {
             Mark::Line { corners, ink, width, dashes } => {
-                let corners: Vec<_> = corners.iter().map(|corner| eye.see(corner)).collect();
+                let corners: Vec<_> = mapped(&corners, &|corner| eye.see(corner));
                 let pieces = dashes.map_or_else(|| pairs(&corners), |(on, off)| dashed(&corners, on, off));
                 for ends in pieces {
                     painting.line(ends, *ink, *width);
                 }
             }
             Mark::Edge { corners } => {
-                let corners: Vec<_> = corners.iter().map(|corner| eye.see(corner)).collect();
+                let corners: Vec<_> = mapped(&corners, &|corner| eye.see(corner));
                 for ends in pairs(&corners) {
                     painting.line(ends, shade(f64::midpoint(ends[0].z, ends[1].z)), 1.2);
                 }
@@ -49,7 +50,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                 }
             }
             Mark::Cone { apex, rim, ink } => {
-                let rim: Vec<_> = rim.iter().map(|point| eye.see(point)).collect();
+                let rim: Vec<_> = mapped(&rim, &|point| eye.see(point));
                 cone(&mut painting, &eye.see(apex), &rim, *ink);
             }
             Mark::Dot { at, radius, ink, open } => painting.dot(eye.see(at), *radius, *ink, *open),
@@ -121,7 +122,11 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColo
 
 /// Corners of the convex hull of these places (Andrew's monotone chain).
 fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    // By the first coordinate, and by the second among places of the same first.
+    for coordinate in [|place: &(f64, f64)| place.1, |place: &(f64, f64)| place.0] {
+        let values: Vec<f64> = mapped(&places, &coordinate);
+        places = increasing(&values).into_iter().map(|i| places[i]).collect();
+    }
     let mut corners: Vec<(f64, f64)> = Vec::new();
     let turns_back =
         |[a, b]: [(f64, f64); 2], c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) <= 0.0;

@@ -1,6 +1,7 @@
 //! Convex parts of the object between its outlines, so that it looks like a body instead of wire.
 
 use super::spatial_page::MovingLine;
+use crate::numerics::mapped;
 
 /// A ring of fewer corners is a face of an edged body, or the line of a handle, and the space to the next ring may be empty.
 const ROUND: usize = 8;
@@ -10,14 +11,15 @@ const ROUND: usize = 8;
 pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
     // There is no part between two bodies.
     let of_one_body = outlines.chunk_by(|a, b| a.body == b.body);
-    of_one_body.flat_map(solids).collect()
+    of_one_body.map(solids).collect::<Vec<_>>().concat()
 }
 
 fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
-    let rings: Vec<_> = outlines.iter().flat_map(|outline| rings(&outline.corners)).collect();
+    let rings = mapped(&outlines, &|outline| rings(&outline.corners)).concat();
     let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= ROUND));
-    let between = between.map(<[Vec<_>]>::concat);
-    between.chain(rings.iter().cloned()).collect()
+    let mut solids: Vec<_> = between.map(<[Vec<_>]>::concat).collect();
+    solids.extend(rings);
+    solids
 }
 
 fn rings(outline: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {

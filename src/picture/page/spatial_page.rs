@@ -3,6 +3,7 @@
 use super::frame::{Frame, change_last};
 use super::text::proof_in_words;
 use crate::grasp::Motion;
+use crate::numerics::mapped;
 use crate::picture::actuators::Actuators;
 use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome, Wrench};
 
@@ -77,7 +78,7 @@ impl SpatialPage {
             grasp: grasp.clone(),
             title: title.into(),
             outlines: Vec::new(),
-            fixtures: grasp.links().iter().map(|bone| bone.map(<[f64; 3]>::from).to_vec()).collect(),
+            fixtures: mapped(&grasp.links(), &|bone| bone.map(<[f64; 3]>::from).to_vec()),
             frames: Vec::new(),
             actuators: Actuators::of(grasp),
         }

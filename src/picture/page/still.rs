@@ -70,14 +70,20 @@ impl SpatialPage {
         let title = lines(&self.title, LETTERS.0);
         let label = frame.map_or_else(Vec::new, |frame| {
             let caution = caution(frame.state(), frame.says.iter().map(String::as_str));
-            let sentences = [&frame.label].into_iter().chain(&frame.says).cloned().chain(caution);
-            sentences.flat_map(|words| lines(&words, LETTERS.1)).collect()
+            let mut label = lines(&frame.label, LETTERS.1);
+            for words in frame.says.iter().chain(&caution) {
+                label.extend(lines(words, LETTERS.1));
+            }
+            label
         });
         let top = 20.0 + 24.0 * title.len() as f64 + 20.0 * label.len() as f64;
         let window = Window { left: MARGIN, top, wide: ROOM.0, high: ROOM.1 };
         // The view contains everything of every answer, so that stills can be compared.
-        let frames = self.frames.iter().map(Some).chain([None]);
-        let points = frames.flat_map(|frame| marks(&drawing, frame)).flat_map(|mark| mark.points());
+        let mut everything = marks(&drawing, None);
+        for frame in &self.frames {
+            everything.extend(marks(&drawing, Some(frame)));
+        }
+        let points = everything.iter().map(Mark::points).collect::<Vec<_>>().concat();
         let eye = Eye::new(view, window.within(BORDER), drawing.span, points)?;
         let marks = marks(&drawing, frame);
         let legend = Legend::new(&drawing, frame, eye.scale);

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::numerics::{mapped, tried};
 use crate::picture::error::PictureError;
 use crate::picture::words::short;
 use crate::spatial::Proof;
@@ -33,7 +34,7 @@ pub(super) fn json_number(x: f64) -> Result<String, PictureError> {
 
 /// A JSON array of numbers.
 pub(super) fn json_row(numbers: &[f64]) -> Result<String, PictureError> {
-    let numbers: Vec<_> = numbers.iter().map(|x| json_number(*x)).collect::<Result<_, _>>()?;
+    let numbers = tried(numbers, &|x| json_number(*x))?;
     Ok(format!("[{}]", numbers.join(",")))
 }
 
@@ -44,7 +45,7 @@ pub(super) fn vector(components: &[f64]) -> String {
     if let [one] = components {
         return short(*one);
     }
-    format!("({})", components.iter().map(|x| short(clean(x))).collect::<Vec<_>>().join(", "))
+    format!("({})", mapped(&components, &|x| short(clean(x))).join(", "))
 }
 
 /// The proof that no equilibrium exists, in words.

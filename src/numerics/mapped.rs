@@ -1,0 +1,39 @@
+//! Lists made of other lists or of numbers, without a copy of std's iterators for each function that makes one.
+
+use crate::prelude::*;
+
+/// `f` of each element, in order.
+pub(crate) fn mapped<'a, T, U>(list: &'a [T], f: &dyn Fn(&'a T) -> U) -> Vec<U> {
+    let mut all = Vec::with_capacity(list.len());
+    for element in list {
+        all.push(f(element));
+    }
+    all
+}
+
+/// `f` of the numbers from 0 to `count` − 1, in order.
+pub(crate) fn numbered<U>(count: usize, f: &dyn Fn(usize) -> U) -> Vec<U> {
+    let mut all = Vec::with_capacity(count);
+    for k in 0..count {
+        all.push(f(k));
+    }
+    all
+}
+
+/// `f` of each element, in order, up to the first that fails.
+pub(crate) fn tried<'a, T, U, E>(list: &'a [T], f: &dyn Fn(&'a T) -> Result<U, E>) -> Result<Vec<U>, E> {
+    let mut all = Vec::with_capacity(list.len());
+    for element in list {
+        all.push(f(element)?);
+    }
+    Ok(all)
+}
+
+/// The largest of `f` of all elements, and at least 0.
+pub(crate) fn largest<T>(list: &[T], f: &dyn Fn(&T) -> f64) -> f64 {
+    let mut largest = 0.0_f64;
+    for element in list {
+        largest = largest.max(f(element));
+    }
+    largest
+}

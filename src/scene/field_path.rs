@@ -1,0 +1,93 @@
+//! The field of a JSON text at which a reader stopped (feature `json`).
+
+/// The beginnings of messages of the reader about a list or an object, and not about a value in it.
+const OF_A_LIST_OR_OBJECT: [&str; 7] = [
+    "EOF while parsing a list",
+    "EOF while parsing an object",
+    "expected `,`",
+    "expected `:`",
+    "trailing",
+    "key must be a string",
+    "duplicate field",
+];
+
+/// The path of the field to which an error of the reader belongs, such as `planar.contacts[1].friction`; `None` for the whole text. `read` is the
+/// number of bytes that were read, and `message` that of the error.
+pub(super) fn faulty_field(
+    text: &[u8],
+    read: usize,
+    error: &serde_json::Error,
+    message: &str,
+) -> Option<String> {
+    let (before, last) = text.split_at(read.saturating_sub(1));
+    // The last byte that was read is the first that is no JSON, unless the text ended too early or the value is a wrong one.
+    let json = if error.is_syntax() { before } else { &text[..read] };
+    // A list where none is allowed is refused behind its bracket or just before it.
+    let behind = last.starts_with(b"[") && !last[1..].starts_with(b"[");
+    let around = (behind && message.starts_with("invalid type: sequence"))
+        || OF_A_LIST_OR_OBJECT.iter().any(|of| message.starts_with(of));
+    Some(field_path(json, around)).filter(|path| !path.is_empty())
+}
+
+/// A list or an object that is still open.
+struct Open {
+    /// The length of its own path.
+    path: usize,
+    /// The number of the present element of a list; `None` for an object.
+    element: Option<usize>,
+}
+
+/// The path of the value at the end of `read`, or of the list or object `around` it; empty for the whole text. All of `read` must be the
+/// beginning of a JSON text.
+fn field_path(read: &[u8], around: bool) -> String {
+    let mut path = String::new();
+    let mut open: Vec<Open> = Vec::new();
+    let mut name_next = false;
+    let mut i = 0;
+    while let Some(byte) = read.get(i) {
+        let start = i;
+        i += 1;
+        match byte {
+            b'[' | b'{' => {
+                let is_list = *byte == b'[';
+                open.push(Open { path: path.len(), element: is_list.then_some(0) });
+                if is_list {
+                    path.push_str("[0]");
+                }
+                name_next = !is_list;
+            }
+            b']' | b'}' => path.truncate(open.pop().map_or(0, |closed| closed.path)),
+            b',' => {
+                let Some(present) = open.last_mut() else { break };
+                path.truncate(present.path);
+                match &mut present.element {
+                    Some(element) => {
+                        *element += 1;
+                        path.push_str(&format!("[{element}]"));
+                    }
+                    None => name_next = true,
+                }
+            }
+            b'"' => {
+                while i < read.len() && read[i] != b'"' {
+                    i += if read[i] == b'\\' { 2 } else { 1 };
+                }
+                i = read.len().min(i + 1);
+                if name_next {
+                    // A name that ends too early is none.
+                    let Ok(name) = serde_json::from_slice::<String>(&read[start..i]) else { break };
+                    if !path.is_empty() {
+                        path.push('.');
+                    }
+                    path.push_str(&name);
+                    name_next = false;
+                }
+            }
+            _ => {}
+        }
+    }
+    if around {
+        path.truncate(open.last().map_or(0, |around| around.path));
+    }
+    path
+}
