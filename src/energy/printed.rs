@@ -228,9 +228,8 @@ fn column<const C: usize>(contact: usize, displacement: usize, axis: usize) -> u
 
 /// The stiffnesses of body and finger of a contact.
 fn both_sides<const C: usize>(index: usize, contact: &Contact<C>) -> Result<[SVector<f64, C>; 2], Error> {
-    const ALLOWED: &str = "from 1e-50 to 1e50 on both sides (the paper's program has two springs a contact)";
-    let fault =
-        |field, value| Err(Error::Contact { contact: contact.label(index), field, value, allowed: ALLOWED });
+    let allowed = "from 1e-50 to 1e50 on both sides (the paper's program has two springs a contact)";
+    let fault = |field, value| Err(Error::Contact { contact: contact.label(index), field, value, allowed });
     let (body, finger) = match &contact.stiffness {
         Stiffness::BodyAndFinger { body, finger } => (body, finger),
         Stiffness::Series(k) => return fault(Field::SeriesStiffness, k[0]),

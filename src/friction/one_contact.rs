@@ -13,11 +13,6 @@ use super::blocks::ContactBlock;
 use super::law::tangent;
 use nalgebra::SVector;
 
-/// The largest number of secant or bisection steps for κ.
-const HALVINGS: usize = 100;
-/// Relative width of the bracket at which κ is known.
-const KNOWN: f64 = 4.0 * f64::EPSILON;
-
 /// The force of a contact with own block A and friction μ, whose velocity without its own force is b. `None` if A is not definite enough to stop the
 /// approach.
 pub(super) fn answer<const C: usize>(
@@ -54,8 +49,9 @@ pub(super) fn answer<const C: usize>(
     let mut outside = slide.at(least).map(|r| miss(&r));
     let mut inside = miss(&slide.at(most)?);
     let mut last = 0;
-    for _ in 0..HALVINGS {
-        if most - least <= KNOWN * most {
+    // Steps of secants or bisection for κ.
+    for _ in 0..100 {
+        if most - least <= 4.0 * f64::EPSILON * most {
             break;
         }
         // The secant, with the value at an end that was kept twice halved (Illinois); bisection where there is no secant.

@@ -13,17 +13,12 @@
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
 use super::model::SlipToPredict;
-use super::pressing::{NONE, Pressing, at_length, pressing};
+use super::pressing::{Pressing, at_length, pressing};
+use super::tolerances::INDISTINCT;
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Twist, Wrench};
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
-
-/// Relative singular value below which a direction depends on the others.
-const DEPENDENT: f64 = 1e-9;
-/// Residual of the equations at a root, relative to the sum of the normal forces.
-const BALANCED: f64 = 1e-12;
-/// Steps of Newton's method, which starts near the root and converges quadratically.
-const STEPS: usize = 5;
 
 /// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
 pub(super) struct GrossSlip<'a, 's, const C: usize> {
@@ -55,11 +50,12 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         let mut pressing = pressing(seen, forces, length);
         let fastest = pressing.iter().map(|contact| contact.velocity(&motion).norm()).fold(0.0, f64::max);
         for contact in &mut pressing {
-            let opens = contact.normal.dot(&motion).abs() > NONE * fastest;
+            let opens = contact.normal.dot(&motion).abs() > INDISTINCT * fastest;
             if opens {
                 return None;
             }
-            contact.sticks |= contact.friction > 0.0 && contact.velocity(&motion).norm() <= NONE * fastest;
+            contact.sticks |=
+                contact.friction > 0.0 && contact.velocity(&motion).norm() <= INDISTINCT * fastest;
         }
         Self { seen, length, at, motion, pressing }.at_root()
     }
@@ -69,7 +65,8 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         let began_at = self.at;
         let (_, free) = spaces(&self.kept(), self.motion.len());
         self.motion = (&free * free.tr_mul(&self.motion)).try_normalize(0.0)?;
-        for _ in 0..STEPS {
+        // Newton's method starts near the root and converges quadratically.
+        for _ in 0..5 {
             if self.is_root() {
                 break;
             }
@@ -79,13 +76,14 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         }
         let presses =
             |contact: &Pressing| contact.normal_force > 0.0 || (contact.may_pull && !contact.slides());
-        let is_here = (self.at - began_at).abs() <= NONE * began_at && self.pressing.iter().all(presses);
+        let is_here =
+            (self.at - began_at).abs() <= INDISTINCT * began_at && self.pressing.iter().all(presses);
         (self.is_root() && is_here).then_some(self)
     }
 
     fn is_root(&self) -> bool {
         let forces: f64 = self.pressing.iter().map(|contact| contact.normal_force.abs()).sum();
-        self.left_over().norm() <= BALANCED * forces
+        self.left_over().norm() <= SOLVED_ROUNDING * forces
     }
 
     /// Directions along which the object does not move as it leaves.
@@ -140,7 +138,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
             let change = self.change(kind, unknown, value);
             let step = equations.solved(&-&change);
             let misses = (&equations.matrix * equations.scaled(&step) + &change).norm();
-            (misses <= NONE * change.norm()).then(|| step[step.len() - 1] / self.at)
+            (misses <= INDISTINCT * change.norm()).then(|| step[step.len() - 1] / self.at)
         })
     }
 
@@ -214,10 +212,10 @@ impl Equations {
         if !matrix.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let inverse = matrix.clone().svd(true, true).pseudo_inverse(DEPENDENT).ok()?;
+        let inverse = matrix.clone().svd(true, true).pseudo_inverse(NEGLIGIBLE).ok()?;
         let last = columns.len() - 1;
         let told = inverse.row(last).dot(&matrix.column(last).transpose());
-        ((told - 1.0).abs() <= NONE).then_some(Self { springs, turns, matrix, scales, inverse })
+        ((told - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, inverse })
     }
 
     /// The least-squares solution of least norm, for the scaled columns.
@@ -239,6 +237,6 @@ fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f6
     let svd = matrix.svd(false, true);
     let all = svd.v_t.map_or_else(|| DMatrix::identity(size, size), |v| v.transpose());
     let most = svd.singular_values.max();
-    let spanned = svd.singular_values.iter().filter(|value| **value > DEPENDENT * most).count();
+    let spanned = svd.singular_values.iter().filter(|value| **value > NEGLIGIBLE * most).count();
     (all.columns(0, spanned).into_owned(), all.columns(spanned, size - spanned).into_owned())
 }

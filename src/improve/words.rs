@@ -5,12 +5,7 @@ use core::fmt;
 use super::answer::{Binds, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;
 use crate::prelude::*;
-use crate::words::{Words, listed};
-
-/// Differences below this part of the largest length or force in the sentence are rounding.
-const ALIKE: f64 = 1e-6;
-/// Above this number contacts are counted instead of named.
-const MANY: usize = 9;
+use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
 impl<const C: usize> fmt::Display for Improved<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -26,7 +21,7 @@ impl<const C: usize> fmt::Display for Improved<C> {
         let much = |value: f64| words.number(value * one.unwrap_or(1.0));
         match self.before {
             _ if after.is_infinite() => write!(f, "NEVER SLIPS, however large the loads are")?,
-            Some(before) if after <= before * (1.0 + ALIKE) => {
+            Some(before) if after <= before * (1.0 + ALIKE_IN_WORDS) => {
                 write!(f, "{what} {} {unit}, and nothing better was found", much(after))?;
             }
             Some(before) => {
@@ -48,9 +43,9 @@ impl<const C: usize> Improved<C> {
     fn told(&self, words: Words) -> String {
         let far = self.contacts.iter().map(|placed| placed.moved).fold(0.0, f64::max);
         let moves: Vec<&Placed<C>> =
-            self.contacts.iter().filter(|placed| placed.moved > ALIKE * far && far > 0.0).collect();
+            self.contacts.iter().filter(|placed| placed.moved > ALIKE_IN_WORDS * far && far > 0.0).collect();
         let mut told = Vec::new();
-        if moves.len() > MANY {
+        if moves.len() > MOST_NAMES {
             told.push(format!("{} contacts move", moves.len()));
         } else if !moves.is_empty() {
             let one = |(k, placed): (usize, &&Placed<C>)| {
@@ -65,7 +60,8 @@ impl<const C: usize> Improved<C> {
         let force = |placed: &Placed<C>| words.number(placed.normal_force);
         if let Some(first) = pressed.first() {
             let most = pressed.iter().map(|placed| placed.normal_force).fold(0.0, f64::max);
-            let alike = pressed.iter().all(|p| (p.normal_force - first.normal_force).abs() <= ALIKE * most);
+            let alike =
+                pressed.iter().all(|p| (p.normal_force - first.normal_force).abs() <= ALIKE_IN_WORDS * most);
             let names: Vec<_> = pressed.iter().map(|placed| placed.contact.text()).collect();
             if alike {
                 let (who, verb) = match names.len() {
@@ -74,7 +70,7 @@ impl<const C: usize> Improved<C> {
                     _ => ("all".to_owned(), "press"),
                 };
                 told.push(format!("{who} {verb} with {} N", force(first)));
-            } else if pressed.len() <= MANY {
+            } else if pressed.len() <= MOST_NAMES {
                 let each = pressed.iter().enumerate().map(|(k, placed)| {
                     let verb = if k == 0 { "presses with " } else { "with " };
                     format!("{} {verb}{} N", placed.contact.text(), force(placed))

@@ -12,14 +12,6 @@ use super::tolerances::{VALUE_ROUNDING, residual_rounding};
 use super::workspace::Workspace;
 use crate::prelude::*;
 
-/// The number of times a path is resumed after rounding has led it to a basis that is not feasible.
-///
-/// Each time costs one elimination. A path that misses three times has met a basis too close to
-/// singular.
-const RESUMPTIONS: usize = 3;
-/// The number of pivots allowed for separating near-ties. A separation that succeeds takes few; large degenerate problems would otherwise run for long.
-const SHARPENING: usize = 16;
-
 impl Workspace {
     /// Balances the problem and clears the results of the problem before.
     pub(super) fn prepare(&mut self, lcp: &Lcp) {
@@ -79,7 +71,9 @@ impl Workspace {
         settings: &Settings,
         limit: usize,
     ) -> Option<Unsolved> {
-        for _ in 0..RESUMPTIONS {
+        // Each time costs one elimination. A path that misses three times has met a basis too close to
+        // singular.
+        for _ in 0..3 {
             let Some(failure) = self.finish(lcp, settings) else {
                 self.sharpen(lcp, settings, limit);
                 return None;
@@ -108,7 +102,9 @@ impl Workspace {
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp =
             Settings { tie_tolerance: settings.tie_tolerance.min(VALUE_ROUNDING), ..settings.clone() };
-        let limit = limit.min(self.path.pivots + SHARPENING);
+        // A separation of near-ties that succeeds takes few pivots; large degenerate problems would otherwise
+        // run for long.
+        let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();
         if !goes_on || self.residuals.is_none_or(|sharper| sharper.max() >= coarse.max()) {

@@ -6,10 +6,6 @@ use super::tolerances::{OFF_DIAGONAL, POSITIVE_MINOR, elimination_rounding};
 use crate::prelude::*;
 use nalgebra::DMatrix;
 
-/// The largest n for which all principal minors are computed when nothing else decides whether M is a
-/// P-matrix. Each further row doubles the work.
-const MINORS: usize = 12;
-
 /// The classes to which a matrix M (n × n) belongs, as found by [`MatrixClass::of`].
 ///
 /// The tests are exact up to rounding. A matrix very close to the boundary of a class may be put on
@@ -221,7 +217,8 @@ fn p_matrix(m: &DMatrix<f64>, definiteness: Definiteness, z_matrix: bool) -> Opt
         }
         return Some(true);
     }
-    (n <= MINORS).then(|| minors_are_positive(m.clone(), m))
+    // Each further row doubles the work.
+    (n <= 12).then(|| minors_are_positive(m.clone(), m))
 }
 
 fn eliminate(a: &mut DMatrix<f64>, k: usize) {

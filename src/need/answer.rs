@@ -48,7 +48,10 @@ const fn once() -> f64 {
 }
 
 #[cfg(feature = "serde")]
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes references; where pointers have 32 bits the lint is silent")]
+#[allow(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes references; where pointers have 32 bits the lint is silent"
+)]
 fn is_once(times: &f64) -> bool {
     *times == 1.0
 }

@@ -16,9 +16,6 @@ type Sum = &'static [(usize, f64)];
 
 const STAGES: usize = 12;
 
-/// Factor of the error estimate: the product is usually above the true error.
-const CAUTION: f64 = 4.0;
-
 /// The a_sj of each stage after the first, row by row.
 #[allow(clippy::unreadable_literal)]
 const WAY_TO_STAGE: [Sum; STAGES - 1] = [
@@ -139,7 +136,8 @@ pub(crate) fn explicit_step(
     y.iter_mut().zip(&change).for_each(|(third, best)| *third -= best);
     let third = size(&y);
     let scale = fifth.hypot(0.1 * third);
-    let error = if scale > 0.0 { CAUTION * fifth * (fifth / scale) } else { scale };
+    // The factor makes the estimate exceed the true error usually.
+    let error = if scale > 0.0 { 4.0 * fifth * (fifth / scale) } else { scale };
     error.is_finite().then_some(Stepped { change, error })
 }
 

@@ -5,20 +5,6 @@ use super::sheet::{Place, Sheet, plaque_size};
 use super::window::Window;
 use super::words::{lines, shortened};
 
-/// Directions from a point to its name, to the right and downwards, in order of preference.
-const SIDES: [(f64, f64); 8] =
-    [(1.0, -1.0), (-1.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (1.0, 1.0), (-1.0, 1.0), (0.0, -1.0), (0.0, 1.0)];
-/// Distances between the point and its name, pixels.
-const AWAY: [f64; 4] = [8.0, 14.0, 22.0, 32.0];
-/// Cost of a pixel of distance, in pixels of a thin line that the name covers.
-const CLOSE: f64 = 1.2;
-/// Spacing of the candidate places of a name without room beside its point, pixels. A line joins such a name to its point.
-const STEP: f64 = 9.0;
-/// Most letters of a line beside a point.
-const LETTERS: usize = 36;
-/// Most letters of a line in the corner.
-const CORNER_LETTERS: usize = 80;
-
 /// The middle of a rectangle, and its width and height, pixels.
 type Plate = (Place, (f64, f64));
 
@@ -39,7 +25,7 @@ impl Labels {
     /// Writes a sentence in the upper left corner, before all names.
     pub(super) fn write_in_the_corner(&mut self, paper: &mut Sheet, words: &str, size: f64) {
         let mut below = self.window.top;
-        for line in lines(words, CORNER_LETTERS) {
+        for line in lines(words, 80) {
             let (wide, high) = plaque_size(&line, size);
             let at = (self.window.left + 4.0, below + high / 2.0);
             paper.plaque(at, &line, size, 0.0);
@@ -50,7 +36,7 @@ impl Labels {
 
     /// Writes lines beside their point without touching other names; only the first line if there is no room for all.
     pub(super) fn write(&mut self, paper: &mut Sheet, point: Place, words: &[&str], size: f64) {
-        let words: Vec<_> = words.iter().map(|line| shortened(line, LETTERS)).collect();
+        let words: Vec<_> = words.iter().map(|line| shortened(line, 36)).collect();
         for count in [words.len(), 1] {
             let sizes: Vec<_> = words[..count].iter().map(|line| plaque_size(line, size)).collect();
             let wide = sizes.iter().map(|line| line.0).fold(0.0, f64::max);
@@ -89,8 +75,19 @@ impl Labels {
     }
 
     fn beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<Plate> {
-        let middles = AWAY.iter().flat_map(|away| {
-            SIDES.map(|(x, y)| {
+        // Directions from a point to its name, to the right and downwards, in order of preference.
+        let sides = [
+            (1.0, -1.0),
+            (-1.0, -1.0),
+            (1.0, 0.0),
+            (-1.0, 0.0),
+            (1.0, 1.0),
+            (-1.0, 1.0),
+            (0.0, -1.0),
+            (0.0, 1.0),
+        ];
+        let middles = [8.0, 14.0, 22.0, 32.0].iter().flat_map(|away| {
+            sides.map(|(x, y)| {
                 // At a corner the distance is split between both directions.
                 let away = if x * y == 0.0 { *away } else { 0.6 * away };
                 (point.0 + x * (wide / 2.0 + away), point.1 + y * (high / 2.0 + away))
@@ -103,7 +100,7 @@ impl Labels {
         let places = |low: f64, room: f64, size: f64| {
             let first = low + size / 2.0;
             (0..)
-                .map(move |k| first + STEP * f64::from(k))
+                .map(move |k| first + 9.0 * f64::from(k))
                 .take_while(move |at| *at <= low + room - size / 2.0)
         };
         let Window { left, top, wide: room, high: tall } = self.window;
@@ -132,6 +129,7 @@ impl Labels {
         let ink: f64 = self.ink.iter().filter(|(at, _)| covered(*at)).map(|(_, weight)| weight).sum();
         let (x, y) = aside(point);
         let away = (x - wide / 2.0).max(0.0).hypot((y - high / 2.0).max(0.0));
-        ink + CLOSE * away
+        // A pixel of distance counts as more than a pixel of a thin line that the name covers.
+        ink + 1.2 * away
     }
 }

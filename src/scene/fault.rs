@@ -123,9 +123,6 @@ impl Fault {
     }
 }
 
-/// The byte order mark, three bytes with which some editors begin a file.
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
-
 impl Scene {
     /// A scene from [JSON](crate::scene), feature `json`.
     ///
@@ -147,7 +144,8 @@ impl Scene {
 }
 
 fn parse_on_track(text: &[u8]) -> Result<Scene, Fault> {
-    if text.starts_with(BYTE_ORDER_MARK) {
+    // Some editors begin a file with a byte order mark.
+    if text.starts_with(b"\xef\xbb\xbf") {
         let message = "begins with a byte-order mark, must begin with {: save it as UTF-8 without one";
         let at = Some(TextPosition { line: 1, column: 1 });
         return Err(Fault { kind: FaultKind::Syntax, message: message.to_owned(), field: None, at });

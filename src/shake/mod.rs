@@ -26,6 +26,7 @@ mod followed;
 mod recurrence;
 mod round;
 mod shakedown;
+mod tolerances;
 mod verdict;
 mod words;
 
