@@ -11,10 +11,10 @@
 //! For a positive semidefinite H the two problems are equivalent. Lemke's method was made for the second (Lemke 1965) and cannot fail on it: it finds
 //! a minimum or a ray, and a ray means that there is no minimum.
 
-use super::tolerances::REFINED_RESIDUAL;
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{LcpError, MixedLcp, MixedSolution, Outcome, Residuals};
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::prelude::*;
 
 /// The program `minimise Gᵀx + ½ xᵀH x subject to A x = C, B x >= D`, with the letters of the paper (section 5.1).
@@ -147,7 +147,7 @@ impl QuadraticProgram {
                 let determined = solution.undetermined.is_empty() && solution.dependent.is_empty();
                 if let Some((u, z)) = self.refined(&solution).filter(|_| determined) {
                     let residuals = conditions.residuals(&u, &z);
-                    if residuals.max() <= solution.residuals.max().max(REFINED_RESIDUAL) {
+                    if residuals.max() <= solution.residuals.max().max(FEW_ROUNDINGS) {
                         (solution.u, solution.z, solution.residuals) = (u, z, residuals);
                     }
                 }

@@ -5,11 +5,6 @@
 /// Smaller, rounding counts as a free direction, and more forces are called undetermined. Larger, free directions are missed.
 pub(super) const DEPENDENT_DIRECTION: f64 = 1e-10;
 
-/// A refined point is accepted if its largest relative residual is below this, even if the pivots had a smaller one.
-///
-/// Smaller, refinement that improves the forces is thrown away. Larger, points may get worse.
-pub(super) const REFINED_RESIDUAL: f64 = 1e-15;
-
 /// Relative changes of the displacements below this are rounding, and iterations of second order have settled.
 ///
 /// Smaller, iterations go on by rounding. Larger, digits of the displacements are lost.

@@ -15,7 +15,8 @@ use super::problem::FrictionProblem;
 use super::progress::SolveProgress;
 use super::settings::Settings;
 use super::sweeps::sweep;
-use super::tolerances::{ROUND_CONVERGED, ROUNDED_EQUATIONS, SETTLED_FORCES, WORTH_POLISHING};
+use super::tolerances::{ROUND_CONVERGED, WORTH_POLISHING};
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
@@ -118,8 +119,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             let begin = equations.at(r.clone()).size;
             let steps = self.settings.steps;
             // A shorter part of a Newton step is not worth its factorisation.
-            let patience =
-                Patience { steps, enough: 0.0, rounding: ROUNDED_EQUATIONS, shortest: 1e-2, leaps: 6 };
+            let patience = Patience { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (place, made) = descend(&equations, &self.order, r.clone(), patience);
             self.best.steps += made;
             let missing = self.offer(&place.r);
@@ -169,7 +169,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
     /// Makes `count` sweeps, or stops when the forces are still.
     fn swept(&self, r: &mut DVector<f64>, count: usize) {
         for _ in 0..count {
-            if sweep(self.problem, self.blocks, r) < SETTLED_FORCES {
+            if sweep(self.problem, self.blocks, r) < FEW_ROUNDINGS {
                 break;
             }
         }

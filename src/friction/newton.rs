@@ -3,8 +3,8 @@
 
 use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
-use super::tolerances::{ROUNDED_EQUATIONS, STALLED_EQUATIONS, UNDETERMINED_FORCE};
-use crate::numerics::tolerances::SUFFICIENT_DECREASE;
+use super::tolerances::UNDETERMINED_FORCE;
+use crate::numerics::tolerances::{FEW_ROUNDINGS, SOLVED_ROUNDING, SUFFICIENT_DECREASE};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
@@ -43,7 +43,7 @@ impl<'a, const C: usize> Newton<'a, C> {
     pub(super) fn run(&self, r: DVector<f64>, steps: usize) -> (DVector<f64>, usize) {
         let mut here = self.place(r);
         let mut made = 0;
-        while made < steps && here.size > ROUNDED_EQUATIONS * here.terms {
+        while made < steps && here.size > FEW_ROUNDINGS * here.terms {
             let Some(step) = self.step(&here) else { break };
             made += 1;
             let mut part = 1.0;
@@ -55,7 +55,7 @@ impl<'a, const C: usize> Newton<'a, C> {
                 next = self.place(&here.r + &step * part);
             }
             if part <= shortest {
-                if here.size <= STALLED_EQUATIONS * here.terms {
+                if here.size <= SOLVED_ROUNDING * here.terms {
                     // Rounding is reached.
                     break;
                 }

@@ -11,6 +11,7 @@
 
 use super::blocks::ContactBlock;
 use super::law::tangent;
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 use nalgebra::SVector;
 
 /// The force of a contact with own block A and friction μ, whose velocity without its own force is b. `None` if A is not definite enough to stop the
@@ -51,7 +52,7 @@ pub(super) fn answer<const C: usize>(
     let mut last = 0;
     // Steps of secants or bisection for κ.
     for _ in 0..100 {
-        if most - least <= 4.0 * f64::EPSILON * most {
+        if most - least <= FEW_ROUNDINGS * most {
             break;
         }
         // The secant, with the value at an end that was kept twice halved (Illinois); bisection where there is no secant.

@@ -3,8 +3,9 @@
 use super::law::{ContactMode, projection, tangent};
 use super::problem::{FrictionProblem, part};
 use super::solution::Solution;
-use super::tolerances::{ON_CONE_EDGE, OUTSIDE_CONE, ROUNDED_EQUATIONS, SETTLED_FORCES};
+use super::tolerances::OUTSIDE_CONE;
 use crate::lcp::tolerances::{BACKWARD_ERROR, LOST};
+use crate::numerics::tolerances::{FEW_ROUNDINGS, NEGLIGIBLE};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
@@ -20,7 +21,7 @@ impl<const C: usize> FrictionProblem<C> {
             }
             let (size, most) = (tangent(&force).norm(), self.mu[i] * force[0]);
             let nearest = projection(&force, self.mu[i]);
-            if size > most && (force - nearest).norm() <= ON_CONE_EDGE * force.norm() {
+            if size > most && (force - nearest).norm() <= NEGLIGIBLE * force.norm() {
                 let (size, most) = (tangent(&nearest).norm(), self.mu[i] * nearest[0]);
                 let within = if size > most { most / size } else { 1.0 };
                 r[C * i] = nearest[0];
@@ -55,7 +56,7 @@ impl<const C: usize> FrictionProblem<C> {
         }
         // Forces whose terms exceed q by many orders would solve the problem for any other q.
         let terms = (self.w.abs() * r.abs()).amax();
-        if residuals.max() > SETTLED_FORCES && residuals.max() * terms > BACKWARD_ERROR * self.q.amax()
+        if residuals.max() > FEW_ROUNDINGS && residuals.max() * terms > BACKWARD_ERROR * self.q.amax()
             || terms > 0.0 && self.q.amax() <= LOST * terms
         {
             return None;
@@ -79,7 +80,7 @@ impl<const C: usize> FrictionProblem<C> {
             let force = part::<C>(&r, i).abs();
             let columns = self.w.columns(C * i, C);
             let unseen = |(row, terms): (usize, &f64)| {
-                (0..C).map(|k| columns[(row, k)].abs() * force[k]).sum::<f64>() <= ROUNDED_EQUATIONS * terms
+                (0..C).map(|k| columns[(row, k)].abs() * force[k]).sum::<f64>() <= FEW_ROUNDINGS * terms
             };
             if columns.iter().any(|w| *w != 0.0) && terms.iter().enumerate().all(unseen) {
                 r.fixed_rows_mut::<C>(C * i).fill(0.0);

@@ -3,21 +3,6 @@
 //! All of them are pure numbers: forces are compared with forces, velocities with the terms of W r + q. ε = 2⁻⁵².
 //! Where the problem is lost in rounding, the limits of `lcp::tolerances` hold here, too.
 
-/// Forces that change by less than this part of themselves stand still, and residuals up to it are rounding.
-///
-/// Smaller, sweeps go on without gain. Larger, forces with fifteen digits are polished no further.
-pub(super) const SETTLED_FORCES: f64 = 1e-15;
-
-/// Newton's method ends where the error is this part of its terms, and a force whose share of every row is smaller is noise.
-///
-/// It is the rounding of two operations. Smaller, steps are made on noise; larger, the last digit of forces is lost.
-pub(super) const ROUNDED_EQUATIONS: f64 = 2.0 * f64::EPSILON;
-
-/// Where no part of a step gains, the error counts as rounding below this part of its terms. Above it the whole step is made.
-///
-/// Smaller, steps on noise continue until their number is used up; larger, the method ends where a whole step still helps.
-pub(super) const STALLED_EQUATIONS: f64 = 1e-12;
-
 /// A round of anchored steps has also converged if its residual is this part of its terms.
 ///
 /// Smaller, rounds that rounding has ended count as failed and the anchor gets firmer; larger, later rounds begin at worse forces.
@@ -47,11 +32,6 @@ pub(super) const ON_CENTRAL_PATH: f64 = 1e-2;
 ///
 /// Smaller, they follow rounding; larger, determined forces of soft contacts stay where they are.
 pub(super) const UNDETERMINED_FORCE: f64 = 1e-12;
-
-/// Relative distance outside of its cone at which a force counts as on the edge but for rounding.
-///
-/// Smaller, sliding contacts keep forces outside of their cones; larger, forces are moved by more than the solver's error.
-pub(super) const ON_CONE_EDGE: f64 = 1e-9;
 
 /// Part by which friction must exceed μ r_N to count as outside the cone.
 ///

@@ -8,8 +8,9 @@ use super::lemke::LemkeEnd;
 use super::outcome::{BreakdownCause, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
-use super::tolerances::{VALUE_ROUNDING, residual_rounding};
+use super::tolerances::residual_rounding;
 use super::workspace::Workspace;
+use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::prelude::*;
 
 impl Workspace {
@@ -96,12 +97,11 @@ impl Workspace {
         let m = lcp.m.as_slice();
         // Values a little below zero may have been cut off on the way here.
         self.path.recompute_values();
-        if !self.path.cover_violations(m, VALUE_ROUNDING) {
+        if !self.path.cover_violations(m, ROUNDED_SUM) {
             return;
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
-        let sharp =
-            Settings { tie_tolerance: settings.tie_tolerance.min(VALUE_ROUNDING), ..settings.clone() };
+        let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
         // A separation of near-ties that succeeds takes few pivots; large degenerate problems would otherwise
         // run for long.
         let limit = limit.min(self.path.pivots + 16);

@@ -10,7 +10,7 @@ use super::path::Path;
 use super::ratio::{Covering, blocking_row, doubtful_row_breaks, most_violated_row};
 use super::settings::Settings;
 use super::tolerances::{DOUBTFUL_PIVOT, DRIFTED, ZERO_VALUE};
-use crate::numerics::tolerances::ROUNDED_ENTRY;
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 
 /// How a path ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,7 +115,7 @@ impl Path {
                 continue;
             }
             let certain = settings.pivot_tolerance * size;
-            let row = blocking_row(&self.dictionary, ROUNDED_ENTRY * size, certain, role, settings);
+            let row = blocking_row(&self.dictionary, FEW_ROUNDINGS * size, certain, role, settings);
             let pivot = row.map_or(0.0, |row| self.dictionary.u[row].abs());
             if pivot < DOUBTFUL_PIVOT * size && self.age > 0 && !is_refined {
                 is_refined = row.is_some_and(|row| self.refine_column(entering, row, m) <= DRIFTED);

@@ -19,13 +19,6 @@ pub(super) const ZERO_VALUE: f64 = 1e-13;
 /// for factorisations; larger, digits that the data hold are given away.
 pub(super) const SOUND_RESIDUAL: f64 = 1e-13;
 
-/// The value of a basic variable may carry this part of the largest term that has gone into it.
-///
-/// It is the rounding of some sixteen operations on that term. Smaller, exact ties come apart and
-/// the tie rule fails. Larger, rows that block one after the other count as ties, and values of
-/// that size become negative.
-pub(super) const VALUE_ROUNDING: f64 = 16.0 * f64::EPSILON;
-
 /// Entries of the column of a slack below this part of its largest are rounding.
 ///
 /// Such a column is carried from pivot to pivot instead of summed, so its terms are unknown;

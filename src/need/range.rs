@@ -5,7 +5,7 @@
 //! coefficients have a least value.
 
 use super::question::{Need, Safety, Sought};
-use super::tolerances::{SAME_AMOUNT, SAME_COEFFICIENT};
+use super::tolerances::{LAST_DIGITS, SAME_COEFFICIENT};
 use super::trial::Loading;
 use crate::ask::Grasp;
 use crate::error::Error;
@@ -73,7 +73,7 @@ impl Range {
                 return Ok(());
             }
             let next = at + (end - at) * (work / (work - beyond));
-            let is_last = (next - at).abs() <= SAME_AMOUNT * at.abs().max(next.abs());
+            let is_last = (next - at).abs() <= LAST_DIGITS * at.abs().max(next.abs());
             at = next;
             *(if up { &mut self.low } else { &mut self.high }) = Some(at);
             if is_last {

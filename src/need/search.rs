@@ -5,7 +5,7 @@
 
 use super::range::Range;
 use super::threshold::{Enough, Threshold};
-use super::tolerances::{BESIDE_THE_BOUND, FAR_APART, NEAR_AN_END};
+use super::tolerances::{FAR_APART, LAST_DIGITS, NEAR_AN_END};
 use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::prelude::*;
@@ -165,7 +165,7 @@ pub(super) fn decided(tries: Tries<'_>, at: f64, width: Option<f64>) -> Result<(
     Ok((at, first))
 }
 
-/// The first sufficient amount among guesses from the carried part. Each guess is moved towards more: the first by 2 [`BESIDE_THE_BOUND`], each other by 64
+/// The first sufficient amount among guesses from the carried part. Each guess is moved towards more: the first by 2 [`LAST_DIGITS`], each other by 64
 /// times as much as the last.
 fn guessed(
     tries: Tries<'_>,
@@ -173,7 +173,7 @@ fn guessed(
     (mut at, mut trial): (f64, Trial),
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
-    let mut beyond = BESIDE_THE_BOUND;
+    let mut beyond = LAST_DIGITS;
     // Past four guesses the carried part is not proportional to the amount, and [`walk`] continues.
     for _ in 0..4 {
         let Some(guess) = plan.guessed(at, &trial) else { break };
@@ -230,11 +230,8 @@ fn edge_from(
     };
     let from_beyond =
         |part: f64| does_not.as_ref().and_then(|(at, trial): &(f64, Trial)| beyond(*at, trial, part));
-    let guesses = [
-        beyond(does, &trial, BESIDE_THE_BOUND),
-        from_beyond(BESIDE_THE_BOUND),
-        from_beyond(64.0 * BESIDE_THE_BOUND),
-    ];
+    let guesses =
+        [beyond(does, &trial, LAST_DIGITS), from_beyond(LAST_DIGITS), from_beyond(64.0 * LAST_DIGITS)];
     let end = plan.end(up).filter(|end| is_beyond(*end, does));
     let near = |part: f64| end.map(|end| end * if up { 1.0 + part } else { 1.0 - part });
     let [nearest, near_enough, nearby] = NEAR_AN_END;
@@ -314,7 +311,7 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
                 vain.push((inner[k], trial));
             }
         }
-        if high - low <= BESIDE_THE_BOUND * high {
+        if high - low <= LAST_DIGITS * high {
             break;
         }
         if parts[0] < parts[1] {

@@ -1,7 +1,7 @@
 //! A sufficient amount beside an insufficient one, and how the bracket between them is narrowed.
 
 use super::search::{Tries, decided};
-use super::tolerances::{BESIDE_A_BOUND, BESIDE_THE_BOUND, FAR_APART};
+use super::tolerances::{BESIDE_A_BOUND, FAR_APART, LAST_DIGITS};
 use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
@@ -37,7 +37,7 @@ impl Threshold {
         let mut over = carried.map(|carried| carried - 1.0).filter(|x| x.is_finite());
         let mut under = short(&self.does_not.1);
         // The end that the last step moved, the least distance of the next trial from both ends relative to the amount, and the last three widths.
-        let (mut kept, mut push, mut widths) = (None, 0.5 * BESIDE_THE_BOUND, [f64::INFINITY; 3]);
+        let (mut kept, mut push, mut widths) = (None, 0.5 * LAST_DIGITS, [f64::INFINITY; 3]);
         // `over` and `under` may be halved below; the last true values measure the fall of the carried part.
         let falls =
             |does: Option<f64>, does_not: Option<f64>| does.zip(does_not).map(|(over, under)| over - under);
@@ -74,7 +74,7 @@ impl Threshold {
             // Illinois: where the same end moves twice, the value at the other counts half, and the next trial keeps farther from both ends.
             let is_over = now.does();
             let again = kept == Some(is_over);
-            push = if again { 16.0 * push } else { 0.5 * BESIDE_THE_BOUND };
+            push = if again { 16.0 * push } else { 0.5 * LAST_DIGITS };
             kept = if step % 4 == 3 && is_slow { None } else { Some(is_over) };
             match now {
                 Trial::Does { .. } => {

@@ -4,15 +4,11 @@
 
 use super::threshold::Enough;
 
-/// Offset that moves a guess across the bound, relative to the amount, so that trials on both sides leave a bracket within [`EXACT`].
+/// Relative distance of two amounts that differ by rounding alone.
 ///
-/// Below it rounding decides the side; above 5e-13 the bracket needs more trials. A golden section ends at this width, too.
-pub(super) const BESIDE_THE_BOUND: f64 = 1e-13;
-
-/// Distance of two cuts, relative to the amount, at which an end of the range is final.
-///
-/// Smaller, further cuts differ by rounding alone. Larger, the end is looser, though still proved.
-pub(super) const SAME_AMOUNT: f64 = 1e-13;
+/// A guess moved across the bound by it, and trials on both sides, leave a bracket within [`EXACT`]; an end of the range is final where
+/// cuts come this close. Smaller, rounding decides the side. Larger, from 5e-13 on, the bracket needs more trials.
+pub(super) const LAST_DIGITS: f64 = 1e-13;
 
 /// Width, relative to the coefficient of friction, that ends the search for the least one.
 ///

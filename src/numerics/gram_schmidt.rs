@@ -5,7 +5,7 @@
 use core::ops::Range;
 
 use super::coordinates::{Square, Vector, WHOLE};
-use super::tolerances::{LINEARLY_DEPENDENT, ROUNDED_ENTRY};
+use super::tolerances::{FEW_ROUNDINGS, LINEARLY_DEPENDENT};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -96,7 +96,7 @@ fn lengths_and_noise(d: usize, q: &[f64], full: &mut [f64], noise: &mut [f64]) {
         }
     }
     for k in 0..d {
-        (full[k], noise[k]) = (full[k].sqrt(), noise[k].sqrt() * ROUNDED_ENTRY);
+        (full[k], noise[k]) = (full[k].sqrt(), noise[k].sqrt() * FEW_ROUNDINGS);
     }
 }
 

@@ -7,7 +7,7 @@ use core::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::harmonic::Harmonic;
-use super::tolerances::ROUNDED_SQUARE;
+use super::tolerances::ROUNDED_SUM;
 use super::trigonometric::{Fall, Trigonometric};
 
 /// N and v.
@@ -36,7 +36,7 @@ impl<const C: usize> Turning<C> {
 
     /// An angle from 0 to `most` at which the value is negative by more than rounding, a local minimum; `None` if there is no such angle.
     pub(crate) fn deepest(&self, most: f64) -> Option<f64> {
-        let rounding = ROUNDED_SQUARE * self.size();
+        let rounding = ROUNDED_SUM * self.size();
         if self.value(0.0) < -rounding {
             return Some(self.least_near(0.0, most));
         }

@@ -2,16 +2,18 @@
 //!
 //! All of them are pure numbers: parts of the terms or of the largest value that a result was computed from. ε = 2⁻⁵².
 
-/// The rounding of an entry that a few operations computed, as a part of the terms of its row: 4 ε.
+/// The rounding of a few operations, as a part of their terms: 4 ε.
 ///
-/// A normal computed as (cos π/2, sin π/2) has a first component of 6e-17 that resists nothing. Smaller, such an entry counts as a
-/// spring or a pivot. Larger, true entries of soft springs beside stiff ones are lost.
-pub(crate) const ROUNDED_ENTRY: f64 = 4.0 * f64::EPSILON;
+/// A normal computed as (cos π/2, sin π/2) has a component of 6e-17, a residual of Newton's method ends here, and a projection that
+/// moves a vector by less changes rounding only. Smaller, such an entry counts as a spring, and steps are made on noise. Larger, true
+/// entries of soft springs beside stiff ones are lost, and forces lose their last digit.
+pub(crate) const FEW_ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
-/// The rounding of the square of a number that turns with an angle, as a part of its largest coefficient: 16 ε.
+/// The rounding of a short sum, as a part of its largest term: some sixteen operations, 16 ε.
 ///
-/// Smaller, an angle at which two numbers only touch is found or lost by rounding. Larger, angles that cross slowly count as touching.
-pub(crate) const ROUNDED_SQUARE: f64 = 16.0 * f64::EPSILON;
+/// Smaller, exact ties come apart: a tie rule fails, and an angle at which two numbers only touch is found or lost. Larger, rows that
+/// block one after the other count as ties, and numbers that cross slowly count as touching.
+pub(crate) const ROUNDED_SUM: f64 = 16.0 * f64::EPSILON;
 
 /// The rounding of a quantity that comes out of linear solves, as a part of the largest of its kind.
 ///
@@ -33,8 +35,8 @@ pub(crate) const SUFFICIENT_DECREASE: f64 = 0.1;
 /// A vector depends on others, and a matrix of orthonormal products is singular, if less than this part of it is left without them.
 ///
 /// Rounding leaves 1e-16 times a few operations; normals of real geometry are parallel up to 1e-12. Smaller, noise becomes a
-/// direction that resists. Larger, directions of soft springs are lost.
-pub(super) const LINEARLY_DEPENDENT: f64 = 1e-13;
+/// direction that resists, and a free motion gets a stiffness. Larger, soft springs beside stiff ones are lost.
+pub(crate) const LINEARLY_DEPENDENT: f64 = 1e-13;
 
 /// Pivot, relative to the largest entry, below which a matrix has no factors with partial pivoting.
 ///
@@ -53,11 +55,6 @@ pub(super) const BAND_PIVOT: f64 = 1e-11;
 ///
 /// Smaller, a semidefinite matrix gets factors made of rounding. Larger, matrices of condition 1e12 are refused.
 pub(super) const POSITIVE_PIVOT: f64 = 1e-12;
-
-/// A projection that moves a vector by less than this part of it changes rounding only, and is not repeated.
-///
-/// Smaller, every projection is made as often as is allowed. Larger, rows graded over many decades lose digits.
-pub(super) const PROJECTED: f64 = 1e-15;
 
 /// A set thinner than this part of its size in some direction counts as flat.
 ///

@@ -5,7 +5,7 @@ use super::cone::StickingCone;
 use super::forces::Forces;
 use super::lanes::{Packed, dot};
 use super::screened::Screened;
-use super::tolerances::LEAVES_BY_APEX;
+use crate::numerics::tolerances::NEGLIGIBLE;
 
 /// The margin `m = α F_n - β |F_t|` that vanishes first, and its derivatives. Arrays are zero at all contacts but the leaving one; all is NaN where
 /// no contact leaves.
@@ -78,7 +78,7 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
             }
             let t = cone.friction(force);
             let slides = dot(&t, &t).sqrt();
-            let apart = slides.above(X::all(LEAVES_BY_APEX) * size, one, zero);
+            let apart = slides.above(X::all(NEGLIGIBLE) * size, one, zero);
             let inverse = apart.above(zero, here / slides, zero);
             self.kink += here * (cone.beta - cone.beta * apart);
             self.normal[i] = here * cone.alpha;

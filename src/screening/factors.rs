@@ -1,7 +1,7 @@
 //! Factors `T = L D Lᵀ` of symmetric matrices, lane by lane.
 
 use super::lanes::Packed;
-use super::tolerances::FREE_MOTION;
+use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 
 /// The factors of a matrix, with room for `R` rows.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +34,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
                 scaled[k] = t[k][column];
                 pivot -= t[column][k] * scaled[k];
             }
-            let bound = X::all(FREE_MOTION) * whole;
+            let bound = X::all(LINEARLY_DEPENDENT) * whole;
             let inverse = pivot.above(bound, one / pivot, zero);
             free += pivot.above(bound, zero, one);
             t[column][column] = inverse;

@@ -19,9 +19,10 @@
 use super::block::{Block, Commanded, Layout, OneScene, Sizes};
 use super::forces::Forces;
 use super::lanes::Packed;
-use super::tolerances::{FREE_MOTION, ON_THE_EDGE};
+use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
+use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 
 /// Replaces stiffnesses by compliances.
 ///
@@ -35,7 +36,7 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut OneScene<C>) {
     let [x, y] = [0, 1].map(|axis| points[axis][1] - points[axis][0]);
     let along = |i: usize| {
         let t = normals[1][i] * x - normals[0][i] * y;
-        t * t <= FREE_MOTION * (x * x + y * y)
+        t * t <= LINEARLY_DEPENDENT * (x * x + y * y)
     };
     let count = (0..2).map(|i| if slippery[i] { 1 + usize::from(along(i)) } else { 0 }).sum();
     let compliances = [0, 1].map(|i| match count {

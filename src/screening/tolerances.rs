@@ -7,16 +7,6 @@
 /// Smaller, rounding would decide whether it sticks. Larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
-/// Friction at the onset below this part of the terms it is the sum of has no reliable direction: the force leaves through the apex.
-///
-/// Smaller, a direction would have fewer than six digits. Larger, gradients of small friction forces are those at the apex.
-pub(super) const LEAVES_BY_APEX: f64 = 1e-9;
-
-/// A pivot below this part of its diagonal entry counts as rounding: the motion stretches no spring.
-///
-/// Smaller, free motions would get a stiffness made of rounding. Larger, stiff motions beside very soft ones would be called free.
-pub(super) const FREE_MOTION: f64 = 1e-13;
-
 /// If motions are free and more than this part of the load stays unbalanced, the load works on them.
 ///
 /// A load that does not leaves rounding alone. Larger, a load that drives the object away weakly would be called unclear.

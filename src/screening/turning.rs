@@ -26,7 +26,7 @@ use super::screened::ScreenedTurn;
 use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, ON_THE_EDGE, SHARP_MARGIN};
 use super::verdict::{Start, verdicts};
 use crate::contact::ZERO_SLACK;
-use crate::numerics::tolerances::{ROUNDED_SQUARE, SOLVED_ROUNDING};
+use crate::numerics::tolerances::{ROUNDED_SUM, SOLVED_ROUNDING};
 use crate::numerics::{Harmonic, Turning, Vectors};
 
 /// Where a margin first falls below zero.
@@ -191,7 +191,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         let number = self.n.map(of);
         let vector = self.t.map(|t| SVector::<f64, C>::from_fn(|axis, _| of(&t[axis])));
         let mut square = Turning { number, vector }.square();
-        square.constant -= 2.0 * of(&self.noise) + ROUNDED_SQUARE;
+        square.constant -= 2.0 * of(&self.noise) + ROUNDED_SUM;
         square.first_cotangent().unwrap_or(f64::NEG_INFINITY)
     }
 
