@@ -81,8 +81,8 @@ fn worst<const C: usize>(mu: f64, force: &SVector<f64, C>) -> Vec<SVector<f64, C
         vec![SVector::from_fn(|k, _| if k == 0 { mu } else { -force[k] / friction })]
     } else {
         // All conditions are equally close at the tip, so that some of them all around represent the cone.
-        let around = 8;
-        (0..around).map(|k| round(mu, TAU * k as f64 / around as f64)).collect()
+        let around = 8_u32;
+        (0..around).map(|k| round(mu, TAU * f64::from(k) / f64::from(around))).collect()
     }
 }
 

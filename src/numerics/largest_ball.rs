@@ -15,7 +15,7 @@ use core::cmp::Ordering;
 use super::coordinates::{Size, Square, Vector, WHOLE};
 use super::partial_pivoting::PartialPivoting;
 use super::support::{SupportFunction, Vertex, middle};
-use super::tolerances::{IN_FACE_PLANE, POLYTOPE_SHRINKS};
+use super::tolerances::{POLYTOPE_SHRINKS, SOLVED_ROUNDING};
 use crate::prelude::*;
 
 /// Bounds of the radius.
@@ -112,7 +112,7 @@ impl Polytope {
         let (faces, ridges) = (&mut self.faces, &mut self.ridges);
         self.alive.retain(|&k| {
             let face = &mut faces[k];
-            face.is_alive = face.normal.dot(&from_middle) < 1.0 - IN_FACE_PLANE;
+            face.is_alive = face.normal.dot(&from_middle) < 1.0 - SOLVED_ROUNDING;
             if !face.is_alive {
                 for without in 0..d {
                     let mut ridge = face.vertices;

@@ -7,7 +7,7 @@
 use super::coordinates::{Size, Square, Vector};
 use super::partial_pivoting::PartialPivoting;
 use super::support::{SupportFunction, Vertex, middle};
-use super::tolerances::{AT_THE_MIDDLE, BEYOND_PLANE};
+use super::tolerances::BEYOND_PLANE;
 use crate::prelude::*;
 
 /// A place where a ray leaves a set, between two bounds.
@@ -29,7 +29,7 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
     let size = Size::of(simplex.len() - 1);
     let origin = middle(simplex);
     let ray = target - &origin;
-    if ray.norm() <= AT_THE_MIDDLE * (target.norm() + origin.norm()) {
+    if ray.norm() <= BEYOND_PLANE * (target.norm() + origin.norm()) {
         let (vertices, normal) = (simplex[..size.count()].to_vec(), Vector::unit(size, 0));
         return Some(RayExit { vertices, shares: Vector::all_zero(size), normal, reach: 1.0, stretch: 0.0 });
     }

@@ -61,22 +61,13 @@ pub(super) const POSITIVE_PIVOT: f64 = 1e-12;
 /// Smaller, a flat set gets a volume made of rounding. Larger, thin sets count as flat: a wrench counts as out of reach.
 pub(super) const FLAT_SET: f64 = 1e-10;
 
-/// A point lies in the plane of a face if its distance from the plane is below this part of the middle's distance from it.
-///
-/// Smaller, points of one plane give slivers of faces. Larger, faces of rounded sets are merged too early.
-pub(super) const IN_FACE_PLANE: f64 = 1e-12;
-
 /// A growing polytope may come nearer to the origin by this part of its size, by rounding; more ends the search.
 ///
 /// Smaller, sets of many points end with a loose bound. Larger, a polytope with a wrong face goes on growing.
 pub(super) const POLYTOPE_SHRINKS: f64 = 1e-7;
 
-/// Distance beyond a plane, relative to the ray, or size of a pivot, relative to the largest, that counts as rounding.
+/// Distance beyond a plane or from the middle of a set, relative to the ray, or size of a pivot, relative to the largest, that counts as
+/// rounding.
 ///
 /// Smaller, a ray changes planes by rounding until its pivots are used up. Larger, the length of a ray has fewer digits.
 pub(super) const BEYOND_PLANE: f64 = 1e-13;
-
-/// A target this near the middle of a set, relative to the distances of both from the origin, equals it.
-///
-/// Smaller, a ray without direction is followed. Larger, short rays are refused.
-pub(super) const AT_THE_MIDDLE: f64 = 1e-14;

@@ -36,7 +36,7 @@ pub(super) fn draw_series<'a, 'b: 'a>(
                 draw_arrows(chart, &piece.collect::<Vec<_>>(), color)?;
             }
             Stroke::Dashed => {
-                _ = chart.draw_series(DashedLineSeries::new(piece, 7 * FINE, 5 * FINE, style))?
+                _ = chart.draw_series(DashedLineSeries::new(piece, 7 * FINE, 5 * FINE, style))?;
             }
             Stroke::Circles | Stroke::Dots | Stroke::Bars => break,
         }

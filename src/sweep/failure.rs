@@ -149,10 +149,10 @@ impl<const C: usize> TwoLoads<'_, C> {
         let mut sum = normal_tail(self.find(&facet(cone, worst - half)).reliability());
         // The density falls at both ends like a normal density, so that the error of twelve midpoints is
         // negligible.
-        let summed = 12;
-        let width = 2.0 * half / summed as f64;
+        let summed = 12_u32;
+        let width = 2.0 * half / f64::from(summed);
         for k in 0..summed {
-            let angle = worst - half + width * (k as f64 + 0.5);
+            let angle = worst - half + width * (f64::from(k) + 0.5);
             let (facet, turned) = (facet(cone, angle), -along(-angle.sin(), angle.cos()));
             self.find(&facet);
             let crossings = self.here.crossings(&self.margins[0], &turned);

@@ -188,7 +188,7 @@ fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
             drawn.dot(flat(from), SPATIAL.contact, ink, open);
         }
         Sample::Point { ink, open } => {
-            drawn.dot(flat((LEGEND.left + LEGEND.sample / 2.0, y)), SPATIAL.soft_point, ink, open)
+            drawn.dot(flat((LEGEND.left + LEGEND.sample / 2.0, y)), SPATIAL.soft_point, ink, open);
         }
         Sample::Arrow { ink, width, heads, long } => {
             drawn.arrow([(LEGEND.left, y), (LEGEND.left + long, y)].map(flat), ink, width, heads);
