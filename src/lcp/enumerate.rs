@@ -9,8 +9,9 @@ use super::residuals::ignores_q;
 use super::scaling::Scaling;
 use super::settings::Settings;
 use super::solution::Solution;
-use super::tolerances::{MOST_ENUMERATED, SAME_ENTRY, SAME_POINT, ZERO_VALUE};
+use super::tolerances::{MOST_ENUMERATED, ZERO_VALUE};
 use super::vertices;
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -186,6 +187,7 @@ fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());
     a.iter().zip(b).all(|(a, b)| {
         let difference = (a - b).abs();
-        difference <= SAME_ENTRY * a.abs().max(b.abs()) || difference <= SAME_POINT * size
+        // Two bases of condition 1e7 differ by the first; the second covers entries that are zero but for rounding.
+        difference <= NEGLIGIBLE * a.abs().max(b.abs()) || difference <= SOLVED_ROUNDING * size
     })
 }

@@ -1,7 +1,7 @@
 //! The classes of a matrix, and the guarantees that follow.
 
 use super::error::LcpError;
-use super::tolerances::{OFF_DIAGONAL, POSITIVE_MINOR, elimination_rounding};
+use super::tolerances::{ELIMINATED_PIVOT, OFF_DIAGONAL, elimination_rounding};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use nalgebra::DMatrix;
@@ -241,7 +241,7 @@ fn minors_are_positive(a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     if n == 0 {
         return true;
     }
-    if a[(0, 0)] <= POSITIVE_MINOR * m[(0, 0)] {
+    if a[(0, 0)] <= ELIMINATED_PIVOT * m[(0, 0)] {
         return false;
     }
     let smaller = m.view((1, 1), (n - 1, n - 1)).into_owned();

@@ -2,7 +2,7 @@
 
 use super::problem::Lcp;
 use super::scaling::Scaling;
-use super::tolerances::SINGULAR_BLOCK;
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 use nalgebra::{DMatrix, DVector};
 
 /// Solves M_αα z_α = −q_α by LU with pivoting of the balanced block, and refinement. `None` if the
@@ -43,7 +43,8 @@ pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option
 }
 
 fn is_regular(diagonal: &DVector<f64>) -> bool {
-    diagonal.iter().all(|u| u.abs() > SINGULAR_BLOCK)
+    // Entries of the balanced block are near 1.
+    diagonal.iter().all(|u| u.abs() > FEW_ROUNDINGS)
 }
 
 fn refined(

@@ -53,19 +53,13 @@ pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 /// it saves. At 1 hardly any such z leaves.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
-/// Where a dictionary is computed anew, a basis is singular if a pivot is below this part of its
-/// column before elimination.
+/// A pivot below this part of the entry or the column that it was computed from is rounding: the basis is singular where a dictionary
+/// is computed anew, and a principal minor is not positive.
 ///
-/// Rows only are pivoted, so some fifty roundings are allowed for. Smaller, singular bases pass and
-/// give values of 1e15; larger, bases of condition 1e14 are refused that refinement would still
-/// save.
-pub(super) const SINGULAR_BASIS: f64 = 1e-14;
-
-/// A block with a pivot below this is singular, the entries of the balanced block being near 1.
-///
-/// Pivoting is complete in all small blocks, so a few roundings are allowed for. Smaller, singular
-/// blocks pass; larger, solutions of badly conditioned blocks are lost to `all_solutions`.
-pub(super) const SINGULAR_BLOCK: f64 = 1e-15;
+/// Rows only are pivoted, and Schur complements of twelve rows nested, so some fifty roundings are allowed for. Smaller, singular bases
+/// pass and give values of 1e15, and singular matrices are called P-matrices. Larger, bases of condition 1e14 are refused that refinement
+/// would still save, and so are P-matrices close to singular.
+pub(super) const ELIMINATED_PIVOT: f64 = 1e-14;
 
 /// An entry of the tableau of a mixed problem below this is zero, the balanced entries being near
 /// 1.
@@ -82,35 +76,6 @@ pub(super) const FREE_PIVOT: f64 = 1e-12;
 /// split form, which is larger; larger, contradictions pass here and are found by the residuals
 /// only.
 pub(super) const DEPENDENT_EQUALITY: f64 = 1e-10;
-
-/// The rates of a ray are noise below this part of the largest rate, or of 1 if that is larger.
-///
-/// A negative rate of that size would spoil a proof, a positive one adds noise to it. Larger, true
-/// small rates are missing from the proof. It then fails its check, and linear programming must
-/// find another.
-pub(super) const RAY_NOISE: f64 = 1e-12;
-
-/// Two solutions are one point if each pair of entries differs by at most this part of the larger
-/// one.
-///
-/// Two bases of condition 1e7 differ by this much. Smaller, a degenerate point is listed twice; larger,
-/// two close solutions are listed once. Entries that are zero but for rounding are compared by
-/// [`SAME_POINT`].
-pub(super) const SAME_ENTRY: f64 = 1e-9;
-
-/// A pair of entries of two solutions also counts as equal if it differs by at most this part of
-/// the largest entry.
-///
-/// It covers entries that are zero but for rounding. Smaller, their noise makes two points of
-/// one. Larger, two solutions that differ in small entries only are listed once.
-pub(super) const SAME_POINT: f64 = 1e-12;
-
-/// A principal minor is positive if its last pivot exceeds this part of the entry it was computed
-/// from.
-///
-/// Nested Schur complements of at most twelve rows leave some fifty roundings. Smaller, singular
-/// matrices are called P-matrices; larger, P-matrices close to singular are refused.
-pub(super) const POSITIVE_MINOR: f64 = 1e-14;
 
 /// A point whose residuals exceed rounding must solve the problem for a q close to the one given.
 /// In balanced rows, the two may differ by this part of the largest entry.
