@@ -122,7 +122,7 @@ fn jams<const C: usize>(grasp: &Grasp<C>, load: Wrench<C>) -> Result<bool, Error
     if load == Wrench::ZERO {
         return Ok(false);
     }
-    // A load that a trial with so much friction holds presses contacts on, and jams the object.
+    // With much friction a trial holds a load that presses contacts on, and jams the object.
     let rough = grasp.with_friction(|_, mu| if mu > 0.0 { mu.max(3.0) } else { mu })?;
     let verdict = rough.hold(Ramp::load(Wrench::ZERO, load))?;
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))

@@ -104,7 +104,7 @@ fn limit<const C: usize>(size: Size, mut set: WrenchSet<C>, base: &Vector, rate:
     let plane = |normal: &Vector| normal.dot(&(support(normal) - base)) / normal.dot(rate);
     let (mut at_most, mut normal) = (plane(rate), rate.clone());
     let mut last: Option<(f64, RayExit)> = None;
-    // On round cones each plane doubles the digits; rounding alone keeps so many from coming closer.
+    // On round cones each plane doubles the digits, so that only rounding makes it a hundred planes.
     for _ in 0..100 {
         let Some(there) = shoot(&(base + rate * at_most)) else { break };
         let (inside, nearer) = (there.stretch <= 1.0 + SOLVED_ROUNDING, plane(&there.normal));
