@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::energy_rows::{ForceCondition, ROUNDING, most_pivots};
+use super::energy_rows::{ForceCondition, most_pivots};
 use super::minimum::{MinimumEnergy, MinimumOutcome};
 use super::optimality::{EnergyProgram, Faces};
 use crate::Settings;
@@ -11,6 +11,7 @@ use crate::grasp::Engine;
 use crate::lcp::{self, Basis, Lcp, Parametric, Variable};
 use crate::load_path::Ramp;
 use crate::numerics::Vector;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::Piece;
 use crate::prelude::*;
 
@@ -122,7 +123,8 @@ impl Line<'_> {
         let size = most(&forces) + factor * most(&rates);
         let binds = |(r, other): &(usize, &ForceCondition)| {
             let (value, rate) = (other.value(&forces), other.value(&rates));
-            *r == row || (rate < 0.0 && (value + factor * rate).abs() <= ROUNDING * size * other.weight)
+            *r == row
+                || (rate < 0.0 && (value + factor * rate).abs() <= SOLVED_ROUNDING * size * other.weight)
         };
         let binding = friction.iter().enumerate().filter(binds).map(|(_, r)| (r.contact, r.facet)).collect();
         Some(Agreement::UpTo { factor, binding })

@@ -2,19 +2,18 @@
 
 use nalgebra::SVector;
 
-use super::energy_rows::{ForceCondition, ROUNDING, axis_springs, by_pivots, dense, rows, values};
+use super::energy_rows::{ForceCondition, axis_springs, by_pivots, dense, rows, values};
+use super::tolerances::DEPENDENT_DIRECTION;
 use crate::Settings;
 use crate::contact::{LocalLaw, Spring, tangential};
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
 use crate::lcp::Outcome;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Vector, unit};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::separating_motion;
-
-/// A direction depends on the binding rows if less than this part of it is left after projecting them out.
-const DEPENDENT: f64 = 1e-10;
 
 /// The outcome of a load under the associated law.
 #[derive(Debug, Clone)]
@@ -209,7 +208,7 @@ impl<'g> AssociatedLaw<'g> {
     fn jumps_outwards(&self, state: &PieceState) -> bool {
         self.problem.locals().enumerate().filter(|(_, local)| !local.is_bonded()).all(|(i, local)| {
             let (jump, cone) = (self.jump(i, state), local.cone());
-            let slack = -ROUNDING * self.problem.span(i, &state.twist);
+            let slack = -SOLVED_ROUNDING * self.problem.span(i, &state.twist);
             if local.facets().is_empty() {
                 return !local.may_open() || jump[0] >= slack;
             }
@@ -231,7 +230,7 @@ fn face<'n>(normals: impl Iterator<Item = &'n SVector<f64, 3>>, axes: usize) -> 
     };
     for normal in normals {
         let left = rest(*normal, &taken);
-        if left.norm() > DEPENDENT {
+        if left.norm() > DEPENDENT_DIRECTION {
             taken.push(left.normalize());
         }
     }

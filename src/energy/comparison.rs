@@ -9,13 +9,9 @@ use crate::error::Error;
 
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Vector;
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
-
-/// An imbalance below this part of the largest force is rounding of zero. A smaller bound would report equilibria as unbalanced.
-const BALANCED: f64 = 1e-12;
-/// Two equilibria are different if their forces or displacements differ by more than this part of the largest.
-const DIFFERENT: f64 = 1e-9;
 
 /// The equilibrium under Coulomb's law beside the minimum of the paper's quadratic program ([`MinimumEnergy`]). In space both use the same polygonal
 /// cone.
@@ -99,7 +95,7 @@ pub enum ComparisonVerdict {
 
 impl Difference {
     fn differ(&self) -> bool {
-        self.force > DIFFERENT * self.force_size || self.displacement > DIFFERENT * self.displacement_size
+        self.force > NEGLIGIBLE * self.force_size || self.displacement > NEGLIGIBLE * self.displacement_size
     }
 }
 
@@ -131,7 +127,7 @@ impl<const C: usize> MinimumEnergy<C> {
     /// 1e-12 of the largest force, with moments divided by the size of the grasp.
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
-        self.imbalance_size <= BALANCED * self.forces_size
+        self.imbalance_size <= SOLVED_ROUNDING * self.forces_size
     }
 
     /// `|Σ F + W|`, N, and the same for moments about the origin, N m.

@@ -10,18 +10,10 @@ use crate::Settings;
 use crate::contact::{LocalLaw, Spring};
 use crate::grasp::Site;
 use crate::lcp::{self, Lcp, Outcome};
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Map, Vector, unit};
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
-
-/// A row is on its edge, and a condition is satisfied, up to this part of the forces that it compares (no unit). Scenes with stiffness ratios of 1e14
-/// have rounding of 1e-14; a smaller part would refuse their answers.
-pub(super) const ROUNDING: f64 = 1e-12;
-
-/// Upper limit of the rows of a dense matrix: it then takes about a gigabyte. A thousand contacts in space on eight facets have 9 000 rows.
-const MOST_ROWS: usize = 10_000;
-/// Upper limit of operations on matrix entries, unless the caller limits the pivots. They take about ten seconds.
-const MOST_OPERATIONS: f64 = 2e11;
 
 /// A condition `normal·x_i >= 0` on the force of a contact.
 #[derive(Debug, Clone)]
@@ -62,12 +54,12 @@ impl ForceCondition {
 
     /// Whether the row is satisfied up to rounding, with forces up to `largest`.
     pub(super) fn holds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
-        self.value(forces) >= -ROUNDING * largest * self.weight
+        self.value(forces) >= -SOLVED_ROUNDING * largest * self.weight
     }
 
     /// Whether the row is on its edge, with forces up to `largest`.
     pub(super) fn binds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
-        self.value(forces) <= ROUNDING * largest * self.weight
+        self.value(forces) <= SOLVED_ROUNDING * largest * self.weight
     }
 
     /// `n·Π n'`.
@@ -124,16 +116,18 @@ pub(super) fn values<'r>(
     DVector::from_vec(values)
 }
 
-/// The matrix with these entries; `None` if it has more than [`MOST_ROWS`] rows.
+/// The matrix with these entries; `None` if it has more than 10 000 rows.
 pub(super) fn dense(rows: usize, entry: impl FnMut(usize, usize) -> f64) -> Option<DMatrix<f64>> {
-    (rows <= MOST_ROWS).then(|| DMatrix::from_fn(rows, rows, entry))
+    // A thousand contacts in space on eight facets have 9 000 rows, and the matrix takes about a gigabyte.
+    (rows <= 10_000).then(|| DMatrix::from_fn(rows, rows, entry))
 }
 
 /// The limit of pivots on a dense matrix: the caller's, else the default limit or the affordable number, whichever is less.
 pub(super) fn most_pivots(rows: usize, settings: &Settings) -> Option<usize> {
     let entries = (rows * rows).max(1) as f64;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive and far below 2^64
-    let affordable = (MOST_OPERATIONS / entries) as usize;
+    // Unless the caller limits the pivots, operations on matrix entries may take about ten seconds.
+    let affordable = (2e11 / entries) as usize;
     let default = lcp::Settings::default().pivot_limit(rows);
     settings.max_pivots.or_else(|| Some(affordable).filter(|most| *most < default))
 }

@@ -46,6 +46,7 @@ mod reduced;
 mod second_order;
 mod stability;
 mod three_laws;
+mod tolerances;
 
 pub use agreement::Agreement;
 pub use associated::{AssociatedContact, AssociatedOutcome, AssociatedState};

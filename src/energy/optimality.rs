@@ -24,10 +24,11 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
-use super::energy_rows::{ForceCondition, ROUNDING, axis_springs, by_pivots, dense, rows, values};
+use super::energy_rows::{ForceCondition, axis_springs, by_pivots, dense, rows, values};
 use crate::Settings;
 use crate::lcp::{Basis, Outcome};
 use crate::numerics::Vector;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -259,11 +260,11 @@ impl<'g> EnergyProgram<'g> {
             let i = row.contact;
             let (push, held) = (point.forces[i][0], held[i][0]);
             let span = problem.span(i, &point.twist) + problem.sites[i].springs.give_along(0, push);
-            point.gaps[i] >= -ROUNDING * span
-                && (faces.open[i] || push - held >= -ROUNDING * most.max(held.abs()))
+            point.gaps[i] >= -SOLVED_ROUNDING * span
+                && (faces.open[i] || push - held >= -SOLVED_ROUNDING * most.max(held.abs()))
         };
         self.friction.iter().all(|row| row.holds(&point.forces, most))
-            && point.multipliers.iter().all(|l| *l >= -ROUNDING * largest)
+            && point.multipliers.iter().all(|l| *l >= -SOLVED_ROUNDING * largest)
             && self.gaps.iter().all(gap_holds)
     }
 }

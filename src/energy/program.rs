@@ -14,12 +14,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{LcpError, MixedLcp, MixedSolution, Outcome, Residuals};
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::prelude::*;
-
-/// Steps of iterative refinement: two remove the error of a factorisation, one more costs almost nothing.
-const REFINEMENTS: usize = 3;
-/// A refined point is accepted if its largest relative residual is below this, even if the pivots had a smaller one.
-const ROUNDING: f64 = 1e-15;
 
 /// The program `minimise Gᵀx + ½ xᵀH x subject to A x = C, B x >= D`, with the letters of the paper (section 5.1).
 ///
@@ -151,7 +147,7 @@ impl QuadraticProgram {
                 let determined = solution.undetermined.is_empty() && solution.dependent.is_empty();
                 if let Some((u, z)) = self.refined(&solution).filter(|_| determined) {
                     let residuals = conditions.residuals(&u, &z);
-                    if residuals.max() <= solution.residuals.max().max(ROUNDING) {
+                    if residuals.max() <= solution.residuals.max().max(FEW_ROUNDINGS) {
                         (solution.u, solution.z, solution.residuals) = (u, z, residuals);
                     }
                 }
@@ -207,7 +203,8 @@ impl QuadraticProgram {
             i => solution.z[binding[i - n - m]],
         });
         let largest = point.amax();
-        for _ in 0..REFINEMENTS {
+        // Two steps of refinement remove the error of a factorisation, one more costs almost nothing.
+        for _ in 0..3 {
             let left = (&right - &matrix * &point).component_mul(&scale);
             point += factor.solve(&left)?.component_mul(&scale);
         }

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::stability::Stability;
+use super::tolerances::{SETTLED_DISPLACEMENT, STUCK_DISPLACEMENT};
 use crate::Settings;
 use crate::contact::{LocalLaw, Mode, Polygon, State};
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
@@ -12,13 +13,6 @@ use crate::numerics::{Map, Size, Square, Vector};
 use crate::object::{Lists, Load, Problem};
 use crate::prelude::*;
 use crate::search::{Settled, settle};
-
-/// Upper limit of outer iterations. Each gains a digit or more wherever first order is meaningful.
-const MOST_ITERATIONS: usize = 100;
-/// Relative changes of the displacements below this are rounding.
-const SETTLED: f64 = 1e-14;
-/// Accepted relative change where rounding keeps the iterations from reaching [`SETTLED`].
-const GOOD_ENOUGH: f64 = 1e-11;
 
 /// How the search for a second-order equilibrium ends.
 #[derive(Debug, Clone)]
@@ -105,7 +99,9 @@ impl Engine {
         };
         let mut twist: Vector = first_order.twist.coordinates(self.space());
         let mut last = f64::INFINITY;
-        for iterations in 1..=MOST_ITERATIONS {
+        // Each iteration gains a digit or more wherever first order is meaningful.
+        let most_iterations = 100;
+        for iterations in 1..=most_iterations {
             let Some(found) = self.iterate(&twist, load, settings) else {
                 return Ok(SecondOrderOutcome::GivesWay { iterations });
             };
@@ -113,8 +109,8 @@ impl Engine {
             let size = self.largest_displacement(&found.twist);
             twist.clone_from(&found.twist);
             let relative = if change == 0.0 { 0.0 } else { change / size };
-            let stuck = relative >= last && relative <= GOOD_ENOUGH;
-            if relative <= SETTLED || stuck {
+            let stuck = relative >= last && relative <= STUCK_DISPLACEMENT;
+            if relative <= SETTLED_DISPLACEMENT || stuck {
                 let found = self.second_order(first_order, &twist, found, iterations);
                 return Ok(SecondOrderOutcome::Equilibrium(Box::new(found)));
             }
@@ -123,7 +119,7 @@ impl Engine {
             }
             last = relative;
         }
-        Ok(SecondOrderOutcome::NotSettled { iterations: MOST_ITERATIONS, change: last })
+        Ok(SecondOrderOutcome::NotSettled { iterations: most_iterations, change: last })
     }
 
     /// Solves the first-order problem linearised about a twist.

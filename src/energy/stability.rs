@@ -6,11 +6,9 @@ use nalgebra::{DMatrix, SVector, SymmetricEigen};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Motion, Space};
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Size, Square, Vector};
 use crate::prelude::*;
-
-/// An eigenvalue of the Hessian below this part of the largest may be zero up to rounding. A smaller bound would decide stability by rounding.
-const ZERO: f64 = 1e-12;
 
 /// The second derivative of the potential energy at an equilibrium.
 ///
@@ -162,7 +160,7 @@ impl Engine {
         let size = least.abs().max(most.abs());
         let verdict = if slides {
             StabilityVerdict::Sliding
-        } else if least.abs() <= ZERO * size {
+        } else if least.abs() <= SOLVED_ROUNDING * size {
             StabilityVerdict::Neutral
         } else if least > 0.0 {
             StabilityVerdict::Stable

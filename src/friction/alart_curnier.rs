@@ -16,15 +16,10 @@ use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
+use super::tolerances::LEAST_ANCHOR;
 use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
-
-/// Least δ in the linear equations, so that they are regular with redundant contacts, too. Undetermined force components lose half their digits by
-/// it, determined ones none.
-const LEAST: f64 = 1e-12;
-/// Floor of a contact's own size, as a part of the largest, where residuals are weighed contact by contact.
-const FAINTEST: f64 = 1e-6;
 
 /// Π(ζ) of a contact with friction μ, and its derivative by ζ.
 pub(super) fn answer<const C: usize>(
@@ -79,7 +74,9 @@ impl<'a, const C: usize> Anchored<'a, C> {
             let size =
                 |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
             let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
-            let weight = |i: usize| 1.0 / size(i).max(FAINTEST * FAINTEST * largest * rho[i]);
+            // The floor of a contact's own size, as a part of the largest.
+            let faintest = 1e-6;
+            let weight = |i: usize| 1.0 / size(i).max(faintest * faintest * largest * rho[i]);
             numbered(rho.len(), &weight)
         };
         let weight = if by_contact { own_sizes() } else { energy() };
@@ -105,7 +102,7 @@ impl<const C: usize> Equations<C> for Anchored<'_, C> {
     }
 
     fn shift(&self, contact: usize) -> f64 {
-        self.delta.max(LEAST) / self.rho[contact]
+        self.delta.max(LEAST_ANCHOR) / self.rho[contact]
     }
 
     fn blocks(&self) -> &Blocks<C> {

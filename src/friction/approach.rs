@@ -15,43 +15,14 @@ use super::problem::FrictionProblem;
 use super::progress::SolveProgress;
 use super::settings::Settings;
 use super::sweeps::sweep;
+use super::tolerances::{ROUND_CONVERGED, WORTH_POLISHING};
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
 
-/// Shortest part of a Newton step that is tried: a shorter one is not worth its factorisation.
-const SHORTEST: f64 = 1e-2;
-
 /// The starts: the number of sweeps, and τ at the beginning of the central path as a part of the mean energy of a contact.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
-/// Sweeps end when forces change by less than this part of themselves.
-const STILL: f64 = 1e-15;
-/// Weight δ of the anchor in the first round.
-const HELD: f64 = 1e-3;
-/// Least weight δ of the anchor.
-const HARDLY: f64 = 1e-10;
-/// Factor of δ after a round that converged.
-const LOOSER: f64 = 0.1;
-/// Factor of δ after a round that did not converge.
-const FIRMER: f64 = 3.0;
-/// The number of sweeps after a round that did not converge.
-const SWEPT_BETWEEN: usize = 50;
-/// A round has converged if it leaves this part of the residual at its beginning.
-const ARRIVED: f64 = 1e-3;
-/// A round has also converged if it leaves this part of its terms.
-const ROUNDED: f64 = 1e-14;
-/// A round ends at this part of its terms, where rounding decides.
-const ROUNDING: f64 = 2.0 * f64::EPSILON;
-/// Residual below which forces are polished and residuals are weighed contact by contact.
-const CLOSE: f64 = 1e-6;
-/// The largest number of steps of a polish.
-const POLISHES: usize = 20;
-/// A polish ends when neither a step nor sweeps reduce the residual to this part.
-const WORTHWHILE: f64 = 0.9;
-/// Sweeps of a polish in place of a Newton step that gains nothing.
-const FINAL_SWEEPS: usize = 5;
-/// A polish continues until the residual is this part of the tolerance.
-const SPARE: f64 = 0.01;
 
 /// The caller's function that receives the progress and may stop the solve.
 pub(super) type Watcher<'a> = dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()> + 'a;
@@ -107,7 +78,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         let (sweeps, begin) = STARTS[nth];
         let mut r = DVector::zeros(self.problem.q.len());
         self.swept(&mut r, sweeps);
-        if self.offer(&r) <= CLOSE && self.polish() || self.best.stopped {
+        if self.offer(&r) <= WORTH_POLISHING && self.polish() || self.best.stopped {
             return self.arrived();
         }
         let (problem, blocks, order) = (self.problem, self.blocks, core::mem::take(&mut self.order));
@@ -117,7 +88,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         });
         self.order = order;
         self.best.steps += steps;
-        if self.best.residual <= CLOSE && self.polish() || self.best.stopped {
+        if self.best.residual <= WORTH_POLISHING && self.polish() || self.best.stopped {
             return self.arrived();
         }
         self.go_on(r)
@@ -126,7 +97,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
     /// Makes a start along the central path around its folds, for a few contacts.
     pub(super) fn around_folds(&mut self) -> bool {
         let Some(r) = around_folds(self.problem, self.blocks) else { return false };
-        if self.offer(&r) <= CLOSE && self.polish() || self.best.stopped {
+        if self.offer(&r) <= WORTH_POLISHING && self.polish() || self.best.stopped {
             return self.arrived();
         }
         self.go_on(r)
@@ -141,24 +112,29 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
 
     /// Makes rounds of anchored Newton steps.
     fn go_on(&mut self, mut r: DVector<f64>) -> bool {
-        let mut delta = HELD;
+        // The weight of the anchor in the first round.
+        let mut delta = 1e-3;
         for _ in 0..self.settings.rounds {
-            let equations = self.near(&r, (delta, self.best.residual < CLOSE));
+            let equations = self.near(&r, (delta, self.best.residual < WORTH_POLISHING));
             let begin = equations.at(r.clone()).size;
             let steps = self.settings.steps;
-            let patience = Patience { steps, enough: 0.0, rounding: ROUNDING, shortest: SHORTEST, leaps: 6 };
+            // A shorter part of a Newton step is not worth its factorisation.
+            let patience = Patience { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (place, made) = descend(&equations, &self.order, r.clone(), patience);
             self.best.steps += made;
             let missing = self.offer(&place.r);
-            if missing <= CLOSE && self.polish() || self.best.stopped {
+            if missing <= WORTH_POLISHING && self.polish() || self.best.stopped {
                 break;
             }
-            if place.size <= (ARRIVED * begin).max(ROUNDED * place.terms) {
+            // A round has converged if little of the residual at its beginning is left, or rounding of its
+            // terms.
+            if place.size <= (1e-3 * begin).max(ROUND_CONVERGED * place.terms) {
                 r = place.r;
-                delta = (LOOSER * delta).max(HARDLY);
+                // A round that converged loosens the anchor, one that did not makes it firmer.
+                delta = (0.1 * delta).max(1e-10);
             } else {
-                delta = (FIRMER * delta).min(1.0);
-                self.swept(&mut r, SWEPT_BETWEEN);
+                delta = (3.0 * delta).min(1.0);
+                self.swept(&mut r, 50);
             }
         }
         self.arrived()
@@ -166,20 +142,24 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
 
     /// Makes Newton steps, or sweeps where these fail, from the best forces, as long as they gain.
     fn polish(&mut self) -> bool {
-        for _ in 0..POLISHES {
-            if self.best.residual <= SPARE * self.settings.tolerance || self.best.stopped {
+        for _ in 0..20 {
+            // A hundredth of the tolerance is as good as none.
+            if self.best.residual <= 0.01 * self.settings.tolerance || self.best.stopped {
                 break;
             }
             let (r, before) = (self.best.r.clone(), self.best.residual);
             let equations = self.near(&r, (0.0, false));
             let step = newton_step(&equations, &self.order, &equations.at(r.clone()));
             self.best.steps += 1;
-            if step.is_some_and(|step| self.offer(&(&r + step)) <= WORTHWHILE * before) {
+            // A polish ends when neither a step nor sweeps reduce the residual to this part.
+            let worthwhile = 0.9;
+            if step.is_some_and(|step| self.offer(&(&r + step)) <= worthwhile * before) {
                 continue;
             }
             let mut swept = r;
-            self.swept(&mut swept, FINAL_SWEEPS);
-            if self.offer(&swept) > WORTHWHILE * before {
+            // Sweeps take the place of a Newton step that gains nothing.
+            self.swept(&mut swept, 5);
+            if self.offer(&swept) > worthwhile * before {
                 break;
             }
         }
@@ -189,7 +169,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
     /// Makes `count` sweeps, or stops when the forces are still.
     fn swept(&self, r: &mut DVector<f64>, count: usize) {
         for _ in 0..count {
-            if sweep(self.problem, self.blocks, r) < STILL {
+            if sweep(self.problem, self.blocks, r) < FEW_ROUNDINGS {
                 break;
             }
         }

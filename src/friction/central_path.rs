@@ -14,33 +14,11 @@ use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation, Patience, descend};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
+use super::tolerances::SHIFTED_BLOCK;
 use crate::numerics::numbered;
 use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::{DVector, SVector};
-
-/// Shortest part of a Newton step that is tried.
-const SHORTEST: f64 = 1e-3;
-
-/// A point is on the path if the root mean square of its residuals is below this part of √τ. Smaller, steps are repeated at the next τ;
-/// larger, the path is lost on the way.
-const NEAR: f64 = 0.1;
-/// Least factor of τ, reached while each τ takes few steps.
-const FAST: f64 = 0.03;
-/// First factor of τ.
-const SLOW: f64 = 0.2;
-/// The largest number of Newton steps at one τ after which τ falls faster.
-const FEW: usize = 3;
-/// The largest number of Newton steps at one τ.
-const STEPS: usize = 50;
-/// Relative increase of the own blocks, in units of 1/ρ, for redundant contacts.
-const SHIFT: f64 = 1e-9;
-/// τ ends at this part of the mean energy of a contact, near the square of rounding.
-const END: f64 = 1e-16;
-/// The path is lost if τ can fall by no more than this factor.
-const LOST: f64 = 0.9;
-/// The search for the beginning of the path ends when τ exceeds this multiple of the mean energy.
-const FARTHEST: f64 = 1e3;
 
 /// The smoothed equations at one τ.
 pub(super) struct Smoothed<'a, const C: usize> {
@@ -89,10 +67,16 @@ pub(super) fn follow<const C: usize>(
     let mut best = (missing, r.clone());
     // τ on the path, and the factor of the next one.
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
-    while tau * factor > END * energy && (factor < LOST || factor == 1.0) {
+    // The first factor of τ.
+    let slow = 0.2;
+    // τ ends near the square of rounding, as a part of the mean energy of a contact. The path is lost if τ
+    // can fall by a factor of 0.9 at most.
+    while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
-        let enough = NEAR * (count * smoothed.tau).sqrt();
-        let patience = Patience { steps: STEPS, enough, rounding: 0.0, shortest: SHORTEST, leaps: 0 };
+        // A point is on the path if the root mean square of its residuals is below this part of √τ. Smaller,
+        // steps are repeated at the next τ; larger, the path is lost on the way.
+        let enough = 0.1 * (count * smoothed.tau).sqrt();
+        let patience = Patience { steps: 50, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
         let (place, steps) = descend(&smoothed, order, r.clone(), patience);
         made += steps;
         let ControlFlow::Continue(missing) = judge(&place.r) else { break };
@@ -103,16 +87,16 @@ pub(super) fn follow<const C: usize>(
         if place.size <= enough {
             (r, tau) = (place.r, tau * factor);
             factor = if first {
-                SLOW
-            } else if steps <= FEW {
-                (factor * factor).max(FAST)
+                slow
+            } else if steps <= 3 {
+                (factor * factor).max(0.03)
             } else {
                 factor
             };
         } else if first {
             // The beginning of the path is sought farther inside the cones.
-            tau /= SLOW;
-            if tau > FARTHEST * energy {
+            tau /= slow;
+            if tau > 1e3 * energy {
                 break;
             }
         } else {
@@ -137,7 +121,7 @@ impl<const C: usize> Equations<C> for Smoothed<'_, C> {
     }
 
     fn shift(&self, contact: usize) -> f64 {
-        SHIFT / self.rho[contact]
+        SHIFTED_BLOCK / self.rho[contact]
     }
 
     fn blocks(&self) -> &Blocks<C> {

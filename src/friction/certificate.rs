@@ -10,21 +10,13 @@
 
 use super::facets::Facets;
 use super::problem::{FrictionProblem, part};
+use super::tolerances::PROOF_ROUNDING;
 use crate::lcp::{self, Lcp};
 use crate::numerics::{ExactSum, mapped, rounding_of, times_power_of_two};
 use crate::prelude::*;
 use core::cmp::Ordering;
 use core::f64::consts::PI;
 use nalgebra::{DMatrix, DVector, SVector};
-
-/// Facets of the polygons around the cones with which a proof is sought.
-const AROUND: usize = 32;
-/// Largest number of facets of all contacts together, if that leaves four for each: polygons of many contacts have fewer facets.
-const UNKNOWNS: usize = 512;
-/// Sizes of factors between which a product neither loses digits by underflow nor overflows.
-const KEPT: core::ops::Range<f64> = 1e-280..1e280;
-/// Relative error of a sum rounded to a double, and two more operations.
-const ROUNDED: f64 = 1e-15;
 
 impl<const C: usize> FrictionProblem<C> {
     /// Whether y (n entries) proves that there is no solution: y ≥ 0, q_Nᵀ y < 0, and a = W_Nᵀ y has a_N + μ ‖a_T‖ ≤ 0 at each
@@ -57,17 +49,18 @@ impl<const C: usize> FrictionProblem<C> {
             // Relative to the normal component, which may have any exponent.
             let beside = |slip: &(f64, i32)| times_power_of_two(slip.0 / normal.0, slip.1 - normal.1);
             let slip = slips.iter().map(beside).fold(0.0, f64::hypot);
-            normal.0 < 0.0 && mu * slip * (1.0 + 8.0 * ROUNDED) <= 1.0
+            normal.0 < 0.0 && mu * slip * (1.0 + PROOF_ROUNDING) <= 1.0
         })
     }
 
     /// A vector that passes [`Self::proves_infeasible`]: of one contact, or by linear programming with polygons around the cones.
     pub(super) fn certificate(&self, settings: &lcp::Settings) -> Option<DVector<f64>> {
         let n = self.len();
-        let count = if C == 2 { 2 } else { (UNKNOWNS / n.max(1)).clamp(4, AROUND) };
+        // Polygons of many contacts have fewer facets: 512 of all together, if that leaves four for each.
+        let count = if C == 2 { 2 } else { (512 / n.max(1)).clamp(4, 32) };
         let facets = Facets::<C>::regular(count, &vec![0.0; n]);
         // A polygon of this many corners contains the cone if its radius is larger by this factor.
-        let around = if C == 2 { 1.0 } else { (PI / count as f64).cos().recip() * (1.0 + 8.0 * ROUNDED) };
+        let around = if C == 2 { 1.0 } else { (PI / count as f64).cos().recip() * (1.0 + PROOF_ROUNDING) };
         let mut normals = DMatrix::zeros(n, count * n);
         for (i, directions) in facets.0.iter().enumerate() {
             for (j, d) in directions.iter().enumerate() {
@@ -90,7 +83,9 @@ fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<Ex
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {
         let product = mu * y;
-        if product != 0.0 && [product, mu, *y].iter().any(|x| !KEPT.contains(&x.abs())) {
+        // Between these sizes a product neither loses digits by underflow nor overflows.
+        let kept = 1e-280..1e280;
+        if product != 0.0 && [product, mu, *y].iter().any(|x| !kept.contains(&x.abs())) {
             return None;
         }
         sum.add_product(columns[0][step * i], *y);

@@ -6,11 +6,9 @@
 use super::blocks::{Blocks, ContactBlock};
 use super::elimination;
 use crate::numerics::numbered;
+use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
-
-/// Sufficient decrease: a step of part t must reduce the error by the factor 1 − 0.1 t.
-const GAIN: f64 = 0.1;
 
 /// The residuals at forces r, and their derivatives.
 #[derive(Debug, Clone)]
@@ -92,7 +90,7 @@ pub(super) fn descend<const C: usize>(
         made += 1;
         let mut part = 1.0;
         let mut next = equations.at(&here.r + &step);
-        while next.size.is_nan() || next.size > (1.0 - GAIN * part) * here.size {
+        while next.size.is_nan() || next.size > (1.0 - SUFFICIENT_DECREASE * part) * here.size {
             part *= 0.5;
             if part < patience.shortest {
                 break;

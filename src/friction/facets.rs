@@ -11,7 +11,7 @@
 //! (D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). The matrix is copositive if W is positive semidefinite.
 
 use super::problem::FrictionProblem;
-use super::settings::MOST_FACETS;
+use super::settings::MOST_CONE_FACETS;
 use crate::lcp::{Lcp, LcpError};
 use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
@@ -94,7 +94,7 @@ impl<const C: usize> FrictionProblem<C> {
     ///
     /// [`LcpError::MatrixEntry`] if a sum of entries of W leaves the range of double precision.
     pub fn facets(&self, facets: usize) -> Result<FacetedProblem<C>, LcpError> {
-        self.polygon(Facets::regular(facets.clamp(3, MOST_FACETS), &vec![0.0; self.len()]))
+        self.polygon(Facets::regular(facets.clamp(3, MOST_CONE_FACETS), &vec![0.0; self.len()]))
     }
 
     pub(super) fn polygon(&self, facets: Facets<C>) -> Result<FacetedProblem<C>, LcpError> {

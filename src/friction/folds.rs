@@ -9,38 +9,12 @@ use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};
 use super::equations::{Equations, Patience, descend};
 use super::problem::{FrictionProblem, part};
+use super::tolerances::ON_CENTRAL_PATH;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Shortest part of a Newton step that is tried at the beginning of the path.
-const SHORTEST_TO_BEGIN: f64 = 1e-6;
-
-/// τ at the end of the path, as a part of the mean energy of a contact.
-const END: f64 = 1e-18;
-/// τ at the beginning of the path, as a multiple of the mean energy of a contact.
-const FARTHEST: f64 = 1e6;
-/// The largest number of steps along the path.
-const STEPS: usize = 1000;
 /// The largest number of corrections of a step; after half as many the next step is longer.
-const CORRECTIONS: usize = 6;
-/// The largest number of Newton steps to the beginning of the path.
-const BEGINNING: usize = 200;
-/// Length of the first step; 1 is the size of the forces, or a factor e of τ.
-const FIRST: f64 = 0.1;
-/// Length of the longest step.
-const LONGEST: f64 = 1.0;
-/// Length of the shortest step; the path ends where it would have to be shorter.
-const SHORTEST: f64 = 1e-7;
-/// Factor of the step length after a step with few corrections.
-const LONGER: f64 = 1.5;
-/// Factor of the step length after a step that failed.
-const SHORTER: f64 = 0.3;
-/// A point is on the path if the root mean square of its residuals is below this part of √τ.
-const ON_PATH: f64 = 1e-2;
-/// Least cosine between the tangents of successive points; below it the step is shortened.
-const ONWARD: f64 = 0.7;
-/// Difference of ln τ for the numerical derivative by ln τ.
-const NUDGE: f64 = 1e-5;
+const MOST_FOLD_CORRECTIONS: usize = 6;
 
 /// The forces at the end of the path that begins far inside the cones, or where steps become too short. `None` if no beginning or tangent is found.
 pub(super) fn around_folds<const C: usize>(
@@ -52,33 +26,38 @@ pub(super) fn around_folds<const C: usize>(
     let q = (0..problem.len()).map(|i| part::<C>(&problem.q, i).norm_squared() * rho[i]);
     let energy = q.sum::<f64>() / problem.len() as f64;
     let mut x = path.begin(energy)?;
-    let end = (END * energy).ln();
+    let end = (1e-18 * energy).ln();
     let size = x.len() - 1;
     let mut tangent = DVector::zeros(size + 1);
     tangent[size] = -1.0;
-    let mut length = FIRST;
-    for _ in 0..STEPS {
+    let mut length = 0.1;
+    for _ in 0..1000 {
         if x[size] <= end {
             break;
         }
         let measure = path.measure(&x);
         let ahead = path.tangent(&x, &tangent, &measure)?;
-        while length >= SHORTEST {
+        // The path ends where steps would have to be shorter.
+        let shortest = 1e-7;
+        while length >= shortest {
             let next = path.corrected(&x + &ahead * length, &ahead, &measure);
             let onward = next.and_then(|(next, corrections)| {
                 let then = path.tangent(&next, &ahead, &measure)?;
-                (then.dot(&ahead.component_mul(&measure)) >= ONWARD).then_some((next, corrections))
+                // Where the tangent turns by more than 45° the step is shortened.
+                (then.dot(&ahead.component_mul(&measure)) >= 0.7).then_some((next, corrections))
             });
             if let Some((next, corrections)) = onward {
                 x = next;
-                if 2 * corrections <= CORRECTIONS {
-                    length = (LONGER * length).min(LONGEST);
+                if 2 * corrections <= MOST_FOLD_CORRECTIONS {
+                    // After a step with few corrections the next one is longer, up to the size of the forces
+                    // or a factor e of τ.
+                    length = (1.5 * length).min(1.0);
                 }
                 break;
             }
-            length *= SHORTER;
+            length *= 0.3;
         }
-        if length < SHORTEST {
+        if length < shortest {
             return Some(x.rows(0, size).into_owned());
         }
         tangent = ahead;
@@ -96,7 +75,8 @@ impl<const C: usize> Path<'_, C> {
     /// Forces and ln τ at the beginning of the path, far inside the cones.
     fn begin(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
-        let tau = FARTHEST * energy;
+        // The path begins at this multiple of the mean energy of a contact.
+        let tau = 1e6 * energy;
         let mut x = DVector::zeros(size + 1);
         for i in 0..self.problem.len() {
             x[C * i] = (tau * self.rho[i]).sqrt();
@@ -104,9 +84,8 @@ impl<const C: usize> Path<'_, C> {
         x[size] = tau.ln();
         let order: Vec<usize> = (0..self.problem.len()).collect();
         let far = Smoothed { problem: self.problem, blocks: self.blocks, rho: self.rho, tau };
-        let enough = ON_PATH * (self.problem.len() as f64 * tau).sqrt();
-        let patience =
-            Patience { steps: BEGINNING, enough, rounding: 0.0, shortest: SHORTEST_TO_BEGIN, leaps: 0 };
+        let enough = ON_CENTRAL_PATH * (self.problem.len() as f64 * tau).sqrt();
+        let patience = Patience { steps: 200, enough, rounding: 0.0, shortest: 1e-6, leaps: 0 };
         let (place, _) = descend(&far, &order, x.rows(0, size).into_owned(), patience);
         x.rows_mut(0, size).copy_from(&place.r);
         (place.size <= enough).then_some(x)
@@ -127,8 +106,10 @@ impl<const C: usize> Path<'_, C> {
                 put(*j, here.by_velocity[i] * w);
             }
         }
-        let (more, less) = (at(x[size] + NUDGE).at(r.clone()), at(x[size] - NUDGE).at(r));
-        let by_log = (more.missed - less.missed) / (2.0 * NUDGE);
+        // The numerical derivative by ln τ.
+        let nudge = 1e-5;
+        let (more, less) = (at(x[size] + nudge).at(r.clone()), at(x[size] - nudge).at(r));
+        let by_log = (more.missed - less.missed) / (2.0 * nudge);
         change.view_mut((0, size), (size, 1)).copy_from(&by_log);
         let mut missed = here.missed.insert_row(size, 0.0);
         missed[size] = 0.0;
@@ -172,9 +153,9 @@ impl<const C: usize> Path<'_, C> {
     ) -> Option<(DVector<f64>, usize)> {
         let size = x.len() - 1;
         let weighed = ahead.component_mul(measure).transpose();
-        for corrections in 0..=CORRECTIONS {
+        for corrections in 0..=MOST_FOLD_CORRECTIONS {
             let (missed, near, mut change) = self.missed(&x);
-            if near <= ON_PATH {
+            if near <= ON_CENTRAL_PATH {
                 return Some((x, corrections));
             }
             change.row_mut(size).copy_from(&weighed);

@@ -33,7 +33,8 @@ pub struct Residuals {
 }
 
 /// Residuals that no tolerance accepts.
-const UNUSABLE: Residuals = Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
+const INFINITE_RESIDUALS: Residuals =
+    Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
 
 impl Residuals {
     /// Whether all of them are numbers of at most this size.
@@ -107,12 +108,12 @@ impl<const C: usize> FrictionProblem<C> {
     /// The residuals, and the contact with the largest.
     pub(super) fn missed_by(&self, r: &DVector<f64>) -> (Residuals, usize) {
         if r.len() != self.q.len() || r.iter().any(|r| !r.is_finite()) {
-            return (UNUSABLE, 0);
+            return (INFINITE_RESIDUALS, 0);
         }
         let u = self.velocities(r);
         let terms = self.w.abs() * r.abs() + self.q.abs();
         if u.iter().chain(&terms).any(|x| !x.is_finite()) {
-            return (UNUSABLE, 0);
+            return (INFINITE_RESIDUALS, 0);
         }
         self.judged(r, &u, &terms)
     }
@@ -130,7 +131,7 @@ impl<const C: usize> FrictionProblem<C> {
             let (force, velocity, size) = (part(r, i), part(u, i), part::<C>(terms, i).amax());
             let missed = missed::<C>(&force, &velocity, size, self.mu[i]);
             if missed.max().is_nan() {
-                return (UNUSABLE, i);
+                return (INFINITE_RESIDUALS, i);
             }
             if missed.max() > most {
                 (worst, most) = (i, missed.max());

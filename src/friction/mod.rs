@@ -74,7 +74,8 @@
 // `problem` is checked input, `siconos` reads it; `law` measures how far forces miss Coulomb's law, `settled` makes a solution of forces. `solve`
 // chooses the methods, `islands` splits the problem. A few contacts: `facets` poses the complementarity problem, `polygons` and `newton` continue on
 // the round cone. Many: `approach` combines `sweeps` of `one_contact` after the other, the `central_path` (around its `folds`) and `alart_curnier`;
-// both of the last are `equations` in `blocks`, solved by `elimination`. `certificate` proves that there is no solution.
+// both of the last are `equations` in `blocks`, solved by `elimination`. `certificate` proves that there is no solution. `tolerances` holds what
+// counts as zero.
 
 mod alart_curnier;
 mod approach;
@@ -100,6 +101,7 @@ mod siconos_matrix;
 mod solution;
 mod solve;
 mod sweeps;
+mod tolerances;
 
 pub use error::Error;
 pub use facets::FacetedProblem;

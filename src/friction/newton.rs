@@ -3,20 +3,11 @@
 
 use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
+use super::tolerances::UNDETERMINED_FORCE;
 use crate::numerics::numbered;
+use crate::numerics::tolerances::{FEW_ROUNDINGS, SOLVED_ROUNDING, SUFFICIENT_DECREASE};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
-
-/// Relative pivot below which an unknown keeps its value: the forces of redundant contacts are not determined.
-const DEPENDENT: f64 = 1e-12;
-/// Sufficient decrease: a step of part t must reduce the error by the factor 1 − 0.1 t.
-const GAIN: f64 = 0.1;
-/// Shortest part of a step that is tried.
-const SHORTEST: f64 = 1e-3;
-/// The error is rounding below this part of its terms.
-const ROUNDED: f64 = 2.0 * f64::EPSILON;
-/// Where no part of a step gains, the error counts as rounding below this part of its terms. Above it the whole step is made.
-const NEARLY: f64 = 1e-12;
 
 /// An iterate: forces, and the residuals of the equations there.
 #[derive(Debug, Clone)]
@@ -53,17 +44,19 @@ impl<'a, const C: usize> Newton<'a, C> {
     pub(super) fn run(&self, r: DVector<f64>, steps: usize) -> (DVector<f64>, usize) {
         let mut here = self.place(r);
         let mut made = 0;
-        while made < steps && here.size > ROUNDED * here.terms {
+        while made < steps && here.size > FEW_ROUNDINGS * here.terms {
             let Some(step) = self.step(&here) else { break };
             made += 1;
             let mut part = 1.0;
             let mut next = self.place(&here.r + &step);
-            while next.size > (1.0 - GAIN * part) * here.size && part > SHORTEST {
+            // The shortest part of a step that is tried.
+            let shortest = 1e-3;
+            while next.size > (1.0 - SUFFICIENT_DECREASE * part) * here.size && part > shortest {
                 part *= 0.5;
                 next = self.place(&here.r + &step * part);
             }
-            if part <= SHORTEST {
-                if here.size <= NEARLY * here.terms {
+            if part <= shortest {
+                if here.size <= SOLVED_ROUNDING * here.terms {
                     // Rounding is reached.
                     break;
                 }
@@ -121,7 +114,7 @@ fn least_squares(a: DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
     let mut c = b.clone();
     qr.q_tr_mul(&mut c);
     let largest = if size > 0 { r[(0, 0)].abs() } else { 0.0 };
-    let rank = (0..size).take_while(|k| r[(*k, *k)].abs() > DEPENDENT * largest).count();
+    let rank = (0..size).take_while(|k| r[(*k, *k)].abs() > UNDETERMINED_FORCE * largest).count();
     let mut x = DVector::zeros(size);
     let solved = r.view((0, 0), (rank, rank)).solve_upper_triangular(&c.rows(0, rank).into_owned());
     if let Some(solved) = solved {

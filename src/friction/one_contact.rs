@@ -11,12 +11,8 @@
 
 use super::blocks::ContactBlock;
 use super::law::tangent;
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 use nalgebra::SVector;
-
-/// The largest number of secant or bisection steps for κ.
-const HALVINGS: usize = 100;
-/// Relative width of the bracket at which κ is known.
-const KNOWN: f64 = 4.0 * f64::EPSILON;
 
 /// The force of a contact with own block A and friction μ, whose velocity without its own force is b. `None` if A is not definite enough to stop the
 /// approach.
@@ -54,8 +50,9 @@ pub(super) fn answer<const C: usize>(
     let mut outside = slide.at(least).map(|r| miss(&r));
     let mut inside = miss(&slide.at(most)?);
     let mut last = 0;
-    for _ in 0..HALVINGS {
-        if most - least <= KNOWN * most {
+    // Steps of secants or bisection for κ.
+    for _ in 0..100 {
+        if most - least <= FEW_ROUNDINGS * most {
             break;
         }
         // The secant, with the value at an end that was kept twice halved (Illinois); bisection where there is no secant.

@@ -7,7 +7,7 @@ use super::facets::{FacetedProblem, Facets};
 use super::law::tangent;
 use super::newton::Newton;
 use super::problem::{FrictionProblem, part};
-use super::settings::{MOST_FACETS, Settings};
+use super::settings::{MOST_CONE_FACETS, Settings};
 use super::solution::Solution;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use crate::prelude::*;
@@ -41,14 +41,14 @@ impl<'a, const C: usize> Polygons<'a, C> {
 
     /// A solution, or the outcome of the first polygon. Facets are turned up to `turns` times.
     pub(super) fn solve(&mut self, turns: usize) -> Outcome<Solution> {
-        let mut count = self.settings.facets.clamp(3, MOST_FACETS);
+        let mut count = self.settings.facets.clamp(3, MOST_CONE_FACETS);
         let mut first = None;
         for turn in 0..=if C == 2 { 0 } else { turns } {
             match self.by_facets(count, turn == 0) {
                 Outcome::Solved(solution) => return Outcome::Solved(solution),
                 unsolved => first = first.or(Some(unsolved)),
             }
-            count = (count + count / 2).min(MOST_FACETS);
+            count = (count + count / 2).min(MOST_CONE_FACETS);
         }
         first.unwrap_or_else(|| self.missed())
     }

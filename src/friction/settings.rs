@@ -3,7 +3,7 @@
 use crate::lcp::{self, BreakdownCause};
 
 /// Largest number of facets. More of them change forces by less than 1e-3, and make problems of thousands of rows.
-pub(super) const MOST_FACETS: usize = 128;
+pub(super) const MOST_CONE_FACETS: usize = 128;
 
 /// Limits and tolerances of a solve; [`Settings::default`] is right for almost every problem.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,23 +3,12 @@
 use super::law::{ContactMode, projection, tangent};
 use super::problem::{FrictionProblem, part};
 use super::solution::Solution;
+use super::tolerances::OUTSIDE_CONE;
+use crate::lcp::tolerances::{BACKWARD_ERROR, LOST};
 use crate::numerics::numbered;
+use crate::numerics::tolerances::{FEW_ROUNDINGS, NEGLIGIBLE};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
-
-/// Residuals up to this are rounding.
-const ROUNDING: f64 = 1e-15;
-/// Largest error of velocities, as a part of the largest |q|, at which forces with residuals above [`ROUNDING`] are accepted.
-const KNOWN: f64 = 1e-6;
-/// Part of the largest term of W r below which all of q is lost: any other q would be solved as well.
-const LOST: f64 = 1e-11;
-/// A force is noise if its share of every row is below this part of the row's terms.
-const NOISE: f64 = 2.0 * f64::EPSILON;
-/// Relative distance outside of its cone at which a force counts as on the edge but for rounding.
-const ON_EDGE: f64 = 1e-9;
-
-/// Part by which friction must exceed μ r_N to count as outside the cone.
-const VISIBLE: f64 = 1e-13;
 
 impl<const C: usize> FrictionProblem<C> {
     /// These forces without the noise on open contacts, and moved onto the edge of a cone where they are near it. u are their
@@ -33,7 +22,7 @@ impl<const C: usize> FrictionProblem<C> {
             }
             let (size, most) = (tangent(&force).norm(), self.mu[i] * force[0]);
             let nearest = projection(&force, self.mu[i]);
-            if size > most && (force - nearest).norm() <= ON_EDGE * force.norm() {
+            if size > most && (force - nearest).norm() <= NEGLIGIBLE * force.norm() {
                 let (size, most) = (tangent(&nearest).norm(), self.mu[i] * nearest[0]);
                 let within = if size > most { most / size } else { 1.0 };
                 r[C * i] = nearest[0];
@@ -68,7 +57,7 @@ impl<const C: usize> FrictionProblem<C> {
         }
         // Forces whose terms exceed q by many orders would solve the problem for any other q.
         let terms = (self.w.abs() * r.abs()).amax();
-        if residuals.max() > ROUNDING && residuals.max() * terms > KNOWN * self.q.amax()
+        if residuals.max() > FEW_ROUNDINGS && residuals.max() * terms > BACKWARD_ERROR * self.q.amax()
             || terms > 0.0 && self.q.amax() <= LOST * terms
         {
             return None;
@@ -81,7 +70,7 @@ impl<const C: usize> FrictionProblem<C> {
     fn leaves_cones(&self, r: &DVector<f64>) -> bool {
         (0..self.len()).any(|i| {
             let force: SVector<f64, C> = part(r, i);
-            tangent(&force).norm() > (1.0 + VISIBLE) * self.mu[i] * force[0]
+            tangent(&force).norm() > (1.0 + OUTSIDE_CONE) * self.mu[i] * force[0]
         })
     }
 
@@ -92,7 +81,7 @@ impl<const C: usize> FrictionProblem<C> {
             let force = part::<C>(&r, i).abs();
             let columns = self.w.columns(C * i, C);
             let unseen = |(row, terms): (usize, &f64)| {
-                (0..C).map(|k| columns[(row, k)].abs() * force[k]).sum::<f64>() <= NOISE * terms
+                (0..C).map(|k| columns[(row, k)].abs() * force[k]).sum::<f64>() <= FEW_ROUNDINGS * terms
             };
             if columns.iter().any(|w| *w != 0.0) && terms.iter().enumerate().all(unseen) {
                 r.fixed_rows_mut::<C>(C * i).fill(0.0);

@@ -62,16 +62,15 @@ impl ReadProblem {
         spatial: impl FnOnce(&mut Tokens<'_>) -> Result<SpatialContacts, Error>,
     ) -> Result<Self, Error> {
         let words = &mut Tokens::of(text);
-        let components: usize = words.number(COMPONENTS)?;
+        let allowed = "a number of components, 2 or 3";
+        let components: usize = words.number(allowed)?;
         match components {
             2 => planar(words).map(Self::Planar),
             3 => spatial(words).map(Self::Spatial),
-            _ => Err(words.wrong(components.to_string(), COMPONENTS)),
+            _ => Err(words.wrong(components.to_string(), allowed)),
         }
     }
 }
-
-const COMPONENTS: &str = "a number of components, 2 or 3";
 
 fn local<const C: usize>(words: &mut Tokens<'_>) -> Result<FrictionProblem<C>, Error> {
     let n: usize = words.number("a number of contacts")?;

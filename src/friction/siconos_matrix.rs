@@ -11,10 +11,6 @@ use crate::prelude::*;
 use core::str::{FromStr, SplitWhitespace};
 use nalgebra::DMatrix;
 
-/// Largest number of entries of a matrix: it is stored densely, here in a gigabyte.
-const MOST_ENTRIES: usize = 1 << 27;
-
-const FORMS: &str = "the form of a matrix: 0 (dense), 1 (in blocks) or 2 (sparse)";
 const ENTRY: &str = "an entry of a matrix";
 
 /// The next matrix; a number of rows or columns that is given must match.
@@ -23,9 +19,10 @@ pub(super) fn matrix(
     rows: Option<usize>,
     columns: Option<usize>,
 ) -> Result<DMatrix<f64>, Error> {
-    let form: usize = words.number(FORMS)?;
+    let allowed = "the form of a matrix: 0 (dense), 1 (in blocks) or 2 (sparse)";
+    let form: usize = words.number(allowed)?;
     if form > 2 {
-        return Err(words.wrong(form.to_string(), FORMS));
+        return Err(words.wrong(form.to_string(), allowed));
     }
     let count = |words: &mut Tokens<'_>, must: Option<usize>| match must {
         Some(must) => {
@@ -35,7 +32,8 @@ pub(super) fn matrix(
     };
     let rows = count(words, rows)?;
     let columns = count(words, columns)?;
-    if rows.saturating_mul(columns) > MOST_ENTRIES {
+    // The matrix is stored densely: this one takes a gigabyte.
+    if rows.saturating_mul(columns) > 1 << 27 {
         return Err(
             words.wrong(format!("{rows} {columns}"), "rows and columns of a matrix that fits into memory")
         );

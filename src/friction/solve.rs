@@ -6,22 +6,13 @@ use super::islands::islands;
 use super::polygons::Polygons;
 use super::problem::FrictionProblem;
 use super::progress::SolveProgress;
-use super::settings::{MOST_FACETS, Settings};
+use super::settings::{MOST_CONE_FACETS, Settings};
 use super::solution::Solution;
+use super::tolerances::MOST_ROWS_FACETS_FIRST;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
-
-/// Largest number of rows of a polygon's complementarity problem for which facets come first: Lemke's method takes milliseconds then, and in the
-/// plane it decides.
-const FEW_ROWS: usize = 160;
-/// Largest number of rows for which facets are tried last, once, if all else has failed: that takes seconds.
-const MANY_ROWS: usize = 600;
-/// Part of the tolerance above which a solution of facets is polished.
-const CLEAR: f64 = 0.1;
-/// Largest number of contacts for which a proof is sought: its linear program grows like their cube.
-const MOST_PROVED: usize = 200;
 
 impl<const C: usize> FrictionProblem<C> {
     /// Forces and velocities that obey Coulomb's law, with the default [`Settings`].
@@ -95,13 +86,13 @@ impl<const C: usize> FrictionProblem<C> {
             return solved
                 .map_or(Outcome::Breakdown { pivots: 0, cause: BreakdownCause::Overflow }, Outcome::Solved);
         }
-        let facets = if C == 2 { 2 } else { settings.facets.clamp(3, MOST_FACETS) };
+        let facets = if C == 2 { 2 } else { settings.facets.clamp(3, MOST_CONE_FACETS) };
         let rows = self.len() * (2 + facets);
         let mut polygons = Polygons::new(self, settings);
-        let mut polygon = (rows <= FEW_ROWS).then(|| polygons.solve(settings.turns));
+        let mut polygon = (rows <= MOST_ROWS_FACETS_FIRST).then(|| polygons.solve(settings.turns));
         let mut approach = Approach::new(self, blocks, settings, (names, watch));
         match polygon.take_if(|outcome| self.is_known(outcome)) {
-            Some(Outcome::Solved(solution)) if solution.residuals.max() > CLEAR * settings.tolerance => {
+            Some(Outcome::Solved(solution)) if solution.residuals.max() > 0.1 * settings.tolerance => {
                 // Polished, since the residuals computed another way might miss the tolerance.
                 let r = approach.polished(&solution.r);
                 let polished = self.settled(r, &rho, solution.residuals.max());
@@ -115,12 +106,13 @@ impl<const C: usize> FrictionProblem<C> {
         for start in 0..settings.starts.min(STARTS.len()) {
             let mut arrived = approach.set_out(start);
             if start == 0 && !arrived && !approach.best.stopped {
-                if self.len() <= MOST_PROVED
+                // The linear program of a proof grows like the cube of the number of contacts.
+                if self.len() <= 200
                     && let Some(y) = self.certificate(&settings.lcp)
                 {
                     return Outcome::Infeasible(Certificate::new(y, polygons.pivots));
                 }
-                arrived = rows <= FEW_ROWS && approach.around_folds();
+                arrived = rows <= MOST_ROWS_FACETS_FIRST && approach.around_folds();
             }
             let (best, pivots) = (&approach.best, polygons.pivots);
             if arrived && let Some(solution) = self.settled(best.r.clone(), &rho, settings.tolerance) {
@@ -132,7 +124,8 @@ impl<const C: usize> FrictionProblem<C> {
                 return Outcome::Breakdown { pivots, cause };
             }
         }
-        if polygon.is_none() && rows <= MANY_ROWS {
+        // Where all else has failed facets are tried once: larger problems take longer than seconds.
+        if polygon.is_none() && rows <= 600 {
             let last = polygons.solve(0);
             if self.is_known(&last) {
                 return self.proved(last);

@@ -2,18 +2,16 @@
 
 use core::fmt;
 
-use super::words::{AT_ONCE, amount_of};
+use super::words::amount_of;
 use crate::grasp::{Contact, Engine, WholeContact, WholeContacts};
 use crate::load_path::{Event, Jump, JumpSlip, Leg, PathEnd, Ramp};
 use crate::numerics::largest;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 use crate::words::{Words, listed, printable};
-
-/// Slips below this fraction of the longest in a jump are left out of the sentence. A larger fraction hides contacts that matter; 0 lists rounding.
-const SHORT: f64 = 1e-6;
 
 /// A jump under constant load that ends in an equilibrium: the object slips and is caught.
 #[derive(Debug, Clone, PartialEq)]
@@ -117,7 +115,7 @@ impl Caught {
         let (words, digits) = (Words::of(f), Words::of(f).digits());
         let Some(last) = all.last() else { return Ok(()) };
         let amount = amount_of(size, last.factor, words);
-        let at = if last.factor <= AT_ONCE { "at once".to_owned() } else { format!("at {amount}") };
+        let at = if last.factor <= NEGLIGIBLE { "at once".to_owned() } else { format!("at {amount}") };
         match (all.len(), &last.moves) {
             (1, Some(moves)) if is_held => write!(f, "; {at} {moves:.digits$}, then holds"),
             (1, Some(moves)) => write!(f, ", after {moves:.digits$} {at}"),
@@ -154,7 +152,8 @@ impl fmt::Display for Caught {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let longest = largest(&self.slips, &|slip| slip.distance);
-        let told = self.slips.iter().filter(|slip| slip.distance > SHORT * longest);
+        // A larger fraction of the longest slip hides contacts that matter; 0 lists rounding.
+        let told = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let told = told.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
         write!(f, "after slipping {}", listed(&told.collect::<Vec<_>>()))
     }

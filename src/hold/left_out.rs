@@ -7,10 +7,6 @@
 use crate::equilibrium::Equilibrium;
 use crate::grasp::Engine;
 
-/// Fraction of the stiffness that resists above which the geometric one is reported. A smaller one adds a caution to ordinary verdicts; a larger one
-/// hides a loss of stability until it is near.
-const WORTH_A_WORD: f64 = 0.1;
-
 impl Engine {
     /// The share of the geometric stiffness in the resistance to the motion q from rest to another state with the same commands:
     /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`, with forces F at rest, arms r about the centroid of the contacts and the rotation θ of q.
@@ -39,6 +35,8 @@ impl Engine {
                 |v: &nalgebra::SVector<f64, 3>| v.iter().zip(rotation).map(|(a, b)| a * b).sum::<f64>();
             left_out -= along(&force) * along(&arm);
         }
-        (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > WORTH_A_WORD)
+        // A smaller fraction adds a caution to ordinary verdicts; a larger one hides a loss of stability
+        // until it is near.
+        (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 }

@@ -17,13 +17,9 @@ use crate::search::{Doubt, Settings};
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{WayOut, comes_apart, way_out};
-use super::words::AT_ONCE;
 use crate::numerics::mapped;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
-
-/// Largest gap of a contact that still touches, relative to the size of the grasp, where the motion of a loss gets its name. Smaller ones let
-/// rounding choose between tipping and turning; nothing is decided by it.
-const SHUT: f64 = 1e-9;
 
 impl Engine {
     /// [`Grasp::hold`](crate::ask::Grasp::hold).
@@ -65,11 +61,12 @@ impl Engine {
         });
         let lost = path.end().and_then(PathEnd::loss).filter(|_| too_far.is_none()).map(|loss| {
             let mut lost = self.lost(held_to, loss, path.state());
-            let at_first = first_slip.as_ref().is_some_and(|first| held_to <= first.factor * (1.0 + AT_ONCE));
+            let at_first =
+                first_slip.as_ref().is_some_and(|first| held_to <= first.factor * (1.0 + NEGLIGIBLE));
             if self.weaker_once_they_slide().next().is_some() {
                 lost.falls_at_once = at_first;
                 let then = self.carried_while_it_slides(ramp, settings);
-                lost.then_takes = then.filter(|then| *then < held_to * (1.0 - AT_ONCE));
+                lost.then_takes = then.filter(|then| *then < held_to * (1.0 - NEGLIGIBLE));
             }
             // The proof assumes that every vacuum lasts.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
@@ -210,7 +207,7 @@ impl Engine {
         let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
         let presses = |i: usize| of(i).is_none_or(|contact| contact.force.norm() > weightless);
         let touches =
-            |i: usize| presses(i) || of(i).is_some_and(|contact| contact.gap <= SHUT * self.length());
+            |i: usize| presses(i) || of(i).is_some_and(|contact| contact.gap <= NEGLIGIBLE * self.length());
         let at_its_edge = |i: usize| loss.contacts.iter().any(|contact| contact.index == i);
         let sides = self.bodies().map(|bodies| &bodies.sides[..]);
         let slides = |i: usize| at_its_edge(i) && presses(i);
@@ -307,7 +304,7 @@ fn begins_to_slide(event: &Event<3>, contact: usize) -> bool {
 fn too_far_on<'p>(path: &'p LoadPath<'_, 3>) -> Option<&'p EndOfSmallMotions> {
     let loss = path.end().and_then(PathEnd::loss);
     let before = |far: &&EndOfSmallMotions| {
-        loss.is_none_or(|loss| (far.leg, far.fraction) < (loss.leg, loss.fraction * (1.0 - AT_ONCE)))
+        loss.is_none_or(|loss| (far.leg, far.fraction) < (loss.leg, loss.fraction * (1.0 - NEGLIGIBLE)))
     };
     path.end_of_small_motions().filter(before)
 }

@@ -9,7 +9,7 @@ use crate::serial::AsComputed;
 
 /// Speed, relative to the fastest contact, below which a contact stays and a rotation counts as none. It only chooses the name of a motion: a larger
 /// fraction calls slow contacts fixed, a smaller one finds no contact to tip over.
-const STAYS: f64 = 0.05;
+const STANDS: f64 = 0.05;
 
 /// The kind of motion with which an object leaves, in everyday words.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,7 +94,7 @@ impl BodyWay<3> {
 /// The motion as [`WayOut::SlidesOut`] along a translation, if the displacement `spin` by rotation is negligible beside it.
 fn slides_out(along: &SVector<f64, 3>, spin: f64) -> Option<WayOut<3>> {
     let direction = || along.try_normalize(0.0);
-    (spin <= STAYS * along.norm())
+    (spin <= STANDS * along.norm())
         .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
 }
 
@@ -111,12 +111,12 @@ pub(super) fn way_out(
         return seen_from(contacts, &motion.object, &|_| 1.0, touches);
     };
     let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
-    let moves = |body: &BodyMotion<3>| body.speed() > STAYS * fastest;
+    let moves = |body: &BodyMotion<3>| body.speed() > STANDS * fastest;
     let mut bodies: Vec<_> = motion.bodies.iter().filter(|body| moves(body)).map(BodyWay::of).collect();
     let Some(first) = motion.bodies.iter().find(|body| moves(body)) else { return WayOut::Apart { bodies } };
     let as_the_first = |body: &BodyMotion<3>| {
         let other = BodyMotion { twist: difference(&body.twist, &first.twist), ..body.clone() };
-        other.speed() <= STAYS * fastest
+        other.speed() <= STANDS * fastest
     };
     if motion.bodies.iter().filter(|body| moves(body)).all(as_the_first) {
         // Contacts of the moving bodies with all others decide; those among the moving bodies do not count.
@@ -135,7 +135,7 @@ pub(super) fn way_out(
     WayOut::Apart { bodies }
 }
 
-/// Whether the two surfaces of a contact move relative to each other, by more than [`STAYS`] of the fastest body.
+/// Whether the two surfaces of a contact move relative to each other, by more than [`STANDS`] of the fastest body.
 pub(super) fn comes_apart(
     contact: &Contact<3>,
     (on, against): (usize, Option<usize>),
@@ -144,7 +144,7 @@ pub(super) fn comes_apart(
     let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
     let at_the_point = |body: usize| motion.bodies[body].twist.moves(&contact.point);
     let other = against.map_or_else(SVector::zeros, at_the_point);
-    (at_the_point(on) - other).norm() > STAYS * fastest
+    (at_the_point(on) - other).norm() > STANDS * fastest
 }
 
 fn difference(a: &Twist<3>, b: &Twist<3>) -> Twist<3> {
@@ -174,14 +174,14 @@ fn seen_from(
     let reach = contacts.iter().map(|contact| (contact.point - centre).norm()).fold(0.0, f64::max);
     let spin = twist.components().iter().skip(3).map(|x| x * x).sum::<f64>().sqrt() * reach;
     let fastest = touching.iter().map(|part| moves[part.contact].norm()).fold(spin, f64::max);
-    let stays = |part: &WholeContact| moves[part.contact].norm() <= STAYS * fastest;
+    let stays = |part: &WholeContact| moves[part.contact].norm() <= STANDS * fastest;
     // A velocity v leads away from the finger if it is more than 45° above its surface.
     let goes_away = |v: &SVector<f64, 3>, n: &SVector<f64, 3>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
     let opens = |part: &WholeContact| {
         let may_open = part_holds[part.contact] == Hold::Unilateral;
         may_open && !stays(part) && goes_away(&moves[part.contact], &normals[part.contact])
     };
-    let point_stays = |i: usize| velocity(&contacts[i].point).norm() <= STAYS * fastest;
+    let point_stays = |i: usize| velocity(&contacts[i].point).norm() <= STANDS * fastest;
     let point_opens = |i: usize| {
         let (v, normal) = (velocity(&contacts[i].point), contacts[i].normal * sign(i));
         contacts[i].hold == Hold::Unilateral && !point_stays(i) && goes_away(&v, &normal)

@@ -9,18 +9,9 @@ use super::way_out::{BodyWay, WayOut};
 use crate::equilibrium::TooFar;
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
 use crate::numerics::mapped;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::words::{Words, listed, open, opens, printable};
-
-/// Fraction of a load that sentences take for none, and relative difference of factors that they take for equal. A smaller one shows rounding.
-pub(super) const AT_ONCE: f64 = 1e-9;
-/// Fraction of the load within which the end of small motions follows gross slip, so that the sentence says "slips out" at the slip. A larger one
-/// hides how far the object is held after it.
-const SOON: f64 = 0.01;
-/// Radius of a proof, m, up to which the sentence omits it: the size of an atom.
-const NOWHERE: f64 = 1e-10;
-/// Radius of a proof, m, above which the sentence says "a kilometre" in place of the number.
-const FAR: f64 = 1e3;
 
 impl<const C: usize> fmt::Display for Verdict<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -108,7 +99,7 @@ impl<const C: usize> Verdict<C> {
         if let Some(far) = &lost.too_far {
             return self.told_too_far(lost, far, f);
         }
-        if lost.factor <= AT_ONCE {
+        if lost.factor <= NEGLIGIBLE {
             let whole = self.whole(words);
             return write!(f, "{} at once, under any part of {whole}: {lost:.digits$}", lost.verb());
         }
@@ -128,10 +119,11 @@ impl<const C: usize> Verdict<C> {
         let words = Words::of(f);
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
         match self.everything_slides {
-            _ if lost.factor <= AT_ONCE => {
+            _ if lost.factor <= NEGLIGIBLE => {
                 write!(f, "GOES TOO FAR at rest already: {far}, and all this is good for small motions")
             }
-            Some(all) if all >= lost.factor * (1.0 - SOON) => {
+            // A larger fraction hides how far the object is held after gross slip.
+            Some(all) if all >= lost.factor * (1.0 - 0.01) => {
                 let from = amount(lost.factor);
                 write!(f, "SLIPS OUT at {}: everything slides, {far} from {from} on", self.part(all, words))
             }
@@ -148,8 +140,8 @@ impl<const C: usize> Verdict<C> {
 
     /// Whether the path continues beyond this multiple of the load, and the multiple exceeds that of the first slip.
     fn goes_on_from(&self, factor: f64) -> bool {
-        self.held_to > factor * (1.0 + AT_ONCE)
-            && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + AT_ONCE))
+        self.held_to > factor * (1.0 + NEGLIGIBLE)
+            && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + NEGLIGIBLE))
     }
 
     /// The multiples of the load up to the first slip and to the loss.
@@ -157,7 +149,7 @@ impl<const C: usize> Verdict<C> {
         let (words, lost) = (Words::of(f), self.lost.as_ref().map(|lost| lost.factor));
         let until = self.lost.as_ref().map_or(Cow::Borrowed(""), Lost::until);
         match (&self.first_slip, lost) {
-            (Some(first), Some(lost)) if lost <= first.factor * (1.0 + AT_ONCE) => {
+            (Some(first), Some(lost)) if lost <= first.factor * (1.0 + NEGLIGIBLE) => {
                 write!(f, ": {} times this load until {until}, as {first}", words.number(lost))
             }
             (Some(first), lost) => {
@@ -288,7 +280,8 @@ impl<const C: usize> fmt::Display for Lost<C> {
             f.write_str(". Another equilibrium holds slightly more: it may snap over to that one")?;
         }
         match &self.nothing_near {
-            Some(near) if near.translation > NOWHERE => write!(f, ". {near:.digits$}"),
+            // A radius of the size of an atom is left out.
+            Some(near) if near.translation > 1e-10 => write!(f, ". {near:.digits$}"),
             _ => Ok(()),
         }
     }
@@ -299,7 +292,7 @@ impl fmt::Display for NothingNear {
         if self.translation.is_infinite() {
             return f.write_str("Nothing holds all of it, wherever the object goes");
         }
-        if self.translation > FAR {
+        if self.translation > 1e3 {
             return f.write_str("Nothing holds all of it within a kilometre of there");
         }
         let words = Words::of(f);

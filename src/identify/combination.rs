@@ -1,18 +1,10 @@
 //! Combinations of unknowns that slips do not determine.
 
+use super::tolerances::NO_COMPONENT;
 use nalgebra::DMatrix;
 
 use crate::prelude::*;
 use crate::words::listed;
-
-/// Powers that differ from one by less than this count as one, so that the sentence has a plain product or ratio.
-const ALIKE: f64 = 1e-3;
-
-/// Components of a direction below this part of the largest are zero.
-const NONE: f64 = 1e-4;
-
-/// Change of the largest logarithm in a trial along a free combination: far enough to distinguish a product from a sum.
-const TRIED: f64 = 0.3;
 
 /// Unknowns that may change together without changing any predicted slip: to first order, each is multiplied by the same number to its power.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +34,7 @@ impl FreeCombination {
             let (row, column) = free.columns_range(k..).icamax_full();
             free.swap_columns(k, k + column);
             let pivot = free[(row, k)];
-            if pivot.abs() <= NONE {
+            if pivot.abs() <= NO_COMPONENT {
                 break;
             }
             free.column_mut(k).scale_mut(pivot.recip());
@@ -54,17 +46,20 @@ impl FreeCombination {
         }
         for direction in free.column_iter() {
             let largest = direction.amax();
-            if largest <= NONE {
+            if largest <= NO_COMPONENT {
                 continue;
             }
-            let part =
-                |(j, x): (usize, &f64)| (x.abs() > NONE * largest).then(|| (names[j].clone(), x / largest));
+            let part = |(j, x): (usize, &f64)| {
+                (x.abs() > NO_COMPONENT * largest).then(|| (names[j].clone(), x / largest))
+            };
             let (unknowns, powers): (Vec<_>, Vec<_>) = direction.iter().enumerate().filter_map(part).unzip();
-            let along = direction.iter().map(|x| TRIED * x / largest);
+            // Far enough to distinguish a product from a sum.
+            let along = direction.iter().map(|x| 0.3 * x / largest);
             let [powered, added]: [Vec<f64>; 2] =
                 [along.clone().map(f64::exp).collect(), along.map(|x| 1.0 + x).collect()];
             let changes = direction.iter().zip(values).map(|(x, value)| x * value);
-            let is_even = changes.clone().sum::<f64>().abs() <= NONE * changes.map(f64::abs).sum::<f64>();
+            let is_even =
+                changes.clone().sum::<f64>().abs() <= NO_COMPONENT * changes.map(f64::abs).sum::<f64>();
             let law = if stays(&powered) {
                 Law::Powers
             } else if is_even && stays(&added) {
@@ -95,7 +90,8 @@ fn said(names: &[String], powers: &[f64], law: Law) -> String {
         return format!("{one} is not fixed: these slips do not depend on it");
     }
     let apart = format!("{} are not fixed apart by these slips: only", listed(names));
-    let are_alike = powers.iter().all(|power| (power.abs() - 1.0).abs() < ALIKE);
+    // Powers this close to one give a plain product or ratio.
+    let are_alike = powers.iter().all(|power| (power.abs() - 1.0).abs() < 1e-3);
     match law {
         Law::Sum => return format!("{apart} their sum"),
         Law::Powers if are_alike => {}

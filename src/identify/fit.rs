@@ -4,27 +4,11 @@ use nalgebra::{DMatrix, DVector};
 
 use super::model::{Linear, Model, NoSlip};
 use super::robust::Huber;
+use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
 use crate::numerics::{SingularValues, mapped};
 use crate::prelude::*;
-
-/// Relative singular value below which a combination is not determined: derivatives from differences are exact to about 1e-8.
-pub(super) const NOT_FIXED: f64 = 1e-6;
-/// A step with no logarithm above this is zero, and the search has converged.
-const NO_STEP: f64 = 1e-10;
-/// Largest change of a logarithm in one step, to which predictions are extrapolated.
-const LONGEST: f64 = 1.0;
-/// Initial damping, relative to the largest singular value squared; times `LESS` after a successful step, times `MORE` after a failed one.
-const DAMPING: f64 = 1e-3;
-const LESS: f64 = 0.1;
-const MORE: f64 = 10.0;
-/// Relative decrease of the loss below which a step is too small: with n slips it is √n 1e-4 standard errors long. Sliding arcs have errors of 1e-9,
-/// so that the last digits of the loss are not known.
-const PROMISE: f64 = 1e-8;
-
-/// Number of other starting values: they reach a factor of 4096 if the object holds too well, or too little, at all of them.
-const STARTS: usize = 12;
 
 /// The end of a search.
 pub(super) struct Fitted {
@@ -102,7 +86,9 @@ fn begun<const C: usize>(model: &Model<'_, C>) -> Result<Begun, Error> {
         UnknownKind::Stiffness => false,
     };
     let (mut too_little, mut too_much, mut by) = (None, None, 0.0);
-    for _ in 0..STARTS {
+    // Twelve other starting values reach a factor of 4096 if the object holds too well, or too little, at all
+    // of them.
+    for _ in 0..12 {
         match why {
             NoSlip::HoldsTooWell(_) => too_much = Some(by),
             NoSlip::HoldsTooLittle(_) => too_little = Some(by),
@@ -129,7 +115,8 @@ pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Err
     let (begin, linear) = begun(model)?;
     let nothing = Scatter { rows: Vec::new(), estimated: None };
     let mut fit = Fitted { logs: begin, linear: None, scatter: nothing, iterations: 0, end: FitEnd::Limit };
-    let mut damping = DAMPING;
+    // Relative to the largest singular value squared.
+    let mut damping = 1e-3;
     let mut linear = match linear {
         Ok(linear) => linear,
         Err((slip, why)) => {
@@ -142,7 +129,9 @@ pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Err
         let steps = Steps::of(model, &linear, &fit.scatter);
         let loss = model.loss(&linear.residuals, &fit.scatter);
         let full = steps.step(0.0);
-        let is_little = |step: &DVector<f64>| step.amax() <= NO_STEP || steps.promise(step) <= PROMISE * loss;
+        let is_little = |step: &DVector<f64>| {
+            step.amax() <= CONVERGED_STEP || steps.promise(step) <= CONVERGED_GAIN * loss
+        };
         if is_little(&full) {
             fit.end = FitEnd::Converged;
             break;
@@ -157,7 +146,8 @@ pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Err
             if is_little(&step) {
                 break None;
             }
-            step *= (LONGEST / step.amax()).min(1.0);
+            // Predictions are extrapolated to one in the logarithm at most.
+            step *= (1.0 / step.amax()).min(1.0);
             let there: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).collect();
             match model.linear(&there)? {
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
@@ -167,7 +157,7 @@ pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Err
                 Ok(_) => unseen = None,
                 Err(none) => unseen = Some(none),
             }
-            damping *= MORE;
+            damping *= 10.0;
         };
         let Some((there, better)) = better else {
             // No step decreases the loss: a kink at the minimum, unless predictions end there.
@@ -175,7 +165,7 @@ pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Err
             break;
         };
         (fit.logs, linear) = (there, better);
-        damping = (damping * LESS).max(f64::EPSILON);
+        damping = (damping * 0.1).max(f64::EPSILON);
     }
     // If a slip is not predicted, no errors are reported.
     fit.linear = Some(linear).filter(|_| !matches!(fit.end, FitEnd::NoSlip(..)));
@@ -186,7 +176,7 @@ pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Err
 pub(super) fn rank(linear: &Linear) -> usize {
     let (values, ..) = singular(&linear.jacobian, &linear.residuals, &vec![1.0; linear.residuals.len()]);
     let most = values.iter().copied().fold(0.0, f64::max);
-    values.iter().filter(|value| **value > NOT_FIXED * most).count()
+    values.iter().filter(|value| **value > INDISTINCT * most).count()
 }
 
 /// Steps along the combinations that slips determine.
@@ -211,7 +201,7 @@ impl Steps {
     fn step(&self, damping: f64) -> DVector<f64> {
         let most = self.values.iter().copied().fold(0.0, f64::max);
         let mut step = DVector::zeros(self.directions.nrows());
-        for (k, value) in self.values.iter().enumerate().filter(|(_, value)| **value > NOT_FIXED * most) {
+        for (k, value) in self.values.iter().enumerate().filter(|(_, value)| **value > INDISTINCT * most) {
             let along = value * self.along[k] / (value * value + damping * most * most);
             step += self.directions.column(k) * along;
         }

@@ -16,12 +16,8 @@ use alloc::collections::BTreeMap;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::numerics::mapped;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
-
-/// Eigenvalues of `1 - Q_g` below this are zero: one group determines the direction alone, and the others give no error for it.
-const ALONE: f64 = 1e-9;
-/// Largest share of an unknown's variance in such directions, above which it has no error.
-const UNSEEN: f64 = 1e-2;
 
 /// Information and influence of each group.
 pub(super) struct Grouped {
@@ -82,7 +78,8 @@ impl Grouped {
         let all = || (0..told.len()).flat_map(|g| (0..told.len()).map(move |h| (g, h)));
         let expected = sure + (0..told.len()).map(|g| covariance(g, g)).sum::<f64>();
         let squares: f64 = all().map(|(g, h)| covariance(g, h).powi(2)).sum();
-        let is_seen = expected >= (1.0 - UNSEEN) * unknown.norm_squared();
+        // An unknown has no error if a larger share of its variance is in directions of one group alone.
+        let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
     }
 }
@@ -92,7 +89,7 @@ fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
     let parts = SymmetricEigen::new(tells.clone());
     let root = |part: f64| {
         let rest = 1.0 - part;
-        if rest > ALONE { rest.sqrt().recip() } else { 0.0 }
+        if rest > NEGLIGIBLE { rest.sqrt().recip() } else { 0.0 }
     };
     let roots = DMatrix::from_diagonal(&parts.eigenvalues.map(root));
     &parts.eigenvectors * roots * parts.eigenvectors.transpose()

@@ -13,18 +13,13 @@
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::model::SlipToPredict;
-use super::pressing::{NONE, Pressing, at_length, pressing};
+use super::pressing::{Pressing, at_length, pressing};
+use super::tolerances::INDISTINCT;
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Twist, Wrench};
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{SingularValues, largest, mapped};
 use crate::prelude::*;
-
-/// Relative singular value below which a direction depends on the others.
-const DEPENDENT: f64 = 1e-9;
-/// Residual of the equations at a root, relative to the sum of the normal forces.
-const BALANCED: f64 = 1e-12;
-/// Steps of Newton's method, which starts near the root and converges quadratically.
-const STEPS: usize = 5;
 
 /// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
 pub(super) struct GrossSlip<'a, 's, const C: usize> {
@@ -56,11 +51,12 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         let mut pressing = pressing(seen, forces, length);
         let fastest = largest(&pressing, &|contact| contact.velocity(&motion).norm());
         for contact in &mut pressing {
-            let opens = contact.normal.dot(&motion).abs() > NONE * fastest;
+            let opens = contact.normal.dot(&motion).abs() > INDISTINCT * fastest;
             if opens {
                 return None;
             }
-            contact.sticks |= contact.friction > 0.0 && contact.velocity(&motion).norm() <= NONE * fastest;
+            contact.sticks |=
+                contact.friction > 0.0 && contact.velocity(&motion).norm() <= INDISTINCT * fastest;
         }
         Self { seen, length, at, motion, pressing }.at_root()
     }
@@ -70,7 +66,8 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         let began_at = self.at;
         let (_, free) = spaces(&self.kept(), self.motion.len());
         self.motion = (&free * free.tr_mul(&self.motion)).try_normalize(0.0)?;
-        for _ in 0..STEPS {
+        // Newton's method starts near the root and converges quadratically.
+        for _ in 0..5 {
             if self.is_root() {
                 break;
             }
@@ -80,13 +77,14 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         }
         let presses =
             |contact: &Pressing| contact.normal_force > 0.0 || (contact.may_pull && !contact.slides());
-        let is_here = (self.at - began_at).abs() <= NONE * began_at && self.pressing.iter().all(presses);
+        let is_here =
+            (self.at - began_at).abs() <= INDISTINCT * began_at && self.pressing.iter().all(presses);
         (self.is_root() && is_here).then_some(self)
     }
 
     fn is_root(&self) -> bool {
         let forces: f64 = self.pressing.iter().map(|contact| contact.normal_force.abs()).sum();
-        self.left_over().norm() <= BALANCED * forces
+        self.left_over().norm() <= SOLVED_ROUNDING * forces
     }
 
     /// Directions along which the object does not move as it leaves.
@@ -145,7 +143,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
             let change = self.change(kind, unknown, value);
             let step = equations.solved(&-&change);
             let misses = (&equations.matrix * equations.scaled(&step) + &change).norm();
-            (misses <= NONE * change.norm()).then(|| step[step.len() - 1] / self.at)
+            (misses <= INDISTINCT * change.norm()).then(|| step[step.len() - 1] / self.at)
         })
     }
 
@@ -230,13 +228,13 @@ impl Equations {
         }
         let factors = SingularValues::of(&matrix);
         let last = columns.len() - 1;
-        let told = factors.solve(&columns[last], DEPENDENT)[last];
-        ((told - 1.0).abs() <= NONE).then_some(Self { springs, turns, matrix, scales, factors })
+        let told = factors.solve(&columns[last], NEGLIGIBLE)[last];
+        ((told - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, factors })
     }
 
     /// The least-squares solution of least norm, for the scaled columns.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
-        self.factors.solve(change, DEPENDENT).component_mul(&self.scales)
+        self.factors.solve(change, NEGLIGIBLE).component_mul(&self.scales)
     }
 
     /// A step in units of the scaled columns.
@@ -249,7 +247,7 @@ impl Equations {
 fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f64>) {
     let matrix = DMatrix::from_fn(directions.len(), size, |i, j| directions[i][j]);
     let factors = SingularValues::of(&matrix);
-    let least = DEPENDENT * factors.largest();
+    let least = NEGLIGIBLE * factors.largest();
     let spanned = factors.values.iter().filter(|value| **value > least).count();
     let all = factors.right;
     (all.columns(0, spanned).into_owned(), all.columns(spanned, size - spanned).into_owned())

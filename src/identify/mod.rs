@@ -63,6 +63,7 @@ mod question;
 mod robust;
 mod slip;
 mod spread;
+mod tolerances;
 mod unknown;
 mod words;
 

@@ -13,7 +13,7 @@ use crate::prelude::*;
 use crate::sweep::map_in_order;
 
 /// Step of a central difference in the logarithm: truncation and rounding both give relative errors of some 1e-8.
-const STEP: f64 = 1e-4;
+const LOGARITHM_STEP: f64 = 1e-4;
 
 /// The question with all its grasps.
 pub(super) struct Model<'a, const C: usize> {
@@ -142,13 +142,13 @@ impl<const C: usize> Model<'_, C> {
             }
             Ok::<_, Error>(all)
         };
-        let (up, down) = (beside(STEP)?, beside(-STEP)?);
+        let (up, down) = (beside(LOGARITHM_STEP)?, beside(-LOGARITHM_STEP)?);
         let difference = |((up, down), k): ((Result<Predicted, _>, Result<Predicted, _>), &usize)| {
             let here = middle[*k].at;
             match (up, down) {
-                (Ok(up), Ok(down)) => (up.at / down.at).ln() / (2.0 * STEP),
-                (Ok(up), Err(_)) => (up.at / here).ln() / STEP,
-                (Err(_), Ok(down)) => (here / down.at).ln() / STEP,
+                (Ok(up), Ok(down)) => (up.at / down.at).ln() / (2.0 * LOGARITHM_STEP),
+                (Ok(up), Err(_)) => (up.at / here).ln() / LOGARITHM_STEP,
+                (Err(_), Ok(down)) => (here / down.at).ln() / LOGARITHM_STEP,
                 (Err(_), Err(_)) => 0.0,
             }
         };

@@ -3,12 +3,10 @@
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::model::SlipToPredict;
+use super::tolerances::INDISTINCT;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::numerics::largest;
 use crate::prelude::*;
-
-/// Forces and velocities below this part of the largest are zero. A root whose load differs by more than this part is another root.
-pub(super) const NONE: f64 = 1e-6;
 
 /// A contact that presses while the object leaves.
 pub(super) struct Pressing {
@@ -82,7 +80,7 @@ pub(super) fn pressing<const C: usize>(
         }
     };
     let all = contacts.iter().zip(seen.grasp.frames()).enumerate();
-    all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > NONE * largest).map(of).collect()
+    all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > INDISTINCT * largest).map(of).collect()
 }
 
 /// Components with moments or rotations multiplied by a factor.

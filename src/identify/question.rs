@@ -32,12 +32,6 @@ pub(super) struct Known {
     pub(super) scatter: f64,
 }
 
-/// Residuals, in standard deviations, beyond which slips count less. One in twenty normally distributed residuals is beyond, and estimates scatter
-/// by 1 % more than those of least squares.
-const OUTLIERS: f64 = 2.0;
-/// Limit of steps: a longer search creeps along combinations that slips hardly determine.
-const ITERATIONS: usize = 100;
-
 impl<const C: usize> Identify<C> {
     /// These unknowns from these slips.
     pub fn new(
@@ -49,8 +43,11 @@ impl<const C: usize> Identify<C> {
             slips: slips.into_iter().collect(),
             known: Vec::new(),
             others: Vec::new(),
-            outliers: OUTLIERS,
-            iterations: ITERATIONS,
+            // One in twenty normally distributed residuals is beyond two standard deviations, and estimates
+            // scatter by 1 % more than those of least squares.
+            outliers: 2.0,
+            // A longer search creeps along combinations that slips hardly determine.
+            iterations: 100,
         }
     }
 

@@ -1,13 +1,9 @@
 //! Huber's loss: half the square of a residual up to some standard deviations, and linear beyond.
 
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{normal_density, normal_tail};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
-
-/// A smaller scale is rounding: slips agree to all digits.
-const ROUNDING: f64 = 1e-12;
-/// Fixed-point iterations for the scale, after which it is exact to all digits that matter.
-const ROUNDS: usize = 60;
 
 /// The loss, by its transition in standard deviations.
 #[derive(Debug, Clone, Copy)]
@@ -44,10 +40,11 @@ impl Huber {
     pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
         let all = residuals.iter().map(|r| r * r).sum::<f64>();
         let expected = degrees.max(1) as f64 * self.mean_square();
-        let mut scale = (all / degrees.max(1) as f64).sqrt().max(ROUNDING);
-        for _ in 0..ROUNDS {
+        let mut scale = (all / degrees.max(1) as f64).sqrt().max(SOLVED_ROUNDING);
+        // Sixty iterations give the scale to all digits that matter.
+        for _ in 0..60 {
             let squares = self.squares(residuals.iter().map(|r| r / scale));
-            scale = (scale * (squares / expected).sqrt()).max(ROUNDING);
+            scale = (scale * (squares / expected).sqrt()).max(SOLVED_ROUNDING);
         }
         scale
     }

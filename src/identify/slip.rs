@@ -6,11 +6,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::Turn;
-
-/// Mean length of the unit normals below which they are opposed, as those of two jaws: no load presses on all contacts.
-const OPPOSED: f64 = 1e-6;
-/// Parts of a load along or across the normals below this part of it are rounding.
-const ALONG: f64 = 1e-9;
+use crate::numerics::tolerances::NEGLIGIBLE;
 
 /// The kind of an observed slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -142,8 +138,10 @@ impl<const C: usize> Slip<C> {
         let force = SVector::<f64, C>::from_column_slice(&load.components()[..C]);
         let pressed = -along.dot(&force) / along.norm_squared();
         if pressed.is_nan()
-            || along.norm() <= OPPOSED * count
-            || pressed * along.norm() <= ALONG * force.norm()
+            // Unit normals with a shorter mean are opposed, as those of two jaws: no load presses on all
+            // contacts.
+            || along.norm() <= 1e-6 * count
+            || pressed * along.norm() <= NEGLIGIBLE * force.norm()
         {
             return self;
         }
@@ -153,7 +151,7 @@ impl<const C: usize> Slip<C> {
         let share = weight.dot(&force) / force.norm_squared();
         let pressing = Wrench::force_through(&centre, &weight) + about * share;
         let pulling = load - pressing;
-        if pulling.components()[..C].iter().all(|x| x.abs() <= ALONG * force.norm()) {
+        if pulling.components()[..C].iter().all(|x| x.abs() <= NEGLIGIBLE * force.norm()) {
             return self;
         }
         (self.base, self.grown) = (pressing, Grown::Load(pulling));

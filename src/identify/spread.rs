@@ -8,18 +8,9 @@ use super::fit::{FitEnd, Fitted, Scatter, rank, singular};
 use super::grouped::Grouped;
 use super::model::{Linear, Model};
 use super::robust::Huber;
+use super::tolerances::INDISTINCT;
 use crate::numerics::{increasing, mapped, numbered, two_sided};
 use crate::prelude::*;
-
-/// Probability that an interval contains the true value.
-const HELD: f64 = 0.95;
-/// Largest squared component of an unknown along free directions, up to which the slips determine it.
-const FIXED: f64 = 1e-6;
-/// Standard error of a logarithm beyond which a number is not reported. Its interval spans two powers of ten, over which the problem is not linear.
-const TOO_WIDE: f64 = 1.0;
-
-/// Largest change of a residual up to which a prediction counts as unchanged.
-const STAYS: f64 = 1e-6;
 
 /// The answer at the end of a search.
 pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identified {
@@ -30,8 +21,10 @@ pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identi
         let (name, value) = (&names[j], fit.logs[j].exp());
         let known = spread.as_ref().and_then(|spread| spread.of_unknown(j));
         let (error, degrees) = known.unwrap_or((f64::INFINITY, None));
-        let is_known = error.is_finite() && error <= TOO_WIDE;
-        let off = (two_sided(HELD, degrees) * error).exp();
+        // Beyond this error the interval spans two powers of ten, over which the problem is not linear.
+        let is_known = error.is_finite() && error <= 1.0;
+        // The probability that the interval contains the true value.
+        let off = (two_sided(0.95, degrees) * error).exp();
         Estimate {
             name: name.clone(),
             kind: model.asked.unknowns[j].kind,
@@ -51,7 +44,7 @@ pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identi
     let stays = |times: &[f64]| {
         let there: Vec<_> = fit.logs.iter().zip(times).map(|(log, times)| log + times.ln()).collect();
         let (Ok(Ok(there)), Some(here)) = (model.residuals(&there), &fit.linear) else { return false };
-        there.iter().zip(&here.residuals).all(|(there, here)| (there - here).abs() <= STAYS)
+        there.iter().zip(&here.residuals).all(|(there, here)| (there - here).abs() <= INDISTINCT)
     };
     let values: Vec<_> = mapped(&fit.logs, &|log| log.exp());
     let among = |spread: &Spread| FreeCombination::among(spread.free(), (&names, &values), &stays);
@@ -150,7 +143,7 @@ impl Spread {
     }
 
     fn fixes(&self, unknown: usize) -> bool {
-        self.free().row(unknown).norm_squared() <= FIXED
+        self.free().row(unknown).norm_squared() <= INDISTINCT
     }
 
     /// The standard error of a logarithm, and the degrees of freedom of Student's interval. `None` if the slips do not determine it,

@@ -33,9 +33,6 @@ pub struct Unknown {
     pub(super) start: Option<f64>,
 }
 
-/// Start of the search for the load of a support without a given one, N.
-const SOME_LOAD: f64 = 1.0;
-
 impl Unknown {
     fn of(kind: UnknownKind) -> Self {
         Self { kind, contacts: None, layout: None, name: None, start: None }
@@ -137,7 +134,8 @@ impl Unknown {
                 meant.map(|(_, contact)| contact.friction_coefficient()).find(positive).unwrap_or(0.5)
             }
             UnknownKind::Carried => {
-                meant.map(|(_, contact)| pressed(contact)).find(positive).unwrap_or(SOME_LOAD)
+                // One newton starts the search where no load is given.
+                meant.map(|(_, contact)| pressed(contact)).find(positive).unwrap_or(1.0)
             }
             UnknownKind::Squeeze | UnknownKind::Stiffness => 1.0,
         }

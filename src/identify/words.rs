@@ -8,11 +8,6 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
-/// Weight below which the sentence names a slip as far off.
-const FAR_OFF: f64 = 0.5;
-/// Ratio of actual to given scatter above which the sentence mentions it.
-const MISFIT: f64 = 1.5;
-
 impl fmt::Display for Identified {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -28,7 +23,8 @@ impl fmt::Display for Identified {
         if let Some(scatter) = self.scatter {
             write!(f, ", which scatter by {} %", Words::with_digits(2).number(100.0 * scatter))?;
         }
-        if let Some(misfit) = self.misfit.filter(|misfit| *misfit > MISFIT) {
+        // A scatter beyond this multiple of the given one is worth a sentence.
+        if let Some(misfit) = self.misfit.filter(|misfit| *misfit > 1.5) {
             write!(
                 f,
                 ", which are {} times as far off as their scatter says",
@@ -58,7 +54,7 @@ impl fmt::Display for Identified {
                 ". How sure that is is not known: there are as many unknowns as slips, and their scatter is not given"
             )?;
         }
-        match self.weights.iter().filter(|weight| **weight < FAR_OFF).count() {
+        match self.weights.iter().filter(|weight| **weight < 0.5).count() {
             0 => {}
             1 => write!(f, ". 1 slip lies far off and counts less")?,
             far => write!(f, ". {far} slips lie far off and count less")?,

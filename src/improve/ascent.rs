@@ -10,27 +10,12 @@ use super::loaded::Loaded;
 use super::placing::{Choice, DesignKind, Placing};
 use super::step::{StepProgram, TrialStep};
 use super::sticking::StickingForces;
+use super::tolerances::{ARRIVED_AT_TOP, OPTIMAL, ROUNDED_GAIN};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::numerics::mapped;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
-
-/// Half width of the trust region (a box): at first, at most and at least, in units of the variables.
-const RADII: [f64; 3] = [0.1, 1.0, 1e-11];
-/// A step is accepted if the true gain is at least this part of the predicted gain.
-const TAKEN: f64 = 1e-4;
-/// Above this part the box grows.
-const GROWS: f64 = 0.75;
-/// Below this part the box shrinks.
-const SHRINKS: f64 = 0.25;
-/// A predicted gain below this part of the scale of values is rounding.
-const NOTHING: f64 = 1e-14;
-/// A residual of the gradients up to this part is an optimum to first order.
-pub(super) const OPTIMAL: f64 = 1e-6;
-/// At this residual the ascent stops.
-const ARRIVED: f64 = 1e-10;
-/// A force at rest may violate its condition by this part of the greatest force, because of rounding.
-const ROUNDING: f64 = 1e-12;
 
 /// A placing that sticks at rest, with its forces.
 #[derive(Debug)]
@@ -129,7 +114,7 @@ impl<const C: usize> Climb<'_, C> {
         let contacts = self.choice.contacts(&placing);
         let (events, bounds) = events(&contacts, self.loaded.asked, most, &sticking, &[]);
         let size = (0..contacts.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
-        if bounds.iter().any(|bound| bound.left < -ROUNDING * size) {
+        if bounds.iter().any(|bound| bound.left < -SOLVED_ROUNDING * size) {
             return Ok(None);
         }
         let (value, scale) = match self.loaded.asked.goal {
@@ -151,7 +136,9 @@ impl<const C: usize> Climb<'_, C> {
     /// Ascent from a start within its parts of surfaces, after `steps` steps.
     pub(super) fn up(&self, mut held: Held<C>, mut steps: usize) -> Result<Ascent<C>, Error> {
         let n = self.choice.variables.len();
-        let (mut radius, mut curvature) = (RADII[0], Curvature::flat(n));
+        // Half widths of the trust region, a box, in units of the variables.
+        let [first_radius, largest_radius, least_radius] = [0.1, 1.0, 1e-11];
+        let (mut radius, mut curvature) = (first_radius, Curvature::flat(n));
         let ended = |held, search, steps, last| Ok(Ascent { held, search, steps, last });
         let mut before: Option<LastStep<C>> = None;
         loop {
@@ -173,11 +160,12 @@ impl<const C: usize> Climb<'_, C> {
                 let Some(step) = program.step(radius, &curvature.0) else {
                     return ended(held, SearchEnd::Stalled, steps, None);
                 };
-                let arrived = step.residual <= ARRIVED || step.gain <= NOTHING || radius < RADII[2];
+                let arrived =
+                    step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
                 if arrived || steps >= self.choice.question.steps {
                     // Curvature learnt elsewhere may hide an ascent direction, so that it is reset before the ascent may end.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
-                        (curvature, radius) = (Curvature::flat(n), RADII[0].min(radius * 1e3));
+                        (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;
                     }
                     let search = match step.residual {
@@ -191,12 +179,14 @@ impl<const C: usize> Climb<'_, C> {
                 let trial = self.held(self.choice.moved(&held.placing, step.d.as_slice()))?;
                 let gain = trial.as_ref().map_or(-1.0, |trial| (trial.value - held.value) / held.scale);
                 let as_told = gain / step.gain;
-                if as_told > GROWS && step.d.amax() >= 0.99 * radius {
-                    radius = (2.0 * radius).min(RADII[1]);
-                } else if as_told < SHRINKS {
+                // The box grows where the gain is at least three quarters of the predicted one, and shrinks
+                // below a quarter.
+                if as_told > 0.75 && step.d.amax() >= 0.99 * radius {
+                    radius = (2.0 * radius).min(largest_radius);
+                } else if as_told < 0.25 {
                     radius = 0.25 * radius.min(step.d.amax());
                 }
-                if let Some(trial) = trial.filter(|_| as_told >= TAKEN) {
+                if let Some(trial) = trial.filter(|_| as_told >= 1e-4) {
                     before = Some(LastStep { step, events, bounds, rooms });
                     held = trial;
                     break;

@@ -3,9 +3,6 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Powell's damping is applied where dᵀy is below this part of dᵀBd, with the step d and the change y of the gradient.
-const CONFIRMED: f64 = 0.2;
-
 /// The matrix B. It starts at zero, so that the first steps are those of a linear program.
 pub(super) struct Curvature(pub(super) DMatrix<f64>);
 
@@ -31,7 +28,10 @@ impl Curvature {
         }
         let told = &self.0 * step;
         let known = step.dot(&told);
-        let part = if shown >= CONFIRMED * known { 1.0 } else { (1.0 - CONFIRMED) * known / (known - shown) };
+        // Powell's damping acts where dᵀy is below this part of dᵀBd, with the step d and the change y of the
+        // gradient.
+        let confirmed = 0.2;
+        let part = if shown >= confirmed * known { 1.0 } else { (1.0 - confirmed) * known / (known - shown) };
         let mixed = fell * part + &told * (1.0 - part);
         let new = step.dot(&mixed);
         if known > 0.0 && new > 0.0 && new.is_finite() {

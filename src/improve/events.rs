@@ -10,17 +10,9 @@ use nalgebra::{DVector, SVector};
 use super::goal::ImproveGoal;
 use super::sticking::{BySource, FrameForces, StickingForces};
 use crate::grasp::{Contact, Hold};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
-
-/// A friction force below this part of the normal force has no reliable direction, so that several directions are used.
-const NO_FRICTION: f64 = 1e-9;
-/// Number of conditions that represent the round cone at its tip, where all of them are equally close.
-const AT_THE_TIP: usize = 8;
-/// For a force of any direction, the value is sampled at this number of angles of the round cone, and the least one is refined.
-const ANGLES: usize = 36;
-/// Steps of the golden section in that refinement.
-const HALVINGS: usize = 60;
 
 /// One condition of one contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,13 +75,15 @@ fn round<const C: usize>(mu: f64, angle: f64) -> SVector<f64, C> {
     SVector::from_fn(|k, _| [mu, -cos, -sin][k])
 }
 
-/// The condition of a round cone with the least margin for a force. Without friction force, [`AT_THE_TIP`] conditions all around.
+/// The condition of a round cone with the least margin for a force. Without friction force, eight conditions all around.
 fn worst<const C: usize>(mu: f64, force: &SVector<f64, C>) -> Vec<SVector<f64, C>> {
     let friction = force.rows(1, C - 1).norm();
-    if friction > NO_FRICTION * force[0].abs() {
+    if friction > NEGLIGIBLE * force[0].abs() {
         vec![SVector::from_fn(|k, _| if k == 0 { mu } else { -force[k] / friction })]
     } else {
-        numbered(AT_THE_TIP, &|k| round(mu, TAU * k as f64 / AT_THE_TIP as f64))
+        // All conditions are equally close at the tip, so that some of them all around represent the cone.
+        let around = 8;
+        numbered(around, &|k| round(mu, TAU * k as f64 / around as f64))
     }
 }
 
@@ -237,21 +231,23 @@ pub(super) fn events<const C: usize>(
 
 /// The angles of all local minima of a periodic function of an angle.
 fn worst_angles(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
-    let step = TAU / ANGLES as f64;
-    let values: Vec<f64> = numbered(ANGLES, &|k| of(step * k as f64));
+    // Fewer samples can pass over a narrow minimum.
+    let count = 36;
+    let step = TAU / count as f64;
+    let values: Vec<f64> = numbered(count, &|k| of(step * k as f64));
     let lowest =
-        |k: &usize| values[*k] <= values[(k + ANGLES - 1) % ANGLES] && values[*k] < values[(k + 1) % ANGLES];
+        |k: &usize| values[*k] <= values[(k + count - 1) % count] && values[*k] < values[(k + 1) % count];
     let refine = |k: usize| {
         // The neighbours enclose the minimum for a golden section.
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let (mut from, mut to) = (step * (k as f64 - 1.0), step * (k as f64 + 1.0));
-        for _ in 0..HALVINGS {
+        for _ in 0..60 {
             let (a, b) = (to - golden * (to - from), from + golden * (to - from));
             if of(a) < of(b) { to = b } else { from = a }
         }
         0.5 * (from + to)
     };
-    let mut angles: Vec<f64> = (0..ANGLES).filter(lowest).map(refine).collect();
+    let mut angles: Vec<f64> = (0..count).filter(lowest).map(refine).collect();
     if angles.is_empty() {
         angles = numbered(4, &|k| PI * 0.5 * k as f64);
     }

@@ -7,19 +7,14 @@ use super::goal::ImproveGoal;
 use super::loaded::Loaded;
 use super::placing::{Choice, DesignKind};
 use super::question::Improve;
+use super::tolerances::ROUNDED_MULTIPLIER;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::WholeContacts;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Draw, in_order, increasing};
 use crate::prelude::*;
 use crate::squeeze::Loads;
-
-/// Number of random placings per start; the best of them become starts.
-const DRAWN_FOR_EACH: usize = 24;
-/// The value of an ascent must exceed the earlier ones by this part to replace them; otherwise rounding would choose among equals.
-const BETTER: f64 = 1e-9;
-/// Multipliers below this are rounding, in the units of the step program; they are not reported.
-const SEEN: f64 = 1e-7;
 
 impl<const C: usize> Improve<C> {
     /// Finds places and squeezes of the fingers of this grasp for which the first slip comes as late as possible, or most friction is left.
@@ -61,9 +56,11 @@ impl<const C: usize> Improve<C> {
         let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
-        let numbers: Vec<u64> = (0..(self.starts * DRAWN_FOR_EACH) as u64).collect();
+        // The best of 24 random placings for each start become starts.
+        let numbers: Vec<u64> = (0..(self.starts * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
-            let drawn = choice.drawn(&given, &mut Draw::new([self.seed, *number, IMPROVE]));
+            // A stream apart from the random numbers of other questions.
+            let drawn = choice.drawn(&given, &mut Draw::new([self.seed, *number, 48]));
             // Only places are kept here: the forces of thousands of them would take much memory.
             Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.value, held.placing)))
         });
@@ -88,7 +85,7 @@ impl<const C: usize> Improve<C> {
             count += 1;
             steps += next.steps;
             let is_better = best.as_ref().is_none_or(|best| {
-                let more = next.held.value > best.held.value + BETTER * best.held.scale;
+                let more = next.held.value > best.held.value + NEGLIGIBLE * best.held.scale;
                 let proved = next.held.value >= best.held.value
                     && next.search == SearchEnd::Optimum
                     && best.search != SearchEnd::Optimum;
@@ -150,9 +147,6 @@ impl<const C: usize> Improved<C> {
     }
 }
 
-/// Seeds random placings apart from the random numbers of other questions.
-const IMPROVE: u64 = 48;
-
 fn placed<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>) -> Vec<Placed<C>> {
     let contacts = choice.contacts(&held.placing);
     let parts = WholeContacts::of(&choice.given);
@@ -178,7 +172,7 @@ fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &Las
     let LastStep { step, events, bounds, rooms } = last;
     let parts = WholeContacts::of(&choice.given);
     let mut all: Vec<(usize, Binds)> = Vec::new();
-    for (event, share) in events.iter().zip(&step.events).filter(|(_, share)| **share > SEEN) {
+    for (event, share) in events.iter().zip(&step.events).filter(|(_, share)| **share > ROUNDED_MULTIPLIER) {
         let (contact, load) = (event.condition.contact, event.condition.load);
         let known = all.iter_mut().find_map(|(of, binds)| match binds {
             Binds::FirstSlip { load: under, share } | Binds::Reserve { load: under, share }
@@ -201,7 +195,7 @@ fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &Las
     }
     let force = choice.unit_of_force();
     let gain = |multiplier: f64, unit: f64| multiplier * held.scale / unit;
-    for (bound, multiplier) in bounds.iter().zip(&step.bounds).filter(|(_, y)| **y > SEEN) {
+    for (bound, multiplier) in bounds.iter().zip(&step.bounds).filter(|(_, y)| **y > ROUNDED_MULTIPLIER) {
         let per_newton = gain(*multiplier, force);
         all.push((
             bound.contact,
@@ -212,16 +206,16 @@ fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &Las
         ));
     }
     let of_rooms = rooms.iter().zip(step.bounds.iter().skip(bounds.len()));
-    for (contact, multiplier) in of_rooms.filter(|(_, y)| **y > SEEN) {
+    for (contact, multiplier) in of_rooms.filter(|(_, y)| **y > ROUNDED_MULTIPLIER) {
         let unit = choice.variables.iter().find(|v| v.contact == *contact).map_or(1.0, |v| v.unit);
         all.push((*contact, Binds::End { per_metre: gain(*multiplier, unit) }));
     }
     for (variable, [down, up]) in choice.variables.iter().zip(&step.ends) {
         if let DesignKind::Press { .. } = variable.what {
-            if *up > SEEN {
+            if *up > ROUNDED_MULTIPLIER {
                 all.push((variable.contact, Binds::Pressed { per_newton: gain(*up, variable.unit) }));
             }
-            if *down > SEEN {
+            if *down > ROUNDED_MULTIPLIER {
                 all.push((variable.contact, Binds::NotPressed { per_newton: gain(*down, variable.unit) }));
             }
         }

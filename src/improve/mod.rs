@@ -53,6 +53,7 @@ mod spot;
 mod step;
 mod sticking;
 mod surface;
+mod tolerances;
 mod words;
 
 pub use answer::{Binds, Improved, InTheWay, Placed, SearchEnd};

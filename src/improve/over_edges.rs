@@ -6,10 +6,8 @@
 use super::ascent::{Ascent, Climb, Held};
 use super::placing::Placing;
 use crate::error::Error;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
-
-/// The required gain, relative to the scale of values. A smaller one would let rounding move contacts back and forth.
-const GAINED: f64 = 1e-9;
 
 impl<const C: usize> Climb<'_, C> {
     /// Ascent from a start, and on from part to part as long as the value grows and steps are left.
@@ -33,7 +31,7 @@ impl<const C: usize> Climb<'_, C> {
             let Some(held) = self.held(placing)? else { continue };
             let next = self.up(held, *steps)?;
             *steps = next.steps;
-            if next.held.value > here.value + GAINED * here.scale {
+            if next.held.value > here.value + NEGLIGIBLE * here.scale {
                 return Ok(Some(next));
             }
         }

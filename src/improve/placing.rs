@@ -4,15 +4,12 @@ use nalgebra::SVector;
 
 use super::question::Improve;
 use super::spot::Spot;
+use super::tolerances::OFF_THE_SURFACE;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold};
 use crate::numerics::{Draw, largest, numbered};
 use crate::prelude::*;
-
-/// Largest distance of a point from its surface relative to the size of its coordinates, and largest angle of its normal to that of the surface, rad.
-/// Beyond it the contact is refused.
-const OFF: f64 = 1e-6;
 
 /// One variable of the search.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,7 +73,7 @@ impl<'q, const C: usize> Choice<'q, C> {
                     Err(Error::Surface { contact: at.label(contact), field, value, allowed })
                 };
                 let off = (spot.point - at.point).norm();
-                if off > OFF * (length + at.point.norm()) {
+                if off > OFF_THE_SURFACE * (length + at.point.norm()) {
                     return refused(
                         "distance of its point from its surface",
                         off,
@@ -84,7 +81,7 @@ impl<'q, const C: usize> Choice<'q, C> {
                     );
                 }
                 let aside = (at.normal.normalize() - spot.normal).norm();
-                if aside > OFF {
+                if aside > OFF_THE_SURFACE {
                     return refused("angle between its normal and that of its surface", aside, "0 rad");
                 }
                 for axis in 0..spot.along.len() {
@@ -160,7 +157,7 @@ impl<'q, const C: usize> Choice<'q, C> {
             return clockwise(&normal) * sign.signum();
         }
         let across = from - normal * normal.dot(from);
-        if across.norm() > OFF {
+        if across.norm() > OFF_THE_SURFACE {
             return across.normalize();
         }
         let mut axis = SVector::<f64, C>::zeros();

@@ -9,9 +9,6 @@ use crate::error::{Error, Field, MODERATE, is_moderate};
 use crate::grasp::{Hold, Wrench};
 use crate::squeeze::Loads;
 
-/// Upper limit of the number of starts; more would take minutes and hardly find anything better.
-const MOST_STARTS: usize = 1_000;
-
 /// The question where fingers should be: the loads, the goal, the contacts that may move along a surface, and the limits of forces. It is checked
 /// when it is asked.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,7 +126,8 @@ impl<const C: usize> Improve<C> {
     pub(crate) fn check(&self, grasp: &Grasp<C>) -> Result<(), Error> {
         grasp.refuse_hands("improve")?;
         self.base.check("base load")?;
-        if self.starts > MOST_STARTS {
+        // More starts would take minutes and hardly find anything better.
+        if self.starts > 1_000 {
             let (what, allowed) = ("number of starts", "at most 1000");
             return Err(Error::Argument { what, value: self.starts as f64, allowed });
         }

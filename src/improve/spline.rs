@@ -101,12 +101,13 @@ impl<const C: usize> Spline<C> {
 
     /// The parameter of the point nearest to another one.
     pub(super) fn nearest(&self, point: &SVector<f64, C>) -> f64 {
-        let pieces = (self.at.len() - 1) * PER_PIECE;
+        // The nearest of the samples starts Newton's method.
+        let pieces = (self.at.len() - 1) * 32;
         let t = |k: usize| self.end() * k as f64 / pieces as f64;
         let off = |t: f64| (self.at(t)[0] - point).norm_squared();
         let begin = (0..=pieces).map(t).min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0.0);
         let mut best = begin;
-        for _ in 0..NEWTON {
+        for _ in 0..30 {
             let [at, first, second] = self.at(best);
             let away = at - point;
             let curve = first.norm_squared() + away.dot(&second);
@@ -119,8 +120,3 @@ impl<const C: usize> Spline<C> {
         best
     }
 }
-
-/// Number of samples per piece; the nearest of them starts Newton's method.
-const PER_PIECE: usize = 32;
-/// Upper limit of Newton's steps for the nearest point.
-const NEWTON: usize = 30;

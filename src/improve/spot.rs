@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::places::unit_direction;
 use super::surface::{Shape, Surface};
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Draw, mapped, numbered};
 use crate::prelude::*;
 
@@ -42,7 +43,7 @@ impl<const C: usize> Spot<C> {
         // Where parts meet, the part with the most similar normal is taken.
         let off = |spot: &Self| (spot.point - point).norm();
         let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
-        let edge = ON_AN_EDGE * surface.largest();
+        let edge = SOLVED_ROUNDING * surface.largest();
         let mut best: Option<Self> = None;
         for spot in spots {
             let better = best.as_ref().is_none_or(|best| {
@@ -100,7 +101,7 @@ impl<const C: usize> Spot<C> {
 
     /// The same place on the adjacent parts, if it is at the end of its own.
     pub(super) fn beside(&self, surface: &Surface<C>) -> Vec<Self> {
-        let near = MEET * surface.largest();
+        let near = NEGLIGIBLE * surface.largest();
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {
             return Vec::new();
         }
@@ -124,11 +125,6 @@ impl<const C: usize> Spot<C> {
         Self::new(surface, part, surface.drawn(part, [u, v]), self.side)
     }
 }
-
-/// Distances to two parts that differ by less than this count as equal, relative to the largest coordinate.
-const ON_AN_EDGE: f64 = 1e-12;
-/// Distance within which parts meet after some steps, relative to the largest coordinate.
-const MEET: f64 = 1e-9;
 
 #[cfg(test)]
 mod tests {

@@ -11,6 +11,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{Lcp, Outcome, Settings};
 use crate::numerics::mapped;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
 /// A program in numbers near one: factors relative to the present value, variables in their units.
@@ -51,7 +52,8 @@ impl StepProgram {
     /// The step within a box of half width `radius`; `None` where rounding prevents it.
     pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<TrialStep> {
         let n = self.reach.len();
-        let curvature = curvature + DMatrix::identity(n, n) * SHORT;
+        // Of several steps with equal gain the shortest is taken.
+        let curvature = curvature + DMatrix::identity(n, n) * 1e-4;
         let Solved { d, events, bounds } = self.solved(radius, &curvature)?;
         let least = self.after(&d).fold(f64::INFINITY, f64::min);
         let now = self.factors.iter().copied().fold(f64::INFINITY, f64::min);
@@ -62,9 +64,9 @@ impl StepProgram {
         let mut ends = vec![[0.0; 2]; n];
         for j in 0..n {
             let [down, up] = self.reach[j];
-            if left[j] > 0.0 && up <= AT_AN_END {
+            if left[j] > 0.0 && up <= SOLVED_ROUNDING {
                 (ends[j][1], left[j]) = (left[j], 0.0);
-            } else if left[j] < 0.0 && down >= -AT_AN_END {
+            } else if left[j] < 0.0 && down >= -SOLVED_ROUNDING {
                 (ends[j][0], left[j]) = (-left[j], 0.0);
             }
         }
@@ -105,7 +107,9 @@ impl StepProgram {
         if near.is_empty() {
             near.push(0);
         }
-        let top = top + ABOVE;
+        // `top` lies above every reachable value. It keeps t positive, so that the multipliers of events add
+        // up to one.
+        let top = top + 0.5;
         let (m, b) = (near.len(), self.bounds.len());
         let (first, size) = (n + 1, n + 1 + m + b + n);
         let mut matrix = DMatrix::zeros(size, size);
@@ -148,10 +152,3 @@ impl StepProgram {
         Some(Solved { d, events, bounds })
     }
 }
-
-/// Distance of the constant `top` above every reachable value. It keeps t positive, so that the multipliers of events add up to one.
-const ABOVE: f64 = 0.5;
-/// Regularisation added to the curvature: of several steps with equal gain the shortest is taken.
-const SHORT: f64 = 1e-4;
-/// A variable this close to its limit, in its unit, is at the limit.
-const AT_AN_END: f64 = 1e-12;

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::spline::Spline;
 use super::spot::Spot;
 use crate::error::{ContactLabel, Error, MODERATE, is_moderate};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows it. The normal that the contact is
@@ -51,9 +52,6 @@ pub(crate) enum Shape<const C: usize> {
     /// The corners of each triangle.
     Triangles(Vec<[SVector<f64, C>; 3]>),
 }
-
-/// Largest cosine of the angle between the sides of a rectangle; other sides are refused.
-const SKEWED: f64 = 1e-9;
 
 impl Surface<2> {
     /// A straight edge between two points, m.
@@ -239,7 +237,7 @@ impl<const C: usize> Surface<C> {
             Shape::Rectangle { corner, sides } => {
                 let [a, b] = sides.map(|side| side.norm());
                 let skew = sides[0].dot(&sides[1]) / (a * b);
-                if skew.abs() > SKEWED {
+                if skew.abs() > NEGLIGIBLE {
                     return refused("cosine between the sides of its rectangle", skew, "0, a right angle");
                 }
                 (wrong(&[*corner, sides[0], sides[1]]), ("side of its rectangle", a.min(b)))

@@ -6,12 +6,7 @@ use super::answer::{Binds, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;
 use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
-use crate::words::{Words, listed};
-
-/// Differences below this part of the largest length or force in the sentence are rounding.
-const ALIKE: f64 = 1e-6;
-/// Above this number contacts are counted instead of named.
-const MANY: usize = 9;
+use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
 impl<const C: usize> fmt::Display for Improved<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -27,7 +22,7 @@ impl<const C: usize> fmt::Display for Improved<C> {
         let much = |value: f64| words.number(value * one.unwrap_or(1.0));
         match self.before {
             _ if after.is_infinite() => write!(f, "NEVER SLIPS, however large the loads are")?,
-            Some(before) if after <= before * (1.0 + ALIKE) => {
+            Some(before) if after <= before * (1.0 + ALIKE_IN_WORDS) => {
                 write!(f, "{what} {} {unit}, and nothing better was found", much(after))?;
             }
             Some(before) => {
@@ -53,7 +48,7 @@ impl<const C: usize> Improved<C> {
         }
         let (mut moves, mut pressed): (Vec<&Placed<C>>, Vec<&Placed<C>>) = (Vec::new(), Vec::new());
         for placed in &self.contacts {
-            if placed.moved > ALIKE * far && far > 0.0 {
+            if placed.moved > ALIKE_IN_WORDS * far && far > 0.0 {
                 moves.push(placed);
             }
             if placed.pressed_with.is_some() {
@@ -61,7 +56,7 @@ impl<const C: usize> Improved<C> {
             }
         }
         let mut told = Vec::new();
-        if moves.len() > MANY {
+        if moves.len() > MOST_NAMES {
             told.push(format!("{} contacts move", moves.len()));
         } else if !moves.is_empty() {
             let one = |k: usize| {
@@ -75,7 +70,8 @@ impl<const C: usize> Improved<C> {
         if let Some(first) = pressed.first() {
             let forces = mapped(&pressed, &|placed| placed.normal_force);
             let most = forces.iter().copied().fold(0.0, f64::max);
-            let alike = forces.iter().all(|force| (force - first.normal_force).abs() <= ALIKE * most);
+            let alike =
+                forces.iter().all(|force| (force - first.normal_force).abs() <= ALIKE_IN_WORDS * most);
             let names: Vec<_> = mapped(&pressed, &|placed| placed.contact.text());
             if alike {
                 let (who, verb) = match names.len() {
@@ -84,7 +80,7 @@ impl<const C: usize> Improved<C> {
                     _ => ("all".to_owned(), "press"),
                 };
                 told.push(format!("{who} {verb} with {} N", force(first)));
-            } else if pressed.len() <= MANY {
+            } else if pressed.len() <= MOST_NAMES {
                 let each = numbered(pressed.len(), &|k| {
                     let verb = if k == 0 { "presses with " } else { "with " };
                     format!("{} {verb}{} N", pressed[k].contact.text(), force(pressed[k]))

@@ -8,18 +8,11 @@ use super::lemke::LemkeEnd;
 use super::outcome::{BreakdownCause, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
-use super::tolerances::{VALUE_ROUNDING, residual_rounding};
+use super::tolerances::residual_rounding;
 use super::workspace::Workspace;
 use crate::numerics::numbered;
+use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::prelude::*;
-
-/// The number of times a path is resumed after rounding has led it to a basis that is not feasible.
-///
-/// Each time costs one elimination. A path that misses three times has met a basis too close to
-/// singular.
-const RESUMPTIONS: usize = 3;
-/// The number of pivots allowed for separating near-ties. A separation that succeeds takes few; large degenerate problems would otherwise run for long.
-const SHARPENING: usize = 16;
 
 impl Workspace {
     /// Balances the problem and clears the results of the problem before.
@@ -80,7 +73,9 @@ impl Workspace {
         settings: &Settings,
         limit: usize,
     ) -> Option<Unsolved> {
-        for _ in 0..RESUMPTIONS {
+        // Each time costs one elimination. A path that misses three times has met a basis too close to
+        // singular.
+        for _ in 0..3 {
             let Some(failure) = self.finish(lcp, settings) else {
                 self.sharpen(lcp, settings, limit);
                 return None;
@@ -103,13 +98,14 @@ impl Workspace {
         let m = lcp.m.as_slice();
         // Values a little below zero may have been cut off on the way here.
         self.path.recompute_values();
-        if !self.path.cover_violations(m, VALUE_ROUNDING) {
+        if !self.path.cover_violations(m, ROUNDED_SUM) {
             return;
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
-        let sharp =
-            Settings { tie_tolerance: settings.tie_tolerance.min(VALUE_ROUNDING), ..settings.clone() };
-        let limit = limit.min(self.path.pivots + SHARPENING);
+        let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
+        // A separation of near-ties that succeeds takes few pivots; large degenerate problems would otherwise
+        // run for long.
+        let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();
         if !goes_on || self.residuals.is_none_or(|sharper| sharper.max() >= coarse.max()) {

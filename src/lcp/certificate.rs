@@ -8,7 +8,7 @@ use super::dictionary::{LemkeVariable, largest};
 use super::outcome::{Outcome, Ray, Unsolved};
 use super::path::Path;
 use super::problem::Lcp;
-use super::tolerances::RAY_NOISE;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use nalgebra::DVector;
 
 /// The outcome of a path on which the entering variable grows without bound at the end. It is a Farkas proof if the ray is one, otherwise the ray,
@@ -19,7 +19,8 @@ pub(super) fn ray(lcp: &Lcp, path: &Path, entering: LemkeVariable) -> Option<Uns
     if let LemkeVariable::Z(e) = entering {
         rates[e] = 1.0;
     }
-    let noise = RAY_NOISE * largest(&path.dictionary.u).max(1.0);
+    // A negative rate of this size would spoil a proof, a positive one adds noise to it.
+    let noise = SOLVED_ROUNDING * largest(&path.dictionary.u).max(1.0);
     for (basic, u) in path.dictionary.basic.iter().zip(&path.dictionary.u) {
         match *basic {
             LemkeVariable::Z(j) if *u > noise => rates[j] = *u,

@@ -8,16 +8,9 @@ use super::principal;
 use super::problem::Lcp;
 use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
-use super::tolerances::{SOUND, ZERO, residual_rounding};
+use super::tolerances::{SOUND_RESIDUAL, ZERO_VALUE, residual_rounding};
 use super::workspace::Workspace;
 use crate::prelude::*;
-
-/// The largest number of refinement steps for a point. Each costs O(n²), and a third that still gains is
-/// rare.
-const REFINEMENTS: usize = 3;
-/// A refinement step that leaves more than this part of the largest residual is the last one. Rounding
-/// has then been reached.
-const WORTHWHILE: f64 = 0.5;
 
 impl Workspace {
     /// Checks the point z = 0 of a problem with q ≥ 0.
@@ -64,7 +57,7 @@ impl Workspace {
             let free_of_charge = residuals.max().max(residual_rounding(n));
             self.take_spare(lcp, &mut residuals, |cut| cut <= free_of_charge);
         }
-        if !residuals.within(SOUND) {
+        if !residuals.within(SOUND_RESIDUAL) {
             self.finish_by_factorisation(lcp, &mut residuals);
         }
         if self.settle_pairs(settings) {
@@ -99,10 +92,10 @@ impl Workspace {
                 _ => None,
             })
         };
-        let faint = ZERO * basic_z().fold(0.0_f64, |most, (_, x, _)| most.max(x));
+        let faint = ZERO_VALUE * basic_z().fold(0.0_f64, |most, (_, x, _)| most.max(x));
         let mut doubtful = false;
         for (j, x, level) in basic_z() {
-            self.vanishing[j] = x <= ZERO * level;
+            self.vanishing[j] = x <= ZERO_VALUE * level;
             doubtful |= !self.vanishing[j] && x <= faint;
             if x > faint {
                 self.spare.z[j] = x * self.path.scaling.column[j];
@@ -132,7 +125,8 @@ impl Workspace {
     /// residuals of the best point.
     fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
         let n = lcp.len();
-        for _ in 0..REFINEMENTS {
+        // Each step costs O(n²), and a third that still gains is rare.
+        for _ in 0..3 {
             if residuals.within(residual_rounding(n)) || residuals == Residuals::UNUSABLE {
                 break;
             }
@@ -140,7 +134,8 @@ impl Workspace {
             self.path.read_point(&mut self.spare.z);
             let before = residuals.max();
             self.take_spare(lcp, &mut residuals, |refined| refined < before);
-            if residuals.max() >= WORTHWHILE * before {
+            // A step that leaves more than half of the largest residual has reached rounding.
+            if residuals.max() >= 0.5 * before {
                 break;
             }
         }
@@ -185,7 +180,7 @@ impl Workspace {
         let alpha: Vec<usize> = self.basis.iter().collect();
         let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).collect();
         for indices in [&support, &alpha] {
-            if best.within(SOUND) {
+            if best.within(SOUND_RESIDUAL) {
                 break;
             }
             if let Some(basic) = principal::solve(lcp, indices) {

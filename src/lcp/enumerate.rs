@@ -9,13 +9,11 @@ use super::residuals::ignores_q;
 use super::scaling::Scaling;
 use super::settings::Settings;
 use super::solution::Solution;
-use super::tolerances::{SAME_ENTRY, SAME_POINT, ZERO};
+use super::tolerances::{MOST_ENUMERATED, ZERO_VALUE};
 use super::vertices;
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
-
-/// The largest n for which 2ⁿ bases are tried.
-pub(super) const LARGEST: usize = 20;
 
 /// The solutions found by trying all complementary bases, see [`Lcp::all_solutions`].
 #[derive(Debug, Clone, PartialEq)]
@@ -57,11 +55,11 @@ impl Lcp {
     /// [`Self::all_solutions`] with other [`Settings`], of which only the tolerances are used.
     #[must_use]
     pub fn all_solutions_with(&self, settings: &Settings) -> Option<AllSolutions> {
-        (self.len() <= LARGEST).then(|| all_solutions(self, settings))
+        (self.len() <= MOST_ENUMERATED).then(|| all_solutions(self, settings))
     }
 }
 
-/// Tries all 2ⁿ complementary bases; n is at most [`LARGEST`].
+/// Tries all 2ⁿ complementary bases; n is at most [`MOST_ENUMERATED`].
 pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     let n = lcp.len();
     let mut scaling = Scaling::default();
@@ -90,7 +88,7 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
 }
 
 /// A solution at a corner of some piece with a singular block, for problems where linear programming has found none; n is at most
-/// [`vertices::MOST_ROWS`].
+/// [`MOST_ROWS_WITH_VERTICES`].
 pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     let n = lcp.len();
     let mut scaling = Scaling::default();
@@ -136,7 +134,7 @@ impl Search<'_> {
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
         let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);
-        DVector::from_fn(alpha.len(), |j, _| if size(j) <= ZERO * largest { 0.0 } else { basic[j] })
+        DVector::from_fn(alpha.len(), |j, _| if size(j) <= ZERO_VALUE * largest { 0.0 } else { basic[j] })
     }
 
     /// The solution with these basic values, if they solve the problem.
@@ -189,6 +187,7 @@ fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());
     a.iter().zip(b).all(|(a, b)| {
         let difference = (a - b).abs();
-        difference <= SAME_ENTRY * a.abs().max(b.abs()) || difference <= SAME_POINT * size
+        // Two bases of condition 1e7 differ by the first; the second covers entries that are zero but for rounding.
+        difference <= NEGLIGIBLE * a.abs().max(b.abs()) || difference <= SOLVED_ROUNDING * size
     })
 }

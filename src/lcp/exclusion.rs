@@ -19,12 +19,6 @@ use crate::numerics::{increasing, mapped};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// The number of broken conditions that are tried for each basis, the most broken first.
-const TRIED: usize = 3;
-/// The part of the violation |z_j| or |w_i| that pushing (Mᵀv)_α below zero may use up; the rest keeps qᵀv negative. Near 0 or near 1,
-/// rounding decides one of the two signs.
-const USED_UP: f64 = 0.25;
-
 /// Whether every complementary basis is proved to have no solution; tries 2ⁿ bases, so n must be small.
 pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> bool {
     let n = lcp.len();
@@ -57,7 +51,7 @@ impl Judge<'_> {
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
     }
 
-    /// Tries rows of the inverse of a regular block, for the [`TRIED`] conditions that its point breaks most.
+    /// Tries rows of the inverse of a regular block, for the three conditions that its point breaks most.
     fn by_broken_conditions(&self, alpha: &[usize]) -> bool {
         let (n, size) = (self.q.len(), alpha.len());
         let block = DMatrix::from_fn(size, size, |i, j| self.m[(alpha[i], alpha[j])]);
@@ -71,9 +65,13 @@ impl Judge<'_> {
         broken.retain(|(value, _)| *value < 0.0);
         let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
-        increasing(&values).into_iter().take(TRIED).any(|place| {
+        // Three conditions are tried for each basis, the most broken first.
+        increasing(&values).into_iter().take(3).any(|place| {
             let (value, which) = &broken[place];
-            let push = if reach > 0.0 { USED_UP * -value / reach } else { USED_UP };
+            // Pushing (Mᵀv)_α below zero may use up this part of the violation; the rest keeps qᵀv negative.
+            // Near 0 or 1 rounding decides one of the two signs.
+            let used_up = 0.25;
+            let push = if reach > 0.0 { used_up * -value / reach } else { used_up };
             let mut target = DVector::from_element(size, -push);
             let mut v = DVector::zeros(n);
             match which {

@@ -8,21 +8,11 @@ use core::cmp::Ordering;
 
 use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
-use super::tolerances::{ZERO, sum_rounding};
+use super::tolerances::{BOUND_ROUNDING, LARGEST_WHOLE, ZERO_VALUE, sum_rounding};
 use crate::numerics::{ExactSum, times_power_of_two};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use nalgebra::DVector;
-
-/// 2⁵³, the largest denominator tried: not all whole numbers beyond it are doubles.
-const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
-/// Relative distances from a whole number within which a number counts as whole: the rounding of the path that it comes from.
-/// That rounding is not known beforehand, so the smallest that leads to a proof is used.
-const WHOLE: [f64; 3] = [1e-14, 1e-11, 1e-8];
-/// The number of vectors at the head of [`cleaned`] that keep the computed entries; the others are rounded to whole numbers.
-const AS_COMPUTED: usize = 2;
-/// Bounds are reduced by this part of themselves, more than the rounding with which they are computed.
-const ROUNDED: f64 = 1e-14;
 
 impl Lcp {
     /// Whether y proves that no z ≥ 0 has M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0 (Farkas' lemma).
@@ -85,7 +75,7 @@ impl Lcp {
             let (sum, l) = times(column, y).leading();
             if sum <= 0.0 { f64::INFINITY } else { times_power_of_two(-descent / sum, k - l) }
         };
-        self.columns().map(against).fold(f64::INFINITY, f64::min) * (1.0 - ROUNDED)
+        self.columns().map(against).fold(f64::INFINITY, f64::min) * (1.0 - BOUND_ROUNDING)
     }
 
     /// The proof that a vector with rounding contains, as computed or [`cleaned`]: exact, or else but for rounding.
@@ -94,7 +84,8 @@ impl Lcp {
         if let Some(y) = cleaned(y).find(|y| self.proves_infeasible(y)) {
             return Some(Outcome::Infeasible(certificate(y)));
         }
-        let nearly = cleaned(y).take(AS_COMPUTED).find(|y| self.nearly_proves(y));
+        // The first two vectors keep the computed entries; the others are rounded to whole numbers.
+        let nearly = cleaned(y).take(2).find(|y| self.nearly_proves(y));
         nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
 
@@ -164,9 +155,10 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
 /// A vector as computed; then without the entries that are noise beside the largest; then the vectors of whole numbers with its ratios, for
 /// larger and larger rounding.
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
-    let noise = ZERO * y.amax();
+    let noise = ZERO_VALUE * y.amax();
     let without_noise = y.map(|y| if y.abs() <= noise { 0.0 } else { y });
-    let whole = WHOLE.iter().filter_map(|rounding| whole_within(y, *rounding));
+    // The rounding of the path is not known beforehand, so the smallest that leads to a proof is used.
+    let whole = [1e-14, 1e-11, 1e-8].iter().filter_map(|rounding| whole_within(y, *rounding));
     [y.clone(), without_noise].into_iter().chain(whole)
 }
 
@@ -175,7 +167,7 @@ pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
 fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     let largest = y.amax();
     let mut denominator = 1.0;
-    for y in y.iter().map(|y| y.abs()).filter(|y| *y > ZERO * largest) {
+    for y in y.iter().map(|y| y.abs()).filter(|y| *y > ZERO_VALUE * largest) {
         denominator *= denominator_of(y / largest * denominator, rounding)?;
         if denominator > LARGEST_WHOLE {
             return None;

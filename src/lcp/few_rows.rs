@@ -4,15 +4,14 @@
 //! contradict each other, explain more, and their proof does not depend on the last digit of an entry.
 
 use super::problem::Lcp;
+use super::tolerances::MOST_PAIRED_ROWS;
 #[cfg(not(feature = "std"))]
 use crate::numerics::FloatFunctions;
 use crate::numerics::increasing;
 use nalgebra::DVector;
 
-/// The largest number of rows for which pairs of rows are tried and vectors simplified: n² checks of n² products.
-const MOST_ROWS: usize = 48;
 /// The numbers of binary digits to which entries are rounded, the fewest first.
-const DIGITS: [i32; 4] = [1, 3, 8, 20];
+const BINARY_DIGITS: [i32; 4] = [1, 3, 8, 20];
 
 impl Lcp {
     /// A Farkas vector with one entry or two that are not zero.
@@ -21,7 +20,7 @@ impl Lcp {
         if let Some(row) = (0..n).find(|row| self.is_hopeless(*row, 1.0, 0..n)) {
             return Some(DVector::from_fn(n, |i, _| if i == row { 1.0 } else { 0.0 }));
         }
-        if n > MOST_ROWS {
+        if n > MOST_PAIRED_ROWS {
             return None;
         }
         // At least one of the two rows has q < 0.
@@ -64,14 +63,14 @@ impl Lcp {
                 }
             })
         };
-        let rounded = DIGITS.into_iter().map(|digits| of((1.0, rounded(between, digits))));
+        let rounded = BINARY_DIGITS.into_iter().map(|digits| of((1.0, rounded(between, digits))));
         let mut tried = rounded.chain([of((1.0, between)), of(least), of(most)]);
         tried.find(|y| self.proves_infeasible(y))
     }
 
     /// A simpler Farkas vector: without the entries that the proof does not need, and the others with as few digits as suffice.
     pub(super) fn plainer(&self, mut y: DVector<f64>) -> DVector<f64> {
-        if self.len() > MOST_ROWS {
+        if self.len() > MOST_PAIRED_ROWS {
             return y;
         }
         for i in increasing(y.as_slice()) {
@@ -83,7 +82,7 @@ impl Lcp {
                 y[i] = entry;
             }
         }
-        let coarse = DIGITS.into_iter().map(|digits| y.map(|y| rounded(y, digits)));
+        let coarse = BINARY_DIGITS.into_iter().map(|digits| y.map(|y| rounded(y, digits)));
         coarse.into_iter().find(|y| self.proves_infeasible(y)).unwrap_or(y)
     }
 }

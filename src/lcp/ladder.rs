@@ -10,20 +10,13 @@ use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
 use super::solution::Solution;
+use super::tolerances::{MOST_ENUMERATED, MOST_ROWS_WITH_VERTICES};
 use super::vertices;
 use super::workspace::Workspace;
 use crate::numerics::generic;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use nalgebra::DVector;
-
-/// The range, in octaves, of the entries of other covering vectors: 2^e of the balanced unit with e between −3 and 3.
-///
-/// Smaller, the paths stay close to the first one; larger, the problems are badly scaled.
-const OCTAVES: f64 = 6.0;
-/// Attempt k draws its covering vector from entry k times this of the generic numbers. No two attempts share
-/// entries, since no dense problem has as many rows.
-const ENTRIES_APART: usize = 1_000_003;
 
 impl Workspace {
     /// Runs through the rungs for a prepared problem, until it is solved (`None`) or settled otherwise.
@@ -46,9 +39,9 @@ impl Workspace {
         for attempt in 1..=settings.retries {
             self.retry(lcp, settings, attempt)?;
         }
-        if lcp.len() <= settings.enumerate_up_to.min(enumerate::LARGEST) {
+        if lcp.len() <= settings.enumerate_up_to.min(MOST_ENUMERATED) {
             self.take_enumerated(lcp, settings)?;
-            let small = lcp.len() <= vertices::MOST_ROWS;
+            let small = lcp.len() <= MOST_ROWS_WITH_VERTICES;
             if small
                 && settings.prove_infeasible
                 && let Some(y) = vertices::farkas(lcp, &self.path.scaling)
@@ -84,7 +77,10 @@ impl Workspace {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
         self.path.d.extend(
-            units.map(|(i, unit)| unit * (OCTAVES * (generic(attempt * ENTRIES_APART + i) - 1.0)).exp2()),
+            // 2^e of the balanced unit with e between −3 and 3. Smaller, the paths stay close to the first
+            // one; larger, the problems are badly scaled. No two attempts share generic numbers, since no
+            // dense problem has as many rows.
+            units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);
         let failure = self.follow(lcp, settings, limit)?;

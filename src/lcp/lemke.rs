@@ -9,7 +9,8 @@ use super::outcome::BreakdownCause;
 use super::path::Path;
 use super::ratio::{Covering, blocking_row, doubtful_row_breaks, most_violated_row};
 use super::settings::Settings;
-use super::tolerances::{COLUMN_NOISE, DOUBTFUL_PIVOT, DRIFT, ZERO};
+use super::tolerances::{DOUBTFUL_PIVOT, DRIFTED, ZERO_VALUE};
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 
 /// How a path ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,10 +23,6 @@ pub(super) enum LemkeEnd {
     Breakdown(BreakdownCause),
 }
 
-/// The number of pivots after which the values are compared with the data.
-///
-/// The comparison costs a pivot or two. Larger, drift is found late; smaller, time is wasted.
-const CHECK_EVERY: usize = 32;
 impl Path {
     /// Lets z₀, whose column is in the dictionary, enter an infeasible basis, and follows the path
     /// until z₀ has left again.
@@ -57,7 +54,7 @@ impl Path {
         limit: usize,
     ) -> bool {
         self.install_basis(m, active).is_ok()
-            && self.cover_violations(m, ZERO)
+            && self.cover_violations(m, ZERO_VALUE)
             && self.cover_and_run(m, settings, limit) == LemkeEnd::Complementary
     }
 
@@ -91,7 +88,7 @@ impl Path {
     /// The blocking row for the entering variable, from a dictionary that can be trusted.
     ///
     /// A dictionary that has drifted from the data, whose column has overflowed, or that offers no pivot, is computed anew first. So is one that
-    /// offers only a doubtful pivot, unless one step of refinement changes its column by at most [`DRIFT`].
+    /// offers only a doubtful pivot, unless one step of refinement changes its column by at most [`DRIFTED`].
     pub(super) fn blocking_row(
         &mut self,
         entering: LemkeVariable,
@@ -99,8 +96,9 @@ impl Path {
         m: &[f64],
         settings: &Settings,
     ) -> Result<Option<usize>, BreakdownCause> {
-        if self.age > 0 && self.pivots.is_multiple_of(CHECK_EVERY) {
-            if self.drift(m) > DRIFT {
+        // The comparison with the data costs a pivot or two. Rarer, drift is found late.
+        if self.age > 0 && self.pivots.is_multiple_of(32) {
+            if self.drift(m) > DRIFTED {
                 self.refactor(entering, m)?;
             } else {
                 self.correct();
@@ -117,10 +115,10 @@ impl Path {
                 continue;
             }
             let certain = settings.pivot_tolerance * size;
-            let row = blocking_row(&self.dictionary, COLUMN_NOISE * size, certain, role, settings);
+            let row = blocking_row(&self.dictionary, FEW_ROUNDINGS * size, certain, role, settings);
             let pivot = row.map_or(0.0, |row| self.dictionary.u[row].abs());
             if pivot < DOUBTFUL_PIVOT * size && self.age > 0 && !is_refined {
-                is_refined = row.is_some_and(|row| self.refine_column(entering, row, m) <= DRIFT);
+                is_refined = row.is_some_and(|row| self.refine_column(entering, row, m) <= DRIFTED);
                 if !is_refined {
                     self.refactor(entering, m)?;
                 }

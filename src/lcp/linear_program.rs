@@ -20,7 +20,8 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
     // Large problems get one program only and end as nearly infeasible if rounding spoils it: an exact proof would cost several large programs more.
-    let margins = if n <= EXACT_UP_TO { &MARGINS[..] } else { &MARGINS[..1] };
+    // Each margin costs one more path on 2 n + 1 rows, and larger data usually carry rounding themselves.
+    let margins = if n <= 64 { &MARGINS[..] } else { &MARGINS[..1] };
     let mut nearly = None;
     for y in contradictions(&a, &b, margins, settings) {
         let proof = lcp.farkas_proof(&DVector::from_fn(n, |i, _| y[i] * scaling.row[i]));
@@ -57,9 +58,6 @@ impl Lcp {
     }
 }
 
-/// The largest number of rows for which margins are tried. Each margin costs one more path on 2 n + 1 rows, and larger data usually carry rounding
-/// themselves.
-const EXACT_UP_TO: usize = 64;
 /// The margins δ of the linear programs. A vertex of the dual program lies on its constraints, and rounding may put it outside; a margin keeps it
 /// inside where there is room.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];

@@ -8,9 +8,7 @@ use crate::prelude::*;
 /// The number of mantissas, each below 2, that are multiplied before the logarithm of their product is taken.
 ///
 /// Above 1023 the product could overflow; smaller, more logarithms are taken.
-const PRODUCT: usize = 512;
-const MANTISSA: u64 = (1 << 52) - 1;
-const ONE: u64 = 1023 << 52;
+const MULTIPLIED: usize = 512;
 
 /// Σ log₂|M_ij| and the number of terms, for each row or column.
 #[derive(Debug, Clone, Default)]
@@ -29,8 +27,8 @@ impl Logarithms {
         rows.reset(n);
         columns.reset(n);
         for (j, column) in m.chunks_exact(n.max(1)).enumerate() {
-            for start in (0..n).step_by(PRODUCT) {
-                let end = n.min(start + PRODUCT);
+            for start in (0..n).step_by(MULTIPLIED) {
+                let end = n.min(start + MULTIPLIED);
                 let (exponents, product) = accumulate(
                     &column[start..end],
                     &mut rows.exponents[start..end],
@@ -40,7 +38,7 @@ impl Logarithms {
                 columns.mantissas[j] = product;
                 columns.put_away(j);
             }
-            if j % PRODUCT == PRODUCT - 1 {
+            if j % MULTIPLIED == MULTIPLIED - 1 {
                 (0..n).for_each(|i| rows.put_away(i));
             }
         }
@@ -93,7 +91,10 @@ fn accumulate(column: &[f64], exponents: &mut [u64], mantissas: &mut [f64]) -> (
     let parts = |m: f64| {
         let exponent = (m.to_bits() >> 52) & 0x7ff;
         // (exponent + 2047) >> 11 is 0 for exponent 0 and 1 for all others.
-        (exponent + (((exponent + 2047) >> 11) << 32), f64::from_bits(m.to_bits() & MANTISSA | ONE))
+        (
+            exponent + (((exponent + 2047) >> 11) << 32),
+            f64::from_bits(m.to_bits() & ((1 << 52) - 1) | (1023 << 52)),
+        )
     };
     let mut columns = column.chunks_exact(4);
     let mut rows = exponents.chunks_exact_mut(4);

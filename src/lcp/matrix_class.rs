@@ -1,14 +1,10 @@
 //! The classes of a matrix, and the guarantees that follow.
 
 use super::error::LcpError;
-use super::tolerances::{OFF_DIAGONAL, POSITIVE_MINOR, elimination_rounding};
+use super::tolerances::{ELIMINATED_PIVOT, OFF_DIAGONAL, elimination_rounding};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use nalgebra::DMatrix;
-
-/// The largest n for which all principal minors are computed when nothing else decides whether M is a
-/// P-matrix. Each further row doubles the work.
-const MINORS: usize = 12;
 
 /// The classes to which a matrix M (n × n) belongs, as found by [`MatrixClass::of`].
 ///
@@ -221,7 +217,8 @@ fn p_matrix(m: &DMatrix<f64>, definiteness: Definiteness, z_matrix: bool) -> Opt
         }
         return Some(true);
     }
-    (n <= MINORS).then(|| minors_are_positive(m.clone(), m))
+    // Each further row doubles the work.
+    (n <= 12).then(|| minors_are_positive(m.clone(), m))
 }
 
 fn eliminate(a: &mut DMatrix<f64>, k: usize) {
@@ -244,7 +241,7 @@ fn minors_are_positive(a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     if n == 0 {
         return true;
     }
-    if a[(0, 0)] <= POSITIVE_MINOR * m[(0, 0)] {
+    if a[(0, 0)] <= ELIMINATED_PIVOT * m[(0, 0)] {
         return false;
     }
     let smaller = m.view((1, 1), (n - 1, n - 1)).into_owned();

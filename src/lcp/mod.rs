@@ -102,7 +102,7 @@ mod series;
 mod settings;
 mod solution;
 mod solve;
-mod tolerances;
+pub(crate) mod tolerances;
 mod verified;
 mod vertices;
 mod workspace;

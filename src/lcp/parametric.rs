@@ -7,7 +7,7 @@ use super::outcome::{BreakdownCause, Outcome};
 use super::problem::Lcp;
 use super::ratio::Covering;
 use super::settings::Settings;
-use super::tolerances::ZERO;
+use super::tolerances::ZERO_VALUE;
 use super::workspace::Workspace;
 use crate::prelude::*;
 use nalgebra::DVector;
@@ -165,7 +165,7 @@ impl<'a> Parametric<'a> {
         if !self.workspace.holds(basis) {
             let installed = self.workspace.path.install_basis(m, |i| basis.contains(i));
             installed.map_err(PathEnd::Breakdown)?;
-            self.workspace.path.cover_violations(m, ZERO);
+            self.workspace.path.cover_violations(m, ZERO_VALUE);
         }
         self.workspace.path.start_parameter(dq.as_slice(), m);
         Ok(())

@@ -4,7 +4,7 @@ use super::basis::Basis;
 use super::principal;
 use super::problem::Lcp;
 use super::residuals::{Residuals, is_lost, residuals_from, slack_and_terms};
-use super::tolerances::ZERO;
+use super::tolerances::ZERO_VALUE;
 use crate::prelude::*;
 use nalgebra::DVector;
 
@@ -66,7 +66,7 @@ impl LcpPoint {
                 *w = 0.0;
                 degenerate |= self.z[i] == 0.0;
             } else {
-                degenerate |= *w <= ZERO * self.terms[i];
+                degenerate |= *w <= ZERO_VALUE * self.terms[i];
                 *w = w.max(0.0);
             }
         }

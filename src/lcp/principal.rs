@@ -2,18 +2,8 @@
 
 use super::problem::Lcp;
 use super::scaling::Scaling;
-use super::tolerances::SINGULAR_BLOCK;
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 use nalgebra::{DMatrix, DVector};
-
-/// The largest block for which pivoting is complete, which identifies singular blocks more reliably.
-///
-/// Larger blocks are pivoted by rows only, which is several times faster.
-const COMPLETE: usize = 32;
-/// Steps of iterative refinement.
-///
-/// The first removes the error of the factors, the second its rest in badly conditioned
-/// blocks.
-const REFINEMENTS: usize = 2;
 
 /// Solves M_αα z_α = −q_α by LU with pivoting of the balanced block, and refinement. `None` if the
 /// block is singular to working precision.
@@ -38,7 +28,9 @@ pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option
         }
     }
     let rhs = DVector::from_fn(size, |i, _| rhs[i] * scaling.row[i]);
-    let y = if size <= COMPLETE {
+    // Complete pivoting identifies singular blocks more reliably; larger blocks are pivoted by rows only,
+    // which is several times faster.
+    let y = if size <= 32 {
         let lu = block.clone().full_piv_lu();
         is_regular(&lu.lu_internal().diagonal()).then_some(())?;
         refined(&block, &rhs, |b| lu.solve(b))
@@ -51,7 +43,8 @@ pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option
 }
 
 fn is_regular(diagonal: &DVector<f64>) -> bool {
-    diagonal.iter().all(|u| u.abs() > SINGULAR_BLOCK)
+    // Entries of the balanced block are near 1.
+    diagonal.iter().all(|u| u.abs() > FEW_ROUNDINGS)
 }
 
 fn refined(
@@ -60,7 +53,8 @@ fn refined(
     solve: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
 ) -> Option<DVector<f64>> {
     let mut y = solve(rhs)?;
-    for _ in 0..REFINEMENTS {
+    // The first step removes the error of the factors, the second its rest in badly conditioned blocks.
+    for _ in 0..2 {
         y += solve(&(rhs - block * &y))?;
     }
     Some(y)

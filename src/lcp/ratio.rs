@@ -9,7 +9,7 @@
 
 use super::dictionary::{Dictionary, LemkeVariable, largest};
 use super::settings::Settings;
-use super::tolerances::VALUE_ROUNDING;
+use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{Loop, wide};
 
 /// The role of z₀ on the path that is followed.
@@ -52,7 +52,7 @@ pub(super) fn blocking_row(
     }
     let mut best: Option<(usize, bool, f64)> = None;
     let blocks = |x: f64, u: f64, level: f64| {
-        let margin = settings.tie_tolerance * (u.abs() * step) + VALUE_ROUNDING * level;
+        let margin = settings.tie_tolerance * (u.abs() * step) + ROUNDED_SUM * level;
         (u < least) & (if x > 0.0 { x } else { 0.0 } + u * step <= margin)
     };
     // Blocking rows are rare: eight rows are tested together first, without a branch for
@@ -105,7 +105,7 @@ pub(super) fn doubtful_row_breaks(
     values.into_iter().any(|(((x, u), level), basic)| {
         let exempt = role == Covering::Parameter && *basic == LemkeVariable::Covering;
         let doubtful = *u < 0.0 && *u >= -certain && !exempt;
-        doubtful && x.max(0.0) + u * step < -VALUE_ROUNDING * level.max(size)
+        doubtful && x.max(0.0) + u * step < -ROUNDED_SUM * level.max(size)
     })
 }
 

@@ -3,7 +3,7 @@
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::solution::Solution;
-use super::tolerances::{DEPENDENT, FREE_PIVOT};
+use super::tolerances::{DEPENDENT_EQUALITY, FREE_PIVOT};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -56,7 +56,7 @@ impl Reduction {
             && (out.pivot_direct(&mut rows, &mut columns) || out.pivot_pair(&mut rows, &mut columns))
         {
         }
-        let noise = DEPENDENT * (1.0 + out.constant.amax());
+        let noise = DEPENDENT_EQUALITY * (1.0 + out.constant.amax());
         let consistent = rows.iter().all(|r| {
             out.constant[*r].abs() <= noise
                 && out.column_of_pair.iter().all(|c| out.tableau[(*r, *c)].abs() <= FREE_PIVOT)

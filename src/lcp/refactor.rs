@@ -6,7 +6,7 @@ use super::memory::refill;
 use super::outcome::BreakdownCause;
 use super::path::Path;
 use super::scaling::Scaling;
-use super::tolerances::{DRIFT_FLOOR, SINGULAR_BASIS};
+use super::tolerances::{DRIFT_FLOOR, ELIMINATED_PIVOT};
 use crate::numerics::generic;
 
 impl Path {
@@ -84,7 +84,7 @@ impl Path {
                     best = (row, u.abs());
                 }
             }
-            if best.1.is_nan() || best.1 <= SINGULAR_BASIS * self.dictionary.entering_size() {
+            if best.1.is_nan() || best.1 <= ELIMINATED_PIVOT * self.dictionary.entering_size() {
                 return Err(BreakdownCause::SingularBasis);
             }
             self.dictionary.exchange(member, best.0);

@@ -1,6 +1,6 @@
 //! The violations at a point, measured on the data as given.
 
-use super::tolerances::{BACKWARD_ERROR, LOST, residual_rounding};
+use super::tolerances::{BACKWARD_ERROR, FAINT_ROW, LOST, residual_rounding};
 use crate::numerics::{ExactSum, times_power_of_two};
 use core::fmt;
 use nalgebra::DMatrix;
@@ -119,11 +119,6 @@ fn add_four(columns: [(&[f64], f64); 4], w: &mut [f64], terms: &mut [f64]) {
     }
 }
 
-/// Size of the terms of a row below which products may have underflowed or lost digits: such rows are summed again without rounding.
-///
-/// It is 2¹¹⁴ times the smallest double, so the losses in larger rows are negligible. Larger, more rows are summed twice.
-const FAINT: f64 = 1.03e-289;
-
 /// The residuals at z, given w = M z + q and the sizes a of its terms.
 pub(super) fn residuals_from(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
     let n = z.len();
@@ -164,7 +159,7 @@ impl Rows<'_> {
     /// w_i / a_i, zero in a row without terms.
     fn relative_slack(&self, i: usize, w: f64) -> f64 {
         let a = self.terms[i];
-        if a >= FAINT {
+        if a >= FAINT_ROW {
             return w / a;
         }
         self.exact_terms(i).map_or(0.0, |a| ratio(&ExactSum::of_products(self.products(i)), &a))
@@ -178,7 +173,7 @@ impl Rows<'_> {
             if *m == 0.0 {
                 continue;
             }
-            let part = if *a >= FAINT {
+            let part = if *a >= FAINT_ROW {
                 m.abs() * z.abs() / a
             } else {
                 let Some(a) = self.exact_terms(i) else { continue };

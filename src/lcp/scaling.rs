@@ -20,7 +20,7 @@
 use super::logarithms::Logarithms;
 use super::memory::refill;
 use super::pattern::Pattern;
-use super::tolerances::SETTLED;
+use super::tolerances::BALANCED_EXPONENTS;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -41,12 +41,6 @@ pub(super) struct Scaling {
     direction: Vec<f64>,
     image: Vec<f64>,
 }
-
-/// The largest number of conjugate-gradient steps for patterns with zeros.
-///
-/// Contact problems take about ten. On chains the influence of the ends arrives later, but is small
-/// by then.
-const STEPS: usize = 24;
 
 impl Scaling {
     /// Balances the n × n matrix m, stored by columns, and q.
@@ -95,7 +89,9 @@ impl Scaling {
         refill(&mut self.direction, n, 0.0);
         refill(&mut self.image, n, 0.0);
         let mut before = 0.0;
-        for _ in 0..STEPS {
+        // Contact problems take about ten steps of conjugate gradients. On chains the influence of the ends
+        // arrives later, but is small by then.
+        for _ in 0..24 {
             // Preconditioned by the counts.
             let mut size = 0.0;
             let mut worst = 0.0_f64;
@@ -105,7 +101,7 @@ impl Scaling {
                     worst = worst.max((r / count).abs());
                 }
             }
-            if worst < SETTLED || !size.is_finite() {
+            if worst < BALANCED_EXPONENTS || !size.is_finite() {
                 break;
             }
             let ratio = if before > 0.0 { size / before } else { 0.0 };

@@ -7,7 +7,7 @@ use super::memory::refill;
 use super::outcome::{Outcome, OutcomeView, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
-use super::tolerances::ZERO;
+use super::tolerances::ZERO_VALUE;
 use super::workspace::Workspace;
 
 impl Lcp {
@@ -119,7 +119,7 @@ impl Workspace {
     fn resume(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let limit = settings.pivot_limit(lcp.len());
         let m = lcp.m.as_slice();
-        let feasible = !self.path.cover_violations(m, ZERO);
+        let feasible = !self.path.cover_violations(m, ZERO_VALUE);
         if (feasible || self.path.cover_and_run(m, settings, limit) == LemkeEnd::Complementary)
             && self.finish_or_resume(lcp, settings, limit).is_none()
         {

@@ -11,27 +11,13 @@
 /// Sums of n terms carry some nε, and a few pivots a few times that. Smaller, noise is kept in the
 /// basis and solutions miss their `degenerate`; from 1e-10 on, values are cut off without a trace in
 /// the residuals.
-pub(super) const ZERO: f64 = 1e-13;
+pub(super) const ZERO_VALUE: f64 = 1e-13;
 
 /// Residuals above this are worth a fresh factorisation of the basis, at up to 2n³/3 flops.
 ///
 /// Refined points stay below it unless the basis is nearly singular. Smaller, ordinary problems pay
 /// for factorisations; larger, digits that the data hold are given away.
-pub(super) const SOUND: f64 = 1e-13;
-
-/// The value of a basic variable may carry this part of the largest term that has gone into it.
-///
-/// It is the rounding of some sixteen operations on that term. Smaller, exact ties come apart and
-/// the tie rule fails. Larger, rows that block one after the other count as ties, and values of
-/// that size become negative.
-pub(super) const VALUE_ROUNDING: f64 = 16.0 * f64::EPSILON;
-
-/// A coefficient below this part of its column is noise for any terms of its row.
-///
-/// One addition to an entry of the column's size leaves this much. Larger, true coefficients of
-/// badly scaled columns are lost before they are compared with the terms of their rows; at 0, noise in any column
-/// triggers that comparison.
-pub(super) const COLUMN_NOISE: f64 = 4.0 * f64::EPSILON;
+pub(super) const SOUND_RESIDUAL: f64 = 1e-13;
 
 /// Entries of the column of a slack below this part of its largest are rounding.
 ///
@@ -51,7 +37,7 @@ pub(super) const DOUBTFUL_PIVOT: f64 = 1e-7;
 ///
 /// Below it, the signs of values down to 1e-10 of their terms are reliable. Smaller, long paths are
 /// factorised again and again; larger, the path may turn where that of the problem does not.
-pub(super) const DRIFT: f64 = 1e-10;
+pub(super) const DRIFTED: f64 = 1e-10;
 
 /// This part of the largest q_i is added to the terms of every row when drift is measured.
 ///
@@ -67,19 +53,13 @@ pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 /// it saves. At 1 hardly any such z leaves.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
-/// Where a dictionary is computed anew, a basis is singular if a pivot is below this part of its
-/// column before elimination.
+/// A pivot below this part of the entry or the column that it was computed from is rounding: the basis is singular where a dictionary
+/// is computed anew, and a principal minor is not positive.
 ///
-/// Rows only are pivoted, so some fifty roundings are allowed for. Smaller, singular bases pass and
-/// give values of 1e15; larger, bases of condition 1e14 are refused that refinement would still
-/// save.
-pub(super) const SINGULAR_BASIS: f64 = 1e-14;
-
-/// A block with a pivot below this is singular, the entries of the balanced block being near 1.
-///
-/// Pivoting is complete in all small blocks, so a few roundings are allowed for. Smaller, singular
-/// blocks pass; larger, solutions of badly conditioned blocks are lost to `all_solutions`.
-pub(super) const SINGULAR_BLOCK: f64 = 1e-15;
+/// Rows only are pivoted, and Schur complements of twelve rows nested, so some fifty roundings are allowed for. Smaller, singular bases
+/// pass and give values of 1e15, and singular matrices are called P-matrices. Larger, bases of condition 1e14 are refused that refinement
+/// would still save, and so are P-matrices close to singular.
+pub(super) const ELIMINATED_PIVOT: f64 = 1e-14;
 
 /// An entry of the tableau of a mixed problem below this is zero, the balanced entries being near
 /// 1.
@@ -95,36 +75,7 @@ pub(super) const FREE_PIVOT: f64 = 1e-12;
 /// Constants have passed through all eliminations. Smaller, consistent equalities are sent to the
 /// split form, which is larger; larger, contradictions pass here and are found by the residuals
 /// only.
-pub(super) const DEPENDENT: f64 = 1e-10;
-
-/// The rates of a ray are noise below this part of the largest rate, or of 1 if that is larger.
-///
-/// A negative rate of that size would spoil a proof, a positive one adds noise to it. Larger, true
-/// small rates are missing from the proof. It then fails its check, and linear programming must
-/// find another.
-pub(super) const RAY_NOISE: f64 = 1e-12;
-
-/// Two solutions are one point if each pair of entries differs by at most this part of the larger
-/// one.
-///
-/// Two bases of condition 1e7 differ by this much. Smaller, a degenerate point is listed twice; larger,
-/// two close solutions are listed once. Entries that are zero but for rounding are compared by
-/// [`SAME_POINT`].
-pub(super) const SAME_ENTRY: f64 = 1e-9;
-
-/// A pair of entries of two solutions also counts as equal if it differs by at most this part of
-/// the largest entry.
-///
-/// It covers entries that are zero but for rounding. Smaller, their noise makes two points of
-/// one. Larger, two solutions that differ in small entries only are listed once.
-pub(super) const SAME_POINT: f64 = 1e-12;
-
-/// A principal minor is positive if its last pivot exceeds this part of the entry it was computed
-/// from.
-///
-/// Nested Schur complements of at most twelve rows leave some fifty roundings. Smaller, singular
-/// matrices are called P-matrices; larger, P-matrices close to singular are refused.
-pub(super) const POSITIVE_MINOR: f64 = 1e-14;
+pub(super) const DEPENDENT_EQUALITY: f64 = 1e-10;
 
 /// A point whose residuals exceed rounding must solve the problem for a q close to the one given.
 /// In balanced rows, the two may differ by this part of the largest entry.
@@ -132,7 +83,7 @@ pub(super) const POSITIVE_MINOR: f64 = 1e-14;
 /// Residuals measure against the terms of M z. Where these terms cancel down to a q of 1e-10 of
 /// their size, residuals of 1e-10 do not depend on q. Smaller, good points of badly
 /// conditioned problems are refused; larger, points pass that ignore q.
-pub(super) const BACKWARD_ERROR: f64 = 1e-6;
+pub(crate) const BACKWARD_ERROR: f64 = 1e-6;
 
 /// q is lost in the terms of M z where it is below this part of them in every row: some hundred
 /// thousand roundings.
@@ -140,13 +91,13 @@ pub(super) const BACKWARD_ERROR: f64 = 1e-6;
 /// A singular basis whose determinant came out as 1e-16 gives a z of 1e14. That z satisfies 0 ≤ z ⟂
 /// M z ≥ 0 and, to rounding, any q. Problems of condition 1e10 stay clear of this; larger, they are
 /// refused.
-pub(super) const LOST: f64 = 1e-11;
+pub(crate) const LOST: f64 = 1e-11;
 
 /// The exponents of the balance, in powers of two, have converged when their equations hold to this.
 ///
 /// Rows that are alike must get equal factors, or ties turn into near-ties. Smaller, the iteration
 /// never meets its criterion; larger, ties come apart.
-pub(super) const SETTLED: f64 = 1e-13;
+pub(super) const BALANCED_EXPONENTS: f64 = 1e-13;
 
 /// The rounding of a sum of n products and two more operations, as a part of Σ|terms|: 8 (n + 2) ε.
 ///
@@ -178,3 +129,41 @@ pub(super) fn elimination_rounding(n: usize) -> f64 {
 /// Its off-diagonal entries are not pivoted to the front, so they may carry more than the diagonal.
 /// Smaller, semidefinite matrices are called indefinite; larger, slightly indefinite ones pass.
 pub(super) const OFF_DIAGONAL: f64 = 4.0;
+
+/// The largest n for which all 2ⁿ bases are tried: about a million.
+///
+/// Larger, a call takes minutes; smaller, problems that nothing else decides stay undecided.
+pub(super) const MOST_ENUMERATED: usize = 20;
+
+/// The largest number of rows of a problem whose vertices are tried: some thousands of them.
+///
+/// Larger, the vertices cost more than the linear programs that replace them.
+pub(super) const MOST_ROWS_WITH_VERTICES: usize = 6;
+
+/// The largest number of rows for which pairs of rows are tried and vectors simplified: n² checks of n² products.
+///
+/// Larger, these checks take longer than Lemke's path; smaller, simple proofs are replaced by long ones.
+pub(super) const MOST_PAIRED_ROWS: usize = 48;
+
+/// 2⁵³, the largest denominator tried for the ratios of a proof: not all whole numbers beyond it are doubles.
+pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
+
+/// Bounds of a nearly proved contradiction are reduced by this part of themselves, more than the rounding with which they are computed.
+///
+/// Smaller, a bound may claim too much; larger, it says less than is known.
+pub(super) const BOUND_ROUNDING: f64 = 1e-14;
+
+/// Factor by which bounds of a verified solution grow: far more than the rounding of the few operations that lead to them.
+///
+/// Nearer to 1, a bound may be too small; larger, bounds lose digits that nobody reads.
+pub(super) const SAFE_BOUND: f64 = 1.0 + 1e-12;
+
+/// Largest loss to underflow in a bound of a verified solution.
+///
+/// Smaller, products of subnormal numbers are not covered; larger, problems in tiny units are not verified.
+pub(super) const UNDERFLOW: f64 = 1e-300;
+
+/// Size of the terms of a row below which products may have underflowed or lost digits: such rows are summed again without rounding.
+///
+/// It is 2¹¹⁴ times the smallest double, so the losses in larger rows are negligible. Larger, more rows are summed twice.
+pub(super) const FAINT_ROW: f64 = 1.03e-289;

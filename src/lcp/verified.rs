@@ -17,17 +17,11 @@ use super::basis::Basis;
 use super::farkas::cleaned;
 use super::problem::Lcp;
 use super::scaling::Scaling;
+use super::tolerances::{SAFE_BOUND, UNDERFLOW};
 use crate::numerics::ExactSum;
 use crate::prelude::*;
 use core::cmp::Ordering;
 use nalgebra::{DMatrix, DVector};
-
-/// Steps of refinement; each gains some digits, up to the precision of two doubles.
-const REFINEMENTS: usize = 4;
-/// Factor by which bounds grow: far more than the rounding of the few operations that lead to them.
-const SAFE: f64 = 1.0 + 1e-12;
-/// Largest loss to underflow in a bound.
-const TINY: f64 = 1e-300;
 
 /// Bounds of the exact solution of a problem that belongs to a basis; see [`Lcp::verify`].
 #[derive(Debug, Clone, PartialEq)]
@@ -82,11 +76,12 @@ impl Lcp {
         let errors = block.errors(&point)?;
         let mut verified = Verified { lower: DVector::zeros(n), upper: DVector::zeros(n) };
         for (k, i) in alpha.iter().enumerate() {
-            let error = (errors[k] + point.1[k].abs()) * SAFE + point.0[k].abs() * f64::EPSILON + TINY;
+            let error =
+                (errors[k] + point.1[k].abs()) * SAFE_BOUND + point.0[k].abs() * f64::EPSILON + UNDERFLOW;
             verified.lower[*i] = point.0[k] - error;
             verified.upper[*i] = point.0[k] + error;
             // The bound of a sum of two doubles decides a sign more sharply than the bound of one double.
-            if point.0[k] + point.1[k] <= errors[k] * SAFE + TINY {
+            if point.0[k] + point.1[k] <= errors[k] * SAFE_BOUND + UNDERFLOW {
                 return None;
             }
             verified.lower[*i] = verified.lower[*i].max(0.0);
@@ -94,7 +89,7 @@ impl Lcp {
         let holds = |i: usize| {
             let w = block.row(i, &point).rounded();
             let moved: f64 = alpha.iter().zip(&errors).map(|(j, error)| self.m[(i, *j)].abs() * error).sum();
-            w - w.abs() * 4.0 * f64::EPSILON >= moved * SAFE + TINY
+            w - w.abs() * 4.0 * f64::EPSILON >= moved * SAFE_BOUND + UNDERFLOW
         };
         (0..n).all(|i| basis.contains(i) || holds(i) || self.is_settled(i, alpha)).then_some(verified)
     }
@@ -204,7 +199,8 @@ impl<'a> Block<'a> {
     fn refined(&self) -> Twice {
         let size = self.columns.len();
         let mut point = (DVector::zeros(size), DVector::zeros(size));
-        for _ in 0..REFINEMENTS {
+        // Each step gains some digits, up to the precision of two doubles.
+        for _ in 0..4 {
             let step = self.step(&self.residual(&point));
             for i in 0..size {
                 // The pair keeps its sum: the part that the first double cannot hold goes to the second.
@@ -226,9 +222,9 @@ impl<'a> Block<'a> {
         // Row sums of G, with the rounding of the product.
         let g = DVector::from_fn(size, |i, _| {
             let row = (0..size).map(|j| {
-                (product[(i, j)] - f64::from(u8::from(i == j))).abs() + rounding * sizes[(i, j)] + TINY
+                (product[(i, j)] - f64::from(u8::from(i == j))).abs() + rounding * sizes[(i, j)] + UNDERFLOW
             });
-            row.sum::<f64>() * SAFE
+            row.sum::<f64>() * SAFE_BOUND
         });
         let norm = g.iter().fold(0.0_f64, |norm, g| norm.max(*g));
         if !norm.is_finite() || norm >= 0.5 {
@@ -237,8 +233,10 @@ impl<'a> Block<'a> {
         let residual = self.residual(point);
         // Each residual is rounded once, each sum of the product k times.
         let first = self.inverse.abs() * residual.abs() * rounding + (&self.inverse * &residual).abs();
-        let most = (first.iter().fold(0.0_f64, |most, e| most.max(*e)) + TINY) / (1.0 - norm) * SAFE;
-        let error = |i: usize| (first[i] + g[i] * most + TINY) * SAFE * self.scaling.column[i] + TINY;
+        let most =
+            (first.iter().fold(0.0_f64, |most, e| most.max(*e)) + UNDERFLOW) / (1.0 - norm) * SAFE_BOUND;
+        let error =
+            |i: usize| (first[i] + g[i] * most + UNDERFLOW) * SAFE_BOUND * self.scaling.column[i] + UNDERFLOW;
         let errors = DVector::from_fn(size, |i, _| error(i));
         errors.iter().all(|e| e.is_finite()).then_some(errors)
     }

@@ -13,9 +13,6 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// The largest number of rows of a problem whose vertices are tried: some thousands.
-pub(super) const MOST_ROWS: usize = 6;
-
 /// The vertices of a piece, as values of z_α.
 pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<Item = DVector<f64>> + 'a {
     let n = lcp.len();

@@ -8,17 +8,6 @@ use crate::error::Error;
 use crate::numerics::{increasing, mapped};
 use crate::prelude::*;
 
-/// Ratio of the farthest scanned amount to the bound, above and below it; the k-th of n amounts is at `SCANNED^((k/n)³)`. A larger ratio scans more
-/// coarsely near the bound.
-const SCANNED: f64 = 4.0;
-/// Ratio to the bound of one further amount of a squeeze or a force: drives reach their limits there, which a smaller ratio would miss.
-const FAR: f64 = 16.0;
-/// Distance of scanned amounts inside and outside an end of the statics range, relative to the end. Below the error of that end both fall on one
-/// side.
-const AT_AN_END: f64 = 1e-8;
-/// Most changes of verdict that are narrowed to their amounts, each at the price of a search; further ones are only counted.
-const MOST_CHANGES: usize = 8;
-
 /// The amounts around a bound.
 #[derive(Debug)]
 pub(super) struct Around {
@@ -34,14 +23,16 @@ impl SearchPlan {
     /// Amounts just inside and outside an end of the statics range; none without that end.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
-            [1.0 - AT_AN_END, 1.0 + AT_AN_END].map(|part| if up { end * part } else { end / part })
+            // Below the error of the end both amounts fall on one side of it.
+            let off = 1e-8;
+            [1.0 - off, 1.0 + off].map(|part| if up { end * part } else { end / part })
         };
         self.end(up).map_or(Vec::new(), |at| end(at).to_vec())
     }
 }
 
 impl Around {
-    /// Tries `scan` amounts on both sides of a bound, with `far` also one at [`FAR`], all inside the range that forces can balance.
+    /// Tries `scan` amounts on both sides of a bound, with `far` also one at 16 times as much, all inside the range that forces can balance.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
@@ -56,8 +47,12 @@ impl Around {
         let half = scan / 2;
         for (up, count) in [(false, half), (true, scan - half)] {
             let is_beyond = up == plan.is_least;
-            let fine = (1..=count).map(|k| SCANNED.powf((k as f64 / count as f64).powi(3)));
-            let coarse = (far && is_beyond && count > 0).then_some(FAR);
+            // The k-th of n amounts is at the ratio 4^((k/n)³) to the bound. A larger ratio scans more
+            // coarsely near the bound.
+            let fine = (1..=count).map(|k| 4.0_f64.powf((k as f64 / count as f64).powi(3)));
+            // One further squeeze or force: drives reach their limits there, which a smaller ratio would
+            // miss.
+            let coarse = (far && is_beyond && count > 0).then_some(16.0);
             let parts = fine.chain(coarse).map(|part| if up { bound.does * part } else { bound.does / part });
             let mut amounts: Vec<f64> = parts.filter(|amount| plan.contains(*amount)).collect();
             amounts.extend(plan.at_the_end(up).into_iter().filter(|_| is_beyond));
@@ -114,7 +109,8 @@ impl Around {
             }
             if did != does {
                 self.changes += 1;
-                if self.changes <= MOST_CHANGES {
+                // Each change of verdict is narrowed at the price of a search; further ones are only counted.
+                if self.changes <= 8 {
                     let (inner, outer) = ((at, trial.clone()), (amount, Some(now.clone())));
                     let (does, does_not) = if did { (inner, outer) } else { (outer, inner) };
                     let carried = does.1.and_then(|trial| trial.carried());

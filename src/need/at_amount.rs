@@ -10,9 +10,6 @@ use crate::numerics::tried;
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
-/// Equal parts of a turn whose states are compared. Fewer can miss the angle that uses most friction; each costs an equilibrium.
-const ANGLES: u32 = 180;
-
 impl<const C: usize> Grasp<C> {
     /// This grasp with an amount set, and its equilibrium under the load of the [need](Self::need) that uses most of its friction.
     ///
@@ -60,7 +57,9 @@ impl<const C: usize> Grasp<C> {
                 if matches!(need.sought, Sought::Angle { .. }) {
                     return Ok(path.state().map(|state| (grasp.with(self.settings()), state)));
                 }
-                let on_the_way = (0..ANGLES).map(|k| path.state_at(0, f64::from(k) / f64::from(ANGLES)));
+                // Fewer parts of a turn can miss the angle that uses most friction; each costs an
+                // equilibrium.
+                let on_the_way = (0..180_u32).map(|k| path.state_at(0, f64::from(k) / 180.0));
                 on_the_way.chain([path.state()]).collect()
             }
         };

@@ -37,6 +37,7 @@ mod range;
 mod repeated;
 mod search;
 mod threshold;
+mod tolerances;
 mod trial;
 mod words;
 

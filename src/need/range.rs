@@ -5,24 +5,12 @@
 //! coefficients have a least value.
 
 use super::question::{Need, Safety, Sought};
+use super::tolerances::{LAST_DIGITS, SAME_COEFFICIENT};
 use super::trial::Loading;
 use crate::ask::Grasp;
 use crate::error::Error;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
-
-/// Most cuts at one end. Each passes the last, and on round cones their distance shrinks by a factor; fewer leave the end looser, though still
-/// proved.
-const MOST_CUTS: usize = 60;
-/// Distance of two cuts, relative to the amount, at which the end is final. Below it further cuts differ by rounding alone.
-const SAME: f64 = 1e-13;
-/// Width, relative to the coefficient, that ends the halving of coefficients. Below it rounding decides whether a proof exists.
-const SAME_FRICTION: f64 = 1e-10;
-/// Most halvings of an interval of coefficients: limits at a ratio of 2⁴⁰ need about 40, in logarithms first. Fewer leave a loose end.
-const HALVINGS: usize = 80;
-/// Width of an interval of coefficients, relative to the larger one, from which on secants replace halving. In a wider one the work left over is not
-/// linear.
-const NEAR: f64 = 1e-2;
 
 /// An interval of amounts. A proof refutes all amounts beyond an end that is given; `None` means no proof on that side.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +58,9 @@ impl Range {
     ) -> Result<(), Error> {
         let (low, high) = (self.low.unwrap_or(least), self.high.unwrap_or(most));
         let (mut at, end) = if up { (low, high) } else { (high, low) };
-        for _ in 0..MOST_CUTS {
+        // Each cut passes the last, and on round cones their distance shrinks by a factor; fewer leave the
+        // end looser, though still proved.
+        for _ in 0..60 {
             let here = loading(at)?;
             let load = here.to_balance()[which];
             let Some(motion) = here.grasp.unbalanced_along(&load)? else { break };
@@ -83,7 +73,7 @@ impl Range {
                 return Ok(());
             }
             let next = at + (end - at) * (work / (work - beyond));
-            let is_last = (next - at).abs() <= SAME * at.abs().max(next.abs());
+            let is_last = (next - at).abs() <= LAST_DIGITS * at.abs().max(next.abs());
             at = next;
             *(if up { &mut self.low } else { &mut self.high }) = Some(at);
             if is_last {
@@ -115,12 +105,14 @@ impl Range {
         }
         let (Some(mut last), mut low, mut high) = (left(least)?, least, most) else { return Ok(()) };
         let mut secant = None;
-        for _ in 0..HALVINGS {
-            if high - low <= SAME_FRICTION * high {
+        // Limits at a ratio of 2⁴⁰ need about 40 halvings, in logarithms first. Fewer leave a loose end.
+        for _ in 0..80 {
+            if high - low <= SAME_COEFFICIENT * high {
                 break;
             }
             let middle = if high > 2.0 * low { (low * high).sqrt() } else { 0.5 * (low + high) };
-            let is_near = high - low <= NEAR * high;
+            // In a wider interval the work left over is not linear, and secants do not replace halving.
+            let is_near = high - low <= 1e-2 * high;
             let at = secant.filter(|at| is_near && low < *at && *at < high).unwrap_or(middle);
             if let Some(now) = left(at)? {
                 secant = (now < last).then(|| at + now * (at - low) / (last - now));

@@ -8,16 +8,10 @@ use crate::error::Error;
 use crate::grasp::{BodyMotion, Wrench};
 use crate::load_path::Leg;
 use crate::numerics::largest;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 use crate::shake::{Repeats, Shaken};
 use crate::squeeze::Loads;
-
-/// Carried part that separates a loss (below) from walking and rubbing (above): in this order a search proceeds towards rest. Any value between 0 and
-/// 1 does.
-const HELD: f64 = 0.5;
-/// Largest distance of an angle from full turns, in turns, at which it counts as full turns. It covers rounding; larger ones skip the way back of a
-/// load.
-const ROUND: f64 = 1e-12;
 
 impl<const C: usize> Loading<C> {
     /// Whether the object comes to rest, or does not walk, while the loads are put on and taken off in turn for ever.
@@ -48,7 +42,7 @@ impl<const C: usize> Loading<C> {
             Loads::Turn(turn) => {
                 let there = self.so_many(turn);
                 let round = there.angle() / TAU;
-                let is_round = (round - round.round()).abs() <= ROUND && round > 0.5;
+                let is_round = (round - round.round()).abs() <= SOLVED_ROUNDING && round > 0.5;
                 let mut legs = vec![Leg::turn(&there)];
                 if !is_round {
                     legs.push(Leg::turn(&there.back()));
@@ -62,16 +56,18 @@ impl<const C: usize> Loading<C> {
 
 /// The carried part of an insufficient amount, below 1: it rises with the cycle of a loss, and as the motion per period falls.
 fn carried<const C: usize>(shaken: &Shaken<C>, legs: usize) -> f64 {
+    // That of a loss is below one half, that of walking and rubbing above it, so that a search proceeds towards rest.
+    let held = 0.5;
     match &shaken.repeats {
         Repeats::NoRest { .. } => NOT_AT_REST,
         Repeats::Lost { cycle, leg, lost, .. } => {
             let gone = (cycle - 1) as f64 + (*leg as f64 + lost.factor) / legs as f64;
-            HELD * gone / (1.0 + gone)
+            held * gone / (1.0 + gone)
         }
         Repeats::Walks { by, .. } => {
             let part = |motion: &BodyMotion<C>| motion.speed() / motion.reach.max(f64::MIN_POSITIVE);
-            HELD + (1.0 - HELD) / (2.0 + largest(&by, &part))
+            held + (1.0 - held) / (2.0 + largest(&by, &part))
         }
-        _ => HELD + 0.5 * (1.0 - HELD),
+        _ => held + 0.5 * (1.0 - held),
     }
 }

@@ -5,34 +5,11 @@
 
 use super::range::Range;
 use super::threshold::{Enough, Threshold};
+use super::tolerances::{FAR_APART, LAST_DIGITS, NEAR_AN_END};
 use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::numerics::increasing;
 use crate::prelude::*;
-
-/// Offset that moves a guess across the bound, relative to the amount, so that trials on both sides leave a bracket within [`EXACT`]. Below it
-/// rounding decides the side; above 5e-13 the bracket needs more trials. Also the relative width that ends a golden section.
-pub(super) const CLOSE: f64 = 1e-13;
-/// Distances of trials inside and outside an end of the [`Range`], relative to the end. Where the end is exact, the first pair is a bracket within
-/// [`EXACT`]. The others exceed the error that proofs leave; without them both trials beside a loose end fall on one side.
-const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
-/// Distance of trials on both sides of [`Range::likely`], relative to it. Below the error of that secant both trials fall on one side.
-const LIKELY: f64 = 3e-12;
-/// Most guesses in a row from the carried part. Past them it is not proportional to the amount, and [`walk`] continues; fewer lose nearly
-/// proportional cases.
-const MOST_GUESSES: usize = 4;
-/// Ratio of successive amounts where a sufficient one is sought everywhere. A larger ratio passes over narrow windows of sufficient amounts.
-const DOUBLED: f64 = 2.0;
-/// Ratio of successive amounts in a short search, and where sufficient amounts are left. A bracket beyond it is halved in logarithms, since means of
-/// amounts that far apart approach the smaller one slowly.
-pub(super) const QUADRUPLED: f64 = 4.0;
-/// Most steps of the golden section around the best insufficient amount. Each leaves 0.618 of the logarithmic width, 40 leave 4e-9 of it; fewer miss
-/// narrow windows.
-const MOST_SECTIONS: usize = 40;
-/// Offsets of amounts tried in place of an undecided one, relative to the width of the bracket. Without them one doubtful amount ends the search.
-const BESIDE: [f64; 6] = [0.01, -0.01, 0.1, -0.1, 0.3, -0.3];
-/// Offsets of amounts tried in place of an undecided one where there is no bracket, relative to the amount. Below 1e-9 the same tie may remain.
-const BESIDE_ONE: [f64; 6] = [1e-9, -1e-9, 1e-6, -1e-6, 1e-3, -1e-3];
 
 /// The trial of an amount.
 pub(super) type Tries<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
@@ -108,8 +85,8 @@ impl SearchPlan {
         match (self.range.low, self.range.high) {
             _ if self.contains(self.start) => self.start,
             (Some(low), Some(high)) => 0.5 * (low + high),
-            (Some(low), None) => (DOUBLED * low).min(self.limits[1]),
-            (None, _) => (self.high() / DOUBLED).max(self.limits[0]),
+            (Some(low), None) => (2.0 * low).min(self.limits[1]),
+            (None, _) => (self.high() / 2.0).max(self.limits[0]),
         }
     }
 }
@@ -149,7 +126,8 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
             }
         }
     }
-    let factor = if plan.everywhere { DOUBLED } else { QUADRUPLED };
+    // A larger ratio than 2 passes over narrow windows of sufficient amounts.
+    let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
     // A squeeze that moves the part too far is no proof that less of it does not suffice.
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
@@ -172,7 +150,13 @@ pub(super) fn decided(tries: Tries<'_>, at: f64, width: Option<f64>) -> Result<(
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
-        for part in if width.is_some() { BESIDE } else { BESIDE_ONE } {
+        // Without offsets one doubtful amount ends the search; below 1e-9 the same tie may remain.
+        let offsets = if width.is_some() {
+            [0.01, -0.01, 0.1, -0.1, 0.3, -0.3]
+        } else {
+            [1e-9, -1e-9, 1e-6, -1e-6, 1e-3, -1e-3]
+        };
+        for part in offsets {
             let trial = tries(beside(part))?;
             if !matches!(trial, Trial::Unknown(_)) {
                 return Ok((beside(part), trial));
@@ -182,7 +166,7 @@ pub(super) fn decided(tries: Tries<'_>, at: f64, width: Option<f64>) -> Result<(
     Ok((at, first))
 }
 
-/// The first sufficient amount among guesses from the carried part. Each guess is moved towards more: the first by 2 [`CLOSE`], each other by 64
+/// The first sufficient amount among guesses from the carried part. Each guess is moved towards more: the first by 2 [`LAST_DIGITS`], each other by 64
 /// times as much as the last.
 fn guessed(
     tries: Tries<'_>,
@@ -190,8 +174,9 @@ fn guessed(
     (mut at, mut trial): (f64, Trial),
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
-    let mut beyond = CLOSE;
-    for _ in 0..MOST_GUESSES {
+    let mut beyond = LAST_DIGITS;
+    // Past four guesses the carried part is not proportional to the amount, and [`walk`] continues.
+    for _ in 0..4 {
         let Some(guess) = plan.guessed(at, &trial) else { break };
         beyond *= 2.0;
         let guess = if plan.is_least { guess * (1.0 + beyond) } else { guess * (1.0 - beyond) };
@@ -246,13 +231,16 @@ fn edge_from(
     };
     let from_beyond =
         |part: f64| does_not.as_ref().and_then(|(at, trial): &(f64, Trial)| beyond(*at, trial, part));
-    let guesses = [beyond(does, &trial, CLOSE), from_beyond(CLOSE), from_beyond(64.0 * CLOSE)];
+    let guesses =
+        [beyond(does, &trial, LAST_DIGITS), from_beyond(LAST_DIGITS), from_beyond(64.0 * LAST_DIGITS)];
     let end = plan.end(up).filter(|end| is_beyond(*end, does));
     let near = |part: f64| end.map(|end| end * if up { 1.0 + part } else { 1.0 - part });
     let [nearest, near_enough, nearby] = NEAR_AN_END;
     let ends = [near(-nearest), near(-near_enough), near(-nearby), near(nearest), near(near_enough)];
     let likely = plan.range.likely.filter(|_| !up);
-    let likely = [likely.map(|at| at * (1.0 + LIKELY)), likely.map(|at| at * (1.0 - LIKELY))];
+    // Below the error of that secant both trials fall on one side.
+    let off = 3e-12;
+    let likely = [likely.map(|at| at * (1.0 + off)), likely.map(|at| at * (1.0 - off))];
     for at in guesses.into_iter().chain(likely).chain(ends).flatten() {
         if does_not.as_ref().is_some_and(|not: &(f64, Trial)| !is_beyond(not.0, at)) || !is_beyond(at, does) {
             continue;
@@ -265,7 +253,7 @@ fn edge_from(
     }
     let mut at = does;
     while does_not.is_none() {
-        at *= if up { QUADRUPLED } else { QUADRUPLED.recip() };
+        at *= if up { FAR_APART } else { FAR_APART.recip() };
         if !plan.contains(at) {
             // Beyond the end of the range its proof replaces a trial.
             let says = || Trial::DoesNot {
@@ -312,7 +300,8 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
     let between = |from: f64, to: f64| from * (to / from).powf(golden);
     let mut inner = [between(high, low), between(low, high)];
     let mut parts = [None; 2];
-    for _ in 0..MOST_SECTIONS {
+    // Each section leaves 0.618 of the logarithmic width, 40 leave 4e-9 of it; fewer miss narrow windows.
+    for _ in 0..40 {
         for k in 0..2 {
             if parts[k].is_none() {
                 let trial = tries(inner[k])?;
@@ -323,7 +312,7 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
                 vain.push((inner[k], trial));
             }
         }
-        if high - low <= CLOSE * high {
+        if high - low <= LAST_DIGITS * high {
             break;
         }
         if parts[0] < parts[1] {

@@ -1,6 +1,7 @@
 //! A sufficient amount beside an insufficient one, and how the bracket between them is narrowed.
 
-use super::search::{CLOSE, QUADRUPLED, Tries, decided};
+use super::search::{Tries, decided};
+use super::tolerances::{BESIDE_A_BOUND, FAR_APART, LAST_DIGITS};
 use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
@@ -8,22 +9,6 @@ use crate::prelude::*;
 /// Pairs (steps, width): after that many steps a bracket of at most this width, relative to the larger amount, ends the search. Widths grow with the
 /// steps, since rounding or a jump of the carried part can keep the two amounts apart.
 pub(super) type Enough = &'static [(usize, f64)];
-/// Widths for the amount itself: the last digits that rounding leaves. Narrower ones cost steps that only rounding decides; wider ones show in the
-/// answer.
-pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
-/// Widths for an amount reported beside the first, `sticks` or `safe`. Narrower ones multiply the trials of an answer.
-pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
-/// Widths for other changes of verdict around a bound. There may be eight of them, so that narrower ones cost the most trials.
-const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
-/// Most steps that narrow a bracket. Halving a ratio of 4 down to [`EXACT`] takes 40; steps past 120 only follow rounding.
-const MOST_STEPS: usize = 120;
-
-/// Fall of the carried part across a bracket, relative to its first fall, above which it jumps at the bound and only halving helps. It is tested at
-/// [`JUMP_WIDTH`]; below 1/16 a linear part would count as a jump, near 1 small jumps are missed.
-const JUMP: f64 = 0.25;
-/// Width of a bracket, relative to the first one, at which [`JUMP`] is tested. A linear part falls there by 1/16; a wider bracket blurs it with a
-/// jump.
-const JUMP_WIDTH: f64 = 1.0 / 16.0;
 
 /// A bracket of the bound: a sufficient amount, and an insufficient one beside it with its trial.
 #[derive(Debug)]
@@ -52,13 +37,14 @@ impl Threshold {
         let mut over = carried.map(|carried| carried - 1.0).filter(|x| x.is_finite());
         let mut under = short(&self.does_not.1);
         // The end that the last step moved, the least distance of the next trial from both ends relative to the amount, and the last three widths.
-        let (mut kept, mut push, mut widths) = (None, 0.5 * CLOSE, [f64::INFINITY; 3]);
+        let (mut kept, mut push, mut widths) = (None, 0.5 * LAST_DIGITS, [f64::INFINITY; 3]);
         // `over` and `under` may be halved below; the last true values measure the fall of the carried part.
         let falls =
             |does: Option<f64>, does_not: Option<f64>| does.zip(does_not).map(|(over, under)| over - under);
         let (mut last_over, mut last_under) = (over, under);
         let (at_first, fall_at_first) = ((self.does_not.0 - self.does).abs(), falls(over, under));
-        for step in 0..MOST_STEPS {
+        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; those past 120 only follow rounding.
+        for step in 0..120 {
             let (from, to) = (self.does, self.does_not.0);
             let width = (to - from).abs();
             let close =
@@ -71,7 +57,9 @@ impl Threshold {
             let secant =
                 over.zip(under).filter(|(over, under)| *over >= 0.0 && *under <= 0.0 && over > under);
             let fall = falls(last_over, last_under).zip(fall_at_first);
-            let jumps = width <= JUMP_WIDTH * at_first && fall.is_some_and(|(now, first)| now > JUMP * first);
+            // A linear part falls by 1/16 where the bracket is 1/16 as wide as the first. A quarter is a jump
+            // at the bound, where only halving helps.
+            let jumps = width <= 1.0 / 16.0 * at_first && fall.is_some_and(|(now, first)| now > 0.25 * first);
             let at = match secant {
                 Some((over, under)) if !(jumps || step >= 3 && is_slow && kept.is_none()) => {
                     let least = (push * from.abs().max(to.abs()) / width).min(0.5);
@@ -86,7 +74,7 @@ impl Threshold {
             // Illinois: where the same end moves twice, the value at the other counts half, and the next trial keeps farther from both ends.
             let is_over = now.does();
             let again = kept == Some(is_over);
-            push = if again { 16.0 * push } else { 0.5 * CLOSE };
+            push = if again { 16.0 * push } else { 0.5 * LAST_DIGITS };
             kept = if step % 4 == 3 && is_slow { None } else { Some(is_over) };
             match now {
                 Trial::Does { .. } => {
@@ -111,8 +99,8 @@ impl Threshold {
     }
 }
 
-/// The mean of two amounts, geometric where their ratio exceeds [`QUADRUPLED`].
+/// The mean of two amounts, geometric where their ratio exceeds [`FAR_APART`].
 fn middle(from: f64, to: f64) -> f64 {
-    let is_far = from > 0.0 && to > 0.0 && (from / to).max(to / from) > QUADRUPLED;
+    let is_far = from > 0.0 && to > 0.0 && (from / to).max(to / from) > FAR_APART;
     if is_far { (from * to).sqrt() } else { 0.5 * (from + to) }
 }

@@ -5,6 +5,7 @@ use core::f64::consts::{PI, TAU};
 use core::fmt;
 
 use super::question::{Demand, Need, Safety, Sought};
+use super::tolerances::MOST_LOADS;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -15,23 +16,8 @@ use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 use crate::words::Words;
 
-/// Directions, 5° apart, in which a force of any direction is tried in the plane where the object may slide: a loss has no closed form. Fewer can
-/// pass over the weakest direction.
-const DIRECTIONS_IN_THE_PLANE: usize = 72;
-/// Directions in which a force of any direction is tried in space, spread evenly over the sphere. Fewer can pass over the weakest direction.
-const DIRECTIONS_IN_SPACE: usize = 200;
-/// Equal parts of a turn after which forces have to balance the load. Fewer leave the range of amounts wider, though still proved.
-const TURNED: u32 = 8;
-/// The doubt where a force in some direction closes an open contact, so that no closed form compares directions.
-const OPEN: &str = "a contact is open or at its edge before the force acts, and directions are compared only where all of them press";
 /// The carried part where the load at rest has no equilibrium at all. It has to lie below 0, the part where only the load at rest is carried.
 pub(super) const NOT_AT_REST: f64 = -1.0;
-
-/// Multiple up to which the load of a trial is followed, so that the carried part of a sufficient amount shows its distance from the bound. A smaller
-/// one hides that distance, a larger one costs longer paths.
-const FOLLOWED: f64 = 32.0;
-/// Largest ratio of an amount to the start of the search, and of the start to an amount. Where the load is sought it is followed up to this multiple.
-pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
 
 /// The result of a trial.
 #[derive(Debug, Clone, PartialEq)]
@@ -148,13 +134,15 @@ impl<const C: usize> Loading<C> {
         };
         let grasp = if friction == 1.0 { grasp } else { grasp.with_friction(|_, mu| friction * mu)? };
         let followed =
-            if matches!(need.sought, Sought::Load { .. }) { MOST_LOADS / amount.max(1.0) } else { FOLLOWED };
+            // The carried part of a sufficient amount shows its distance from the bound up to this multiple;
+            // a larger one costs longer paths.
+            if matches!(need.sought, Sought::Load { .. }) { MOST_LOADS / amount.max(1.0) } else { 32.0 };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
         Ok(Self { grasp, loads, base, times, words: need.words, followed })
     }
 
     /// Loads that contact forces must balance for the amount to suffice: the load at rest, and its sum with each load. A force of any direction
-    /// counts along both senses of each axis, a turn at [`TURNED`] + 1 angles.
+    /// counts along both senses of each axis, a turn at nine angles.
     pub(super) fn to_balance(&self) -> Vec<Wrench<C>> {
         let mut list = vec![self.base];
         match &self.loads {
@@ -168,8 +156,10 @@ impl<const C: usize> Loading<C> {
             }
             Loads::Turn(turn) => {
                 let turn = self.so_many(turn);
-                list = (0..=TURNED)
-                    .map(|k| turn.load_at(turn.angle() * f64::from(k) / f64::from(TURNED)))
+                // Fewer angles leave the range of amounts wider, though still proved.
+                let parts = 8_u32;
+                list = (0..=parts)
+                    .map(|k| turn.load_at(turn.angle() * f64::from(k) / f64::from(parts)))
                     .collect();
             }
         }
@@ -264,7 +254,12 @@ impl<const C: usize> Loading<C> {
                 Trial::DoesNot { says: format!("{who} under a force of one direction"), carried: most / size }
             }
             WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
-            WeakestDirection::NotSticking => Trial::Unknown(OPEN.to_owned()),
+            // No closed form compares directions where a force closes an open contact.
+            WeakestDirection::NotSticking => Trial::Unknown(
+                "a contact is open or at its edge before the force acts, and directions are compared only where all of \
+                 them press"
+                    .to_owned(),
+            ),
             WeakestDirection::Undecided => {
                 Trial::Unknown("rounding keeps the weakest direction from being told".to_owned())
             }
@@ -351,7 +346,8 @@ pub(super) fn force_at<const C: usize>(force: [f64; C], point: [f64; C]) -> Wren
 
 /// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
 fn directions<const C: usize>() -> Vec<[f64; C]> {
-    let count = if C == 2 { DIRECTIONS_IN_THE_PLANE } else { DIRECTIONS_IN_SPACE };
+    // A loss has no closed form over directions, and fewer of them can pass over the weakest.
+    let count = if C == 2 { 72 } else { 200 };
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let direction = |k: usize| {
         let z = 1.0 - (2 * k + 1) as f64 / count as f64;

@@ -6,12 +6,7 @@ use super::answer::{Amount, AmountWindow, FarEnd, Needed, Press, PressedBy, Quan
 use super::question::Demand;
 use crate::numerics::mapped;
 use crate::prelude::*;
-use crate::words::{Words, listed, printable};
-
-/// Relative difference up to which a sentence names two forces or amounts as one. Six digits do not show it.
-const ALIKE: f64 = 1e-6;
-/// Most contacts that a sentence lists one by one; a longer list buries the amount.
-const MANY: usize = 9;
+use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed, printable};
 
 impl fmt::Display for Needed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -155,7 +150,9 @@ impl Needed {
         let is_least = self.quantity.is_least();
         match &self.sticks {
             None => return Ok(true),
-            Some(Amount::Bound { does: sticks, .. }) if (sticks - does).abs() <= ALIKE * does.abs() => {
+            Some(Amount::Bound { does: sticks, .. })
+                if (sticks - does).abs() <= ALIKE_IN_WORDS * does.abs() =>
+            {
                 f.write_str(if is_least { " and nothing slides" } else { ", and nothing slides" })?;
                 return Ok(true);
             }
@@ -199,7 +196,9 @@ impl Needed {
             Some(Amount::Bound { does: safe, presses: safe_presses, .. }) => {
                 let much = match (alike(presses), alike(safe_presses)) {
                     // Drives at their limit press no harder under a larger command.
-                    (Some(one), Some(other)) if (one - other).abs() <= ALIKE * one.abs() && *safe != does => {
+                    (Some(one), Some(other))
+                        if (one - other).abs() <= ALIKE_IN_WORDS * one.abs() && *safe != does =>
+                    {
                         format!("{} times that command", words.number(safe / does))
                     }
                     (None, _) if !presses.is_empty() => {
@@ -260,13 +259,14 @@ impl Needed {
                 }
                 if let Some(force) = alike(presses) {
                     let names: Vec<_> = mapped(&presses, &|press| press.part.text());
-                    let at = if names.len() > MANY { "every contact".to_owned() } else { listed(&names) };
+                    let at =
+                        if names.len() > MOST_NAMES { "every contact".to_owned() } else { listed(&names) };
                     return format!("{} N at {at}", words.number(force));
                 }
                 let each = presses
                     .iter()
                     .map(|press| format!("{} N at {}", words.number(press.force), press.part.text()));
-                if presses.len() > MANY {
+                if presses.len() > MOST_NAMES {
                     times
                 } else {
                     format!("{} ({times})", listed(&each.collect::<Vec<_>>()))
@@ -341,7 +341,7 @@ fn at_limit(drives: &[String]) -> Option<String> {
 }
 
 impl Amount {
-    /// Whether this amount, to within [`ALIKE`], lies in a window of sufficient ones. Where there is no bound it counts as sufficient.
+    /// Whether this amount, to within [`ALIKE_IN_WORDS`], lies in a window of sufficient ones. Where there is no bound it counts as sufficient.
     fn takes(&self, amount: f64, is_least: bool) -> bool {
         let Self::Bound { does, until, elsewhere, .. } = self else { return true };
         let (near, far) = (Some(*does), until.as_ref().map(|end| end.does));
@@ -352,14 +352,14 @@ impl Amount {
         };
         let is_in =
             |amount: f64| own.contains(amount) || elsewhere.iter().any(|window| window.contains(amount));
-        [amount, amount * (1.0 + ALIKE), amount * (1.0 - ALIKE)].into_iter().any(is_in)
+        [amount, amount * (1.0 + ALIKE_IN_WORDS), amount * (1.0 - ALIKE_IN_WORDS)].into_iter().any(is_in)
     }
 }
 
-/// The normal force that all contacts share, to within [`ALIKE`], N.
+/// The normal force that all contacts share, to within [`ALIKE_IN_WORDS`], N.
 fn alike(presses: &[Press]) -> Option<f64> {
     let first = presses.first()?.force;
-    presses.iter().all(|press| (press.force - first).abs() <= ALIKE * first.abs()).then_some(first)
+    presses.iter().all(|press| (press.force - first).abs() <= ALIKE_IN_WORDS * first.abs()).then_some(first)
 }
 
 impl fmt::Display for Quantity {

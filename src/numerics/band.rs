@@ -3,11 +3,8 @@
 //! With entries up to b places from the diagonal, row exchanges fill up to 2b places to the right. Factors of n rows cost 2 n b² multiplications in place of
 //! n³/3, and a solution 3 n b in place of n².
 
+use super::tolerances::BAND_PIVOT;
 use crate::prelude::*;
-
-/// Pivot that counts as zero, relative to the largest entry; the caller must distinguish a singular matrix from a soft one. Exactly singular matrices
-/// leave some 1e-16.
-const REGULAR: f64 = 1e-11;
 
 /// A matrix whose entries are up to `reach` places from the diagonal.
 #[derive(Debug, Clone)]
@@ -62,7 +59,7 @@ impl Band {
         let Self { reach, count, .. } = self;
         let height = 3 * reach + 1;
         let entries = &mut self.entries[..];
-        let least = REGULAR * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let least = BAND_PIVOT * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let (mut pivots, mut pinned) = (Vec::with_capacity(count), Vec::new());
         // The last column that an exchanged row reaches so far.
         let mut last = 0;

@@ -11,9 +11,6 @@
 use super::band::{Band, BandFactors};
 use crate::prelude::*;
 
-/// Steps of iterative refinement.
-const REFINED: usize = 2;
-
 /// Factors of a bordered matrix, based on those of T.
 #[derive(Debug, Clone)]
 pub(crate) struct BorderedBand {
@@ -44,7 +41,8 @@ impl BorderedBand {
         let given = balance.to_vec();
         let mut z = self.solve_once(balance, last);
         let mut left = vec![0.0; given.len()];
-        for _ in 0..REFINED {
+        // Steps of iterative refinement.
+        for _ in 0..2 {
             left.copy_from_slice(&given);
             self.band.subtract_product(balance, &mut left);
             left.iter_mut().zip(&self.cover).for_each(|(left, c)| *left -= c * z);

@@ -1,11 +1,8 @@
 //! Small linear systems by complete pivoting, with rank, kernels and the unreachable part of a right-hand side.
 
+use super::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{Indices, Square, Vector};
 use crate::prelude::*;
-
-/// A pivot below this part of the largest entry counts as zero. The matrices here are products of orthonormal factors
-/// (entries at most one, noise near 1e-16), so anything smaller is a singular state, not a stiff one.
-const SINGULAR: f64 = 1e-13;
 
 /// Complete-pivoting LU of the leading `rows x cols` block of a `D x D` matrix.
 #[derive(Debug, Clone)]
@@ -38,7 +35,7 @@ impl CompletePivoting {
                 }
             }
             largest = largest.max(most);
-            if most <= SINGULAR * largest {
+            if most <= LINEARLY_DEPENDENT * largest {
                 break;
             }
             a.swap_rows(k, pi);

@@ -5,18 +5,9 @@
 use core::ops::Range;
 
 use super::coordinates::{Square, Vector, WHOLE};
+use super::tolerances::{FEW_ROUNDINGS, LINEARLY_DEPENDENT};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
-
-/// A column counts as dependent on those before it when less than this part of it is left after orthogonalisation.
-/// It keeps rounding noise (about 1e-16 times a few operations) from being taken for a resisted direction. Contacts
-/// in real geometry are parallel up to 1e-12.
-const DEPENDENT: f64 = 1e-13;
-
-/// Relative rounding of an entry, as a part of the row's size: a normal computed as (cos π/2, sin π/2) has a first
-/// component of 6e-17 that resists nothing. Entries that are exactly zero carry no such noise, so a soft spring
-/// still counts across a direction in which stiff springs have no entry.
-const ENTRY_NOISE: f64 = 4.0 * f64::EPSILON;
 
 /// Factorises the rows in `q`, which become those of Q. Returns the rank.
 #[inline(always)]
@@ -42,7 +33,9 @@ pub(super) fn factorise(
         // The largest remaining column, among those that exceed the rounding noise of their original size.
         let mut best = None;
         for j in k..d {
-            if left[j] > (DEPENDENT * full[j]).max(noise[j]) && best.is_none_or(|(_, most)| left[j] > most) {
+            if left[j] > (LINEARLY_DEPENDENT * full[j]).max(noise[j])
+                && best.is_none_or(|(_, most)| left[j] > most)
+            {
                 best = Some((j, left[j]));
             }
         }
@@ -59,7 +52,7 @@ pub(super) fn factorise(
         }
         let square = again_from_those_before(d, q, (parts, r.column_slice_mut(k)), k);
         let norm = square.sqrt();
-        if norm <= (DEPENDENT * full[k]).max(noise[k]) {
+        if norm <= (LINEARLY_DEPENDENT * full[k]).max(noise[k]) {
             // The remainder was noise: the column is never a pivot again.
             full[k] = f64::INFINITY;
             continue;
@@ -103,7 +96,7 @@ fn lengths_and_noise(d: usize, q: &[f64], full: &mut [f64], noise: &mut [f64]) {
         }
     }
     for k in 0..d {
-        (full[k], noise[k]) = (full[k].sqrt(), noise[k].sqrt() * ENTRY_NOISE);
+        (full[k], noise[k]) = (full[k].sqrt(), noise[k].sqrt() * FEW_ROUNDINGS);
     }
 }
 

@@ -15,15 +15,8 @@ use core::cmp::Ordering;
 use super::coordinates::{Size, Square, Vector, WHOLE};
 use super::partial_pivoting::PartialPivoting;
 use super::support::{SupportFunction, Vertex, middle};
+use super::tolerances::{POLYTOPE_SHRINKS, SOLVED_ROUNDING};
 use crate::prelude::*;
-
-/// A point lies in the plane of a face if its distance from the plane is below this part of the middle's distance from it.
-const IN_PLANE: f64 = 1e-12;
-
-/// Largest number of faces: each new point is compared with all of them.
-const MOST_FACES: usize = 20_000;
-/// A growing polytope may come nearer to the origin by this part of its size, by rounding; more ends the search.
-const SHRINKS: f64 = 1e-7;
 
 /// Bounds of the radius.
 #[derive(Debug, Clone)]
@@ -35,11 +28,8 @@ pub(crate) struct BallBounds {
     pub(crate) direction: Vector,
 }
 
-/// Indices of as many points as there are dimensions, in ascending order; behind them [`NO_POINT`].
+/// Indices of as many points as there are dimensions, in ascending order; behind them the largest index, of no point.
 type Corners = [usize; WHOLE];
-
-/// The index of no point.
-const NO_POINT: usize = usize::MAX;
 
 struct Face {
     vertices: Corners,
@@ -93,7 +83,7 @@ impl Polytope {
         let (faces, alive, queue, ridges) = (Vec::new(), Vec::new(), BinaryHeap::new(), Vec::new());
         let mut polytope = Self { size, middle: middle(simplex), points, faces, alive, queue, ridges };
         for without in 0..simplex.len() {
-            let mut vertices = [NO_POINT; WHOLE];
+            let mut vertices = [usize::MAX; WHOLE];
             for (k, vertex) in vertices[..size.count()].iter_mut().enumerate() {
                 *vertex = if k < without { k } else { k + 1 };
             }
@@ -122,7 +112,7 @@ impl Polytope {
         let (faces, ridges) = (&mut self.faces, &mut self.ridges);
         self.alive.retain(|&k| {
             let face = &mut faces[k];
-            face.is_alive = face.normal.dot(&from_middle) < 1.0 - IN_PLANE;
+            face.is_alive = face.normal.dot(&from_middle) < 1.0 - SOLVED_ROUNDING;
             if !face.is_alive {
                 for without in 0..d {
                     let mut ridge = face.vertices;
@@ -168,8 +158,9 @@ pub(crate) fn largest_ball(
         let (distance, direction) = polytope.nearest()?;
         let shrinks = bounds
             .as_ref()
-            .is_some_and(|known| known.at_least > 0.0 && distance < known.at_least - SHRINKS * size);
-        if shrinks || polytope.alive.len() > MOST_FACES {
+            .is_some_and(|known| known.at_least > 0.0 && distance < known.at_least - POLYTOPE_SHRINKS * size);
+        // Each new point is compared with all faces, so that their number is limited.
+        if shrinks || polytope.alive.len() > 20_000 {
             break;
         }
         let next = support(&direction);

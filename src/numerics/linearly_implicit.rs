@@ -12,11 +12,6 @@
 use super::dormand_prince::Stepped;
 use crate::prelude::*;
 
-/// Largest number of rows of the scheme.
-const MOST_ROWS: usize = 9;
-/// A step fails if its error grows in a row after this one.
-const PATIENCE: usize = 4;
-
 /// One step of this length with an error below the tolerance. `first` is the rate at its beginning, from which the variables are counted. For a
 /// length h `damped` returns a function that solves `(1 - hJ) Δ = x` in place, if the matrix is regular.
 pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
@@ -30,7 +25,8 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     let (mut y, mut change) = (vec![0.0; first.len()], vec![0.0; first.len()]);
     let mut before: Vec<Vec<f64>> = Vec::new();
     let mut last_error = f64::INFINITY;
-    for j in 1..=MOST_ROWS {
+    // Largest number of rows of the scheme.
+    for j in 1..=9 {
         let part = length / j as f64;
         let solve = damped(part)?;
         y.fill(0.0);
@@ -60,7 +56,8 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
             if error <= tolerance {
                 return row.pop().map(|change| Stepped { change, error });
             }
-            if !error.is_finite() || j > PATIENCE && error > last_error {
+            // A step fails if its error grows in a row after the fourth.
+            if !error.is_finite() || j > 4 && error > last_error {
                 return None;
             }
             last_error = error;

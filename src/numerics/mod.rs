@@ -13,6 +13,7 @@
 //! | `factors` | the choice between these two |
 //! | `linearly_implicit` | one step of a stiff ordinary differential equation |
 //! | `student_t` | quantiles of Student's distribution |
+//! | `tolerances` | the numbers below which a value is zero or rounding |
 //! | `support` | convex sets given by their support points |
 //! | `ray_shooting` | the length of a ray inside such a set |
 //! | `largest_ball` | the largest ball about the origin inside it |
@@ -75,6 +76,7 @@ mod singular_values;
 mod square_root;
 mod student_t;
 mod support;
+pub(crate) mod tolerances;
 mod trigonometric;
 mod unit_vector;
 mod vector_dispatch;

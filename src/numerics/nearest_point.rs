@@ -10,14 +10,8 @@
 //! At the nearest point the residual `r = t - Σ s_k a_k` has `a·r <= 0` for every generator and `t·r = |r|²`. Where r is not zero it
 //! separates t from the cone.
 
+use super::tolerances::LINEARLY_DEPENDENT;
 use crate::prelude::*;
-
-/// A generator that adds less than this to the span of the active ones counts as dependent.
-const DEPENDENT: f64 = 1e-13;
-/// A column that keeps this part of its length when its projection on the others is subtracted has lost no digits.
-const KEPT: f64 = 0.1;
-/// Largest number of times that the projection is subtracted: twice is enough, and the third finds nothing.
-const TIMES: usize = 3;
 
 /// The nearest point so far, by the active generators, each named by a tag, and their shares s.
 #[derive(Debug, Clone)]
@@ -97,20 +91,23 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         let (before, w) = self.q.split_at_mut(from);
         let column = &mut self.r[from..to];
         let mut length = 1.0;
-        for _ in 0..TIMES {
+        // The projection is subtracted at most three times: twice is enough, and the third finds nothing.
+        for _ in 0..3 {
             for (entry, q) in column.iter_mut().zip(before.chunks_exact(m)) {
                 let h = dot(q, w);
                 *entry += h;
                 subtract(w, h, q);
             }
             let left = dot(w, w).sqrt();
-            let done = left > KEPT * length;
+            // A column that keeps this part of its length when its projection on the others is subtracted has
+            // lost no digits.
+            let done = left > 0.1 * length;
             length = left;
             if done {
                 break;
             }
         }
-        if length <= DEPENDENT {
+        if length <= LINEARLY_DEPENDENT {
             self.q.truncate(from);
             self.r.truncate(from);
             return false;

@@ -5,9 +5,6 @@ use core::f64::consts::TAU;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Limit between two expansions: below it the series of the integral converges in some tens of terms, above it the continued fraction of the tail.
-const SERIES: f64 = 3.0;
-
 /// `φ(x) = exp(-x²/2) / √(2π)`.
 pub(crate) fn normal_density(x: f64) -> f64 {
     (-0.5 * x * x).exp() / TAU.sqrt()
@@ -21,7 +18,8 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     if x < 0.0 {
         return 1.0 - normal_tail(-x);
     }
-    if x < SERIES {
+    // Below 3 the series of the integral converges in some tens of terms, above it the continued fraction of the tail.
+    if x < 3.0 {
         // Φ(x) - 1/2 = φ(x) (x + x³/3 + x⁵/(3·5) + …)
         let (mut term, mut sum, mut k) = (x, x, 1.0);
         while term > f64::EPSILON * sum {
@@ -33,18 +31,14 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     }
     // Φ(-x) = φ(x) / (x + 1/(x + 2/(x + 3/(x + …))))
     let mut fraction = x;
-    let mut k = (TERMS / (x * x)).ceil() + LEAST_TERMS;
+    // Farther terms no longer change the result.
+    let mut k = (1080.0 / (x * x)).ceil() + 4.0;
     while k > 0.0 {
         fraction = x + k / fraction;
         k -= 1.0;
     }
     normal_density(x) / fraction
 }
-
-/// Terms of the continued fraction at x are this number over x². Farther terms no longer change the result.
-const TERMS: f64 = 1080.0;
-/// The least number of terms.
-const LEAST_TERMS: f64 = 4.0;
 
 #[cfg(test)]
 mod tests {
@@ -68,8 +62,8 @@ mod tests {
             assert!((normal_tail(-x) - (1.0 - tail)).abs() < 1e-15);
         }
         // The two expansions agree at their limit.
-        let [below, above] = [SERIES - 1e-9, SERIES].map(normal_tail);
-        assert!(((below - above) / (1e-9 * normal_density(SERIES)) - 1.0).abs() < 1e-4);
+        let [below, above] = [3.0 - 1e-9, 3.0].map(normal_tail);
+        assert!(((below - above) / (1e-9 * normal_density(3.0)) - 1.0).abs() < 1e-4);
     }
 
     /// The density is the negative derivative of the tail.

@@ -7,14 +7,8 @@ use core::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::harmonic::Harmonic;
+use super::tolerances::ROUNDED_SUM;
 use super::trigonometric::{Fall, Trigonometric};
-
-/// Rounding of the square of a number, relative to its largest coefficient.
-const SQUARED: f64 = 16.0 * f64::EPSILON;
-/// First step of the search for the least value, in radians.
-const FIRST_STEP: f64 = 1e-3;
-/// Steps of the search by thirds for the least value.
-const THIRDS: usize = 80;
 
 /// N and v.
 #[derive(Debug, Clone, Copy)]
@@ -42,7 +36,7 @@ impl<const C: usize> Turning<C> {
 
     /// An angle from 0 to `most` at which the value is negative by more than rounding, a local minimum; `None` if there is no such angle.
     pub(crate) fn deepest(&self, most: f64) -> Option<f64> {
-        let rounding = SQUARED * self.size();
+        let rounding = ROUNDED_SUM * self.size();
         if self.value(0.0) < -rounding {
             return Some(self.least_near(0.0, most));
         }
@@ -59,12 +53,14 @@ impl<const C: usize> Turning<C> {
     /// The local minimum reached downhill from an angle, between 0 and `most` unless that is a full turn.
     fn least_near(&self, start: f64, most: f64) -> f64 {
         let within = |angle: f64| if most < TAU { angle.clamp(0.0, most) } else { angle };
-        let way = if self.value(within(start + FIRST_STEP)) <= self.value(within(start - FIRST_STEP)) {
+        // First step of the search for the least value, in radians.
+        let first_step = 1e-3;
+        let way = if self.value(within(start + first_step)) <= self.value(within(start - first_step)) {
             1.0
         } else {
             -1.0
         };
-        let (mut before, mut at, mut step) = (within(start - way * FIRST_STEP), start, FIRST_STEP);
+        let (mut before, mut at, mut step) = (within(start - way * first_step), start, first_step);
         let mut value = self.value(start);
         while step < TAU {
             let next = within(at + way * step);
@@ -75,7 +71,7 @@ impl<const C: usize> Turning<C> {
             step *= 2.0;
         }
         let (mut low, mut high) = (before, within(at + way * step));
-        for _ in 0..THIRDS {
+        for _ in 0..80 {
             let third = (high - low) / 3.0;
             if self.value(low + third) <= self.value(high - third) { high -= third } else { low += third }
         }

@@ -10,14 +10,8 @@ use core::ops::Range;
 use super::gram_schmidt::factorise;
 use super::orthonormal_set::orthonormalise_against;
 use super::pairwise::in_halves;
+use super::tolerances::FEW_ROUNDINGS;
 use crate::prelude::*;
-
-/// Largest number of times that a projection is repeated: once to solve, and again for its own rounding. Rows graded
-/// over many decades need more than one repetition.
-const PASSES: usize = 4;
-
-/// A projection that moves x by less than this part of itself is skipped: it would change rounding only.
-const PROJECTED: f64 = 1e-15;
 
 /// `A Π = Q [R11 R12; 0 0]` for an `m x D` matrix A of rank r: Q is `m x r` with orthonormal columns, R11 is upper
 /// triangular `r x r`, Π permutes columns.
@@ -107,9 +101,11 @@ impl Orthogonal {
     pub(crate) fn project(&self, x: &mut [f64], w: &Vector) -> Vector {
         let load = self.load_coordinates(w);
         let mut moved = Vector::zeros();
-        for _ in 0..PASSES {
+        // The projection solves, and is repeated for its own rounding. Rows graded over many decades need
+        // more than one repetition.
+        for _ in 0..4 {
             let step = self.coordinates(x) + &load;
-            if step.norm() <= PROJECTED * x.iter().map(|x| x * x).sum::<f64>().sqrt() {
+            if step.norm() <= FEW_ROUNDINGS * x.iter().map(|x| x * x).sum::<f64>().sqrt() {
                 break;
             }
             self.subtract(x, &step);

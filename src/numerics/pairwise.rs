@@ -5,14 +5,10 @@ use core::ops::Range;
 
 use super::cores;
 
-/// Number of terms that are summed one after the other: with fewer, calls would cost more than the digits are worth.
-const SUMMED_IN_TURN: usize = 256;
-/// Number of terms from which a second thread is used: with fewer, waking it costs more than their sum.
-const APART: usize = 4096;
-
 /// Both results, on two threads if `count` terms are worth it.
 fn both<R: Send>(count: usize, a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
-    if count >= APART { cores::both(a, b) } else { (a(), b()) }
+    // With fewer terms, waking a second thread costs more than their sum.
+    if count >= 4096 { cores::both(a, b) } else { (a(), b()) }
 }
 
 /// A sequence that can be divided into a first and a second half.
@@ -66,7 +62,8 @@ pub(crate) fn in_halves<W: Halves, S: Send>(
     plus: &(impl Fn(S, S) -> S + Sync),
 ) -> S {
     let count = whole.count();
-    if count <= SUMMED_IN_TURN {
+    // With fewer terms, calls would cost more than the digits are worth.
+    if count <= 256 {
         return part(whole);
     }
     let (near, far) = whole.divided(count / 2);

@@ -1,10 +1,7 @@
 //! Small linear systems far from singular, by partial pivoting.
 
+use super::tolerances::PARTIAL_PIVOT;
 use crate::numerics::{Indices, Size, Square, Vector};
-
-/// Pivot, relative to the largest entry, below which a matrix has no factors here: [`super::CompletePivoting`] or [`super::Orthogonal`] must
-/// distinguish singular from soft. Above it a solution has some six digits, and refinement adds the rest.
-const REGULAR: f64 = 1e-10;
 
 /// Partial-pivoting LU of a regular `D x D` matrix.
 #[derive(Debug, Clone)]
@@ -21,7 +18,7 @@ impl PartialPivoting {
         let size = matrix.size();
         let d = size.count();
         let mut lu = matrix.clone();
-        let least = REGULAR * matrix.amax();
+        let least = PARTIAL_PIVOT * matrix.amax();
         let mut reciprocal_pivots = Vector::all_zero(size);
         let mut row_order = size.in_order();
         let (entries, reciprocal, order) =

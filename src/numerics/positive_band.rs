@@ -2,10 +2,8 @@
 //!
 //! With entries up to b places from the diagonal, n rows cost ½ n b² multiplications, a quarter of those of an unsymmetric band.
 
+use super::tolerances::POSITIVE_PIVOT;
 use crate::prelude::*;
-
-/// Pivot, relative to the original diagonal entry, below which the matrix does not count as positive definite.
-const POSITIVE: f64 = 1e-12;
 
 /// The lower half of a matrix with entries up to `reach` places from the diagonal, or of its factors.
 #[derive(Debug, Clone)]
@@ -34,7 +32,8 @@ impl PositiveBand {
     /// Replaces the matrix by L with `L Lᵀ` equal to it; `None` if it is not clearly positive definite.
     pub(crate) fn factor(&mut self) -> Option<()> {
         let height = self.height;
-        let least: Vec<f64> = self.entries.chunks_exact(height).map(|column| POSITIVE * column[0]).collect();
+        let least: Vec<f64> =
+            self.entries.chunks_exact(height).map(|column| POSITIVE_PIVOT * column[0]).collect();
         for (j, least) in least.into_iter().enumerate() {
             let (before, behind) = self.entries.split_at_mut((j + 1) * height);
             let column = &mut before[j * height..];

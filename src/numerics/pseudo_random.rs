@@ -5,11 +5,11 @@ use core::f64::consts::TAU;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
+const WEYL_STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 
 /// Entry i of a fixed vector without structure, from 1/2 to below 3/2.
 pub(crate) fn generic(i: usize) -> f64 {
-    let bits = mixed((i as u64).wrapping_add(1).wrapping_mul(STEP));
+    let bits = mixed((i as u64).wrapping_add(1).wrapping_mul(WEYL_STEP));
     0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64
 }
 
@@ -36,7 +36,7 @@ impl Draw {
     }
 
     fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(STEP);
+        self.0 = self.0.wrapping_add(WEYL_STEP);
         mixed(self.0)
     }
 

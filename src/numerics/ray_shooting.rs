@@ -7,14 +7,8 @@
 use super::coordinates::{Size, Square, Vector};
 use super::partial_pivoting::PartialPivoting;
 use super::support::{SupportFunction, Vertex, middle};
+use super::tolerances::BEYOND_PLANE;
 use crate::prelude::*;
-
-/// Relative distance beyond a plane, or relative size of a pivot, that counts as rounding.
-const BEYOND: f64 = 1e-13;
-/// A target this near the middle, relative to the distances of both from the origin, equals it.
-const NOWHERE: f64 = 1e-14;
-/// Largest number of pivots, against cycles by rounding.
-const MOST_PIVOTS: usize = 1000;
 
 /// A place where a ray leaves a set, between two bounds.
 #[derive(Debug, Clone)]
@@ -35,13 +29,14 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
     let size = Size::of(simplex.len() - 1);
     let origin = middle(simplex);
     let ray = target - &origin;
-    if ray.norm() <= NOWHERE * (target.norm() + origin.norm()) {
+    if ray.norm() <= BEYOND_PLANE * (target.norm() + origin.norm()) {
         let (vertices, normal) = (simplex[..size.count()].to_vec(), Vector::unit(size, 0));
         return Some(RayExit { vertices, shares: Vector::all_zero(size), normal, reach: 1.0, stretch: 0.0 });
     }
     let (mut vertices, mut shares) = first_face(simplex, &origin, &ray)?;
     let mut found: Option<RayExit> = None;
-    for _ in 0..MOST_PIVOTS {
+    // The number of pivots is limited, since rounding could lead to a cycle.
+    for _ in 0..1000 {
         let points = matrix(&vertices, &origin);
         // Where the set is smooth, points come so close that rounding corrupts the plane through them: the result so far is kept.
         let solvers = [PartialPivoting::new(&points), PartialPivoting::new(&points.transpose())];
@@ -52,11 +47,11 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
         let reach = normal.dot(&beyond).max(1.0);
         let stretch = normal.dot(&ray);
         found = Some(RayExit { vertices: vertices.clone(), shares: shares.clone(), normal, reach, stretch });
-        if reach <= 1.0 + BEYOND {
+        if reach <= 1.0 + BEYOND_PLANE {
             break;
         }
         let change = solver.solve(&beyond);
-        let least = BEYOND * change.amax();
+        let least = BEYOND_PLANE * change.amax();
         let leaving = (0..size.count()).filter(|&k| change[k] > least).min_by(|&a, &b| {
             let part = |k: usize| shares[k] / change[k];
             // Among ties the largest pivot.

@@ -6,15 +6,6 @@ use super::normal_tail::normal_tail;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Degrees of freedom above which the normal distribution is used; they differ by some 1e-4.
-const MANY: f64 = 4000.0;
-/// Halvings of an angle, enough for all digits.
-const HALVINGS: usize = 60;
-/// Largest number of terms of a continued fraction, which needs some √ν.
-const TERMS: usize = 500;
-/// Argument from which the quotient of gamma functions is computed by its asymptotic series, to 1e-13.
-const FAR: f64 = 100.0;
-
 /// The number of standard errors on both sides that contain the truth with a probability from 0 to below 1. `None` degrees of freedom mean a known
 /// scatter. Otherwise there is at least one degree; fractions are allowed.
 ///
@@ -26,11 +17,13 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
             let middle = 0.5 * (low + high);
             if within(middle) < probability { (middle, high) } else { (low, middle) }
         };
-        let (low, high) = (0..HALVINGS).fold((least, most), halve);
+        // Halvings of an angle, enough for all digits.
+        let (low, high) = (0..60).fold((least, most), halve);
         0.5 * (low + high)
     };
+    // Above 4000 degrees of freedom the normal distribution differs by some 1e-4, and is used instead.
     match degrees {
-        Some(nu) if nu <= MANY => {
+        Some(nu) if nu <= 4000.0 => {
             let a = 0.5 * nu.max(1.0);
             let whole = beta_with_half(a);
             let angle = halved(0.0, FRAC_PI_2, &|angle| within_an_angle(angle, a, whole));
@@ -64,7 +57,8 @@ fn fraction(x: f64, a: f64, b: f64) -> f64 {
     };
     // Convergents p / q by their recurrence, scaled to q = 1.
     let ([mut p, mut before], mut q_before) = ([1.0, 1.0], 0.0);
-    for k in 1..TERMS {
+    // The fraction needs some √ν terms.
+    for k in 1..500 {
         let d = term(k);
         let (next, q) = (p + d * before, 1.0 + d * q_before);
         let (last, scaled) = (p, next / q);
@@ -79,7 +73,8 @@ fn fraction(x: f64, a: f64, b: f64) -> f64 {
 /// B(a, 1/2), by its recurrence up to the range of the series for the quotient of gamma functions (Abramowitz and Stegun, 6.1.47).
 fn beta_with_half(a: f64) -> f64 {
     let (mut a, mut times) = (a, 1.0);
-    while a < FAR {
+    // From this argument on the series is exact to 1e-13.
+    while a < 100.0 {
         times *= (a + 0.5) / a;
         a += 1.0;
     }
@@ -144,7 +139,7 @@ mod tests {
     /// At the largest number that is computed, the distribution meets the normal one.
     #[test]
     fn many_degrees_of_freedom_are_a_scatter_that_is_known() {
-        let [many, more] = [MANY, MANY + 1.0].map(|nu| two_sided(0.95, Some(nu)));
+        let [many, more] = [4000.0, 4001.0].map(|nu| two_sided(0.95, Some(nu)));
         assert!((many / more - 1.0).abs() < 4e-4, "{many} {more}");
     }
 }

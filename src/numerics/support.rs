@@ -2,10 +2,8 @@
 
 use super::coordinates::{Size, Vector};
 use super::orthonormal_set::across;
+use super::tolerances::FLAT_SET;
 use crate::prelude::*;
-
-/// A set thinner than this part of its size in some direction counts as flat.
-const FLAT: f64 = 1e-10;
 
 /// The farthest point of a set in a direction.
 pub(crate) type SupportFunction<'s> = dyn Fn(&Vector) -> Vector + 's;
@@ -39,7 +37,7 @@ pub(crate) fn simplex(size: Size, support: &SupportFunction<'_>) -> Result<Vec<V
         let reach = |end: &Vertex| axis.dot(&(&end.at - &origin)).abs();
         let [ahead, behind] = &ends;
         let far = if reach(ahead) >= reach(behind) { ahead } else { behind };
-        if reach(far) <= FLAT * extent {
+        if reach(far) <= FLAT_SET * extent {
             flat.push(axis.clone());
             taken.push(axis);
         } else {

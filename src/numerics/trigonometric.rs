@@ -14,9 +14,6 @@ use super::harmonic::Harmonic;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Largest number of steps of Newton's method and bisection for one root: bisection alone would need 53.
-const STEPS: usize = 80;
-
 /// The polynomial f.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Trigonometric {
@@ -207,7 +204,8 @@ fn horner(p: &[f64; 5], t: f64) -> f64 {
 fn root_between(p: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
     let falls = horner(p, low) > horner(p, high);
     let mut t = 0.5 * (low + high);
-    for _ in 0..STEPS {
+    // Steps of Newton's method and bisection for one root: bisection alone would need 53.
+    for _ in 0..80 {
         let (mut value, mut slope) = (0.0, 0.0);
         for p in p.iter().rev() {
             slope = slope * t + value;

@@ -9,13 +9,8 @@ use core::cmp::Reverse;
 use super::pairwise::in_halves;
 use crate::prelude::*;
 
-/// Inverse of the part of a tier that moves on at a time. A larger part sorts items that are then rescheduled, a
-/// smaller one scans the others too often.
-const PARTS: usize = 8;
-/// Number of items up to which a tier moves on as a whole: to part it would cost more than to keep it in order.
-const FEW: usize = 256;
 /// Number of items of a longer tier that are sampled to find the end of that part. With more, sorting them costs more than it spares.
-const SAMPLE: usize = 32;
+const SAMPLED: usize = 32;
 /// Number of tiers: with fewer, the ordered items of a queue of a hundred thousand exceed the nearest cache; with more, items are moved more often.
 const TIERS: usize = 3;
 
@@ -139,13 +134,16 @@ impl WaitingLine {
 
 /// The last item of about the first part of a tier; `None` if the tier is empty.
 fn last_to_move_on(waiting: &[Entry]) -> Option<Entry> {
-    if waiting.len() <= FEW {
+    // A short tier moves on as a whole: to part it would cost more than to keep it in order.
+    if waiting.len() <= 256 {
         return waiting.iter().copied().max();
     }
-    let apart = waiting.len() / SAMPLE;
-    let mut sample: [Entry; SAMPLE] = core::array::from_fn(|k| waiting[k * apart]);
+    let apart = waiting.len() / SAMPLED;
+    let mut sample: [Entry; SAMPLED] = core::array::from_fn(|k| waiting[k * apart]);
     sample.sort_unstable();
-    Some(sample[SAMPLE / PARTS])
+    // An eighth of the tier moves on. A larger part sorts items that are then rescheduled; a smaller one
+    // scans the others too often.
+    Some(sample[SAMPLED / 8])
 }
 
 /// Fills in the stamp and the time of each item.

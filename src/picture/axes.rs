@@ -8,11 +8,6 @@ use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 use super::sheet::{Place, Sheet};
 use super::window::Window;
 
-/// Approximate count of numbers along an axis.
-const NUMBERS: f64 = 11.0;
-/// Letter height of these numbers, pixels.
-const SIZE: f64 = 14.0;
-
 /// A map with the same scale in both directions.
 pub(super) struct EqualScales {
     window: Window,
@@ -65,7 +60,9 @@ impl EqualScales {
         let Window { left, top, wide, high } = self.window;
         let (right, bottom) = (left + wide, top + high);
         paper.line([(left, top), (left, bottom), (right, bottom)], BLACK, 1.0);
-        let step = round_up(wide / self.scale / NUMBERS);
+        let letters = 14.0;
+        // About eleven numbers fit along an axis.
+        let step = round_up(wide / self.scale / 11.0);
         for (axis, size) in [(0, wide), (1, high)] {
             let [low, up] = [-0.5, 0.5].map(|side| (self.middle[axis] + side * size / self.scale) / step);
             let first = whole_above(low);
@@ -77,15 +74,15 @@ impl EqualScales {
                 let words = in_steps(number, step);
                 if axis == 0 {
                     paper.line([(x, bottom), (x, bottom + 5.0)], BLACK, 1.0);
-                    paper.text((x, bottom + 15.0), &words, SIZE, 0.5, BLACK);
+                    paper.text((x, bottom + 15.0), &words, letters, 0.5, BLACK);
                 } else {
                     paper.line([(left, y), (left - 5.0, y)], BLACK, 1.0);
-                    paper.text((left - 9.0, y), &words, SIZE, 1.0, BLACK);
+                    paper.text((left - 9.0, y), &words, letters, 1.0, BLACK);
                 }
             }
         }
-        paper.text((left + wide / 2.0, bottom + 36.0), "x (m)", SIZE, 0.5, GREY);
-        paper.text_upwards((left - 50.0, top + high / 2.0), "y (m)", SIZE, GREY);
+        paper.text((left + wide / 2.0, bottom + 36.0), "x (m)", letters, 0.5, GREY);
+        paper.text_upwards((left - 50.0, top + high / 2.0), "y (m)", letters, GREY);
     }
 }
 

@@ -14,14 +14,10 @@ pub(super) struct Bands {
     step: Option<f64>,
 }
 
-/// From this ratio of the largest to the smallest value on, levels are spaced in ratios.
-const IN_RATIOS: f64 = 4.0;
-/// Levels in ratios in this range are written without an exponent: six digits after the point show a preferred number completely.
-const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
 /// Approximate largest number of bands.
-const MOST: f64 = 12.0;
+const MOST_BANDS: f64 = 12.0;
 /// Preferred numbers (ISO 3), ten, five and three per decade, and decades alone.
-const PREFERRED: [&[f64]; 4] = [
+const PREFERRED_NUMBERS: [&[f64]; 4] = [
     &[1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0],
     &[1.0, 1.6, 2.5, 4.0, 6.3],
     &[1.0, 2.0, 5.0],
@@ -31,22 +27,23 @@ const PREFERRED: [&[f64]; 4] = [
 impl Bands {
     /// Bands for finite values from `low` to `high`.
     pub(super) fn new(low: f64, high: f64) -> Self {
-        if low > 0.0 && high > IN_RATIOS * low { Self::in_ratios(low, high) } else { Self::even(low, high) }
+        // From this ratio of the largest to the smallest value on, levels are spaced in ratios.
+        if low > 0.0 && high > 4.0 * low { Self::in_ratios(low, high) } else { Self::even(low, high) }
     }
 
     fn even(low: f64, high: f64) -> Self {
         let width = if high > low { high - low } else { high.abs().max(f64::MIN_POSITIVE) };
-        let step = round_up(width / MOST);
+        let step = round_up(width / MOST_BANDS);
         let first = whole_below(low / step);
-        let count = (whole_above(high / step) - first).clamp(1.0, 2.0 * MOST);
+        let count = (whole_above(high / step) - first).clamp(1.0, 2.0 * MOST_BANDS);
         let levels = (0..=100).map(f64::from).take_while(|k| *k <= count).map(|k| (first + k) * step);
         Self { levels: levels.collect(), step: Some(step) }
     }
 
     fn in_ratios(low: f64, high: f64) -> Self {
         let decades = (high / low).log10();
-        let enough = |series: &&&[f64]| series.len() as f64 * decades <= MOST + 2.0;
-        let series = PREFERRED.iter().find(enough).unwrap_or(&PREFERRED[3]);
+        let enough = |series: &&&[f64]| series.len() as f64 * decades <= MOST_BANDS + 2.0;
+        let series = PREFERRED_NUMBERS.iter().find(enough).unwrap_or(&PREFERRED_NUMBERS[3]);
         let mut levels = Vec::new();
         let mut decade = 10f64.powf(low.log10().floor());
         while levels.last().is_none_or(|last| *last < high) {
@@ -77,7 +74,8 @@ impl Bands {
     pub(super) fn label(&self, level: f64) -> String {
         match self.step {
             Some(step) => in_steps(level, step),
-            None if PLAIN.contains(&level) => {
+            // Six digits after the point show a preferred number in this range completely.
+            None if (1e-3..1e5).contains(&level) => {
                 format!("{level:.6}").trim_end_matches('0').trim_end_matches('.').to_owned()
             }
             None => format!("{level:.2e}"),

@@ -18,8 +18,6 @@ pub(super) type Plotted = Result<(), Box<dyn std::error::Error>>;
 
 /// Magnification while drawing: plotters rounds to whole pixels, and a chart drawn larger and shown at its size has smooth curves.
 pub(super) const FINE: u32 = 4;
-/// Approximate count of numbers along an axis.
-const NUMBERS: f64 = 10.0;
 
 /// The range of an axis.
 pub(super) struct AxisRange {
@@ -31,7 +29,8 @@ pub(super) struct AxisRange {
 
 impl AxisRange {
     pub(super) fn new(range: Range<f64>, logarithmic: bool) -> Self {
-        let step = (range.end - range.start) / NUMBERS;
+        // About ten numbers fit along an axis.
+        let step = (range.end - range.start) / 10.0;
         let step = if logarithmic { step.ceil().max(1.0) } else { round_up(step) };
         Self { coordinates: range.into(), step, logarithmic }
     }

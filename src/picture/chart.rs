@@ -6,26 +6,10 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::canvas::{Area, AxisRange, Canvas, FINE, Plotted};
 use super::chart_strokes::{draw_label, draw_marks, draw_names, draw_note, draw_series};
 use super::error::PictureError;
+use super::layout::CHART;
 use super::legend_corner::{emptiest_corner, legend_width};
 use super::palette::{FONT, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
-
-/// Size of one chart, pixels.
-const SIZE: (u32, u32) = (860, 540);
-/// Letter height of the title, fine pixels.
-const TITLE: u32 = 23 * FINE;
-/// Letter height of axes and legend, fine pixels.
-const LETTERS: u32 = 17 * FINE;
-/// With more series than this their names are written beside the chart.
-const MOST_INSIDE: usize = 6;
-/// Most letters of a name beside the chart.
-const LONGEST_BESIDE: usize = 26;
-/// Most letters of a name on the chart.
-const LONGEST_INSIDE: usize = 70;
-/// Width of a letter relative to the height that plotters assumes for it.
-const LETTER: f64 = 0.5;
-/// Margins beside and above points that are not joined by lines, as parts of the chart: circles and dots have a size in pixels.
-const ROOM: (f64, f64) = (0.02, 0.06);
 
 /// A chart of one or more series: add to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted; a line is
 /// interrupted at such a point.
@@ -134,7 +118,7 @@ impl Chart {
         let mut svg = String::new();
         let shown;
         {
-            let size = (fine_pixels(columns, SIZE.0)?, fine_pixels(rows, SIZE.1)?);
+            let size = (fine_pixels(columns, CHART.size.0)?, fine_pixels(rows, CHART.size.1)?);
             let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
             root.fill(&WHITE).map_err(PictureError::from_backend)?;
             for (chart, area) in charts.iter().zip(root.split_evenly((rows, columns))) {
@@ -158,7 +142,8 @@ impl Chart {
             return Err(PictureError("no finite point".into()));
         }
         let apart = chart.series.iter().any(|series| !matches!(series.stroke, Stroke::Line | Stroke::Dashed));
-        let room = if self.logarithmic { (0.0, 0.0) } else { (if apart { ROOM.0 } else { 0.0 }, ROOM.1) };
+        // Circles and dots have a size in pixels, and need a margin beside and above.
+        let room = if self.logarithmic { (0.0, 0.0) } else { (if apart { 0.02 } else { 0.0 }, 0.06) };
         let (x0, x1) = range(finite.iter().map(|p| p.0).chain(chart.marks.iter().map(|m| m.0)), room.0);
         let (y0, y1) = range(finite.iter().map(|p| p.1), room.1);
         let window =
@@ -190,8 +175,9 @@ impl Chart {
     fn draw(&self, root: &Area<'_>, window: [f64; 4]) -> Plotted {
         let [x0, x1, y0, y1] = window;
         // The title is written smaller where it would not fit.
-        let room = f64::from(SIZE.0 * FINE) / self.title.chars().count() as f64;
-        let title = (FONT, f64::from(TITLE).min(room / LETTER))
+        let room = f64::from(CHART.size.0 * FINE) / self.title.chars().count() as f64;
+        // The width of a letter relative to the height that plotters assumes for it.
+        let title = (FONT, f64::from(CHART.title * FINE).min(room / 0.5))
             .into_font()
             .color(&BLACK)
             .pos(Pos::new(HPos::Center, VPos::Center));
@@ -199,7 +185,9 @@ impl Chart {
         root.draw(&Text::new(self.title.as_str(), (wide.cast_signed() / 2, 26 * FINE.cast_signed()), title))?;
         let below = draw_note(root, self.note.as_deref().unwrap_or_default())?;
         // Many names would hide the curves, so they are written beside the chart.
-        let beside = (self.series.len() > MOST_INSIDE).then(|| legend_width(&self.series, LONGEST_BESIDE));
+        // The names of more series are written beside the chart.
+        let beside =
+            (self.series.len() > CHART.most_inside).then(|| legend_width(&self.series, CHART.longest_beside));
         let mut chart = ChartBuilder::on(root)
             .margin(14 * FINE)
             // Room for the title.
@@ -230,7 +218,7 @@ impl Chart {
                 &mut chart,
                 series,
                 *color,
-                if beside.is_some() { LONGEST_BESIDE } else { LONGEST_INSIDE },
+                if beside.is_some() { CHART.longest_beside } else { CHART.longest_inside },
             )?;
         }
         draw_marks(&mut chart, window, &self.marks)?;
@@ -243,7 +231,7 @@ impl Chart {
                 root,
                 (right.end + 12 * FINE.cast_signed(), top.start),
                 &self.series,
-                LONGEST_BESIDE,
+                CHART.longest_beside,
             );
         }
         chart
@@ -251,7 +239,7 @@ impl Chart {
             .position(emptiest_corner(window, &self.series, !self.marks.is_empty(), self.shaded.is_some()))
             .background_style(WHITE.mix(0.85))
             .border_style(GREY.mix(0.4).stroke_width(FINE))
-            .label_font((FONT, LETTERS))
+            .label_font((FONT, CHART.letters * FINE))
             .legend_area_size(30 * FINE)
             .margin(10 * FINE)
             .draw()?;
@@ -267,8 +255,8 @@ impl Chart {
             .set_all_tick_mark_size(5 * FINE)
             .x_desc(&self.x_label)
             .y_desc(&self.y_label)
-            .label_style((FONT, LETTERS))
-            .axis_desc_style((FONT, LETTERS))
+            .label_style((FONT, CHART.letters * FINE))
+            .axis_desc_style((FONT, CHART.letters * FINE))
             .draw()?;
         Ok(())
     }

@@ -5,31 +5,17 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::canvas::{Area, Canvas, FINE, Plotted};
+use super::layout::CHART;
 use super::palette::{FONT, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
 use super::sheet::plaque_size;
 use super::words::{lines, shortened};
 
-/// Length and half the width of an arrow on a line, pixels.
-const ARROW: (f64, f64) = (11.0, 4.5);
-/// A piece of a line shorter than this has no arrow, pixels.
-const SHORTEST: f64 = 14.0;
-/// Lengths of dashes and gaps of a dashed line, fine pixels.
-const DASH: (u32, u32) = (7 * FINE, 5 * FINE);
-/// Letter height, fine pixels.
-const LETTERS: u32 = 16 * FINE;
-/// Letter height on plaques and in notes, fine pixels.
-const NUMBERS: u32 = 14 * FINE;
-/// Line height of a note, fine pixels.
-const NOTE_LINE: u32 = 18 * FINE;
-/// Most letters of a line of a note.
-const NOTE_LETTERS: usize = 105;
-
 /// Contour of the legend sample of a line with dots, pixels.
-const DOTTED: [(i32, i32); 10] =
+const DOTTED_SAMPLE: [(i32, i32); 10] =
     [(0, -1), (7, -1), (10, -4), (13, -1), (20, -1), (20, 1), (13, 1), (10, 4), (7, 1), (0, 1)];
 /// Contour of the legend sample of a line with arrows, pixels.
-const ARROWED: [(i32, i32); 10] =
+const ARROWED_SAMPLE: [(i32, i32); 10] =
     [(0, -1), (6, -1), (6, -5), (15, -1), (20, -1), (20, 1), (15, 1), (6, 5), (6, 1), (0, 1)];
 
 /// Draws a series and its entry in the legend, with a name of at most `letters` letters.
@@ -49,7 +35,9 @@ pub(super) fn draw_series<'a, 'b: 'a>(
                 chart.draw_series(LineSeries::new(piece.clone(), style))?;
                 draw_arrows(chart, &piece.collect::<Vec<_>>(), color)?;
             }
-            Stroke::Dashed => _ = chart.draw_series(DashedLineSeries::new(piece, DASH.0, DASH.1, style))?,
+            Stroke::Dashed => {
+                _ = chart.draw_series(DashedLineSeries::new(piece, 7 * FINE, 5 * FINE, style))?;
+            }
             Stroke::Circles | Stroke::Dots | Stroke::Bars => break,
         }
     }
@@ -89,8 +77,8 @@ fn sample<'b>(
             Rectangle::new(corners, faint(color)).into_dyn()
         }
         Stroke::Dashed => DashedPathElement::new(line, 5 * FINE, 3 * FINE, style).into_dyn(),
-        Stroke::Marked => around(&DOTTED).into_dyn(),
-        Stroke::Directed => around(&ARROWED).into_dyn(),
+        Stroke::Marked => around(&DOTTED_SAMPLE).into_dyn(),
+        Stroke::Directed => around(&ARROWED_SAMPLE).into_dyn(),
         Stroke::Line => PathElement::new(line, style).into_dyn(),
     }
 }
@@ -106,7 +94,8 @@ pub(super) fn draw_names(
     for ((series, color), k) in series.iter().zip(PALETTE.iter().cycle()).zip(0..) {
         let y = y + (20 * k + 12) * fine;
         root.draw(&sample(series.stroke, *color, (x, y)))?;
-        let style = (FONT, LETTERS).into_font().color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
+        let style =
+            (FONT, CHART.label * FINE).into_font().color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
         root.draw(&Text::new(shortened(&series.name, letters), (x + 28 * fine, y), style))?;
     }
     Ok(())
@@ -123,10 +112,12 @@ fn draw_arrows(chart: &mut Canvas, line: &[(f64, f64)], color: RGBColor) -> Plot
         let [a, b] = [ends[0], ends[1]].map(|end| chart.plotting_area().map_coordinate(&end));
         let (x, y) = (f64::from(b.0 - a.0), f64::from(b.1 - a.1));
         let size = x.hypot(y);
-        if size < SHORTEST * f64::from(FINE) {
+        // A shorter piece of a line has no room for an arrow.
+        if size < 14.0 * f64::from(FINE) {
             continue;
         }
-        let (long, wide) = (ARROW.0 * f64::from(FINE) / size, ARROW.1 * f64::from(FINE) / size);
+        // Length and half the width of an arrow on a line, pixels.
+        let (long, wide) = (11.0 * f64::from(FINE) / size, 4.5 * f64::from(FINE) / size);
         #[expect(clippy::cast_possible_truncation, reason = "some pixels")]
         let corner = |along: f64, across: f64| {
             ((x * along - y * across).round() as i32, (y * along + x * across).round() as i32)
@@ -148,7 +139,7 @@ pub(super) fn draw_marks(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], marks: 
         // The label is written on the side with more room.
         let part = (x - x0) / (x1 - x0);
         let (anchor, side) = if part > 0.6 { (HPos::Right, -1.0) } else { (HPos::Left, 1.0) };
-        let long = plaque_size(label, f64::from(LETTERS)).0 / f64::from(wide);
+        let long = plaque_size(label, f64::from(CHART.label * FINE)).0 / f64::from(wide);
         let from = if side > 0.0 { part } else { part - long };
         // A label that would leave the chart is moved back.
         let moved = from.min(1.0 - long).max(0.0) - from;
@@ -156,8 +147,8 @@ pub(super) fn draw_marks(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], marks: 
         let meets = |row: f64| taken.iter().any(|[at, to, r]| *r == row && from < *to && from + long > *at);
         let row = (0..20).map(f64::from).find(|row| !meets(*row)).unwrap_or(0.0);
         taken.push([from, from + long, row]);
-        let style = (FONT, LETTERS).into_font().color(&BLACK).pos(Pos::new(anchor, VPos::Top));
-        let down = 0.02 + 1.3 * row * f64::from(LETTERS) / f64::from(high);
+        let style = (FONT, CHART.label * FINE).into_font().color(&BLACK).pos(Pos::new(anchor, VPos::Top));
+        let down = 0.02 + 1.3 * row * f64::from(CHART.label * FINE) / f64::from(high);
         let at = (x + (0.008 * side + moved) * (x1 - x0), y1 - down * (y1 - y0));
         chart.draw_series([Text::new(label.to_owned(), at, style)])?;
     }
@@ -166,23 +157,25 @@ pub(super) fn draw_marks(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], marks: 
 
 /// Writes a sentence at the foot of a chart, broken into lines, and returns their height in fine pixels.
 pub(super) fn draw_note(root: &Area<'_>, words: &str) -> Result<u32, Box<dyn std::error::Error>> {
-    let note = lines(words, NOTE_LETTERS);
+    let note = lines(words, 105);
     let (_, high) = root.dim_in_pixel();
     let below = (0..u32::try_from(note.len()).unwrap_or(0)).rev();
     for (words, up) in note.iter().zip(below) {
-        let style = (FONT, NUMBERS).into_font().color(&GREY).pos(Pos::new(HPos::Left, VPos::Center));
-        let y = high.cast_signed() - (14 * FINE + up * NOTE_LINE).cast_signed();
+        let style =
+            (FONT, CHART.plaque * FINE).into_font().color(&GREY).pos(Pos::new(HPos::Left, VPos::Center));
+        let y = high.cast_signed() - (14 * FINE + up * CHART.note_line * FINE).cast_signed();
         root.draw(&Text::new(words.as_str(), (24 * FINE.cast_signed(), y), style))?;
     }
-    Ok(NOTE_LINE * u32::try_from(note.len()).unwrap_or(0))
+    Ok(CHART.note_line * FINE * u32::try_from(note.len()).unwrap_or(0))
 }
 
 /// Writes a few letters on a plaque.
 pub(super) fn draw_label(chart: &mut Canvas, point: (f64, f64), words: &str) -> Plotted {
-    let (wide, high) = plaque_size(words, f64::from(NUMBERS));
+    let (wide, high) = plaque_size(words, f64::from(CHART.plaque * FINE));
     #[expect(clippy::cast_possible_truncation, reason = "some pixels")]
     let (x, y) = ((0.45 * wide.max(0.8 * high)).round() as i32, (0.5 * high).round() as i32);
-    let style = (FONT, NUMBERS).into_font().color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
+    let style =
+        (FONT, CHART.plaque * FINE).into_font().color(&BLACK).pos(Pos::new(HPos::Center, VPos::Center));
     chart.draw_series([EmptyElement::at(point)
         + Rectangle::new([(-x, -y), (x, y)], WHITE.mix(0.9).filled())
         + Rectangle::new([(-x, -y), (x, y)], GREY.stroke_width(FINE))

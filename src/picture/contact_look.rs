@@ -5,21 +5,19 @@ use plotters::style::RGBColor;
 use super::palette::{BLUE, GREEN, GREY, ORANGE, VERMILION};
 use crate::equilibrium::{ContactAnswer, ContactState};
 use crate::grasp::Contact;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// Friction in reserve below this part of the normal force is rounding: answers are accurate to about 1e-15 of it. A contact that really has a
-/// reserve has far more. With 0 a contact at its onset would be called sticking.
-const NO_RESERVE: f64 = 1e-12;
 /// Largest slope of a drawn cone: its edges then deviate from the tangent by less than a pixel. An infinite slope could not be drawn.
-pub(super) const STEEPEST: f64 = 1e3;
+pub(super) const STEEPEST_CONE: f64 = 1e3;
 
 /// Whether the friction in reserve is zero up to rounding.
 pub(super) fn no_friction_left<const C: usize>(answer: &ContactAnswer<C>) -> bool {
-    answer.margin <= NO_RESERVE * answer.normal_force()
+    answer.margin <= SOLVED_ROUNDING * answer.normal_force()
 }
 
 /// The slope of the cone of a contact in pictures.
 pub(super) fn slope<const C: usize>(contact: &Contact<C>) -> f64 {
-    contact.friction_coefficient().min(STEEPEST)
+    contact.friction_coefficient().min(STEEPEST_CONE)
 }
 
 /// The colour of a contact whose state has this [`word`].

@@ -4,7 +4,8 @@ use nalgebra::SVector;
 
 use super::chart::Chart;
 use super::fingertip::{ContactGroup, fingertips};
-use super::friction_chart::{Drawn, MOST_CURVES, MOST_NAMES, NAME_LETTERS, some};
+use super::friction_chart::{Drawn, MOST_CURVES, some};
+use super::layout::CHART;
 use super::palette::PALETTE;
 use super::series::Stroke;
 use crate::ask::Grasp;
@@ -13,11 +14,6 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Leg;
 use crate::numerics::{increasing, largest, mapped};
-
-/// Slips below this part of the longest count as zero.
-const NO_SLIP: f64 = 1e-6;
-/// Millimetres in a metre.
-const MILLIMETRES: f64 = 1e3;
 
 /// Two charts of `count` cycles from rest: the slip of each contact against cycles, and its friction against its slip in the last cycle. The area
 /// that the loop encloses is the heat of that cycle. Slip and friction are components along the direction in which the contact slips farthest. For a
@@ -57,7 +53,9 @@ pub fn charts_of_cycles<const C: usize>(
     let tips = fingertips(grasp.contacts());
     let slides: Vec<_> = mapped(&tips, &|tip| Rubbing::of(tip, &states));
     let farthest = largest(&slides, &|slide| slide.farthest);
-    let mut order: Vec<_> = (0..tips.len()).filter(|k| slides[*k].farthest > NO_SLIP * farthest).collect();
+    // Slips below this part of the longest count as zero.
+    let no_slip = 1e-6;
+    let mut order: Vec<_> = (0..tips.len()).filter(|k| slides[*k].farthest > no_slip * farthest).collect();
     if order.is_empty() {
         return Ok(Vec::new());
     }
@@ -76,14 +74,17 @@ pub fn charts_of_cycles<const C: usize>(
         slips = slips.series(name.clone(), mapped(&curve, &|(x, slip, _)| (*x, *slip)), stroke);
         let of_the_last: Vec<_> = curve.iter().filter(|(x, ..)| *x >= last - 1.0).collect();
         let slips = || of_the_last.iter().map(|(_, slip, _)| *slip);
-        if slips().fold(f64::MIN, f64::max) - slips().fold(f64::MAX, f64::min) > NO_SLIP * farthest {
+        if slips().fold(f64::MIN, f64::max) - slips().fold(f64::MAX, f64::min) > no_slip * farthest {
             loops = loops.series(name, mapped(&of_the_last, &|(_, s, force)| (*s, *force)), stroke);
         }
     }
     let rest: Vec<_> = (0..tips.len()).filter(|tip| !order.contains(tip)).collect();
     if !rest.is_empty() {
         let names: Vec<_> = mapped(&rest, &|tip| tips[*tip].name.as_str());
-        slips = slips.note(format!("Not drawn: {} ({others}).", some(&names, MOST_NAMES, NAME_LETTERS)));
+        slips = slips.note(format!(
+            "Not drawn: {} ({others}).",
+            some(&names, CHART.listed_names, CHART.listed_letters)
+        ));
     }
     let marks = drawn.marks(&path, &events, &tips);
     let slips = marks.into_iter().fold(slips, |chart, (x, label)| chart.mark(x, label));
@@ -107,7 +108,7 @@ impl Rubbing {
         };
         let slip = |state: &Equilibrium<C>| {
             let slips = state.contacts[tip.contacts.clone()].iter().map(|answer| answer.slip);
-            tangential(slips.sum::<SVector<f64, C>>()) * (MILLIMETRES / points)
+            tangential(slips.sum::<SVector<f64, C>>()) * (1e3 / points)
         };
         let force = |state: &Equilibrium<C>| {
             tangential(state.contacts[tip.contacts.clone()].iter().map(|answer| answer.force).sum())

@@ -2,6 +2,7 @@
 
 use super::chart::Chart;
 use super::fingertip::{ContactGroup, fingertips, without_rounding};
+use super::layout::CHART;
 use super::palette::PALETTE;
 use super::series::{ChartSeries, Stroke};
 use super::words::shortened;
@@ -13,26 +14,8 @@ use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
 use crate::numerics::{largest, mapped};
 use crate::words::opens;
 
-/// Number of intervals between drawn states on a leg along which the load turns; events are added.
-const OF_A_TURN: usize = 180;
-/// Number of such intervals on all straight legs together, where little happens between events.
-const STRAIGHT: usize = 48;
-/// Least number of intervals on each straight leg.
-const LEAST: usize = 16;
-/// Events closer than this part of the axis share one label.
-const APART: f64 = 0.15;
 /// Most curves in a chart: each colour is used for a line and for a dashed line. Further curves are only named.
 pub(super) const MOST_CURVES: usize = 2 * PALETTE.len();
-/// Curves whose distance is nowhere larger than this coincide on paper.
-const SAME: f64 = 4e-3;
-/// Most letters of a name at a mark.
-const MARK_LETTERS: usize = 26;
-/// Most names at a mark.
-const MARK_NAMES: usize = 2;
-/// Most names in a list of curves that are not drawn.
-pub(super) const MOST_NAMES: usize = 12;
-/// Most letters of a name in such a list.
-pub(super) const NAME_LETTERS: usize = 60;
 
 /// A load program whose states are drawn against an axis.
 pub(super) struct Drawn<'a, const C: usize> {
@@ -85,7 +68,8 @@ impl<const C: usize> Drawn<'_, C> {
         let on_leg = |leg: usize| {
             let to = if leg == last { end } else { 1.0 };
             let turns = self.legs.get(leg).is_some_and(Leg::turns);
-            let count = if turns { OF_A_TURN } else { (STRAIGHT / (last + 1)).max(LEAST) };
+            // Little happens between events on straight legs. Events are added.
+            let count = if turns { 180 } else { (48 / (last + 1)).max(16) };
             let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).collect();
             fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));
             fractions.sort_by(f64::total_cmp);
@@ -125,7 +109,7 @@ impl<const C: usize> Drawn<'_, C> {
                     loss.contacts.iter().any(|contact| tip.contacts.contains(&contact.index))
                 };
                 let names: Vec<_> = tips.iter().filter(edge).map(|tip| tip.name.as_str()).collect();
-                let names = some(&names, MARK_NAMES, MARK_LETTERS);
+                let names = some(&names, 2, CHART.mark_letters);
                 let who = if left.is_none() { format!(": {names} on the edge") } else { String::new() };
                 Some((to, format!("lost{who}")))
             }
@@ -133,7 +117,8 @@ impl<const C: usize> Drawn<'_, C> {
             _ => None,
         };
         match (left, end) {
-            (Some((at, left)), Some((to, end))) if to - at < APART * to => {
+            // Closer events share one label.
+            (Some((at, left)), Some((to, end))) if to - at < 0.15 * to => {
                 vec![(at, format!("{left}, {end}"))]
             }
             (left, end) => left.into_iter().chain(end).collect(),
@@ -183,7 +168,7 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
         let those = none.iter().filter(|(tip, _)| no_curve(&contacts[tip.contacts.start]) == why);
         let names: Vec<_> = those.map(|(tip, _)| tip.name.as_str()).collect();
         if !names.is_empty() {
-            left_out.push(format!("{} ({why})", some(&names, MOST_NAMES, NAME_LETTERS)));
+            left_out.push(format!("{} ({why})", some(&names, CHART.listed_names, CHART.listed_letters)));
         }
     }
     let mut highest: Vec<f64> = mapped(&drawn, &|(_, series)| most(series));
@@ -201,7 +186,7 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
         left_out.push(format!(
             "{} that use no more than {least:.3} of their friction: {}",
             names.len(),
-            some(&names, MOST_NAMES, NAME_LETTERS)
+            some(&names, CHART.listed_names, CHART.listed_letters)
         ));
         drawn = kept;
     }
@@ -211,7 +196,8 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
 /// Whether two curves coincide on paper. The second is then dashed, so that both are visible.
 fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
     let near = |(p, q): (&(f64, f64), &(f64, f64))| match (p.1.is_nan(), q.1.is_nan()) {
-        (false, false) => (p.1 - q.1).abs() <= SAME,
+        // Closer curves coincide on paper.
+        (false, false) => (p.1 - q.1).abs() <= 4e-3,
         (none, neither) => none == neither,
     };
     a.points.iter().zip(&b.points).all(near)
@@ -251,7 +237,7 @@ fn left_by<const C: usize>(event: &Event<C>, tips: &[ContactGroup]) -> Option<St
             (Change::Opens, true) => "begins to open",
             _ => return None,
         };
-        Some(format!("{} {does}", shortened(&tip.name, MARK_LETTERS)))
+        Some(format!("{} {does}", shortened(&tip.name, CHART.mark_letters)))
     });
     contact.or_else(|| event.drives.first().map(|drive| format!("{} gives way", drive.part.text())))
 }

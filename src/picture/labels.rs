@@ -6,20 +6,6 @@ use super::window::Window;
 use super::words::{lines, shortened};
 use crate::numerics::{largest, mapped};
 
-/// Directions from a point to its name, to the right and downwards, in order of preference.
-const SIDES: [(f64, f64); 8] =
-    [(1.0, -1.0), (-1.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (1.0, 1.0), (-1.0, 1.0), (0.0, -1.0), (0.0, 1.0)];
-/// Distances between the point and its name, pixels.
-const AWAY: [f64; 4] = [8.0, 14.0, 22.0, 32.0];
-/// Cost of a pixel of distance, in pixels of a thin line that the name covers.
-const CLOSE: f64 = 1.2;
-/// Spacing of the candidate places of a name without room beside its point, pixels. A line joins such a name to its point.
-const STEP: f64 = 9.0;
-/// Most letters of a line beside a point.
-const LETTERS: usize = 36;
-/// Most letters of a line in the corner.
-const CORNER_LETTERS: usize = 80;
-
 /// The middle of a rectangle, and its width and height, pixels.
 type Plate = (Place, (f64, f64));
 
@@ -40,7 +26,7 @@ impl Labels {
     /// Writes a sentence in the upper left corner, before all names.
     pub(super) fn write_in_the_corner(&mut self, paper: &mut Sheet, words: &str, size: f64) {
         let mut below = self.window.top;
-        for line in lines(words, CORNER_LETTERS) {
+        for line in lines(words, 80) {
             let (wide, high) = plaque_size(&line, size);
             let at = (self.window.left + 4.0, below + high / 2.0);
             paper.plaque(at, &line, size, 0.0);
@@ -51,7 +37,7 @@ impl Labels {
 
     /// Writes lines beside their point without touching other names; only the first line if there is no room for all.
     pub(super) fn write(&mut self, paper: &mut Sheet, point: Place, words: &[&str], size: f64) {
-        let words: Vec<_> = mapped(&words, &|line| shortened(line, LETTERS));
+        let words: Vec<_> = mapped(&words, &|line| shortened(line, 36));
         for count in [words.len(), 1] {
             let sizes: Vec<_> = mapped(&words[..count], &|line| plaque_size(line, size));
             let wide = largest(&sizes, &|line| line.0);
@@ -90,9 +76,20 @@ impl Labels {
     }
 
     fn beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<Plate> {
+        // Directions from a point to its name, to the right and downwards, in order of preference.
+        let sides = [
+            (1.0, -1.0),
+            (-1.0, -1.0),
+            (1.0, 0.0),
+            (-1.0, 0.0),
+            (1.0, 1.0),
+            (-1.0, 1.0),
+            (0.0, -1.0),
+            (0.0, 1.0),
+        ];
         let mut plates = Vec::new();
-        for away in AWAY {
-            for (x, y) in SIDES {
+        for away in [8.0, 14.0, 22.0, 32.0] {
+            for (x, y) in sides {
                 // At a corner the distance is split between both directions.
                 let away = if x * y == 0.0 { away } else { 0.6 * away };
                 let middle = (point.0 + x * (wide / 2.0 + away), point.1 + y * (high / 2.0 + away));
@@ -105,8 +102,8 @@ impl Labels {
     fn anywhere(&self, (wide, high): (f64, f64)) -> Vec<Plate> {
         let places = |low: f64, room: f64, size: f64| {
             let (first, mut places) = (low + size / 2.0, Vec::new());
-            while first + STEP * places.len() as f64 <= low + room - size / 2.0 {
-                places.push(first + STEP * places.len() as f64);
+            while first + 9.0 * places.len() as f64 <= low + room - size / 2.0 {
+                places.push(first + 9.0 * places.len() as f64);
             }
             places
         };
@@ -141,6 +138,7 @@ impl Labels {
         let ink: f64 = self.ink.iter().filter(|(at, _)| covered(*at)).map(|(_, weight)| weight).sum();
         let (x, y) = aside(point);
         let away = (x - wide / 2.0).max(0.0).hypot((y - high / 2.0).max(0.0));
-        ink + CLOSE * away
+        // A pixel of distance counts as more than a pixel of a thin line that the name covers.
+        ink + 1.2 * away
     }
 }

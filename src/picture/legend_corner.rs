@@ -6,7 +6,7 @@ use super::canvas::FINE;
 use super::series::{ChartSeries, Stroke};
 
 /// Places of the legend: the parts of the free width and height that are to its left and below it.
-const PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
+const LEGEND_PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
     (SeriesLabelPosition::UpperRight, 1.0, 1.0),
     (SeriesLabelPosition::LowerRight, 1.0, 0.0),
     (SeriesLabelPosition::UpperLeft, 0.0, 1.0),
@@ -57,5 +57,8 @@ pub(super) fn emptiest_corner(
         let shaded = shaded && side > 0.0 && anchor == 0.0;
         count + 10 * (usize::from(marked) + usize::from(shaded))
     };
-    PLACES.iter().min_by_key(|place| hidden(place)).map_or(PLACES[0].0.clone(), |place| place.0.clone())
+    LEGEND_PLACES
+        .iter()
+        .min_by_key(|place| hidden(place))
+        .map_or(LEGEND_PLACES[0].0.clone(), |place| place.0.clone())
 }

@@ -16,6 +16,7 @@ mod force_scale;
 mod friction_chart;
 mod grasp_picture;
 mod labels;
+mod layout;
 mod legend_corner;
 mod page;
 mod painting;

@@ -11,14 +11,8 @@ use crate::numerics::{increasing, mapped};
 /// Depth in pixels by which a dot lies in front of the lines that end at it; a tenth of it separates the head of an arrow from its line. It is
 /// invisible, and far above the rounding of places on paper.
 const IN_FRONT: f64 = 1e-2;
-/// An arrow of fewer pixels points to the eye or has no length: its direction on paper would be rounding.
-const SHORTEST: f64 = 1e-6;
 /// Length and half the width of the head of an arrow, in widths of its line.
-const HEAD: (f64, f64) = (4.5, 1.6);
-/// Most places on a line at which it counts as ink for the placement of names.
-const MOST: f64 = 1e4;
-/// Number of pieces of an arc.
-const PIECES: u32 = 48;
+const ARROW_HEAD: (f64, f64) = (4.5, 1.6);
 
 /// Pixels to the right and downwards, and depth towards the eye in pixels.
 pub(super) type EyePoint = Vector3<f64>;
@@ -77,11 +71,12 @@ impl Painting {
     pub(super) fn arrow(&mut self, [from, tip]: [EyePoint; 2], ink: RGBColor, width: f64, heads: usize) {
         let along = (tip - from).xy();
         let size = along.norm();
-        if size < SHORTEST {
+        // The direction of a shorter arrow on paper would be rounding.
+        if size < 1e-6 {
             // The arrow points to the eye or has no length.
             return;
         }
-        let long = (HEAD.0 * width).min(size);
+        let long = (ARROW_HEAD.0 * width).min(size);
         // The line ends inside the last head.
         let neck = (1.0 - 3.0 * width * heads as f64 / size).max(0.0);
         self.line([from, from.lerp(&tip, neck)], ink, width);
@@ -125,10 +120,11 @@ impl Painting {
             (middle.0 + radius * cos, middle.1 - radius * sin)
         };
         let last = 2.0 * PI - FRAC_PI_4;
-        let head = (HEAD.0 * width).min(radius);
+        let head = (ARROW_HEAD.0 * width).min(radius);
         let neck = last - 0.7 * head / radius;
-        let part = |k: u32| FRAC_PI_4 + (neck - FRAC_PI_4) * f64::from(k) / f64::from(PIECES);
-        let places = (0..=PIECES).map(|k| at(part(k))).collect();
+        let pieces = 48_u32;
+        let part = |k: u32| FRAC_PI_4 + (neck - FRAC_PI_4) * f64::from(k) / f64::from(pieces);
+        let places = (0..=pieces).map(|k| at(part(k))).collect();
         self.strokes.push((0.0, Shape::Line { places, ink, width }));
         let (tip, base) = (flat(at(last)), flat(at(last - head / radius)));
         self.head(tip, (tip - base).xy(), ink, width);
@@ -137,7 +133,7 @@ impl Painting {
     /// The head of an arrow, of length `along`.
     fn head(&mut self, tip: EyePoint, along: Vector2<f64>, ink: RGBColor, width: f64) {
         let base = tip.xy() - along;
-        let across = Vector2::new(-along.y, along.x).normalize() * (HEAD.1 * width);
+        let across = Vector2::new(-along.y, along.x).normalize() * (ARROW_HEAD.1 * width);
         let corners = [tip.xy(), base + across, base - across].map(|corner| (corner.x, corner.y));
         self.area(corners, ink.to_rgba(), tip.z + 0.1 * IN_FRONT);
     }
@@ -185,7 +181,7 @@ impl Painting {
 fn along(from: Place, to: Place, width: f64) -> impl Iterator<Item = (Place, f64)> {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let size = x.hypot(y);
-    let steps = (size / 3.0).ceil().clamp(1.0, MOST);
+    let steps = (size / 3.0).ceil().clamp(1.0, 1e4);
     let parts = (0..).map(|k| f64::from(k) + 0.5).take_while(move |k| *k < steps).map(move |k| k / steps);
     parts.map(move |part| ((from.0 + part * x, from.1 + part * y), width * size / steps))
 }

@@ -9,15 +9,6 @@ use super::palette::GREY;
 use crate::grasp::Contact;
 use crate::words::LinkKind;
 
-/// Radius of a hinge, pixels.
-const PIN: f64 = 7.0;
-/// Distance of the rails of a slide from its middle, pixels.
-const RAIL: f64 = 4.0;
-/// Number of pieces of a spring's zigzag.
-const TURNS: usize = 12;
-/// Amplitude of a spring's zigzag, pixels.
-const COIL: f64 = 6.0;
-
 /// A link with the places of its ends.
 pub(super) struct PlanarLink {
     kind: LinkKind,
@@ -43,18 +34,19 @@ impl PlanarLink {
             LinkKind::Cable => line([from, to], 1.5),
             LinkKind::Rigid => line([from, to], 6.0),
             LinkKind::Slide => {
-                for x in [-RAIL, RAIL] {
+                for x in [-4.0, 4.0] {
                     line([from + side * x, to + side * x], 2.0);
                 }
             }
             LinkKind::Spring => {
+                let turns = 12;
                 let at = |k: usize| {
-                    let swing = if k == 0 || k == TURNS { 0.0 } else { [COIL, -COIL][k % 2] };
-                    from + along * (k as f64 / TURNS as f64) + side * swing
+                    let swing = if k == 0 || k == turns { 0.0 } else { [6.0, -6.0][k % 2] };
+                    from + along * (k as f64 / turns as f64) + side * swing
                 };
-                (0..TURNS).for_each(|k| line([at(k), at(k + 1)], 1.5));
+                (0..turns).for_each(|k| line([at(k), at(k + 1)], 1.5));
             }
-            _ => painting.dot(from, PIN, GREY, true),
+            _ => painting.dot(from, 7.0, GREY, true),
         }
     }
 }

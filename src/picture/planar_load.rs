@@ -5,21 +5,13 @@ use plotters::style::colors::BLACK;
 
 use super::axes::EqualScales;
 use super::labels::Labels;
+use super::layout::MARKS;
 use super::painting::{Painting, flat};
 use super::palette::GREY;
 use super::sheet::{Place, Sheet};
 use super::words::short;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::planar::Wrench;
-
-/// A line of action whose distance from the middle exceeds this part of the size of the object passes beside it.
-const BESIDE: f64 = 0.5;
-/// A force below this part of the moment divided by the size of the object is rounding of zero.
-const ROUNDING: f64 = 1e-12;
-
-/// Radius of the arc of a moment, pixels.
-const ARC: f64 = 30.0;
-/// Least length of the arrow of a force, pixels; a shorter one would hardly be visible.
-const SHORTEST: f64 = 18.0;
 
 /// A load prepared for drawing: force in N, moment in N m, place in m.
 pub(super) struct PlanarLoad {
@@ -35,12 +27,13 @@ impl PlanarLoad {
         let load = load.components();
         let (force, about_origin) = (Vector2::new(load[0], load[1]), load[2]);
         let moment = about_origin - middle.perp(&force);
-        if force.norm() * size <= ROUNDING * moment.abs() {
+        if force.norm() * size <= SOLVED_ROUNDING * moment.abs() {
             return Self { at: middle, force: Vector2::zeros(), moment };
         }
         // The vector from the middle to the nearest point of the line of action.
         let away = Vector2::new(force.y, -force.x) * (moment / force.norm_squared());
-        if away.norm() <= BESIDE * size {
+        // A line of action farther away passes beside the object.
+        if away.norm() <= 0.5 * size {
             Self { at: middle + away, force, moment: 0.0 }
         } else {
             Self { at: middle, force, moment }
@@ -67,9 +60,13 @@ impl<'l> LoadOnPaper<'l> {
     pub(super) fn new(load: &'l PlanarLoad, axes: &EqualScales, scale: f64) -> Self {
         let (from, to) = (axes.place(load.at), axes.place(load.at + load.force * scale));
         let long = (to.0 - from.0).hypot(to.1 - from.1);
-        let is_to_scale = load.force == Vector2::zeros() || long >= SHORTEST;
+        let is_to_scale = load.force == Vector2::zeros() || long >= MARKS.shortest_load;
         let (sin, cos) = load.angle().sin_cos();
-        let tip = if is_to_scale { to } else { (from.0 + SHORTEST * cos, from.1 - SHORTEST * sin) };
+        let tip = if is_to_scale {
+            to
+        } else {
+            (from.0 + MARKS.shortest_load * cos, from.1 - MARKS.shortest_load * sin)
+        };
         Self { load, from, tip, is_to_scale }
     }
 
@@ -85,7 +82,7 @@ impl<'l> LoadOnPaper<'l> {
         }
         if moment != 0.0 {
             // The gap of the arc is in the direction of the force.
-            painting.arc(self.from, ARC, self.load.angle(), moment < 0.0, BLACK, 2.0);
+            painting.arc(self.from, MARKS.moment_arc, self.load.angle(), moment < 0.0, BLACK, 2.0);
             painting.dot(flat(self.from), 3.0, BLACK, false);
         }
     }
@@ -100,7 +97,7 @@ impl<'l> LoadOnPaper<'l> {
             // The name is written on the closed side of the arc.
             let ((x, y), (sin, cos)) = (self.from, self.load.angle().sin_cos());
             let words = format!("moment {} N m", short(moment));
-            labels.write(paper, (x - ARC * cos, y + ARC * sin), &[&words], size);
+            labels.write(paper, (x - MARKS.moment_arc * cos, y + MARKS.moment_arc * sin), &[&words], size);
         }
     }
 }

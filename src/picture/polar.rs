@@ -5,9 +5,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use plotters::style::{Color, colors::BLACK};
 
 use super::error::PictureError;
+use super::layout::POLAR;
 use super::palette::{GREY, PALETTE};
 use super::polar_curve::draw_curve;
-use super::polar_plane::{MIDDLE, RADIUS, at, turn, width_of};
+use super::polar_plane::{at, turn, width_of};
 use super::round_numbers::{in_steps, round_up, whole_above};
 use super::series::{ChartSeries, Stroke};
 use super::sheet::{Sheet, sheet};
@@ -35,24 +36,6 @@ pub struct Polar {
     notes: Vec<String>,
     rim: Option<f64>,
 }
-
-const SIZE: (f64, f64) = (860.0, 640.0);
-/// Left edge of the legend, pixels.
-const LEGEND: f64 = 630.0;
-/// Length of the samples in the legend, pixels.
-const SAMPLE: f64 = 22.0;
-/// Most letters of a line beside a sample.
-const LETTERS: usize = 24;
-/// Most letters of a line of a note.
-const NOTE_LETTERS: usize = 30;
-/// Two texts beside each other do not fit between directions closer than this, rad.
-const BESIDE: f64 = 0.12;
-/// Two texts outside the rim do not fit between directions closer than this, rad.
-const MEET: f64 = 0.06;
-/// A ring beyond this part of the rim is the rim itself up to rounding.
-const INSIDE: f64 = 1.0 - 1e-6;
-/// Most letters of a name that fits outside the rim.
-const SHORT: usize = 10;
 
 impl Polar {
     /// An empty chart with its title and the unit of the radii.
@@ -114,7 +97,7 @@ impl Polar {
         }
         let step = round_up(wanted / 5.0);
         let rim = step * whole_above(wanted / step);
-        Ok(sheet(SIZE, |paper| {
+        Ok(sheet((860.0, 640.0), |paper| {
             paper.title(&self.title);
             self.draw_grid(paper, rim, step);
             // The first curve is drawn last and lies on top.
@@ -122,8 +105,8 @@ impl Polar {
                 draw_curve(paper, rim, k, curve);
             }
             for (angle, radius) in self.marks.iter().flat_map(|(points, _)| points) {
-                let end = at(*angle, RADIUS * (radius / rim).min(1.0));
-                paper.line([MIDDLE, end], BLACK, 1.0);
+                let end = at(*angle, POLAR.radius * (radius / rim).min(1.0));
+                paper.line([POLAR.middle, end], BLACK, 1.0);
                 paper.circle(end, 4.5, BLACK, None);
             }
             self.draw_rays(paper);
@@ -134,14 +117,14 @@ impl Polar {
 
     fn draw_grid(&self, paper: &mut Sheet, rim: f64, step: f64) {
         for radius in rings(rim, step) {
-            paper.circle(MIDDLE, RADIUS * radius / rim, GREY.mix(0.35), Some(0.7));
+            paper.circle(POLAR.middle, POLAR.radius * radius / rim, GREY.mix(0.35), Some(0.7));
         }
-        paper.circle(MIDDLE, RADIUS, GREY, Some(1.2));
+        paper.circle(POLAR.middle, POLAR.radius, GREY, Some(1.2));
         for k in 0..12 {
             let angle = f64::from(k) * PI / 6.0;
             let strong = k % 3 == 0;
             let ink = GREY.mix(if strong { 0.6 } else { 0.3 });
-            paper.line([MIDDLE, at(angle, RADIUS)], ink, 0.7);
+            paper.line([POLAR.middle, at(angle, POLAR.radius)], ink, 0.7);
             let axis = match k {
                 0 => "0°, +x",
                 3 => "90°, +y",
@@ -151,9 +134,9 @@ impl Polar {
             };
             let words = if strong { axis.to_owned() } else { format!("{}°", 30 * k) };
             // The text is moved aside if a direction is named there.
-            let named = |(ray, _): &(f64, String)| turn(angle, *ray).abs() < BESIDE;
+            let named = |(ray, _): &(f64, String)| turn(angle, *ray).abs() < POLAR.beside;
             let aside = if self.rays.iter().any(named) { 0.17 } else { 0.0 };
-            outside(paper, angle + aside, RADIUS + 19.0, &words, 14.0);
+            outside(paper, angle + aside, POLAR.radius + 19.0, &words, 14.0);
         }
     }
 
@@ -161,19 +144,20 @@ impl Polar {
     fn draw_rays(&self, paper: &mut Sheet) {
         let lettered = self.rays_have_letters();
         for (k, (angle, label)) in self.rays.iter().enumerate() {
-            let (tip, side) = (at(*angle, RADIUS + 26.0), 0.022);
-            let tail = [at(angle - side, RADIUS + 13.0), at(angle + side, RADIUS + 13.0)];
+            let (tip, side) = (at(*angle, POLAR.radius + 26.0), 0.022);
+            let tail = [at(angle - side, POLAR.radius + 13.0), at(angle + side, POLAR.radius + 13.0)];
             paper.area([tip, tail[0], tail[1]], BLACK);
             // Letters of directions that are too close are written one outside the other.
             let before = self.rays[..k].iter().filter(|(other, _)| meet(*other, *angle)).count();
             let words = if lettered { letter(k) } else { label.clone() };
-            outside(paper, *angle, RADIUS + 36.0 + 16.0 * before as f64, &words, 14.0);
+            outside(paper, *angle, POLAR.radius + 36.0 + 16.0 * before as f64, &words, 14.0);
         }
     }
 
     fn rays_have_letters(&self) -> bool {
         self.rays.iter().enumerate().any(|(k, (angle, label))| {
-            label.chars().count() > SHORT || self.rays[..k].iter().any(|(other, _)| meet(*other, *angle))
+            // Longer names do not fit outside the rim.
+            label.chars().count() > 10 || self.rays[..k].iter().any(|(other, _)| meet(*other, *angle))
         })
     }
 
@@ -190,7 +174,7 @@ impl Polar {
         let crowd = |angle: f64| {
             let close = |(a, r): &&(f64, f64)| {
                 let near = |ring: &f64| (r - ring).abs() < 0.05 * rim;
-                turn(angle, *a).abs() < BESIDE && numbered.iter().any(near)
+                turn(angle, *a).abs() < POLAR.beside && numbered.iter().any(near)
             };
             drawn.iter().filter(close).count()
         };
@@ -199,7 +183,7 @@ impl Polar {
         for (k, radius) in numbered.iter().enumerate() {
             let unit = if k + 1 == numbered.len() { format!(" {}", self.unit) } else { String::new() };
             let words = format!("{}{unit}", in_steps(*radius, step));
-            paper.plaque(at(spoke, RADIUS * radius / rim), &words, 12.0, 0.5);
+            paper.plaque(at(spoke, POLAR.radius * radius / rim), &words, 12.0, 0.5);
         }
     }
 
@@ -207,36 +191,37 @@ impl Polar {
         let mut y = 80.0;
         for (k, ChartSeries { name, stroke, .. }) in self.curves.iter().enumerate() {
             let ink = PALETTE[k % PALETTE.len()];
-            let ends = [(LEGEND, y), (LEGEND + SAMPLE, y)];
+            let ends = [(POLAR.legend, y), (POLAR.legend + POLAR.sample, y)];
             match stroke {
-                Stroke::Circles => paper.circle((LEGEND + SAMPLE / 2.0, y), 4.0, ink, Some(1.5)),
-                Stroke::Dots => paper.circle((LEGEND + SAMPLE / 2.0, y), 2.0, ink, None),
+                Stroke::Circles => paper.circle((POLAR.legend + POLAR.sample / 2.0, y), 4.0, ink, Some(1.5)),
+                Stroke::Dots => paper.circle((POLAR.legend + POLAR.sample / 2.0, y), 2.0, ink, None),
                 Stroke::Dashed => paper.dashes(&ends, ink, 2.0),
                 _ => paper.line(ends, ink, width_of(k)),
             }
             y = legend_text(paper, y, name);
         }
         for (_, label) in &self.marks {
-            paper.line([(LEGEND, y), (LEGEND + SAMPLE / 2.0, y)], BLACK, 1.0);
-            paper.circle((LEGEND + SAMPLE / 2.0, y), 4.5, BLACK, None);
+            paper.line([(POLAR.legend, y), (POLAR.legend + POLAR.sample / 2.0, y)], BLACK, 1.0);
+            paper.circle((POLAR.legend + POLAR.sample / 2.0, y), 4.5, BLACK, None);
             y = legend_text(paper, y, label);
         }
         if self.rays_have_letters() {
             for (k, (_, label)) in self.rays.iter().enumerate() {
-                paper.text((LEGEND + SAMPLE / 2.0, y), &letter(k), 14.0, 0.5, BLACK);
+                paper.text((POLAR.legend + POLAR.sample / 2.0, y), &letter(k), 14.0, 0.5, BLACK);
                 y = legend_text(paper, y, label);
             }
         }
         y += 8.0;
-        for note in self.notes.iter().flat_map(|note| lines(note, NOTE_LETTERS)) {
-            paper.text((LEGEND, y), &note, 13.0, 0.0, GREY);
+        for note in self.notes.iter().flat_map(|note| lines(note, 30)) {
+            paper.text((POLAR.legend, y), &note, 13.0, 0.0, GREY);
             y += 18.0;
         }
     }
 }
 
 fn meet(angle: f64, other: f64) -> bool {
-    turn(other, angle).abs() < MEET
+    // Two texts outside the rim do not fit between closer directions.
+    turn(other, angle).abs() < 0.06
 }
 
 /// a, b, c …; beyond z the index.
@@ -250,15 +235,16 @@ fn letter(k: usize) -> String {
 /// Writes a text of the legend line by line and returns the height of the next entry.
 fn legend_text(paper: &mut Sheet, y: f64, words: &str) -> f64 {
     let mut at = y;
-    for line in words.lines().flat_map(|line| lines(line, LETTERS)) {
-        paper.text((LEGEND + SAMPLE + 8.0, at), &line, 14.0, 0.0, BLACK);
+    for line in words.lines().flat_map(|line| lines(line, 24)) {
+        paper.text((POLAR.legend + POLAR.sample + 8.0, at), &line, 14.0, 0.0, BLACK);
         at += 18.0;
     }
     at + 6.0
 }
 
 fn rings(rim: f64, step: f64) -> impl Iterator<Item = f64> {
-    (1..100).map(move |k| f64::from(k) * step).take_while(move |radius| *radius < rim * INSIDE)
+    // A ring closer to the rim is the rim itself up to rounding.
+    (1..100).map(move |k| f64::from(k) * step).take_while(move |radius| *radius < rim * (1.0 - 1e-6))
 }
 
 /// Writes a text outside the rim that extends away from the middle.

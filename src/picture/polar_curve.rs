@@ -2,8 +2,9 @@
 
 use std::f64::consts::TAU;
 
+use super::layout::POLAR;
 use super::palette::PALETTE;
-use super::polar_plane::{MIDDLE, RADIUS, at, width_of};
+use super::polar_plane::{at, width_of};
 use super::series::{ChartSeries, Stroke};
 use super::sheet::{Place, Sheet};
 
@@ -11,12 +12,12 @@ use super::sheet::{Place, Sheet};
 pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &ChartSeries) {
     let ChartSeries { points, stroke, .. } = curve;
     let ink = PALETTE[index % PALETTE.len()];
-    let place = |(angle, radius): (f64, f64)| at(angle, RADIUS * radius / rim);
+    let place = |(angle, radius): (f64, f64)| at(angle, POLAR.radius * radius / rim);
     let inside = points.iter().copied().filter(|(_, radius)| *radius <= rim);
     match stroke {
         Stroke::Circles => return inside.for_each(|p| paper.circle(place(p), 4.0, ink, Some(1.5))),
         Stroke::Dots => return inside.for_each(|p| paper.circle(place(p), 2.0, ink, None)),
-        Stroke::Bars => return inside.for_each(|p| paper.line([MIDDLE, place(p)], ink, 1.5)),
+        Stroke::Bars => return inside.for_each(|p| paper.line([POLAR.middle, place(p)], ink, 1.5)),
         Stroke::Marked => inside.for_each(|p| paper.circle(place(p), 3.0, ink, None)),
         Stroke::Line | Stroke::Directed | Stroke::Dashed => {}
     }
@@ -25,7 +26,7 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
         _ => paper.line(line, ink, width_of(index)),
     };
     // Arcs of several curves lie side by side.
-    let arc_radius = RADIUS + 3.0 + 4.0 * index as f64;
+    let arc_radius = POLAR.radius + 3.0 + 4.0 * index as f64;
     let (mut line, mut arc): (Vec<Place>, Vec<Place>) = (Vec::new(), Vec::new());
     for (k, &(angle, radius)) in points.iter().enumerate() {
         let (next_angle, next) = points[(k + 1) % points.len()];
@@ -39,13 +40,13 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
             draw(paper, std::mem::take(&mut line));
             paper.line(std::mem::take(&mut arc), ink, 4.0);
         } else if radius <= rim && next > rim {
-            line.push(at(at_crossing, RADIUS));
+            line.push(at(at_crossing, POLAR.radius));
             draw(paper, std::mem::take(&mut line));
             arc.push(at(at_crossing, arc_radius));
         } else if radius > rim && next <= rim {
             arc.push(at(at_crossing, arc_radius));
             paper.line(std::mem::take(&mut arc), ink, 4.0);
-            line.push(at(at_crossing, RADIUS));
+            line.push(at(at_crossing, POLAR.radius));
         }
     }
     if let Some(&(angle, radius)) = points.first() {

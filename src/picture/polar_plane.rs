@@ -2,15 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::layout::POLAR;
 use super::sheet::Place;
-
-pub(super) const MIDDLE: Place = (330.0, 340.0);
-/// Radius of the rim, pixels.
-pub(super) const RADIUS: f64 = 225.0;
 
 /// The place at an angle (rad) and a distance from the middle (pixels).
 pub(super) fn at(angle: f64, radius: f64) -> Place {
-    (MIDDLE.0 + radius * angle.cos(), MIDDLE.1 - radius * angle.sin())
+    (POLAR.middle.0 + radius * angle.cos(), POLAR.middle.1 - radius * angle.sin())
 }
 
 /// The turn from one direction to another, rad, from -π to π.

@@ -1,21 +1,15 @@
 //! Round numbers for rings, levels and labels.
 
-/// A number this close to a round one (in steps) counts as that round one. Steps are quotients and powers with errors of about 1e-15, and a billionth
-/// of a step is invisible. With zero, rounding alone would add a ring or a level.
-const NEARLY: f64 = 1e-9;
-/// Steps in this range are written without an exponent.
-const PLAIN: std::ops::Range<f64> = 1e-4..1e6;
-/// Most digits after the point.
-const MOST_DIGITS: f64 = 12.0;
+use crate::numerics::tolerances::NEGLIGIBLE;
 
 /// The largest whole number not above x.
 pub(super) fn whole_below(x: f64) -> f64 {
-    (x + NEARLY).floor()
+    (x + NEGLIGIBLE).floor()
 }
 
 /// The least whole number not below x.
 pub(super) fn whole_above(x: f64) -> f64 {
-    (x - NEARLY).ceil()
+    (x - NEGLIGIBLE).ceil()
 }
 
 /// The least round number (1, 2 or 5 times a power of ten) not below a positive one.
@@ -25,7 +19,7 @@ pub(super) fn round_up(x: f64) -> f64 {
     steps
         .into_iter()
         .map(|step| step * power)
-        .find(|rounded| *rounded >= x * (1.0 - NEARLY))
+        .find(|rounded| *rounded >= x * (1.0 - NEGLIGIBLE))
         .unwrap_or(10.0 * power)
 }
 
@@ -33,14 +27,14 @@ pub(super) fn round_up(x: f64) -> f64 {
 pub(super) fn round_down(x: f64) -> f64 {
     let power = 10f64.powf(x.log10().floor());
     let steps = [10.0, 5.0, 2.0, 1.0];
-    steps.into_iter().map(|step| step * power).find(|rounded| *rounded <= x * (1.0 + NEARLY)).unwrap_or(x)
+    steps.into_iter().map(|step| step * power).find(|rounded| *rounded <= x * (1.0 + NEGLIGIBLE)).unwrap_or(x)
 }
 
 /// A number that is a multiple of `step`, with no more digits than the step needs.
 pub(super) fn in_steps(x: f64, step: f64) -> String {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-    let digits = (-step.log10() - NEARLY).ceil().clamp(0.0, MOST_DIGITS) as usize;
-    without_minus_zero(if PLAIN.contains(&step) { format!("{x:.digits$}") } else { format!("{x:.1e}") })
+    let digits = (-step.log10() - NEGLIGIBLE).ceil().clamp(0.0, 12.0) as usize;
+    without_minus_zero(if (1e-4..1e6).contains(&step) { format!("{x:.digits$}") } else { format!("{x:.1e}") })
 }
 
 /// Removes the sign of a number that was rounded to zero.

@@ -8,17 +8,7 @@ use super::palette::FONT;
 use super::words::escaped;
 
 /// Parts of a pixel to which places are rounded: finer than any screen shows.
-const FINE: f64 = 100.0;
-/// Coordinates beyond this are clamped, pixels: a hundred times the paper, and far below the largest integer.
-const FARTHEST: f64 = 1e5;
-/// Width of a letter of a sans serif font on plaques, relative to its height; few letters are wider.
-const LETTER: f64 = 0.57;
-/// The same in titles.
-const WIDE_LETTER: f64 = 0.6;
-/// Letter height of a title, pixels.
-const TITLE: f64 = 20.0;
-/// Distance of a title from the edges, pixels.
-const ASIDE: f64 = 18.0;
+const PARTS_OF_A_PIXEL: f64 = 100.0;
 
 /// A colour, with or without its opacity.
 pub(super) trait Ink: Into<RGBAColor> {}
@@ -42,13 +32,14 @@ pub(super) fn pixel((x, y): Place) -> Pixel {
 
 fn fine(length: f64) -> Fine {
     #[expect(clippy::cast_possible_truncation, reason = "clamped")]
-    let whole = (length.clamp(-FARTHEST, FARTHEST) * FINE).round() as i32;
+    // A hundred times the paper, and far below the largest integer.
+    let whole = (length.clamp(-1e5, 1e5) * PARTS_OF_A_PIXEL).round() as i32;
     Fine(whole)
 }
 
 impl Display for Fine {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "{}", f64::from(self.0) / FINE)
+        write!(out, "{}", f64::from(self.0) / PARTS_OF_A_PIXEL)
     }
 }
 
@@ -161,8 +152,9 @@ impl Sheet {
 
     /// A further line of the title, `below` pixels lower.
     pub(super) fn title_line(&mut self, below: f64, words: &str) {
-        let room = (self.wide - 2.0 * ASIDE) / (WIDE_LETTER * words.chars().count() as f64);
-        self.text((ASIDE, 26.0 + below), words, TITLE.min(room), 0.0, BLACK);
+        let aside = 18.0;
+        let room = (self.wide - 2.0 * aside) / (0.6 * words.chars().count() as f64);
+        self.text((aside, 26.0 + below), words, 20.0_f64.min(room), 0.0, BLACK);
     }
 
     /// A line of text on a light background, legible on any ground.
@@ -178,7 +170,8 @@ impl Sheet {
 
 /// Width and height of a text with its background, pixels.
 pub(super) fn plaque_size(words: &str, size: f64) -> (f64, f64) {
-    (LETTER * size * words.chars().count() as f64 + 4.0, 1.24 * size)
+    // Few letters of a sans serif font are wider, relative to their height.
+    (0.57 * size * words.chars().count() as f64 + 4.0, 1.24 * size)
 }
 
 fn points(places: impl IntoIterator<Item = Place>) -> String {

@@ -1,11 +1,13 @@
 //! A map of a value for every direction in space, with equal areas.
 
+use crate::numerics::tolerances::NEGLIGIBLE;
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 
-use plotters::style::{Color, RGBColor, colors::BLACK, colors::WHITE};
+use plotters::style::{Color, colors::BLACK, colors::WHITE};
 
 use super::bands::Bands;
 use super::error::PictureError;
+use super::layout::SPHERE;
 use super::palette::{GREY, VERMILION};
 use super::regions::{Corner, outlines};
 use super::sheet::{Place, Sheet, sheet};
@@ -36,23 +38,6 @@ pub struct SphereMap {
     unbounded: String,
     missing: String,
 }
-
-const WIDE: f64 = 860.0;
-const HIGH: f64 = 530.0;
-const RADIUS: f64 = 165.0;
-/// Middles of the discs, pixels.
-const DISCS: [Place; 2] = [(200.0, 268.0), (590.0, 268.0)];
-/// Most letters of a line of a note.
-const LETTERS: usize = 114;
-/// Height of the first line of notes, pixels.
-const FOOT: f64 = 510.0;
-/// Right edge of the colour scale, and its height, pixels.
-const BAR: (f64, f64) = (848.0, 320.0);
-/// A direction whose z component is below this part of its length is drawn on the rims of both discs. It is a ten-millionth of a pixel away from
-/// them; without the bound rounding would choose one of the discs.
-const LEVEL: f64 = 1e-9;
-const UNBOUNDED: RGBColor = RGBColor(255, 246, 214);
-const MISSING: RGBColor = RGBColor(190, 190, 190);
 
 impl SphereMap {
     /// A map with one value for each of the grid's [directions](SphereGrid::directions), in their order. `quantity` is written at the colour scale
@@ -130,10 +115,10 @@ impl SphereMap {
                 marked.push((way(*direction, label)?, label, dot));
             }
         }
-        let notes: Vec<_> = self.notes.iter().flat_map(|note| lines(note, LETTERS)).collect();
-        Ok(sheet((WIDE, HIGH + 18.0 * notes.len() as f64), |paper| {
+        let notes: Vec<_> = self.notes.iter().flat_map(|note| lines(note, 114)).collect();
+        Ok(sheet((SPHERE.wide, 530.0 + 18.0 * notes.len() as f64), |paper| {
             paper.title(&self.title);
-            for (side, middle) in DISCS.into_iter().enumerate() {
+            for (side, middle) in SPHERE.discs.into_iter().enumerate() {
                 self.draw_disc(paper, side, middle, &bands);
             }
             for (direction, label, dot) in marked {
@@ -141,7 +126,7 @@ impl SphereMap {
             }
             self.draw_scale(paper, &bands);
             for (k, note) in notes.iter().enumerate() {
-                paper.text((18.0, FOOT + 18.0 * k as f64), note, 13.0, 0.0, GREY);
+                paper.text((18.0, SPHERE.foot + 18.0 * k as f64), note, 13.0, 0.0, GREY);
             }
         }))
     }
@@ -159,9 +144,10 @@ impl SphereMap {
             let contour = (band > 0).then(|| (WHITE.mix(0.55), 0.6));
             paper.region(&loops, bands.color(band), contour);
         }
-        for (color, is) in
-            [(UNBOUNDED, f64::is_infinite as fn(f64) -> bool), (MISSING, f64::is_nan as fn(f64) -> bool)]
-        {
+        for (color, is) in [
+            (SPHERE.unbounded, f64::is_infinite as fn(f64) -> bool),
+            (SPHERE.missing, f64::is_nan as fn(f64) -> bool),
+        ] {
             let triangles = self.triangles(side, middle, |k| f64::from(u8::from(is(self.values[k]))));
             let loops = outlines(&triangles, 0.5);
             if !loops.is_empty() {
@@ -169,20 +155,21 @@ impl SphereMap {
             }
         }
         for degrees in [30.0_f64, 60.0] {
-            let radius = RADIUS * SQRT_2 * (degrees.to_radians() / 2.0).sin();
+            let radius = SPHERE.radius * SQRT_2 * (degrees.to_radians() / 2.0).sin();
             paper.circle(middle, radius, BLACK.mix(0.35), Some(0.6));
             let place = (middle.0 + radius * 0.5_f64.sqrt(), middle.1 + radius * 0.5_f64.sqrt());
             paper.plaque(place, &format!("{degrees:.0}°"), 10.0, 0.5);
         }
         for k in 0..12 {
             let (sin, cos) = (f64::from(k) * TAU / 12.0).sin_cos();
-            let end = |part: f64| (middle.0 + part * RADIUS * cos, middle.1 - part * RADIUS * sin);
+            let end =
+                |part: f64| (middle.0 + part * SPHERE.radius * cos, middle.1 - part * SPHERE.radius * sin);
             paper.line([end(0.0), end(1.0)], BLACK.mix(0.18), 0.6);
         }
-        paper.circle(middle, RADIUS, BLACK, Some(1.2));
+        paper.circle(middle, SPHERE.radius, BLACK, Some(1.2));
         for (k, name) in ["+x", "+y", "−x", "−y"].into_iter().enumerate() {
             let (sin, cos) = (k as f64 * FRAC_PI_2).sin_cos();
-            let place = (middle.0 + (RADIUS + 15.0) * cos, middle.1 - (RADIUS + 13.0) * sin);
+            let place = (middle.0 + (SPHERE.radius + 15.0) * cos, middle.1 - (SPHERE.radius + 13.0) * sin);
             paper.text(place, name, 14.0, 0.5, BLACK);
         }
         let words = if side == 0 { "upwards: +z in the middle" } else { "downwards: −z in the middle" };
@@ -226,7 +213,7 @@ impl SphereMap {
         let SphereGrid { rings, around } = self.grid;
         let corner = |ring: usize, k: usize| {
             let from_pole = self.grid.polar_angle(ring);
-            let radius = RADIUS * SQRT_2 * (from_pole / 2.0).sin();
+            let radius = SPHERE.radius * SQRT_2 * (from_pole / 2.0).sin();
             let (sin, cos) = self.grid.azimuth(k % around).sin_cos();
             let place = (middle.0 + radius * cos, middle.1 - radius * sin);
             let of_sphere = if side == 0 { ring } else { 2 * rings - ring };
@@ -247,8 +234,9 @@ impl SphereMap {
     }
 
     fn draw_scale(&self, paper: &mut Sheet, bands: &Bands) {
-        let (right, high) = BAR;
-        let (left, bottom) = (right - 16.0, DISCS[1].1 + high / 2.0);
+        // The right edge of the colour scale, and its height.
+        let (right, high) = (848.0, 320.0);
+        let (left, bottom) = (right - 16.0, SPHERE.discs[1].1 + high / 2.0);
         let each = high / bands.count() as f64;
         for (k, level) in bands.levels.iter().enumerate() {
             let (low, top) = (bottom - each * k as f64, bottom - each * (k + 1) as f64);
@@ -257,14 +245,14 @@ impl SphereMap {
             }
             paper.text((left - 4.0, low), &bands.label(*level), 11.0, 1.0, BLACK);
         }
-        paper.text((WIDE - 8.0, bottom - high - 20.0), &self.quantity, 13.0, 1.0, BLACK);
+        paper.text((SPHERE.wide - 8.0, bottom - high - 20.0), &self.quantity, 13.0, 1.0, BLACK);
         let mut x = 18.0;
         let present = [
-            (UNBOUNDED, &self.unbounded, self.values.iter().any(|value| value.is_infinite())),
-            (MISSING, &self.missing, self.values.iter().any(|value| value.is_nan())),
+            (SPHERE.unbounded, &self.unbounded, self.values.iter().any(|value| value.is_infinite())),
+            (SPHERE.missing, &self.missing, self.values.iter().any(|value| value.is_nan())),
         ];
         for (color, words, _) in present.into_iter().filter(|(_, _, there)| *there) {
-            let y = FOOT - 24.0;
+            let y = SPHERE.foot - 24.0;
             let corners = [(x, y - 6.0), (x + 16.0, y - 6.0), (x + 16.0, y + 6.0), (x, y + 6.0)];
             paper.area(corners, color);
             paper.line(corners.into_iter().chain([corners[0]]), GREY, 0.7);
@@ -286,13 +274,13 @@ fn way(direction: [f64; 3], label: &str) -> Result<[f64; 3], PictureError> {
 
 /// Draws a mark on the disc of its hemisphere; on both discs if the direction is perpendicular to z.
 fn draw_mark(paper: &mut Sheet, [x, y, z]: [f64; 3], label: &str, dot: bool) {
-    let level = z.abs() <= LEVEL;
-    for (side, middle) in DISCS.into_iter().enumerate() {
+    let level = z.abs() <= NEGLIGIBLE;
+    for (side, middle) in SPHERE.discs.into_iter().enumerate() {
         if !level && (z > 0.0) != (side == 0) {
             continue;
         }
         let from_pole = x.hypot(y).atan2(z.abs());
-        let radius = RADIUS * SQRT_2 * (from_pole / 2.0).sin();
+        let radius = SPHERE.radius * SQRT_2 * (from_pole / 2.0).sin();
         let flat = x.hypot(y).max(f64::MIN_POSITIVE);
         let place = (middle.0 + radius * x / flat, middle.1 - radius * y / flat);
         if dot {

@@ -11,11 +11,6 @@ use crate::grasp::Motion;
 use crate::numerics::{largest, mapped};
 use crate::planar::Twist;
 
-/// Distance by which the fastest point is moved, as a part of the size of the scene.
-const FAR: f64 = 0.13;
-/// Most arrows.
-const ARROWS: usize = 6;
-
 /// Points of the object, or of several bodies, and their next places.
 pub(super) struct MovedOutlines {
     from: Vec<Vector2<f64>>,
@@ -43,7 +38,8 @@ impl MovedOutlines {
         }
         let speed = |(p, twist): &(Vector2<f64>, &Twist)| Vector2::from(twist.displacement_at(*p)).norm();
         let fastest = largest(&points, &speed);
-        let time = FAR * size / fastest;
+        // The fastest point is moved by this part of the size of the scene.
+        let time = 0.13 * size / fastest;
         if !(time.is_finite() && time > 0.0) {
             return None;
         }
@@ -69,7 +65,7 @@ impl MovedOutlines {
                 painting.dashed_line([place(*corner), place(next)], VERMILION, 1.5);
             }
         }
-        let every = self.from.len().div_ceil(ARROWS).max(1);
+        let every = self.from.len().div_ceil(6).max(1);
         for (from, to) in self.from.iter().zip(&self.to).step_by(every) {
             painting.arrow([flat(place(*from)), flat(place(*to))], VERMILION, 1.5, 1);
         }

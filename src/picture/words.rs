@@ -2,11 +2,6 @@
 
 use crate::equilibrium::Equilibrium;
 
-/// Sizes in this range are written without an exponent.
-const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
-/// The least number with five digits before the point.
-const FIVE_DIGITS: f64 = 1e4;
-
 /// A text escaped for HTML or XML, as content and as attributes in quotes.
 pub(super) fn escaped(text: &str) -> String {
     text.chars().fold(String::with_capacity(text.len()), |mut out, c| {
@@ -33,14 +28,15 @@ pub(super) fn short(x: f64) -> String {
         "0".to_owned()
     } else if size.is_infinite() {
         "∞".to_owned()
-    } else if !PLAIN.contains(&size) {
+    } else if !(1e-3..1e5).contains(&size) {
         let written = format!("{size:.4e}");
         let (digits, power) = written.split_once('e').unwrap_or((&written, "0"));
         let digits = digits.trim_end_matches('0').trim_end_matches('.');
         format!("{digits}e{}", power.replace('-', "−"))
     } else {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 7")]
-        let digits = (FIVE_DIGITS / size).log10().ceil().clamp(0.0, 7.0) as usize;
+        // The least number with five digits before the point.
+        let digits = (1e4 / size).log10().ceil().clamp(0.0, 7.0) as usize;
         let all = format!("{size:.digits$}");
         if digits > 0 { all.trim_end_matches('0').trim_end_matches('.').to_owned() } else { all }
     };

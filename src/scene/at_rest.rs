@@ -4,21 +4,13 @@ use super::link::LinkSetup;
 use super::odd::put_on;
 use super::question::Question;
 use super::setup::Setup;
+use super::tolerances::OTHERWISE_PRESSED;
 use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Ramp;
-
-/// A force presses on a contact if its component against the normal is more than this part of the force.
-const ALONG: f64 = 1e-6;
-
-/// Relative difference up to which a force at rest counts as the stated one.
-const OTHERWISE: f64 = 0.02;
-
-/// Friction coefficient of the trial that decides whether a load jams the object: a load that the trial holds presses contacts on.
-const MUCH_FRICTION: f64 = 3.0;
 
 impl<const C: usize> Setup<C> {
     /// Whether no command presses, and some question has no load at rest and no load that presses contacts on, as a weight or a jamming load does. A
@@ -55,7 +47,8 @@ impl<const C: usize> Setup<C> {
             for (n, x) in normal.iter().zip(force) {
                 (along, length) = (along + n * x, length.hypot(*n));
             }
-            along < -ALONG * size * length
+            // A force presses on a contact if its component against the normal is more than this part of it.
+            along < -1e-6 * size * length
         };
         let hangs = |LinkSetup { link, .. }: &LinkSetup<C>| {
             let points = link.contacts().unwrap_or_default();
@@ -98,7 +91,7 @@ impl<const C: usize> Setup<C> {
             let Some(told) = entry.contact.press else { continue };
             pressed += 1;
             let force = state.contacts[points].iter().map(ContactAnswer::normal_force).sum::<f64>();
-            if (force - told).abs() > OTHERWISE * told {
+            if (force - told).abs() > OTHERWISE_PRESSED * told {
                 let name = entry.contact.label_text(contact);
                 warnings.push(Warning::PressesOtherwise { contact, name, told, force });
             }
@@ -115,7 +108,7 @@ impl<const C: usize> Setup<C> {
                 continue;
             }
             let force = state.contacts[site].normal_force();
-            if (force - told).abs() > OTHERWISE * told.abs() {
+            if (force - told).abs() > OTHERWISE_PRESSED * told.abs() {
                 let (link, name) = (number, link.called(number));
                 warnings.push(Warning::PullsOtherwise { link, name, told, force });
             }
@@ -129,7 +122,8 @@ fn jams<const C: usize>(grasp: &Grasp<C>, load: Wrench<C>) -> Result<bool, Error
     if load == Wrench::ZERO {
         return Ok(false);
     }
-    let rough = grasp.with_friction(|_, mu| if mu > 0.0 { mu.max(MUCH_FRICTION) } else { mu })?;
+    // With much friction a trial holds a load that presses contacts on, and jams the object.
+    let rough = grasp.with_friction(|_, mu| if mu > 0.0 { mu.max(3.0) } else { mu })?;
     let verdict = rough.hold(Ramp::load(Wrench::ZERO, load))?;
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))
 }

@@ -79,7 +79,8 @@ struct Outside {
 impl Fault {
     /// The fault that stopped the reader of a scene.
     fn of_reader(text: &[u8], error: &serde_json::Error) -> Self {
-        let unreadable = if text.starts_with(BYTE_ORDER_MARK) {
+        // Some editors begin a file with a byte order mark.
+        let unreadable = if text.starts_with(b"\xef\xbb\xbf") {
             Some("begins with a byte-order mark, must begin with {: save it as UTF-8 without one")
         } else if text.trim_ascii().is_empty() {
             Some("the text is empty, must be a scene; `grasp-lcp new gripper` writes one to begin with")
@@ -130,9 +131,6 @@ impl Fault {
         Self { kind: FaultKind::Question, message: error.to_string(), field: None, at: None }
     }
 }
-
-/// The byte order mark, three bytes with which some editors begin a file.
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 impl Scene {
     /// A scene from [JSON](crate::scene), feature `json`.

@@ -4,6 +4,7 @@ use super::fingertip::Fingertip;
 use super::link::LinkSetup;
 use super::question::Question;
 use super::setup::Setup;
+use super::tolerances::{SAME_ANSWER, STIFFNESS_RANGE};
 use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Outcome};
@@ -11,21 +12,10 @@ use crate::error::{Error, LARGEST};
 use crate::grasp::Link;
 use crate::load_path::Ramp;
 use crate::numerics::mapped;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// Default stiffness of a contact in all directions, N/m.
 pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
-
-/// Relative difference below which two answers are the same.
-const SAME: f64 = 1e-6;
-
-/// Relative difference below which two answers are the same for different stiffnesses of links: links are usually stiff beside the grasped object.
-const SAME_BY_LINKS: f64 = 1e-3;
-
-/// Differences below this part of the largest number of an answer are rounding.
-const ROUNDING: f64 = 1e-12;
-
-/// Largest factor, up or down, on a stiffness that was left out; every direction of a trial has a factor of its own.
-const RANGE: f64 = 10.0;
 
 impl<const C: usize> Setup<C> {
     /// A warning about contacts without a stiffness if an answer depends on it. Springs between a tenth and ten times the default, different for each
@@ -45,7 +35,8 @@ impl<const C: usize> Setup<C> {
             return Ok(None);
         }
         let is_motion = |question: &Question<C>| matches!(question, Question::Solve { .. });
-        let questions = self.questions_that_depend(&|trial| self.with_springs(trial), &is_motion, SAME)?;
+        let questions =
+            self.questions_that_depend(&|trial| self.with_springs(trial), &is_motion, SAME_ANSWER)?;
         let depends = !questions.is_empty();
         let stiffness = DEFAULT_STIFFNESS;
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
@@ -68,7 +59,8 @@ impl<const C: usize> Setup<C> {
             return Ok(None);
         }
         let questions =
-            self.questions_that_depend(&|trial| self.with_links(trial), &|_| false, SAME_BY_LINKS)?;
+            // Links are usually stiff beside the grasped object.
+            self.questions_that_depend(&|trial| self.with_links(trial), &|_| false, 1e-3)?;
         let (depends, stiffness) = (!questions.is_empty(), Link::<C>::STIFF);
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
@@ -104,7 +96,8 @@ impl<const C: usize> Setup<C> {
         let mut setup = self.clone();
         for (number, LinkSetup { link, .. }) in setup.links.iter_mut().enumerate() {
             if link.stiffness.is_none() {
-                link.stiffness = Some(Link::<C>::STIFF * RANGE.powf(2.0 * part(trial + 2 * number) - 1.0));
+                link.stiffness =
+                    Some(Link::<C>::STIFF * STIFFNESS_RANGE.powf(2.0 * part(trial + 2 * number) - 1.0));
             }
         }
         setup
@@ -121,7 +114,7 @@ impl<const C: usize> Setup<C> {
             if entry.no_stiffness {
                 let mut springs = [DEFAULT_STIFFNESS; C];
                 for (axis, spring) in springs.iter_mut().enumerate() {
-                    *spring *= RANGE.powf(2.0 * part(trial + 2 * (C * index + axis)) - 1.0);
+                    *spring *= STIFFNESS_RANGE.powf(2.0 * part(trial + 2 * (C * index + axis)) - 1.0);
                 }
                 entry.contact = entry.contact.clone().series_stiffness_axes(springs);
             }
@@ -191,7 +184,7 @@ fn part(number: usize) -> f64 {
 
 fn same(one: &[f64], other: &[f64], within: f64) -> bool {
     let finite = one.iter().filter(|x| x.is_finite());
-    let rounding = ROUNDING * finite.fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    let rounding = SOLVED_ROUNDING * finite.fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= rounding.max(within * a.abs().max(b.abs()));
     one.len() == other.len() && one.iter().zip(other).all(close)
 }

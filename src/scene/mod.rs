@@ -359,6 +359,7 @@ mod shake_asked;
 mod solved;
 mod springs;
 mod surface;
+mod tolerances;
 mod turn;
 mod warning;
 #[cfg(feature = "json")]

@@ -89,9 +89,6 @@ fn wrong(field: &'static str, fault: &'static str) -> Error {
     Error::Question { question: "need", field, fault }
 }
 
-/// Default reductions of friction and squeeze for the safe amount, the same as those of [`Need`]: other ones would make scenes and calls disagree.
-const LESS: [f64; 2] = [0.1, 0.05];
-
 impl<const C: usize> NeedAsked<C> {
     /// The question for a quantity, still without loads.
     #[must_use]
@@ -226,7 +223,8 @@ impl<const C: usize> Setup<C> {
             }
         };
         let need = need.on_top_of(asked.base.unwrap_or(Wrench::ZERO));
-        let [friction, squeeze] = if asked.safety.is_some() { [0.0; 2] } else { LESS };
+        // The same as those of [`Need`]: other ones would make scenes and calls disagree.
+        let [friction, squeeze] = if asked.safety.is_some() { [0.0; 2] } else { [0.1, 0.05] };
         let need = need
             .with_safety(asked.safety.unwrap_or(1.0))
             .if_lower_by(asked.friction_less.unwrap_or(friction), asked.squeeze_less.unwrap_or(squeeze));

@@ -9,29 +9,9 @@ use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{largest, mapped};
 use crate::statics::Closure;
-
-/// Friction coefficient above which a scene gets a warning: soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
-const MUCH_FRICTION: f64 = 2.0;
-
-/// Size of a grasp, m, above which a scene gets a warning: gripped objects are hardly larger.
-const MANY_METRES: f64 = 10.0;
-
-/// Width of a patch, relative to the spread of the contacts, above which its unit is doubtful.
-const WIDE: f64 = 10.0;
-
-/// Distance of a load, relative to the spread of the contacts, above which its unit is doubtful, if the distance is more than a metre.
-const FAR: f64 = 100.0;
-
-/// Ratio of a load to the sum of all pressing forces above which the unit of the load is doubtful: friction carries far less.
-const HEAVY: f64 = 100.0;
-
-/// Cosine of the angle between a normal and the way from the middle to its contact, above which the normal points outwards.
-const OUTWARDS: f64 = 0.5;
-
-/// Contacts closer than this part of the size of the grasp are in one place; also the tolerance for parallel normals.
-const ONE_PLACE: f64 = 1e-9;
 
 impl<const C: usize> Setup<C> {
     /// Warnings about the contacts alone, whatever the loads.
@@ -41,7 +21,8 @@ impl<const C: usize> Setup<C> {
         let name = |i: usize| entries[i].contact.label_text(i);
         let names = |contacts: &[usize]| mapped(&contacts, &|i| name(*i));
         let mu = |i: usize| entries[i].contact.friction_coefficient();
-        let much = |i: &usize| mu(*i) > MUCH_FRICTION && mu(*i).is_finite();
+        // Soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
+        let much = |i: &usize| mu(*i) > 2.0 && mu(*i).is_finite();
         let contacts: Vec<_> = (0..entries.len()).filter(much).collect();
         if let Some(first) = contacts.first() {
             let (friction, names) = (mu(*first), names(&contacts));
@@ -53,7 +34,8 @@ impl<const C: usize> Setup<C> {
             warnings.push(Warning::NoFriction);
         }
         let size = spread(&mapped(&entries, &|entry| entry.contact.point));
-        if size > MANY_METRES {
+        // Gripped objects are hardly larger than ten metres.
+        if size > 10.0 {
             warnings.push(Warning::ManyMetres {
                 what: "the contacts are apart by up to".to_owned(),
                 length: size,
@@ -66,7 +48,7 @@ impl<const C: usize> Setup<C> {
             let points: Vec<_> = mapped(&grasp.contacts()[first..first + entry.count()?], &|c| c.point);
             first += points.len();
             let wide = spread(&points);
-            if size > 0.0 && wide > WIDE * size && !is_wide {
+            if size > 0.0 && wide > 10.0 * size && !is_wide {
                 is_wide = true;
                 let what = format!("the patch of {} is as wide as", name(i));
                 warnings.push(Warning::ManyMetres { what, length: wide, beside: Some(size) });
@@ -107,7 +89,8 @@ impl<const C: usize> Setup<C> {
                 }
             }
         }
-        if pressed > 0.0 && heaviest > HEAVY * pressed {
+        // Friction carries far less.
+        if pressed > 0.0 && heaviest > 100.0 * pressed {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }
         let points: Vec<_> = self.entries().map(|entry| entry.contact.point).collect();
@@ -129,7 +112,7 @@ impl<const C: usize> Setup<C> {
                 far = far.max(arm(&load));
             }
         }
-        if far > 1.0 && far > FAR * size {
+        if far > 1.0 && far > 100.0 * size {
             let what = "a load acts at a distance of".to_owned();
             warnings.push(Warning::ManyMetres { what, length: far, beside: Some(size) });
         }
@@ -143,7 +126,8 @@ impl<const C: usize> Setup<C> {
             entries.iter().fold(SVector::<f64, C>::zeros(), |sum, entry| sum + entry.contact.point / count);
         let is_so = |entry: &&Fingertip<C>| {
             let (way, normal) = (entry.contact.point - centre, entry.contact.normal);
-            entry.contact.press.is_some() && way.dot(&normal) > OUTWARDS * way.norm() * normal.norm()
+            // The cosine to the way from the middle tells a normal that points outwards.
+            entry.contact.press.is_some() && way.dot(&normal) > 0.5 * way.norm() * normal.norm()
         };
         let shown = self.outline.len() > 2 || !self.bodies.is_empty();
         if shown || entries.len() < 2 || !entries.iter().all(is_so) {
@@ -202,13 +186,10 @@ fn spread<const C: usize>(points: &[SVector<f64, C>]) -> f64 {
 /// Whether two contacts of the same bodies are at one point with parallel normals.
 fn is_in_place_of<const C: usize>(one: &Fingertip<C>, other: &Fingertip<C>, size: f64) -> bool {
     let (a, b) = (&one.contact, &other.contact);
-    let parallel = a.normal.dot(&b.normal).abs() >= (1.0 - ONE_PLACE) * a.normal.norm() * b.normal.norm();
-    let near = (a.point - b.point).norm() <= ONE_PLACE * size;
+    let parallel = a.normal.dot(&b.normal).abs() >= (1.0 - NEGLIGIBLE) * a.normal.norm() * b.normal.norm();
+    let near = (a.point - b.point).norm() <= NEGLIGIBLE * size;
     (&a.on, &a.against) == (&b.on, &b.against) && near && parallel
 }
-
-/// The step from a contact into the object or out of it, relative to the size of the outline.
-const STEP: f64 = 1e-3;
 
 /// Whether a step along the normal leads out of the outline and a step against it leads in. Always false in space, where an outline is no surface.
 fn points_out<const C: usize>(
@@ -220,7 +201,8 @@ fn points_out<const C: usize>(
         return false;
     }
     let size = largest(&outline, &|corner| (corner - outline[0]).norm());
-    let step = normal.normalize() * (STEP * size);
+    // A small step into the object or out of it.
+    let step = normal.normalize() * (1e-3 * size);
     is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
 }
 

@@ -73,9 +73,9 @@ pub enum Question<const C: usize> {
 }
 
 /// The expected form of a question, in the error for a value that is no object, such as `"onset"` alone.
-const AN_OBJECT: &str = "a question with what it needs, such as {\"hold\": {\"load\": {\"force\": [0, -1]}}}, with three numbers in space";
+const QUESTION_FORM: &str = "a question with what it needs, such as {\"hold\": {\"load\": {\"force\": [0, -1]}}}, with three numbers in space";
 
-/// A question that is read from an object; a name alone is refused with [`AN_OBJECT`].
+/// A question that is read from an object; a name alone is refused with [`QUESTION_FORM`].
 struct Named<const C: usize>(Question<C>);
 
 impl<'de, const C: usize> Deserialize<'de> for Named<C> {
@@ -86,7 +86,7 @@ impl<'de, const C: usize> Deserialize<'de> for Named<C> {
 
 impl<'de, const C: usize> Deserialize<'de> for Question<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, AN_OBJECT, |Named(question)| Ok(question))
+        object::read(deserializer, QUESTION_FORM, |Named(question)| Ok(question))
     }
 }
 

@@ -31,33 +31,41 @@ macro_rules! schema_as_written {
 
 /// Bounds of a kind of number beside its words.
 trait Bounded: Kind + 'static {
-    const NAME: &'static str;
+    fn name() -> &'static str;
     fn bounds() -> Schema;
 }
 
 impl Bounded for Given {
-    const NAME: &'static str = "Given";
+    fn name() -> &'static str {
+        "Given"
+    }
     fn bounds() -> Schema {
         json_schema!({ "minimum": -LARGEST, "maximum": LARGEST })
     }
 }
 
 impl Bounded for Friction {
-    const NAME: &'static str = "Friction";
+    fn name() -> &'static str {
+        "Friction"
+    }
     fn bounds() -> Schema {
         json_schema!({ "minimum": 0 })
     }
 }
 
 impl Bounded for SpringStiffness {
-    const NAME: &'static str = "SpringStiffness";
+    fn name() -> &'static str {
+        "SpringStiffness"
+    }
     fn bounds() -> Schema {
         json_schema!({ "exclusiveMinimum": 0 })
     }
 }
 
 impl Bounded for Computed {
-    const NAME: &'static str = "Computed";
+    fn name() -> &'static str {
+        "Computed"
+    }
     fn bounds() -> Schema {
         json_schema!({})
     }
@@ -69,7 +77,7 @@ impl<K: Bounded> JsonSchema for Number<K> {
     }
 
     fn schema_name() -> Cow<'static, str> {
-        K::NAME.into()
+        K::name().into()
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
@@ -99,7 +107,7 @@ impl<K: Bounded, const C: usize> JsonSchema for AxisRow<K, C> {
     }
 
     fn schema_name() -> Cow<'static, str> {
-        format!("RowOf{C}{}", K::NAME).into()
+        format!("RowOf{C}{}", K::name()).into()
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {

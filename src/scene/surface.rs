@@ -161,11 +161,11 @@ impl<const C: usize> Serialize for Surface<C> {
 }
 
 /// The expected form of a surface, for the message about any other value.
-const AN_OBJECT: &str = "a surface with its numbers, such as {\"circle\": {\"centre\": [0, 0], \"radius\": 0.05}}, with three numbers in space";
+const SURFACE_FORM: &str = "a surface with its numbers, such as {\"circle\": {\"centre\": [0, 0], \"radius\": 0.05}}, with three numbers in space";
 
 impl<'de, const C: usize> Deserialize<'de> for Surface<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, AN_OBJECT, WrittenSurface::<C>::surface)
+        object::read(deserializer, SURFACE_FORM, WrittenSurface::<C>::surface)
     }
 }
 

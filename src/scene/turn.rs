@@ -17,9 +17,6 @@ use crate::load_path::Turn;
 use crate::serial::AxisRow;
 use crate::serial::{Computed, Few, Given, Number};
 
-/// Largest angle of a turn, degrees: just below its limit of 1e6 rad.
-const MOST_DEGREES: f64 = 5.7e7;
-
 #[derive(serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
@@ -68,7 +65,8 @@ impl<const C: usize> WrittenTurn<C> {
         let turn = if self.reversed { turn.reversed() } else { turn };
         let angle = match (&self.angle_deg, &self.angle_rad) {
             (None, None) => TAU,
-            (Some(degrees), None) if !(degrees.0 > 0.0 && degrees.0 <= MOST_DEGREES) => {
+            // Just below the limit of 1e6 rad.
+            (Some(degrees), None) if !(degrees.0 > 0.0 && degrees.0 <= 5.7e7) => {
                 return Err(format!("angle_deg is {}, must be more than 0 and at most 5.7e7", degrees.0));
             }
             (Some(degrees), None) => degrees.0.to_radians(),

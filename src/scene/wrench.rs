@@ -71,7 +71,7 @@ struct WrittenTwist {
 }
 
 /// The expected form of a wrench, for the message about any other value.
-const WRENCH: &str = "a wrench, such as {\"force\": [0, -1]}, with three numbers in space";
+const WRENCH_FORM: &str = "a wrench, such as {\"force\": [0, -1]}, with three numbers in space";
 
 /// `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].
 impl<const C: usize> Serialize for Wrench<C> {
@@ -84,7 +84,7 @@ impl<const C: usize> Serialize for Wrench<C> {
 /// Refuses the numbers that a grasp refuses.
 impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, WRENCH, |written: WrittenWrench| {
+        object::read(deserializer, WRENCH_FORM, |written: WrittenWrench| {
             let WrittenWrench { force, moment, at, mass, inertia, gravity, accelerated, turning } = &written;
             let parts = [force.as_ref(), moment.as_ref()];
             let mut wrench = join::<_, C>(parts, ["force", "moment"])?;

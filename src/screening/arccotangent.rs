@@ -5,11 +5,9 @@
 
 use super::lanes::Packed;
 
-/// tan(π/8). Up to this size the series is evaluated at the argument itself, beyond it at the tangent of the difference to π/4.
-const EIGHTH: f64 = core::f64::consts::SQRT_2 - 1.0;
 /// `(atan x - x) / x³` in powers of x² for |x| <= tan(π/8), interpolated at the roots of a Chebyshev polynomial. The relative error of atan is 7e-18.
 /// With one term less it would lose a digit.
-const SERIES: [f64; 11] = [
+const ARCTANGENT_SERIES: [f64; 11] = [
     -0.333_333_333_333_333_3,
     0.199_999_999_999_955_2,
     -0.142_857_142_846_665_42,
@@ -29,12 +27,14 @@ pub(super) fn angle_of<X: Packed>(u: X) -> X {
     let (zero, one) = (X::all(0.0), X::all(1.0));
     let size = u.abs();
     let (small, large) = (size.min(one), size.max(one));
-    let bound = X::all(EIGHTH) * large;
+    // tan(π/8). Up to this size the series is evaluated at the argument itself, beyond it at the tangent of
+    // the difference to π/4.
+    let bound = X::all(core::f64::consts::SQRT_2 - 1.0) * large;
     let over = small.above(bound, small - large, small);
     let x = over / small.above(bound, small + large, large);
     let square = x * x;
     let mut sum = zero;
-    for coefficient in SERIES.into_iter().rev() {
+    for coefficient in ARCTANGENT_SERIES.into_iter().rev() {
         sum = sum * square + X::all(coefficient);
     }
     let eighth = X::all(core::f64::consts::FRAC_PI_4);

@@ -2,7 +2,7 @@
 //!
 //! With one tangential stiffness per contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
-use super::block::{Block, Layout, MOST_CONTACTS, count};
+use super::block::{Block, Layout, MOST_SCREENED, count};
 use super::factors::LaneFactors;
 use super::finger::{Force, LaneFinger, moment, world};
 use super::lanes::{Packed, dot};
@@ -11,7 +11,7 @@ use super::lanes::{Packed, dot};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RigidBody<const C: usize, X: Packed> {
     contacts: usize,
-    fingers: [LaneFinger<C, X>; MOST_CONTACTS],
+    fingers: [LaneFinger<C, X>; MOST_SCREENED],
     centre: [X; C],
     /// Largest coordinate of an arm, m.
     pub(super) reach: X,
@@ -24,7 +24,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         let none = [X::all(0.0); C];
         Self {
             contacts: 0,
-            fingers: [LaneFinger { normal: none, springs: [X::all(0.0); 2], arm: none }; MOST_CONTACTS],
+            fingers: [LaneFinger { normal: none, springs: [X::all(0.0); 2], arm: none }; MOST_SCREENED],
             centre: none,
             reach: X::all(0.0),
             factors: LaneFactors::none(),

@@ -16,10 +16,6 @@ use super::turning_pull::TurningPull;
 use crate::numerics::each_taken;
 use crate::prelude::*;
 
-/// Blocks that one thread screens as one task. A block is four or eight scenes. This makes a task far larger than the cost of handing it out, and
-/// leaves every core a share of a batch of ten thousand.
-const BLOCKS: usize = 256;
-
 /// Many grasps of `N` contacts each, two to five, to be screened under common loads. `C` is 2 in the plane and 3 in space.
 ///
 /// Numbers of several grasps lie side by side (eight with the feature `simd`, else four), so that one instruction works on all of them. A grasp gets
@@ -197,7 +193,9 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         questions: &[Q],
         answers: &mut Vec<Q::Answer>,
     ) {
-        each_taken(self.parts(questions, BLOCKS, answers), &kernel.many);
+        // A task of many blocks is far larger than the cost of handing it out, and leaves every core a share
+        // of a batch of ten thousand.
+        each_taken(self.parts(questions, 256, answers), &kernel.many);
     }
 
     /// Parts of at most `blocks` blocks of the batch, each with the slots for its answers.

@@ -3,11 +3,11 @@
 use super::lanes::Packed;
 
 /// Upper limit of the number of contacts of a grasp.
-pub(super) const MOST_CONTACTS: usize = 5;
+pub(super) const MOST_SCREENED: usize = 5;
 /// The number of contacts, which arrays have room for.
 #[inline(always)]
 pub(super) fn count(contacts: usize) -> usize {
-    contacts.min(MOST_CONTACTS)
+    contacts.min(MOST_SCREENED)
 }
 
 /// Scenes of equally many contacts, one in each lane: rows of one number per contact, then three sizes. The number of contacts is known at run time
@@ -50,13 +50,13 @@ impl<const C: usize> Layout<C> {
     pub(super) const PRESSED: usize = 3 * C + 2;
     /// Friction coefficients, or codes; see [`super::cone`].
     pub(super) const FRICTION: usize = 3 * C + 3;
-    const ALL: usize = 3 * C + 4;
+    const OF_A_CONTACT: usize = 3 * C + 4;
     /// The number of components of loads and of motions of the object.
     pub(super) const COORDINATES: usize = 3 * (C - 1);
 
     /// The count of numbers of one scene.
     pub(super) const fn numbers(contacts: usize) -> usize {
-        Self::ALL * contacts + 3
+        Self::OF_A_CONTACT * contacts + 3
     }
 }
 
@@ -104,7 +104,7 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
 
     #[inline(always)]
     pub(super) fn sizes(&self) -> Sizes<X> {
-        let sizes = &self.numbers[Layout::<C>::ALL * self.contacts..][..3];
+        let sizes = &self.numbers[Layout::<C>::OF_A_CONTACT * self.contacts..][..3];
         Sizes { commands: sizes[0], moment: sizes[1], force: sizes[2] }
     }
 
@@ -121,15 +121,15 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
 pub(super) struct OneScene<const C: usize> {
     contacts: usize,
     /// With room for the rows of most contacts in space.
-    numbers: [f64; Layout::<3>::numbers(MOST_CONTACTS)],
-    parted: [f64; 2 * MOST_CONTACTS],
+    numbers: [f64; Layout::<3>::numbers(MOST_SCREENED)],
+    parted: [f64; 2 * MOST_SCREENED],
 }
 
 impl<const C: usize> OneScene<C> {
     /// A scene of `contacts` contacts, at most five, with all numbers zero.
     pub(super) fn new(contacts: usize) -> Self {
-        let numbers = [0.0; Layout::<3>::numbers(MOST_CONTACTS)];
-        Self { contacts: count(contacts), numbers, parted: [0.0; 2 * MOST_CONTACTS] }
+        let numbers = [0.0; Layout::<3>::numbers(MOST_SCREENED)];
+        Self { contacts: count(contacts), numbers, parted: [0.0; 2 * MOST_SCREENED] }
     }
 
     pub(super) fn block(&self) -> Block<'_, C, f64> {
@@ -149,7 +149,7 @@ impl<const C: usize> OneScene<C> {
     }
 
     pub(super) fn measure(&mut self, sizes: &Sizes<f64>) {
-        let first = Layout::<C>::ALL * self.contacts;
+        let first = Layout::<C>::OF_A_CONTACT * self.contacts;
         self.numbers[first..first + 3].copy_from_slice(&[sizes.commands, sizes.moment, sizes.force]);
     }
 }

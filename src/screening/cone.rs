@@ -3,11 +3,6 @@
 use super::finger::Force;
 use super::lanes::{Packed, dot};
 
-/// Lower bound of `(|F| |F'|)` for margins in space: below it squares underflow and lose their digits.
-pub(super) const LEAST: f64 = 1e-140;
-/// Upper bound of the same product: above it squares overflow.
-pub(super) const MOST: f64 = 1e150;
-
 /// The condition for a contact to stick, `α F_n >= β |F_t|`. α is the friction coefficient and β one; (1, 0) if the contact can only open, (0, 0) if
 /// it never leaves.
 #[derive(Debug, Clone, Copy)]

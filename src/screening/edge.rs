@@ -1,14 +1,11 @@
 //! The contact that stops sticking first, at the edge of its cone.
 
-use super::block::{Commanded, MOST_CONTACTS, count};
+use super::block::{Commanded, MOST_SCREENED, count};
 use super::cone::StickingCone;
 use super::forces::Forces;
 use super::lanes::{Packed, dot};
 use super::screened::Screened;
-
-/// Friction at the onset below this part of the terms it is the sum of has no reliable direction: the force leaves through the apex of its cone. With
-/// a smaller bound a direction would have fewer than six digits.
-const APEX: f64 = 1e-9;
+use crate::numerics::tolerances::NEGLIGIBLE;
 
 /// The margin `m = α F_n - β |F_t|` that vanishes first, and its derivatives. Arrays are zero at all contacts but the leaving one; all is NaN where
 /// no contact leaves.
@@ -19,10 +16,10 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     /// The index of the leaving contact; -1 where there is none.
     pub(super) contact: X,
     /// `∂m/∂F`, along the normal and across it. Used as a command it gives the forces from which the derivatives of m follow.
-    normal: [X; MOST_CONTACTS],
-    tangential: [[X; MOST_CONTACTS]; C],
+    normal: [X; MOST_SCREENED],
+    tangential: [[X; MOST_SCREENED]; C],
     /// `∂m/∂μ`.
-    pub(super) by_friction: [X; MOST_CONTACTS],
+    pub(super) by_friction: [X; MOST_SCREENED],
     /// The rate m' along the load.
     pub(super) rate: X,
     /// Positive if the least factor has a kink here, so that derivatives are one-sided.
@@ -36,9 +33,9 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         Self {
             factor: zero,
             contact: zero,
-            normal: [zero; MOST_CONTACTS],
-            tangential: [[zero; MOST_CONTACTS]; C],
-            by_friction: [zero; MOST_CONTACTS],
+            normal: [zero; MOST_SCREENED],
+            tangential: [[zero; MOST_SCREENED]; C],
+            by_friction: [zero; MOST_SCREENED],
             rate: zero,
             kink: zero,
         }
@@ -81,7 +78,7 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
             }
             let t = cone.friction(force);
             let slides = dot(&t, &t).sqrt();
-            let apart = slides.above(X::all(APEX) * size, one, zero);
+            let apart = slides.above(X::all(NEGLIGIBLE) * size, one, zero);
             let inverse = apart.above(zero, here / slides, zero);
             self.kink += here * (cone.beta - cone.beta * apart);
             self.normal[i] = here * cone.alpha;

@@ -1,10 +1,7 @@
 //! Factors `T = L D Lᵀ` of symmetric matrices, lane by lane.
 
 use super::lanes::Packed;
-
-/// A pivot below this part of its diagonal entry counts as rounding: the motion stretches no spring. With a smaller bound free motions would get a
-/// stiffness made of rounding. With a larger one stiff motions beside very soft ones would be called free.
-pub(super) const NOTHING: f64 = 1e-13;
+use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 
 /// The factors of a matrix, with room for `R` rows.
 #[derive(Debug, Clone, Copy)]
@@ -37,7 +34,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
                 scaled[k] = t[k][column];
                 pivot -= t[column][k] * scaled[k];
             }
-            let bound = X::all(NOTHING) * whole;
+            let bound = X::all(LINEARLY_DEPENDENT) * whole;
             let inverse = pivot.above(bound, one / pivot, zero);
             free += pivot.above(bound, zero, one);
             t[column][column] = inverse;

@@ -1,6 +1,6 @@
 //! One grasp, checked and prepared for screening.
 
-use super::block::MOST_CONTACTS;
+use super::block::MOST_SCREENED;
 use super::gradient::GradientOf;
 use super::gradient_row::GradientRow;
 use super::kernels::Kernels;
@@ -45,7 +45,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space the stiffness of a contact must be equal along
     /// both tangents. A contact must not be held by a force or by suction.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
-        const { assert!(2 <= N && N <= MOST_CONTACTS, "screening is for two to five contacts") };
+        const { assert!(2 <= N && N <= MOST_SCREENED, "screening is for two to five contacts") };
         (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
     }
 

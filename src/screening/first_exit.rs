@@ -1,17 +1,15 @@
 //! Where forces that grow in proportion to the load leave their friction cones.
 
-use super::block::{MOST_CONTACTS, count};
-use super::cone::{Crossing, LEAST, MOST, StickingCone};
+use super::block::{MOST_SCREENED, count};
+use super::cone::{Crossing, StickingCone};
 use super::first_slip::UNCLEAR;
 use super::forces::Forces;
 use super::lanes::Packed;
 use super::screened::Screened;
-use super::verdict::{Start, TOGETHER, verdicts};
+use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, SHARP_MARGIN};
+use super::verdict::{Start, verdicts};
 use crate::numerics::Vectors;
-
-/// A margin must close at this multiple of the rounding of its rate. A slower one closes at a factor of fewer than six digits, and the verdict is
-/// unclear.
-pub(super) const SHARP: f64 = 1e6;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// Where one contact leaves its cone.
 struct Exit<X: Packed> {
@@ -57,7 +55,8 @@ fn exit<const C: usize, X: Packed>(
         factor = known(line.last(), line.closing, noise);
         let product = (n.abs() + line.friction) * (dn.abs() + line.friction_rate);
         let all = X::all(f64::NEG_INFINITY);
-        let squared = product.above(X::all(LEAST), product.above(X::all(MOST), all, zero), all);
+        let squared =
+            product.above(X::all(LEAST_PRODUCT), product.above(X::all(MOST_PRODUCT), all, zero), all);
         lost = line.closing.above(noise, squared, zero);
     }
     Exit { factor, margin, sure: margin - weight * base.rounding[contact] + lost }
@@ -66,7 +65,7 @@ fn exit<const C: usize, X: Packed>(
 /// The factor, qualified by the rate at which the margin closes there. It is infinite if that rate is rounding, a code if it is close to rounding.
 #[inline(always)]
 fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
-    let factor = closing.above(X::all(SHARP) * noise, factor, X::all(UNCLEAR));
+    let factor = closing.above(X::all(SHARP_MARGIN) * noise, factor, X::all(UNCLEAR));
     closing.above(noise, factor, X::all(f64::INFINITY))
 }
 
@@ -93,7 +92,7 @@ fn judged<const C: usize, X: Packed>(
     let zero = X::all(0.0);
     let infinite = X::all(f64::INFINITY);
     let contacts = count(friction.len());
-    let mut factors = [zero; MOST_CONTACTS];
+    let mut factors = [zero; MOST_SCREENED];
     let (mut first, mut margin, mut sure) = (infinite, infinite, infinite);
     for i in 0..contacts {
         let exit = exit(&StickingCone::of(friction[i]), i, base, rates);
@@ -102,7 +101,7 @@ fn judged<const C: usize, X: Packed>(
         margin = margin.min(exit.margin);
         sure = sure.min(exit.sure);
     }
-    let until = X::all(1.0 + TOGETHER) * first;
+    let until = X::all(1.0 + SOLVED_ROUNDING) * first;
     let mut leaving = zero;
     for i in 0..contacts {
         leaving += factors[i].above(until, zero, X::all(f64::from(1 << i)));

@@ -1,19 +1,15 @@
 //! The forces of all contacts, one scene in each lane.
 
-use super::block::{MOST_CONTACTS, count};
+use super::block::{MOST_SCREENED, count};
 use super::finger::Force;
 use super::lanes::Packed;
-
-/// A contact whose margin at factor zero is below this part of the forces there may be on the edge of its cone. With a smaller part rounding would
-/// decide whether it sticks; with a larger one more grasps would be unclear.
-pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
 /// The forces of all contacts, or their rates, with room for five of them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, X: Packed> {
-    pub(super) of: [Force<C, X>; MOST_CONTACTS],
+    pub(super) of: [Force<C, X>; MOST_SCREENED],
     /// Bound of the rounding of each force, N.
-    pub(super) rounding: [X; MOST_CONTACTS],
+    pub(super) rounding: [X; MOST_SCREENED],
     /// The part of the load that the forces leave unbalanced; NaN if there are no such forces.
     pub(super) unbalanced: X,
     /// Positive if the load works on a motion that no contact resists.
@@ -25,8 +21,8 @@ impl<const C: usize, X: Packed> Forces<C, X> {
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self {
-            of: [Force { normal: zero, tangential: [zero; C] }; MOST_CONTACTS],
-            rounding: [zero; MOST_CONTACTS],
+            of: [Force { normal: zero, tangential: [zero; C] }; MOST_SCREENED],
+            rounding: [zero; MOST_SCREENED],
             unbalanced: zero,
             free: zero,
         }

@@ -1,6 +1,6 @@
 //! The derivatives of one factor, in a row of numbers.
 
-use super::block::{Block, MOST_CONTACTS, count};
+use super::block::{Block, Layout, MOST_SCREENED, count};
 use super::edge::LeavingEdge;
 use super::finger::world;
 use super::forces::Forces;
@@ -18,12 +18,10 @@ impl<const C: usize> GradientRow<C> {
     pub(super) const LEAVING: usize = 1;
     pub(super) const CONTACT: usize = 2;
     pub(super) const KINK: usize = 3;
-    pub(super) const POINT: usize = 4;
-    /// The number of components of the load.
-    pub(super) const LOADS: usize = 3 * (C - 1);
+    pub(super) const POINTS: usize = 4;
 
     pub(super) const fn normal(contacts: usize) -> usize {
-        Self::POINT + C * contacts
+        Self::POINTS + C * contacts
     }
     pub(super) const fn command(contacts: usize) -> usize {
         Self::normal(contacts) + C * contacts
@@ -38,12 +36,12 @@ impl<const C: usize> GradientRow<C> {
         Self::friction(contacts) + contacts
     }
     pub(super) const fn numbers(contacts: usize) -> usize {
-        Self::load(contacts) + Self::LOADS
+        Self::load(contacts) + Layout::<C>::COORDINATES
     }
 }
 
 /// The length of the longest row, of five contacts in space.
-const MOST: usize = GradientRow::<3>::numbers(MOST_CONTACTS);
+const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 
 /// The quantities that derivatives are products of; see [`super::gradient`].
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
@@ -61,7 +59,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
     #[inline(always)]
     pub(super) fn tell(&self, block: &Block<'_, C, X>, told: &mut Told<'_, f64, X>) {
         let contacts = count(block.contacts);
-        let mut row = [X::all(0.0); MOST];
+        let mut row = [X::all(0.0); LONGEST_ROW];
         let scale = X::all(-1.0) / self.edge.rate;
         let LeavingEdge { contact, kink, by_friction, .. } = self.edge;
         (row[GradientRow::<C>::CONTACT], row[GradientRow::<C>::KINK]) = (*contact, *kink);
@@ -83,7 +81,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
         for axis in 0..C {
             load[axis] = less * (virtually.at[0][axis] + turned[axis]);
         }
-        for axis in 0..GradientRow::<C>::LOADS - C {
+        for axis in 0..Layout::<C>::COORDINATES - C {
             load[C + axis] = less * virtually.turn[axis];
         }
         let numbers = GradientRow::<C>::numbers(contacts);
@@ -100,7 +98,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
 
     /// Writes the derivatives by the data of one contact.
     #[inline(always)]
-    fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; MOST]) {
+    fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; LONGEST_ROW]) {
         let (zero, contacts) = (X::all(0.0), count(block.contacts));
         let normal = block.normals().map(|row| row[i]);
         let [k_n, k_t] = block.springs().map(|row| row[i]);
@@ -141,7 +139,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
         let with_answered = worked([&turns[0], &self.motions[0].at[i], &answered, &normal]);
         let with_force = worked([&turns[1], &virtually, &force, &normal]);
         for axis in 0..C {
-            row[GradientRow::<C>::POINT + C * i + axis] = with_answered.0[axis] + with_force.0[axis];
+            row[GradientRow::<C>::POINTS + C * i + axis] = with_answered.0[axis] + with_force.0[axis];
             row[GradientRow::<C>::normal(contacts) + C * i + axis] =
                 with_answered.1[axis] + with_force.1[axis];
             row[GradientRow::<C>::command(contacts) + C * i + axis] = answered[axis];

@@ -6,25 +6,16 @@
 //! one quadratic, see [`Crossing`].
 
 use super::block::count;
-use super::cone::{Crossing, LEAST, MOST, StickingCone};
-use super::first_exit::SHARP;
+use super::cone::{Crossing, StickingCone};
+use super::first_slip::{GIVES_WAY, UNCLEAR};
 use super::forces::Forces;
 use super::lanes::{Packed, dot};
+use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, SHARP_MARGIN};
 use super::verdict::balanced;
 use crate::numerics::Vectors;
 
-/// A line must pass inside the cone by this multiple of the rounding of its margin; with less it may miss the cone, and the answer is unclear.
-const DEPTH: f64 = 4.0;
-/// A margin without squeeze is unclear if its shortfall lies between its rounding divided by this factor and its rounding times it. The rounding of
-/// ordinary sums stays below. With a larger factor more grasps that need no squeeze would be unclear.
-const ABOUT: f64 = 4.0;
-
-/// Code: no factor suffices.
+/// Code: no factor suffices. The other codes are those of a first slip.
 pub(super) const NO_FACTOR: f64 = -1.0;
-/// Code: a load works on a motion that no contact resists.
-pub(super) const GIVES_WAY: f64 = -2.0;
-/// Code: unclear; NaN means the same.
-pub(super) const UNCLEAR: f64 = -3.0;
 
 /// An interval of sufficient factors, with error bounds of both ends.
 struct Interval<X: Packed> {
@@ -83,7 +74,8 @@ impl<X: Packed> Margin<X> {
             at[axis] = t[axis] + deepest * dt[axis];
         }
         let depth = n + deepest * dn - dot(&at, &at).sqrt();
-        let needed = X::all(DEPTH) * (noise + deepest * gain_noise);
+        // A line that passes inside by less may miss the cone, and the answer is unclear.
+        let needed = X::all(4.0) * (noise + deepest * gain_noise);
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
@@ -189,7 +181,8 @@ impl<X: Packed> LeastFactor<X> {
                 self.narrow(&margin, &margin.round(&line, [(n, &t), (dn, &dt)]), binding);
                 let (size, rate) = (n.abs() + line.friction, dn.abs() + line.friction_rate);
                 let product = size * rate;
-                let lost = product.above(X::all(LEAST), product.above(X::all(MOST), one, zero), one);
+                let lost =
+                    product.above(X::all(LEAST_PRODUCT), product.above(X::all(MOST_PRODUCT), one, zero), one);
                 self.doubt += size.above(noise, rate.above(gain_noise, lost, zero), zero);
             }
         }
@@ -200,7 +193,9 @@ impl<X: Packed> LeastFactor<X> {
     /// Intersects the interval so far with that of one margin.
     #[inline(always)]
     fn narrow(&mut self, margin: &Margin<X>, interval: &Interval<X>, binding: X) {
-        let (short, about) = (-margin.value, X::all(ABOUT));
+        // A margin whose shortfall is about its rounding is unclear. The rounding of ordinary sums stays
+        // below.
+        let (short, about) = (-margin.value, X::all(4.0));
         let doubt = (about * margin.noise).above(short, X::all(1.0), X::all(0.0));
         self.doubt += (about * short).above(margin.noise, doubt, X::all(0.0));
         let Interval { first, first_off, last, last_off } = *interval;
@@ -226,7 +221,7 @@ impl<X: Packed> LeastFactor<X> {
     pub(super) fn least(&self) -> (X, X) {
         let (zero, unclear) = (X::all(0.0), X::all(UNCLEAR));
         let spread = self.first_most - self.first_sure;
-        let code = (X::all(2.0 / SHARP) * self.first).above(spread, self.first, unclear);
+        let code = (X::all(2.0 / SHARP_MARGIN) * self.first).above(spread, self.first, unclear);
         let code = self.first_most.above(self.last_sure, unclear, code);
         let code = self.first_sure.above(self.last_most, X::all(NO_FACTOR), code);
         let code = self.first.above(zero, code, zero);

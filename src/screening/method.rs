@@ -43,13 +43,6 @@ pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) 
     C == 3 && block.contacts == triangle::N
 }
 
-/// Upper limit of intermediate forces relative to the load, in sums of sizes; an even triangle of equal springs has seven. It bounds the rounding:
-/// with a larger limit slowly closing margins would be called unclear. With a smaller one more grasps would take twice the time.
-const LARGEST: f64 = 1e3;
-/// Upper limit of the ratio of the largest compliance to the least. With a larger one the force of a soft contact would lose more than three digits.
-/// With a smaller one more grasps would take twice the time.
-const UNEVEN: f64 = 1e3;
-
 /// Replaces stiffnesses by compliances where forces are to be found along edges. Non-zero sizes mark this choice.
 pub(super) fn to_compliances<const C: usize>(scene: &mut OneScene<C>) {
     let mut compliant = *scene;
@@ -64,7 +57,9 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut OneScene<C>) {
     }
     let sizes = sizes(&compliant.block());
     compliant.measure(&sizes);
-    if most <= UNEVEN * least && sizes.force > 0.0 {
+    // With a larger ratio the force of a soft contact would lose more than three digits; with a smaller one
+    // more grasps would take twice the time.
+    if most <= 1e3 * least && sizes.force > 0.0 {
         *scene = compliant;
     }
 }
@@ -90,7 +85,9 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
     let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
-    let tame = triangle.factors.free == 0.0 && moment * longest <= LARGEST;
+    // With larger forces along edges slowly closing margins would be called unclear; with a smaller limit
+    // more grasps would take twice the time. An even triangle of equal springs has seven.
+    let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
     Sizes {
         commands: triangle.size_of(&scene.commands()),
@@ -101,10 +98,11 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::forces::{Forces, ON_THE_EDGE};
+    use super::super::forces::Forces;
     use super::super::springs::StickingSprings;
+    use super::super::tolerances::ON_THE_EDGE;
     use super::*;
-    use crate::contact::ZERO_SLACK as ROUNDING;
+    use crate::contact::ZERO_SLACK;
     use crate::numerics::{Compiled, Draw};
 
     type OneScene = super::OneScene<3>;
@@ -173,7 +171,7 @@ mod tests {
             let along = forces(Method::Edges, &compliant, &load);
             let moved = forces(Method::Motions, &stiff, &load);
             let loaded = off(&along[0], &moved[0], 1.0);
-            let commanded = off(&along[1], &moved[1], ROUNDING / ON_THE_EDGE);
+            let commanded = off(&along[1], &moved[1], ZERO_SLACK / ON_THE_EDGE);
             worst = [loaded, commanded].into_iter().fold(worst, f64::max);
         }
         assert!(worst < 0.2, "{worst}");

@@ -62,6 +62,7 @@ mod screened_squeeze;
 mod springs;
 mod sticking;
 mod told;
+mod tolerances;
 mod triangle;
 mod turning;
 mod turning_pull;

@@ -3,7 +3,7 @@
 //! Where forces are found in compliances, the springs give the displacement of the object at each contact, `u = a - C F`. The difference of
 //! displacements along an edge e is `ω × e`, from which the rotation follows.
 
-use super::block::{Block, Commanded, MOST_CONTACTS};
+use super::block::{Block, Commanded, MOST_SCREENED};
 use super::finger::{Force, world};
 use super::forces::Forces;
 use super::lanes::{Packed, cross, dot};
@@ -15,7 +15,7 @@ use crate::numerics::Vectors;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ObjectMotion<const C: usize, X: Packed> {
     /// Displacements at the contacts along the coordinate axes.
-    pub(super) at: [[X; C]; MOST_CONTACTS],
+    pub(super) at: [[X; C]; MOST_SCREENED],
     /// Rotation about the coordinate axes, rad; in the plane the first entry alone.
     pub(super) turn: [X; 3],
 }
@@ -23,7 +23,7 @@ pub(super) struct ObjectMotion<const C: usize, X: Packed> {
 impl<const C: usize, X: Packed> ObjectMotion<C, X> {
     /// No motion.
     pub(super) fn none() -> Self {
-        Self { at: [[X::all(0.0); C]; MOST_CONTACTS], turn: [X::all(0.0); 3] }
+        Self { at: [[X::all(0.0); C]; MOST_SCREENED], turn: [X::all(0.0); 3] }
     }
 }
 

@@ -17,11 +17,12 @@
 //! The coefficient of λ in it is a sum of positive terms. No stiffness cancels, whatever their ratios.
 
 use super::block::{Block, Commanded, Layout, OneScene, Sizes};
-use super::factors::NOTHING;
-use super::forces::{Forces, ON_THE_EDGE};
+use super::forces::Forces;
 use super::lanes::Packed;
-use crate::contact::ZERO_SLACK as ROUNDING;
+use super::tolerances::ON_THE_EDGE;
+use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
+use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 
 /// Replaces stiffnesses by compliances.
 ///
@@ -35,7 +36,7 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut OneScene<C>) {
     let [x, y] = [0, 1].map(|axis| points[axis][1] - points[axis][0]);
     let along = |i: usize| {
         let t = normals[1][i] * x - normals[0][i] * y;
-        t * t <= NOTHING * (x * x + y * y)
+        t * t <= LINEARLY_DEPENDENT * (x * x + y * y)
     };
     let count = (0..2).map(|i| if slippery[i] { 1 + usize::from(along(i)) } else { 0 }).sum();
     let compliances = [0, 1].map(|i| match count {
@@ -212,7 +213,7 @@ impl<X: Packed> Pair<X> {
         for i in 0..2 {
             forces.of[i].normal = lambda * self.n[i] + (s * self.t[i] + halves[0][i]);
             forces.of[i].tangential[0] = lambda * self.t[i] + (halves[1][i] - s * self.n[i]);
-            forces.rounding[i] = X::all(ROUNDING) * size;
+            forces.rounding[i] = X::all(ZERO_SLACK) * size;
         }
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
     }

@@ -1,11 +1,12 @@
 //! A question about the scenes of a block.
 
-use super::block::{Block, Commanded, MOST_CONTACTS, count};
-use super::forces::{Forces, ON_THE_EDGE};
+use super::block::{Block, Commanded, MOST_SCREENED, count};
+use super::forces::Forces;
 use super::lanes::Packed;
 use super::springs::StickingSprings;
 use super::told::Told;
-use crate::contact::ZERO_SLACK as ROUNDING;
+use super::tolerances::ON_THE_EDGE;
+use crate::contact::ZERO_SLACK;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
@@ -51,7 +52,7 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
     #[inline(always)]
     pub(super) fn squeezed_under(&self, load: &Wrench<C>, forces: &mut Forces<C, X>) {
         self.under(load, forces);
-        forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ROUNDING);
+        forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
     /// The forces of the commands alone, and those of the clearances alone, both with the rounding of loads.
@@ -59,7 +60,7 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
     pub(super) fn apart(&self, [commands, clearances]: [&mut Forces<C, X>; 2]) {
         let [commanded, clearance] = self.block.parted();
         let mut largest = X::all(0.0);
-        let mut overlaps = [X::all(0.0); MOST_CONTACTS];
+        let mut overlaps = [X::all(0.0); MOST_SCREENED];
         for (overlap, clearance) in overlaps.iter_mut().zip(clearance) {
             largest = largest.max(clearance.abs());
             *overlap = -*clearance;
@@ -73,13 +74,13 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
                 self.ready.squeeze(self.vectors, &self.block, Some(&Commanded { pressed, sheared }), forces);
             };
             squeeze(commanded, self.block.commands().sheared, commands);
-            squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_CONTACTS][..contacts]; C], clearances);
+            squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_SCREENED][..contacts]; C], clearances);
             // Clearances stretch springs alone and drive no free motion. Where their forces cancel, `free` would come from rounding.
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {
             for rounding in &mut forces.rounding {
-                *rounding = X::all(ROUNDING / ON_THE_EDGE) * *rounding;
+                *rounding = X::all(ZERO_SLACK / ON_THE_EDGE) * *rounding;
             }
         }
     }

@@ -112,7 +112,7 @@ impl<const C: usize> ScreenedGradient<'_, C> {
     /// If there is no such contact; the same holds for all derivatives by data of a contact.
     #[must_use]
     pub fn point(&self, contact: usize) -> [f64; C] {
-        self.vector(GradientRow::<C>::POINT, contact)
+        self.vector(GradientRow::<C>::POINTS, contact)
     }
 
     /// Derivative by the normal of a contact along the coordinate axes, 1/rad. It lies across the normal, whose length is fixed. The contact frame

@@ -2,12 +2,13 @@
 
 use core::fmt;
 
-use super::least_factor::{GIVES_WAY, NO_FACTOR, UNCLEAR};
+use super::first_slip::{GIVES_WAY, UNCLEAR};
+use super::least_factor::NO_FACTOR;
 
 /// The least squeeze of one grasp under a list of loads, or the reason why screening does not know it.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
-    /// The factor, or one of the codes of `least_factor`.
+    /// The factor, or one of the codes of `least_factor` and `first_slip`.
     pub(super) code: f64,
     /// The binding contact and load, `8 load + contact`.
     pub(super) binding: f64,

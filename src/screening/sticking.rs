@@ -5,23 +5,15 @@
 //! residual is solved for again. Forces that obey both the balance and the springs are right, however inaccurate T is.
 
 use super::balance::RigidBody;
-use super::block::{Block, Commanded, Layout, MOST_CONTACTS};
+use super::block::{Block, Commanded, Layout, MOST_SCREENED};
 use super::finger::{Force, displacement, stretched};
-use super::forces::{Forces, ON_THE_EDGE};
+use super::forces::Forces;
 use super::lanes::Packed;
 use super::moved::ObjectMotion;
 use super::springs::Cause;
-use crate::contact::ZERO_SLACK as ROUNDING;
+use super::tolerances::{IMPROVABLE, ON_THE_EDGE, WORKS_ON_FREE_MOTION};
+use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
-
-/// Forces whose residual exceeds this part of the load are refined. Rounding alone leaves about 1e-15. With a larger bound forces would lose digits
-/// to a soft contact beside a stiff one; with a smaller one refinement would gain nothing.
-const IMPROVED: f64 = 1e-14;
-/// Upper limit of refinements. One suffices unless stiffnesses differ very much; forces that are still unbalanced after three are called unclear.
-const TIMES: usize = 3;
-/// If motions are free and more than this part of the load stays unbalanced, the load works on them. A load that does not leaves rounding alone. With
-/// a larger bound a load that drives the object away weakly would be called unclear.
-const GIVES_WAY: f64 = 1e-6;
 
 impl<const C: usize, X: Packed> RigidBody<C, X> {
     #[inline(never)]
@@ -72,7 +64,7 @@ fn stretch<const C: usize, X: Packed>(
     let (moved, part) = let_go(body, commands, &load, &mut forces.of);
     bound_rounding(body, commands, &load, &moved, forces);
     forces.unbalanced = part;
-    forces.free = part.above(X::all(GIVES_WAY), body.free(), zero);
+    forces.free = part.above(X::all(WORKS_ON_FREE_MOTION), body.free(), zero);
 }
 
 /// The equilibrium under commands and a load about the centroid: forces, the motion of the object, and the unbalanced part of the load.
@@ -81,7 +73,7 @@ fn let_go<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
     commands: Option<&Commanded<'_, C, X>>,
     load: &[X; 6],
-    contacts: &mut [Force<C, X>; MOST_CONTACTS],
+    contacts: &mut [Force<C, X>; MOST_SCREENED],
 ) -> ([X; 6], X) {
     let zero = X::all(0.0);
     let fingers = body.fingers();
@@ -98,7 +90,10 @@ fn let_go<const C: usize, X: Packed>(
     let (mut left, mut part) =
         if commands.is_some() { body.unbalanced(&*contacts, load) } else { (*load, zero) };
     let mut moved = [zero; 6];
-    for time in 0..=TIMES {
+    // One refinement suffices unless stiffnesses differ very much; forces that are still unbalanced after
+    // three are called unclear.
+    let most_times = 3;
+    for time in 0..=most_times {
         let q = body.motion(&left);
         for k in 0..Layout::<C>::COORDINATES {
             moved[k] += q[k];
@@ -112,8 +107,8 @@ fn let_go<const C: usize, X: Packed>(
             }
         }
         (left, part) = body.unbalanced(&*contacts, load);
-        let improvable = part.above(X::all(IMPROVED), X::all(1.0), zero);
-        if time == TIMES || improvable.is_all(0.0) {
+        let improvable = part.above(X::all(IMPROVABLE), X::all(1.0), zero);
+        if time == most_times || improvable.is_all(0.0) {
             break;
         }
         // Lanes that are already accurate get a zero residual, so that they do not depend on their neighbours.
@@ -166,7 +161,7 @@ fn bound_rounding<const C: usize, X: Packed>(
         }
     }
     let span = shift + turn * body.reach;
-    let mut sizes = [zero; MOST_CONTACTS];
+    let mut sizes = [zero; MOST_SCREENED];
     let (mut most, mut second) = (zero, zero);
     for (i, finger) in fingers.iter().enumerate() {
         let [normal, tangential] = finger.springs;
@@ -188,7 +183,7 @@ fn bound_rounding<const C: usize, X: Packed>(
         forces.rounding[i] = stretched;
     }
     largest += second;
-    let rounding = X::all(if commands.is_some() { ON_THE_EDGE } else { ROUNDING });
+    let rounding = X::all(if commands.is_some() { ON_THE_EDGE } else { ZERO_SLACK });
     for (rounded, size) in forces.rounding.iter_mut().zip(sizes).take(fingers.len()) {
         *rounded = rounding * (size + largest.min(*rounded));
     }

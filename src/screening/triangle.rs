@@ -20,9 +20,10 @@
 
 use super::block::{Block, Commanded};
 use super::factors::LaneFactors;
-use super::forces::{Forces, ON_THE_EDGE};
+use super::forces::Forces;
 use super::lanes::{Packed, cross, dot};
-use crate::contact::ZERO_SLACK as ROUNDING;
+use super::tolerances::ON_THE_EDGE;
+use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
 
 /// The two other indices of three. For an edge they are its tail and its head; for a contact they are the edge that ends there and the edge that
@@ -134,7 +135,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         let lambda = self.factors.solve(N, &taken);
         let sizes = block.sizes();
         let size = sizes.moment * moment_size + sizes.force * force_size;
-        self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ROUNDING) * size, forces);
+        self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ZERO_SLACK) * size, forces);
     }
 
     /// Scale of the rounding of forces by commands.

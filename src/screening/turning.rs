@@ -17,24 +17,17 @@
 use nalgebra::SVector;
 
 use super::arccotangent::angle_of;
-use super::block::{MOST_CONTACTS, count};
-use super::cone::{LEAST, MOST, StickingCone};
-use super::first_exit::SHARP;
+use super::block::{MOST_SCREENED, count};
+use super::cone::StickingCone;
 use super::first_slip::UNCLEAR;
-use super::forces::{Forces, ON_THE_EDGE};
+use super::forces::Forces;
 use super::lanes::{Packed, dot};
 use super::screened::ScreenedTurn;
-use super::verdict::{Start, TOGETHER, verdicts};
-use crate::contact::ZERO_SLACK as ROUNDING;
+use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, ON_THE_EDGE, SHARP_MARGIN};
+use super::verdict::{Start, verdicts};
+use crate::contact::ZERO_SLACK;
+use crate::numerics::tolerances::{ROUNDED_SUM, SOLVED_ROUNDING};
 use crate::numerics::{Harmonic, Turning, Vectors};
-
-/// A margin must be able to fall this multiple of its rounding below zero before it can bend back, or its root is unclear. With a smaller number
-/// rounding could create or lose roots.
-const DEPTH: f64 = 100.0;
-/// Newton's steps on the margin of a round cone: from an error of 1e-7 the second one leaves rounding.
-const POLISHING_STEPS: usize = 2;
-/// Bound of the rounding of the square of a margin, relative to its largest coefficient.
-const SQUARED: f64 = 16.0 * f64::EPSILON;
 
 /// Where a margin first falls below zero.
 struct Fall<X: Packed> {
@@ -51,8 +44,10 @@ impl<X: Packed> Fall<X> {
     #[inline(always)]
     fn at(cotangent: X, slope: X, bend: X, noise: X) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
-        let deep = (slope * slope).above(X::all(2.0 * DEPTH) * noise * bend, zero, one);
-        let sharp = slope.above(X::all(SHARP) * noise * cotangent, zero, one);
+        // A margin must be able to fall a hundred times its rounding below zero before it can bend back:
+        // otherwise rounding could create or lose roots.
+        let deep = (slope * slope).above(X::all(2.0 * 100.0) * noise * bend, zero, one);
+        let sharp = slope.above(X::all(SHARP_MARGIN) * noise * cotangent, zero, one);
         Self { cotangent, off: noise / slope, doubt: deep + sharp }
     }
 
@@ -89,7 +84,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
     #[inline(always)]
     fn new(cone: &StickingCone<X>, contact: usize, forces: &Harmonic<&Forces<C, X>>) -> Self {
         let Harmonic { constant, cosine, sine } = forces;
-        let standing = X::all(ROUNDING / ON_THE_EDGE) * constant.rounding[contact];
+        let standing = X::all(ZERO_SLACK / ON_THE_EDGE) * constant.rounding[contact];
         let rounding = standing + (cosine.rounding[contact] + sine.rounding[contact]);
         Self {
             n: forces.map(|part| cone.alpha * part.of[contact].normal),
@@ -172,14 +167,16 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
         let bend = swing + turning;
         let (mut cotangent, mut slope, mut left) = (found, zero, zero);
-        for step in 0..=POLISHING_STEPS {
+        // From an error of 1e-7 the second step leaves rounding.
+        let newton_steps = 2;
+        for step in 0..=newton_steps {
             let (u, one) = (cotangent, X::all(1.0));
             let over = one / (u * u + one);
             let [(n, t), (dn, dt)] = self.at((u * u - one) * over, (u + u) * over);
             let friction = dot(&t, &t).sqrt();
             left = n - friction;
             slope = dot(&t, &dt) / friction.max(X::all(f64::MIN_POSITIVE)) - dn;
-            if step < POLISHING_STEPS {
+            if step < newton_steps {
                 cotangent -= X::all(0.5) * (left / slope) * (u * u + one);
             }
         }
@@ -194,7 +191,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         let number = self.n.map(of);
         let vector = self.t.map(|t| SVector::<f64, C>::from_fn(|axis, _| of(&t[axis])));
         let mut square = Turning { number, vector }.square();
-        square.constant -= 2.0 * of(&self.noise) + SQUARED;
+        square.constant -= 2.0 * of(&self.noise) + ROUNDED_SUM;
         square.first_cotangent().unwrap_or(f64::NEG_INFINITY)
     }
 
@@ -210,7 +207,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
         let all = X::all(f64::NEG_INFINITY);
         let (square, zero) = (size * size, X::all(0.0));
-        let lost = square.above(X::all(LEAST), square.above(X::all(MOST), all, zero), all);
+        let lost = square.above(X::all(LEAST_PRODUCT), square.above(X::all(MOST_PRODUCT), all, zero), all);
         cone.alpha.above(zero, lost, zero)
     }
 }
@@ -255,11 +252,11 @@ fn judged<const C: usize, X: Packed>(
         let here = waves.margin();
         margin = margin.min(here);
         // A contact that may be on the edge at angle zero is judged with the rounding of a load that grows.
-        let rounding = X::all(ON_THE_EDGE / ROUNDING) * waves.noise;
+        let rounding = X::all(ON_THE_EDGE / ZERO_SLACK) * waves.noise;
         sure = sure.min(here - rounding + waves.lost(&cone));
     }
     let mut first = Fall { cotangent: -infinite, off: zero, doubt: zero };
-    let mut cotangents = [zero; MOST_CONTACTS];
+    let mut cotangents = [zero; MOST_SCREENED];
     for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
         let never = X::all(f64::from_bits(1));
@@ -269,12 +266,12 @@ fn judged<const C: usize, X: Packed>(
     }
     let u = first.cotangent;
     let angle = angle_of(u);
-    let until = u - X::all(0.5 * TOGETHER) * angle * (u * u + one);
+    let until = u - X::all(0.5 * SOLVED_ROUNDING) * angle * (u * u + one);
     let mut leaving = zero;
     for i in 0..contacts {
         leaving += until.above(cotangents[i], zero, X::all(f64::from(1 << i)));
     }
-    let (end, off) = (X::all(most), first.off + X::all(TOGETHER) * angle);
+    let (end, off) = (X::all(most), first.off + X::all(SOLVED_ROUNDING) * angle);
     let within = end.above(angle + off, angle, X::all(UNCLEAR));
     let within = (angle - off).above(end, infinite, within);
     let code = u.above(X::all(f64::MIN), within, infinite);

@@ -2,11 +2,7 @@
 
 use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
-
-/// Contacts whose factors or angles differ by less than this part leave together. Those of symmetric grasps agree up to rounding.
-pub(super) const TOGETHER: f64 = 1e-12;
-/// Forces that leave more than this part of the load unbalanced are not accurate enough: the factor would have fewer than twelve digits.
-const BALANCED: f64 = 1e-12;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// The state of scenes at factor or angle zero.
 pub(super) struct Start<X: Packed> {
@@ -43,5 +39,5 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
 /// `yes` if the forces balance the load, else `no`.
 #[inline(always)]
 pub(super) fn balanced<X: Packed>(unbalanced: X, yes: X, no: X) -> X {
-    X::all(BALANCED).above(unbalanced, yes, no)
+    X::all(SOLVED_ROUNDING).above(unbalanced, yes, no)
 }

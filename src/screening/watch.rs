@@ -2,12 +2,12 @@
 
 use core::fmt;
 
-use super::block::{MOST_CONTACTS, count};
+use super::block::{MOST_SCREENED, count};
 use super::cone::StickingCone;
 use super::fingers::Fingers;
 use super::first_exit::judge;
 use super::first_slip::SlipCode;
-use super::forces::{Forces, ON_THE_EDGE};
+use super::forces::Forces;
 use super::kernels::Kernels;
 use super::lanes::{Packed, dot};
 use super::least_factor::LeastFactor;
@@ -15,7 +15,8 @@ use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
 use super::screened_squeeze::ScreenedSqueeze;
 use super::told::Told;
-use crate::contact::ZERO_SLACK as ROUNDING;
+use super::tolerances::ON_THE_EDGE;
+use crate::contact::ZERO_SLACK;
 use crate::error::{ContactLabel, Error, Field};
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
@@ -103,7 +104,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     pub fn watch(&self, forces: &[[f64; C]; N], to_come: &Wrench<C>) -> Result<Watched, Error> {
         to_come.check("load to come")?;
         for (index, force) in forces.iter().enumerate() {
-            if let Some(&value) = force.iter().find(|value| !value.is_finite() || value.abs() > LARGEST) {
+            if let Some(&value) = force.iter().find(|value| !value.is_finite() || value.abs() > 1e50) {
                 let contact = ContactLabel { index, point: None, name: None, link: None };
                 let allowed = "a number of at most 1e50 N";
                 return Err(Error::Contact { contact, field: Field::Force, value, allowed });
@@ -112,9 +113,6 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         Ok((Kernels::get().watch)(&self.grasp, &Measured { forces, to_come }))
     }
 }
-
-/// Upper limit of the components of a force, N, as for loads.
-const LARGEST: f64 = 1e50;
 
 /// Measured forces, along the coordinate axes, and the load to come.
 pub(super) struct Measured<'a, const C: usize> {
@@ -127,7 +125,7 @@ impl<const C: usize> Measured<'_, C> {
     #[inline(always)]
     fn write<X: Packed>(&self, normals: [&[X]; C], measured: &mut Forces<C, X>) {
         *measured = Forces::none();
-        for (i, force) in self.forces.iter().enumerate().take(MOST_CONTACTS) {
+        for (i, force) in self.forces.iter().enumerate().take(MOST_SCREENED) {
             let (normal, world) = (normals.map(|row| row[i]), force.map(X::all));
             let along = dot(&normal, &world);
             let part = &mut measured.of[i];
@@ -172,7 +170,7 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
             margin = margin.min(here);
         }
         for rounding in &mut measured.rounding {
-            *rounding = X::all(ROUNDING / ON_THE_EDGE) * *rounding;
+            *rounding = X::all(ZERO_SLACK / ON_THE_EDGE) * *rounding;
         }
         to_come.add_to(contacts, measured, 1.0);
         scenes.apart([commands, measured]);

@@ -1,23 +1,14 @@
 //! One cycle of loads: its beginning, its end, and the slips in it.
 
+use super::tolerances::SAME_CYCLE;
 use nalgebra::{DVector, SVector};
 
 use crate::grasp::{Engine, Site};
 use crate::load_path::{CycleRecord, CycleState, Cycles};
+use crate::numerics::tolerances::NEGLIGIBLE;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Settings;
-
-/// Relative difference of forces and gaps at both ends of a cycle, up to which the cycle repeats itself: rounding.
-const SAME: f64 = 1e-11;
-/// Slips below this part of the largest stretch of springs are zero.
-const NO_SLIP: f64 = 1e-9;
-/// Along sliding arcs, the error of a cycle may reach this multiple of the estimated errors of its steps.
-const WAYS: f64 = 100.0;
-/// Most steps along sliding arcs in a leg of a trial cycle: without a limit cycle nearby, sliding directions may turn ever faster.
-const MOST_TRIED: usize = 1000;
-/// Number of cycles that counts as never.
-const FOR_EVER: f64 = 1e9;
 
 /// The unit of forces, N, and of gaps and slips, m: the largest force of a cycle, and the stretch of the softest springs under it.
 #[derive(Debug, Clone, Copy)]
@@ -51,7 +42,8 @@ impl Cycle {
         there: &CycleState,
         settings: &Settings,
     ) -> Option<(Self, Cycles<'g>)> {
-        let tried = settings.with_most_steps(settings.most_steps.min(MOST_TRIED));
+        // Without a limit cycle nearby, sliding directions may turn ever faster.
+        let tried = settings.with_most_steps(settings.most_steps.min(1000));
         let mut others = cycles.beginning_at(there, &tried)?;
         let cycle = Self::next(engine, &mut others)?;
         others.allow_steps(settings.most_steps);
@@ -85,7 +77,7 @@ impl Cycle {
 
     /// The largest change of a cycle that repeats itself.
     pub(super) fn same(&self) -> f64 {
-        SAME.max(self.record.step_error)
+        SAME_CYCLE.max(self.record.step_error)
     }
 
     /// The number of further cycles like this one until an open contact would close. `None` if no gap shrinks.
@@ -95,22 +87,25 @@ impl Cycle {
         reason = "whole, and from 0 to a billion"
     )]
     pub(super) fn cycles_until_closing(&self) -> Option<usize> {
-        let still = NO_SLIP * self.scale.stretch;
+        let still = NEGLIGIBLE * self.scale.stretch;
         let nearer = |i: usize| self.from.gaps[i] - self.to.gaps[i];
         let open = self.record.open.iter().enumerate().filter_map(|(i, gap)| gap.map(|gap| (i, gap)));
         let cycles = open.filter(|(i, _)| nearer(*i) > still).map(|(i, gap)| (gap / nearer(i)).floor() - 1.0);
-        let first = cycles.min_by(f64::total_cmp).filter(|cycles| *cycles < FOR_EVER);
+        // A billion cycles count as never.
+        let first = cycles.min_by(f64::total_cmp).filter(|cycles| *cycles < 1e9);
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
     /// Whether a site slides in the cycle.
     pub(super) fn slides(&self, site: usize) -> bool {
-        self.record.slid[site] > NO_SLIP * self.scale.stretch
+        self.record.slid[site] > NEGLIGIBLE * self.scale.stretch
     }
 
     /// Whether the object has moved during the cycle.
     pub(super) fn walks(&self) -> bool {
-        let still = NO_SLIP.max(WAYS * self.record.step_error) * self.scale.stretch;
+        // Along sliding arcs, the error of a cycle may reach a hundred times the estimated errors of its
+        // steps.
+        let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;
         let slips = self.to.slips.iter().zip(&self.from.slips);
         slips.enumerate().any(|(i, (to, from))| self.slides(i) && (to - from).norm() > still)
             && (&self.to.twist - &self.from.twist).amax() > still

@@ -3,6 +3,7 @@
 use super::cycle::Cycle;
 use super::recurrence::Recurrence;
 use super::round::Round;
+use super::tolerances::{NEAR_THE_LIMIT, NEAR_THE_LIMIT_ON_ARCS};
 use super::verdict::{Repeats, Shaken};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, WholeContacts, Wrench};
@@ -12,22 +13,7 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 /// Number of states between the last cycles that are kept for extrapolation.
-const KEPT: usize = 12;
-/// Number of cycles with the same events after which the limit is extrapolated, and extrapolated again.
-const BETWEEN_LOOKS: usize = 3;
-/// Change per cycle that is close to the limit: from there on, all cycles have the same events.
-const NEAR: f64 = 1e-6;
-/// The same if contacts slide along arcs, which are exact up to the error of their steps.
-const NEAR_ON_ARCS: f64 = 1e-5;
-/// Factor on a change that is close to the limit already, for the next state to try.
-const NEARER: f64 = 1e-3;
-/// Relative error up to which the change of a trial cycle confirms its prediction.
-const FORETOLD: f64 = 1e-3;
-/// Factor by which a trial comes nearer after a failure, and the least number of cycles ahead that is tried.
-const SHORTER: usize = 4;
-const SHORTEST: usize = 4;
-/// Number of further cycles of an object that has walked farther than its size. If a steady walk begins by then, it is the answer.
-const WALKED_OUT: usize = 2 * KEPT;
+const KEPT_STATES: usize = 12;
 
 impl Engine {
     /// [`Grasp::shake`](crate::ask::Grasp::shake).
@@ -131,7 +117,8 @@ impl<'g> Shaking<'g, '_> {
             if walked_out.is_none() && self.has_walked_out(&cycle) {
                 let repeats = self.told(&cycle, Some(self.cycles_gone));
                 walked_out = Some(self.shaken(repeats, (change, 0.0), Some(&cycle.to)));
-                most_cycles = most_cycles.min(self.followed + WALKED_OUT);
+                // If a steady walk begins by then, it is the answer.
+                most_cycles = most_cycles.min(self.followed + 2 * KEPT_STATES);
             }
             let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
             self.alike = if is_alike { self.alike + 1 } else { 0 };
@@ -139,8 +126,10 @@ impl<'g> Shaking<'g, '_> {
                 self.places.drain(..self.places.len() - 1);
             }
             self.places.push(cycle.to.clone());
-            self.places.drain(..self.places.len().saturating_sub(KEPT));
-            if self.alike > 0 && self.alike.is_multiple_of(BETWEEN_LOOKS) {
+            self.places.drain(..self.places.len().saturating_sub(KEPT_STATES));
+            // The limit is extrapolated after three cycles with the same events, and again after each three
+            // more.
+            if self.alike > 0 && self.alike.is_multiple_of(3) {
                 match self.ahead(&cycle) {
                     Ahead::To { limit, ratio, error } => {
                         let repeats = self.told(&limit, None);
@@ -179,22 +168,23 @@ impl<'g> Shaking<'g, '_> {
         let Some(recurrence) = Recurrence::of(&places, &numbers, last.same()) else {
             return Ahead::NotKnown;
         };
-        let near = if last.record.step_error > 0.0 { NEAR_ON_ARCS } else { NEAR };
+        let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
         // If the trial so close to the limit gave none, the next one is closer.
-        let near = near.min(NEARER * last.change()).max(last.same());
+        let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.until(near);
         let mut passed = farthest;
+        // The least number of cycles ahead that is tried.
+        let fewest = 4;
         loop {
             let (there, foretold) = recurrence.after(passed);
             self.followed += 1;
             let tried = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings);
             let is_so = |cycle: &Cycle| {
                 let off = (last.numbers(&cycle.to) - last.numbers(&cycle.from) - &foretold).amax();
-                off <= last.same()
-                    || (cycle.record.is_like(&last.record) && off <= FORETOLD * foretold.amax())
+                off <= last.same() || (cycle.record.is_like(&last.record) && off <= 1e-3 * foretold.amax())
             };
             match tried.filter(|(cycle, _)| is_so(cycle)) {
-                Some((cycle, cycles)) if passed >= SHORTEST || passed == farthest => {
+                Some((cycle, cycles)) if passed >= fewest || passed == farthest => {
                     if passed == farthest
                         && foretold.amax() <= 2.0 * near
                         && let Some(limit) = self.limit(&recurrence, last)
@@ -204,7 +194,8 @@ impl<'g> Shaking<'g, '_> {
                     }
                     return Ahead::Further { cycle: Box::new(cycle), cycles: Box::new(cycles), passed };
                 }
-                _ if passed >= SHORTER * SHORTEST => passed /= SHORTER,
+                // A trial after a failure is a quarter as far ahead.
+                _ if passed >= 4 * fewest => passed /= 4,
                 _ => return Ahead::NotKnown,
             }
         }

@@ -27,6 +27,7 @@ mod followed;
 mod recurrence;
 mod round;
 mod shakedown;
+mod tolerances;
 mod verdict;
 mod words;
 

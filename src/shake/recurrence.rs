@@ -10,16 +10,8 @@ use nalgebra::{DMatrix, DVector};
 use super::cycle::Scale;
 use crate::load_path::CycleState;
 use crate::numerics::SingularValues;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
-
-/// Largest number of modes; with more of them, cycles are followed until some have died out.
-const MOST_MODES: usize = 8;
-/// Singular values below this part of the largest are rounding.
-const RANK: f64 = 1e-12;
-/// A sum of coefficients this close to one has no limit.
-const NOWHERE: f64 = 1e-12;
-/// Largest number of cycles to extrapolate.
-const FARTHEST: usize = 1 << 20;
 
 /// The states between the last cycles, and the last change as a combination of those before it.
 pub(super) struct Recurrence<'p> {
@@ -34,12 +26,13 @@ impl<'p> Recurrence<'p> {
     /// The recurrence with the fewest modes that gives the last change up to `error`; `None` if these cycles do not determine one.
     pub(super) fn of(places: &'p [CycleState], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
-        (1..=MOST_MODES.min(n.saturating_sub(2))).find_map(|modes| {
+        // With more modes, cycles are followed until some have died out.
+        (1..=8.min(n.saturating_sub(2))).find_map(|modes| {
             let places = &places[n - modes - 2..];
             let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).collect();
             let (last, others) = changes.split_last()?;
             let decomposed = SingularValues::of(&DMatrix::from_columns(others));
-            let coefficients = decomposed.solve(last, RANK * decomposed.largest());
+            let coefficients = decomposed.solve(last, SOLVED_ROUNDING * decomposed.largest());
             let told = others.iter().zip(coefficients.iter());
             let left = told.fold(last.clone(), |left, (change, weight)| left - change * *weight);
             let coefficients = coefficients.iter().copied().collect();
@@ -53,18 +46,19 @@ impl<'p> Recurrence<'p> {
         self.changes[last].norm() / self.changes[last - 1].norm()
     }
 
-    /// The number of cycles until changes are this small, by their ratio; limited to `FARTHEST`, also if changes do not shrink.
+    /// The number of cycles until changes are this small, by their ratio; limited to a million, also if changes do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
     pub(super) fn until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();
         let cycles = (small / last).ln() / self.ratio().ln();
-        if self.ratio() < 1.0 { cycles.clamp(0.0, FARTHEST as f64).ceil() as usize } else { FARTHEST }
+        let farthest = 1_usize << 20;
+        if self.ratio() < 1.0 { cycles.clamp(0.0, farthest as f64).ceil() as usize } else { farthest }
     }
 
     /// The limit of the states.
     pub(super) fn fixed_point(&self) -> Option<CycleState> {
         let rest = 1.0 - self.coefficients.iter().sum::<f64>();
-        if rest.abs() <= NOWHERE {
+        if rest.abs() <= SOLVED_ROUNDING {
             return None;
         }
         // A change leads from its state to the next one, so that weights belong to the later state.

@@ -12,19 +12,13 @@ use crate::contact::{Edges, Fit, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, Lcp};
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::Load;
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
-
-/// Slips leave normal forces constant if they change them by less than this part of the largest change of a force.
-const CHANGES: f64 = 1e-12;
-
-/// Multiple of the loads beyond which no factor is of interest; loads held up to there count as held at any factor.
-const FARTHEST: f64 = 1e6;
-/// Error up to which conditions and multipliers, which are near one, are met.
-const MET: f64 = 1e-9;
 
 /// Size of repeated loads up to which some slips could keep all contacts from sliding; see [`Statics::shakedown`](crate::ask::Statics::shakedown).
 #[derive(Debug, Clone, PartialEq)]
@@ -126,8 +120,9 @@ impl Engine {
         let mut binding = Vec::new();
         for k in 0..=under.len() {
             let binds = |i: usize| {
-                let of =
-                    |((load, site), y): (&(usize, usize), &f64)| *load == k && *site == i && *y > MET * most;
+                let of = |((load, site), y): (&(usize, usize), &f64)| {
+                    *load == k && *site == i && *y > NEGLIGIBLE * most
+                };
                 program.of.iter().zip(&multipliers).any(of)
             };
             let of = parts.with(&binds).into_iter();
@@ -135,7 +130,7 @@ impl Engine {
         }
         let normal = slips.iter().flat_map(|(_, forces)| forces).map(|f| f[0].abs()).fold(0.0, f64::max);
         let all = slips.iter().flat_map(|(_, forces)| forces).map(Matrix::norm).fold(0.0, f64::max);
-        let slips_change_normal_forces = normal > CHANGES * all;
+        let slips_change_normal_forces = normal > SOLVED_ROUNDING * all;
         let around_the_round_cone = settings.is_round(self.space());
         Ok(Some(Shakedown {
             factor,
@@ -210,7 +205,9 @@ impl Program {
             }
             q[first + r] = self.b[r];
         }
-        (m[(n - 1, 0)], m[(0, n - 1)], q[n - 1]) = (-1.0, 1.0, FARTHEST);
+        // Loads held up to this multiple count as held at any factor.
+        let farthest = 1e6;
+        (m[(n - 1, 0)], m[(0, n - 1)], q[n - 1]) = (-1.0, 1.0, farthest);
         let lcp::Outcome::Solved(solution) = Lcp::new(m, q).ok()?.solve() else { return None };
         let z = &solution.z;
         let size = |k: usize| z[1 + k] - z[1 + slips + k];
@@ -218,10 +215,10 @@ impl Program {
             self.b[r] + self.a[r] * z[0] + (0..slips).map(|k| self.s[(r, k)] * size(k)).sum::<f64>()
         };
         let scale = 1.0 + z.rows(0, first).amax();
-        if (0..rows).any(|r| kept(r) < -MET * scale) {
+        if (0..rows).any(|r| kept(r) < -NEGLIGIBLE * scale) {
             return None;
         }
-        let factor = if z[0] >= FARTHEST * (1.0 - MET) { f64::INFINITY } else { z[0] * self.units.0 };
+        let factor = if z[0] >= farthest * (1.0 - NEGLIGIBLE) { f64::INFINITY } else { z[0] * self.units.0 };
         let sizes = self.units.1.iter().enumerate().map(|(k, unit)| size(k) * unit).collect();
         Some((factor, sizes, z.rows(first, rows).iter().copied().collect()))
     }

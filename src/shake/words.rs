@@ -3,15 +3,13 @@
 use core::fmt;
 
 use super::shakedown::{BindingContact, Shakedown};
+use super::tolerances::CONSTANT_FORCES;
 use super::verdict::{Repeats, Shaken};
 use crate::grasp::{BodyMotion, WholeContact};
 use crate::hold::does;
 use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{Words, listed};
-
-/// Relative change of forces below which they count as constant, up to the error of steps along arcs. Even small changes may add up.
-const SAME: f64 = 1e-8;
 
 /// Inertia is not part of a path; sentences about a walk or about sliding to and fro say so.
 const SLOWLY: &str = "Good for slow shaking: inertia acts only as far as the loads contain it";
@@ -58,7 +56,7 @@ impl<const C: usize> Shaken<C> {
             Repeats::Walks { by, slides, .. } => {
                 let slide = does(slides, "slides", "slide");
                 let moved = moves(words, by);
-                if self.change <= SAME {
+                if self.change <= CONSTANT_FORCES {
                     write!(f, "WALKS: {moved} in {}", self.in_every())?;
                 } else {
                     write!(

@@ -6,9 +6,6 @@ use crate::error::{Error, Field, is_moderate};
 use crate::grasp::{Engine, Wrench};
 use crate::prelude::*;
 
-/// Allowed values of a bound, for error messages.
-const ALLOWED: &str = "from 0 to 1e50";
-
 /// Bounds of the data that enter the forces of a sticking grasp linearly. Each number may be off by its bound to either side, independently of
 /// the others. Data without bounds are exact.
 ///
@@ -58,18 +55,19 @@ impl<const C: usize> Bounds<C> {
 impl Bounds<3> {
     /// Refuses bounds below zero or beyond 1e50, and more or fewer commands than contacts.
     pub(super) fn check(&self, grasp: &Engine) -> Result<(), Error> {
+        let allowed = "from 0 to 1e50";
         let is_bad = |x: &&f64| !(**x >= 0.0 && is_moderate(**x));
         for (bounds, what) in
             [(&self.base, "bound of the base load"), (&self.direction, "bound of the load direction")]
         {
             if let Some(&value) = bounds.components().iter().find(is_bad) {
-                return Err(Error::Argument { what, value, allowed: ALLOWED });
+                return Err(Error::Argument { what, value, allowed });
             }
         }
         let Some(commands) = &self.commands else { return Ok(()) };
         grasp.check_commands(commands, "bounds of the commands", Field::Command)?;
         match commands.iter().flat_map(|bounds| bounds.iter()).find(is_bad) {
-            Some(&value) => Err(Error::Argument { what: "bound of a command", value, allowed: ALLOWED }),
+            Some(&value) => Err(Error::Argument { what: "bound of a command", value, allowed }),
             None => Ok(()),
         }
     }

@@ -7,9 +7,6 @@ use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::search::Settings;
 
-/// Each cut raises the factor, with quadratic convergence; beyond this number cuts are rounding.
-const MOST_CUTS: usize = 1000;
-
 /// The answer to "how much squeeze do I need?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -57,7 +54,8 @@ impl Engine {
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),
         };
         let (mut factor, mut binding) = (0.0, None);
-        for _ in 0..MOST_CUTS {
+        // Each cut raises the factor, with quadratic convergence; beyond this number cuts are rounding.
+        for _ in 0..1000 {
             let Some((contact, Condition { row, value, load, .. })) = parts.broken(&sticking, factor) else {
                 return Ok(LeastSqueeze::Factor { factor, binding });
             };

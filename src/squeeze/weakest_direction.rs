@@ -15,9 +15,6 @@ use crate::numerics::Turning;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Most cuts. Each lowers the force, with quadratic convergence; beyond this number cuts are rounding.
-const MOST_CUTS: usize = 200;
-
 /// The answer to "a force of which direction slides first?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -123,7 +120,8 @@ impl Least {
             return true;
         }
         let number = round_parts(limit).map(|&(times, axis)| times * force[axis]);
-        for _ in 0..MOST_CUTS {
+        // Each cut lowers the force, with quadratic convergence; beyond this number cuts are rounding.
+        for _ in 0..200 {
             let turning = Turning { number, vector: pushes.turning(limit, self.size) };
             let Some(angle) = turning.deepest(TAU) else { return true };
             let before = self.size;

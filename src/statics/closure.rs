@@ -15,20 +15,12 @@ use nalgebra::SVector;
 use crate::contact::{LocalLaw, Polygon};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, Twist};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Orthogonal, Vector, unit};
 use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
 use crate::search::Settings;
-
-/// Remainder of a sum of unit wrenches, over the sum, above which it may be a motion that separates it.
-///
-/// A smaller bound would take a remainder of the search for a motion; a larger one would put a nearly closed grasp on the boundary.
-const MISSING: f64 = 1e-9;
-/// Work of a generator against a motion, over the motion, that counts as rounding: the search stops at 1e-13.
-const NO_WORK: f64 = 1e-9;
-/// Least distance of forces from the surface of their cone, over the largest force: balanced to 1e-14 of it, they stay inside despite rounding.
-const CLEARLY_INSIDE: f64 = 1e-9;
 
 /// Whether contact forces could balance any load.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +56,7 @@ impl Engine {
         let straight = straight_generators(&problem).unwrap_or_default();
         let inside = |forces: &[SVector<f64, 3>]| {
             problem.locals().zip(forces).all(|(local, force)| {
-                local.edges().worst(force).is_none_or(|(row, value)| value > CLEARLY_INSIDE * row.norm())
+                local.edges().worst(force).is_none_or(|(row, value)| value > NEGLIGIBLE * row.norm())
             })
         };
         let closure = self.closure(&axes, &straight, &|v| round_generators(&problem, v).collect(), &inside);
@@ -76,7 +68,7 @@ impl Engine {
         self.refuse_joints("form_closure")?;
         let axes: Vec<_> = (0..self.len()).map(|i| (i, 0)).collect();
         let normals: Vec<_> = self.normals().collect();
-        let inside = |forces: &[SVector<f64, 3>]| forces.iter().all(|force| force[0] > CLEARLY_INSIDE);
+        let inside = |forces: &[SVector<f64, 3>]| forces.iter().all(|force| force[0] > NEGLIGIBLE);
         let closure = self.closure(&axes, &normals, &|_| Vec::new(), &inside);
         self.whatever_vacuums_hold(closure, "form_closure")
     }
@@ -121,7 +113,7 @@ impl Engine {
             let NearestForces { motion, against, shares } =
                 nearest_forces(self.size(), straight, round, &(-sum / size));
             let missing = motion.norm();
-            if missing > MISSING && against <= NO_WORK * missing {
+            if missing > NEGLIGIBLE && against <= NEGLIGIBLE * missing {
                 return self.open(&(motion / missing));
             }
             for (generator, share) in shares {

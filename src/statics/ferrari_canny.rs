@@ -7,11 +7,9 @@ use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Vector, largest_ball, simplex};
 use crate::search::Settings;
-
-/// Difference of both bounds, over the largest wrench, at which they count as equal.
-const CLOSE: f64 = 1e-9;
 
 /// Largest load in any direction that some contact forces can balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +36,7 @@ impl Engine {
         let support = |v: &Vector| set.support(v);
         let (at_least, at_most, direction) = match simplex(self.size(), &support) {
             Err(mut flat) => (0.0, 0.0, flat.swap_remove(0)),
-            Ok(simplex) => match largest_ball(&support, &simplex, (CLOSE, settings.most_steps)) {
+            Ok(simplex) => match largest_ball(&support, &simplex, (NEGLIGIBLE, settings.most_steps)) {
                 Some(ball) => (ball.at_least.max(0.0), ball.at_most.max(0.0), ball.direction),
                 None => (0.0, f64::INFINITY, simplex[0].towards.clone()),
             },

@@ -9,16 +9,10 @@ use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{RayExit, Size, Vector, Vertex, shoot, simplex};
 use crate::prelude::*;
 use crate::search::Settings;
-
-/// Relative distance of a target beyond the ray's exit from the set within which it counts as on the boundary.
-const ON_THE_BOUNDARY: f64 = 1e-12;
-/// Largest number of planes, reached only if rounding keeps them from coming closer: on round cones each doubles the digits.
-const MOST_PLANES: usize = 100;
-/// Relative reductions of the load that are tried if rounding leaves the last load outside the set.
-const SHORTER: [f64; 7] = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3];
 
 /// Largest multiple of a load that some contact forces balance.
 #[derive(Debug, Clone, PartialEq)]
@@ -90,7 +84,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
         for v in &set.flat {
             part.add_times(v, v.dot(load));
         }
-        (part.norm() > ON_THE_BOUNDARY * load.norm()).then(|| part.normalize())
+        (part.norm() > SOLVED_ROUNDING * load.norm()).then(|| part.normalize())
     };
     if let Some(motion) = unheld(base) {
         return LoadLimit::NoBase { motion: set.motion(-motion) };
@@ -99,7 +93,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     let Ok(simplex) = simplex(size, &support) else { return LoadLimit::Undecided };
     let shoot = |target: &Vector| shoot(&support, &simplex, target);
     let Some(begin) = shoot(base) else { return LoadLimit::Undecided };
-    if begin.stretch > begin.reach * (1.0 + ON_THE_BOUNDARY) {
+    if begin.stretch > begin.reach * (1.0 + SOLVED_ROUNDING) {
         return LoadLimit::NoBase { motion: set.motion(-begin.normal.normalize()) };
     }
     let here = forces(&set, &simplex, &begin);
@@ -110,9 +104,10 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     let plane = |normal: &Vector| normal.dot(&(support(normal) - base)) / normal.dot(rate);
     let (mut at_most, mut normal) = (plane(rate), rate.clone());
     let mut last: Option<(f64, RayExit)> = None;
-    for _ in 0..MOST_PLANES {
+    // On round cones each plane doubles the digits, so that only rounding makes it a hundred planes.
+    for _ in 0..100 {
         let Some(there) = shoot(&(base + rate * at_most)) else { break };
-        let (inside, nearer) = (there.stretch <= 1.0 + ON_THE_BOUNDARY, plane(&there.normal));
+        let (inside, nearer) = (there.stretch <= 1.0 + SOLVED_ROUNDING, plane(&there.normal));
         let comes_nearer = !inside && nearer < at_most;
         let next = there.normal.clone();
         last = Some((at_most, there));
@@ -122,12 +117,12 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
         (at_most, normal) = (nearer.max(0.0), next);
     }
     let motion = set.motion(-normal.normalize());
-    if at_most <= ON_THE_BOUNDARY * base.norm().max(support(rate).norm()) {
+    if at_most <= SOLVED_ROUNDING * base.norm().max(support(rate).norm()) {
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: here, motion };
     }
     // The last load that a ray reaches inside the set, reduced by as little as rounding allows.
     let reached = |(factor, crossing): &(f64, RayExit)| crossing.stretch <= 1.0 && *factor <= at_most;
-    let nearer = SHORTER.iter().filter_map(|part| {
+    let nearer = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3].iter().filter_map(|part| {
         let factor = at_most * (1.0 - part);
         Some((factor, shoot(&(base + rate * factor))?))
     });

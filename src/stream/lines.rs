@@ -14,12 +14,9 @@ use super::options::StreamOptions;
 use super::reply::Reply;
 
 /// Largest number of lines in a block.
-const BLOCK: usize = 64;
+const LINES_OF_A_BLOCK: usize = 64;
 /// Size at which a block is full, bytes.
 pub const BLOCK_BYTES: usize = 1 << 16;
-
-/// Kept beginning of a line that is too long, bytes.
-const KEPT: usize = 1 << 10;
 
 /// Number of lines read and answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -36,7 +33,7 @@ pub struct Tally {
 #[must_use]
 pub const fn most_ahead(threads: usize) -> usize {
     // Blocks in the queue, one block of the reader that waits for a place in it, and one of the writer.
-    (queue(threads) + 2) * BLOCK
+    (queue(threads) + 2) * LINES_OF_A_BLOCK
 }
 
 /// Largest number of blocks in the queue, in work or done, behind the one that is written.
@@ -112,7 +109,7 @@ fn read_blocks(
             Ok(None) => (false, None),
             Err(error) => (false, Some(error)),
         };
-        let full = lines.len() == BLOCK || bytes >= BLOCK_BYTES;
+        let full = lines.len() == LINES_OF_A_BLOCK || bytes >= BLOCK_BYTES;
         let waits = !input.buffer().contains(&b'\n');
         if !lines.is_empty() && (full || waits || !more) {
             let (answer, place) = channel();
@@ -148,7 +145,8 @@ fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Opti
         let part = &arrived[..end.unwrap_or(arrived.len())];
         line.too_long |= line.text.len() + part.len() > LONGEST_LINE;
         if line.too_long {
-            line.text.truncate(KEPT);
+            // The kept beginning of a line that is too long, bytes.
+            line.text.truncate(1 << 10);
             line.text.shrink_to_fit();
         } else {
             line.text.extend_from_slice(part);

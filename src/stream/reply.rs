@@ -9,9 +9,6 @@ use crate::numerics::mapped;
 use crate::scene::{Answers, Brief, Fault, Id, Scene, Setup, Space, Warning};
 use crate::sweep::fault_in;
 
-/// Characters of a line that its reply repeats if nothing else identifies the line.
-const BEGINNING: usize = 60;
-
 /// See [the stream](super).
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -126,7 +123,9 @@ impl Reply {
 }
 
 fn beginning(text: &[u8]) -> String {
-    String::from_utf8_lossy(&text[..text.len().min(4 * BEGINNING)]).chars().take(BEGINNING).collect()
+    // The reply repeats the beginning of a line that nothing else identifies.
+    let beginning = 60;
+    String::from_utf8_lossy(&text[..text.len().min(4 * beginning)]).chars().take(beginning).collect()
 }
 
 /// The hash of G. Fowler, L. C. Noll and K.-P. Vo, *The FNV Non-Cryptographic Hash Algorithm*: short in any language.

@@ -15,24 +15,10 @@ use core::f64::consts::{PI, TAU};
 use nalgebra::SVector;
 
 use super::margin::{FacetMargin, FirstOrder, MarginRow, UncertainForce};
+use super::tolerances::AROUND_A_CONE;
 use crate::contact::Coulomb;
 use crate::numerics::{normal_tail, unit};
 use crate::prelude::*;
-
-/// Number of directions around the circle among which the worst is sought.
-const AROUND: usize = 16;
-/// Number of midpoints of the integral about the worst direction. As the density falls at both ends like a normal density, the error is negligible.
-const SUMMED: usize = 12;
-/// Factor by which the range of the integral is narrowed in one step.
-const NARROWER: f64 = 0.75;
-/// The integral ends where the density is its maximum times exp(-this).
-const LEFT_OUT: f64 = 9.0;
-/// Least half width of the integral, rad: the distance of two directions of the search, so that the integral contains the true worst direction.
-const HALF_AT_LEAST: f64 = TAU / AROUND as f64;
-
-/// A round cone whose first-order reliability exceeds the reserve by this number of standard deviations keeps its first-order failure probability:
-/// a thousandth of the allowed one or less.
-const SELDOM: f64 = 3.0;
 
 /// The conditions that keep a contact in its state.
 #[derive(Debug, Clone)]
@@ -97,8 +83,8 @@ fn along(x: f64, y: f64) -> SVector<f64, 3> {
 /// The direction in which a round cone most probably fails to first order, rad, and the reliability there.
 fn worst_around(first_order: &FirstOrder, cone: Coulomb) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
-    for k in 0..AROUND {
-        let angle = TAU * k as f64 / AROUND as f64;
+    for k in 0..AROUND_A_CONE {
+        let angle = TAU * k as f64 / AROUND_A_CONE as f64;
         let reliability = first_order.reliability(&facet(cone, angle));
         if reliability < worst.1 {
             worst = (angle, reliability);
@@ -143,23 +129,30 @@ impl TwoLoads<'_> {
         if least <= 0.0 {
             return 1.0;
         }
-        if least > self.here.sigmas + SELDOM {
+        // Beyond three standard deviations the first-order probability is a thousandth of the allowed one or
+        // less, and is kept.
+        if least > self.here.sigmas + 3.0 {
             return normal_tail(least);
         }
+        let narrower = 0.75;
         // The range of angles whose density counts; it is narrow where reliability grows steeply.
-        let enough = (least * least + 2.0 * LEFT_OUT).sqrt();
+        // The integral ends where the density is its maximum times exp(-9).
+        let enough = (least * least + 2.0 * 9.0).sqrt();
         let mut half = PI;
-        while half > HALF_AT_LEAST
-            && roughly(worst - NARROWER * half) > enough
-            && roughly(worst + NARROWER * half) > enough
+        while half > TAU / AROUND_A_CONE as f64
+            && roughly(worst - narrower * half) > enough
+            && roughly(worst + narrower * half) > enough
         {
-            half *= NARROWER;
+            half *= narrower;
         }
         self.margins[0].start_over(self.here.changes.len());
         let mut sum = normal_tail(self.find(&facet(cone, worst - half)).reliability());
-        let width = 2.0 * half / SUMMED as f64;
-        for k in 0..SUMMED {
-            let angle = worst - half + width * (k as f64 + 0.5);
+        // The density falls at both ends like a normal density, so that the error of twelve midpoints is
+        // negligible.
+        let summed = 12_u32;
+        let width = 2.0 * half / f64::from(summed);
+        for k in 0..summed {
+            let angle = worst - half + width * (f64::from(k) + 0.5);
             let (facet, turned) = (facet(cone, angle), -along(-angle.sin(), angle.cos()));
             self.find(&facet);
             let crossings = self.here.crossings(&self.margins[0], &turned);

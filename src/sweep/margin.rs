@@ -12,6 +12,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{normal_density, normal_tail};
 use crate::prelude::*;
 
@@ -63,16 +64,6 @@ pub(super) struct FacetMargin {
     reliability: f64,
 }
 
-/// Most steps of the search for the point of failure.
-const STEPS: usize = 30;
-/// The search ends where a step moves no datum by more than this, in standard deviations.
-const NEAR: f64 = 1e-3;
-/// The search ends this number of standard deviations beyond those in reserve: failures there are too rare to count.
-const FARTHEST: f64 = 5.0;
-/// A step is halved until the merit function falls by this part of its linear prediction. A step of the part [`SHORTEST`] is accepted anyway.
-const LEVEL: f64 = 0.1;
-const SHORTEST: f64 = 1e-2;
-
 impl UncertainForce<'_> {
     /// The linearisation of the force about the known data, which all facets share.
     pub(super) fn first_order(&self) -> FirstOrder {
@@ -95,10 +86,11 @@ impl UncertainForce<'_> {
             .parts
             .extend(self.changes.iter().map(|change| change.each_ref().map(|c| parts(&facet.row, c))));
         let known = parts(&facet.row, &self.force);
-        let farthest = self.sigmas + FARTHEST;
+        // Failures five standard deviations beyond those in reserve are too rare to count.
+        let farthest = self.sigmas + 5.0;
         let mut value = self.linearise(known, facet.rubs, margin);
         let mut arrived = false;
-        for _ in 0..STEPS {
+        for _ in 0..30 {
             if margin.steepness == 0.0 {
                 margin.reliability = ratio(known[0] + known[1], 0.0);
                 return;
@@ -114,7 +106,8 @@ impl UncertainForce<'_> {
                 moved = f64::max(moved, (step * g - *z).abs());
                 *z = step * g;
             }
-            arrived = moved < NEAR;
+            // In standard deviations.
+            arrived = moved < 1e-3;
             if arrived {
                 break;
             }
@@ -149,7 +142,8 @@ impl UncertainForce<'_> {
         loop {
             let there = self.linearise(known, rubs, margin);
             let left = 0.5 * dot(&margin.fails_at, &margin.fails_at) + dear * there.abs();
-            if left <= here - LEVEL * part * promised || part <= SHORTEST {
+            // A step as short as a hundredth is accepted anyway.
+            if left <= here - SUFFICIENT_DECREASE * part * promised || part <= 1e-2 {
                 return there;
             }
             part *= 0.5;

@@ -18,6 +18,7 @@ mod progress;
 mod reserve;
 mod robust_onset;
 mod sticking;
+mod tolerances;
 mod uncertainty;
 
 pub use batch::{least_squeezes_of_batch, onset_gradients_of_batch, onsets_of_batch, turn_onsets_of_batch};

@@ -12,9 +12,6 @@ use crate::numerics::Vector;
 use crate::object::Load;
 use crate::prelude::*;
 
-/// Most standard deviations in reserve: beyond, the failure probability is below 1e-15, which rounding hides.
-const MOST_SIGMAS: f64 = 8.0;
-
 /// The load up to which a grasp keeps sticking with this number of standard deviations in reserve, in any direction on top of one base load; made by
 /// [`Grasp::reserve`](crate::ask::Grasp::reserve).
 #[derive(Debug, Clone)]
@@ -74,7 +71,8 @@ impl Engine {
         sigmas: f64,
         settings: &Settings,
     ) -> Result<Reserve<3>, Error> {
-        if !(sigmas > 0.0 && sigmas <= MOST_SIGMAS) {
+        // Beyond, the failure probability is below 1e-15, which rounding hides.
+        if !(sigmas > 0.0 && sigmas <= 8.0) {
             let what = "standard deviations in reserve";
             return Err(Error::Argument { what, value: sigmas, allowed: "above 0, at most 8" });
         }

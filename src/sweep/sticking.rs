@@ -6,26 +6,11 @@
 use super::courses::{AllForces, Course};
 use super::failure::{LimitState, MarginPair};
 use super::margin::{Effect, LOOKED_AT, UncertainForce, effect};
+use super::tolerances::PRECISE_FACTOR;
 use crate::grasp::Wrench;
 use crate::numerics::normal_tail;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
-
-/// Part of the allowed failure probability reserved for joint effects of two data, which are neglected and may be as large.
-const SPARED: f64 = 0.2;
-/// A failure probability at the base below this part of the allowed one is added without its overlap with failures at the load.
-const SELDOM: f64 = 1e-3;
-/// Relative accuracy of the factor, and of its starting value with forces linearised in the data.
-const PRECISE: f64 = 1e-8;
-const ROUGH: f64 = 1e-3;
-const MOST_STEPS: usize = 100;
-/// After this number of secant steps every other step bisects: secants are slow where a function is far from linear.
-const SECANTS: usize = 12;
-/// Relative step of the difference quotient that gives the initial slope.
-const APART: f64 = 1e-3;
-/// Work of a load along a free motion below this part of the size of the load is rounding.
-const WORKS: f64 = 1e-12;
-/// A load has no limit if its forces may exceed the forces under the base load by this factor.
-const FAR: f64 = 1e6;
 
 /// A grasp that sticks under its base load.
 #[derive(Debug, Clone)]
@@ -77,7 +62,8 @@ impl StuckGrasp {
 
     /// The allowed failure probability.
     fn allowed(&self) -> f64 {
-        (1.0 - SPARED) * normal_tail(self.sigmas)
+        // Joint effects of two data are neglected, and may be a fifth of the allowed probability.
+        (1.0 - 0.2) * normal_tail(self.sigmas)
     }
 
     /// The largest factor with at most the allowed failure probability.
@@ -86,7 +72,7 @@ impl StuckGrasp {
         let work = |motion: &Wrench<3>| {
             motion.components().iter().zip(direction.components()).map(|(v, w)| v * w).sum::<f64>()
         };
-        if self.unresisted.iter().any(|motion| work(motion).abs() > WORKS * size) {
+        if self.unresisted.iter().any(|motion| work(motion).abs() > SOLVED_ROUNDING * size) {
             return 0.0;
         }
         let rate = Course::of(&self.forces, direction);
@@ -102,10 +88,15 @@ impl StuckGrasp {
         }
         let start = here.max(f64::MIN_POSITIVE) / growth;
         let roughly = |factor: f64| allowed - reliability(self.roughly(&rate, factor));
-        let guess = root(&roughly, (start, f64::NAN), FAR * start, ROUGH);
+        // Forces linearised in the data give a starting value.
+        // A load has no limit if its forces may exceed the forces under the base load by this factor.
+        let far = 1e6;
+        let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
         let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
-        let slope = (roughly((1.0 + APART) * guess) - roughly(guess)) / (APART * guess);
-        root(&left, (guess, slope), FAR * start, PRECISE)
+        // The difference quotient gives the initial slope.
+        let apart = 1e-3;
+        let slope = (roughly((1.0 + apart) * guess) - roughly(guess)) / (apart * guess);
+        root(&left, (guess, slope), far * start, PRECISE_FACTOR)
     }
 
     /// Sum of the first-order failure probabilities of all contacts under the load of this factor.
@@ -122,7 +113,8 @@ impl StuckGrasp {
     fn failure(&self, rate: &Course, factor: f64) -> f64 {
         let mut memory = [Vec::new(), Vec::new()];
         let mut margins = MarginPair::default();
-        let told_apart = SELDOM * self.allowed();
+        // Rarer failures at the base are added without their overlap with failures at the load.
+        let told_apart = 1e-3 * self.allowed();
         let mut sum = 0.0;
         for (i, edges) in
             self.edges.iter().enumerate().filter(|(_, edges)| !matches!(edges, LimitState::None))
@@ -167,8 +159,7 @@ impl StuckGrasp {
 /// Approximately the β of a failure probability `Φ(-β)`, and as nearly linear in the factor; only differences are used.
 fn reliability(fails: f64) -> f64 {
     // Smaller probabilities count as this one.
-    const LEAST: f64 = 1e-300;
-    (-2.0 * fails.clamp(LEAST, 1.0).ln()).sqrt()
+    (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
 }
 
 /// The root of an increasing function that is negative at zero, from below, to the relative accuracy `precise`; infinite without a root up to `end`.
@@ -176,7 +167,7 @@ fn reliability(fails: f64) -> f64 {
 fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let (mut at, mut last) = (guess, None);
-    for step in 0..MOST_STEPS {
+    for step in 0..100 {
         let value = f(at);
         if value < 0.0 {
             low = at;
@@ -193,7 +184,8 @@ fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precis
             slope = (value - before) / (at - from);
         }
         last = Some((at, value));
-        let halves = step >= SECANTS && step % 2 == 0;
+        // Secants are slow where a function is far from linear, so that every other later step bisects.
+        let halves = step >= 12 && step % 2 == 0;
         let next = if halves { f64::NAN } else { at - value / slope };
         let near = 0.5 * precise * at;
         at = if next.is_finite() {

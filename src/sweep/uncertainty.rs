@@ -126,21 +126,18 @@ impl Uncertainty {
     /// ```
     #[must_use]
     pub fn load_factor(&self, number: u64) -> f64 {
-        factor(self.load, &mut Draw::new([self.seed, number, OF_THE_LOAD]))
+        // The load's stream of random numbers, beyond the numbers of all contacts.
+        factor(self.load, &mut Draw::new([self.seed, number, u64::MAX]))
     }
 }
 
-/// Stream of the load's random numbers, beyond the numbers of all contacts.
-const OF_THE_LOAD: u64 = u64::MAX;
-
 /// `exp(σ z)`.
 fn factor(sigma: f64, draw: &mut Draw) -> f64 {
-    (sigma * draw.normal()).exp().clamp(LEAST_FACTOR, LEAST_FACTOR.recip())
+    // Data that are then too large or too small are refused, and none becomes zero or infinite, which would
+    // mean something else.
+    let least = 1e-200_f64;
+    (sigma * draw.normal()).exp().clamp(least, least.recip())
 }
-
-/// The least factor on a datum, and its reciprocal the largest. Data that are then too large or too
-/// small are refused, and none becomes zero or infinite, which would mean something else.
-const LEAST_FACTOR: f64 = 1e-200;
 
 impl Engine {
     /// [`Grasp::sample`](crate::ask::Grasp::sample).

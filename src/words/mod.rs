@@ -18,9 +18,11 @@
 mod link_kind;
 mod names;
 mod numbers;
+mod tolerances;
 
 pub use link_kind::LinkKind;
 pub(crate) use link_kind::{open, opens};
 pub(crate) use names::listed;
 pub use names::printable;
 pub use numbers::Words;
+pub(crate) use tolerances::{ALIKE_IN_WORDS, MOST_NAMES};

@@ -3,6 +3,7 @@
 use alloc::borrow::Cow;
 use core::fmt;
 
+use super::tolerances::MOST_NAMES;
 use crate::numerics::mapped;
 use crate::prelude::*;
 
@@ -24,18 +25,14 @@ fn is_control(c: char) -> bool {
     c.is_control() || directs || matches!(c, '\u{2028}' | '\u{2029}' | '\u{feff}' | '\u{fffe}' | '\u{ffff}')
 }
 
-/// Longest list that is written in full; of a longer one, the first names and the number of the others are written.
-const MOST_NAMES: usize = 8;
-const FIRST_NAMES: usize = 6;
-
 /// Names in a list: "left, right and thumb"; of a long one, "a, b, c, d, e, f and 7 more".
 pub(crate) fn listed<T: fmt::Display>(names: &[T]) -> String {
     match names {
         [] => "nothing".to_owned(),
         [one] => one.to_string(),
         many if many.len() > MOST_NAMES => {
-            let first: Vec<_> = mapped(&many[..FIRST_NAMES], &ToString::to_string);
-            format!("{} and {} more", first.join(", "), many.len() - FIRST_NAMES)
+            let first: Vec<_> = mapped(&many[..6], &ToString::to_string);
+            format!("{} and {} more", first.join(", "), many.len() - first.len())
         }
         [first @ .., last] => {
             let first: Vec<_> = mapped(&first, &ToString::to_string);

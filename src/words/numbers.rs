@@ -4,19 +4,13 @@ use core::fmt;
 
 use nalgebra::SVector;
 
+use super::tolerances::ALIKE_IN_WORDS;
 use crate::numerics::mapped;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// Default number of significant digits.
-const DIGITS: usize = 6;
-/// Largest number of significant digits: a double has no more.
-const MOST_DIGITS: usize = 17;
-/// Relative distance from an axis up to which a direction has the name of the axis.
-const ALONG_AN_AXIS: f64 = 1e-6;
-/// Relative size up to which a number beside a larger one is rounding and is written as 0, with up to six digits.
-const ROUNDING: f64 = 1e-9;
-/// The same with more than six digits.
-const LITTLE_ROUNDING: f64 = 1e-13;
+const DEFAULT_DIGITS: usize = 6;
 
 /// The form of numbers: significant digits, without trailing zeros, and without a minus before zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,7 +20,7 @@ pub struct Words {
 
 impl Default for Words {
     fn default() -> Self {
-        Self { digits: DIGITS }
+        Self { digits: DEFAULT_DIGITS }
     }
 }
 
@@ -34,7 +28,8 @@ impl Words {
     /// Numbers with this many significant digits, from 1 to 17.
     #[must_use]
     pub fn with_digits(digits: usize) -> Self {
-        Self { digits: digits.clamp(1, MOST_DIGITS) }
+        // A double has no more than 17 digits.
+        Self { digits: digits.clamp(1, 17) }
     }
 
     /// Numbers with the precision of a formatter as significant digits.
@@ -83,7 +78,8 @@ impl Words {
     /// The number, or zero if it is rounding beside `largest`.
     #[must_use]
     pub fn beside(self, x: f64, largest: f64) -> f64 {
-        let rounding = if self.digits > DIGITS { LITTLE_ROUNDING } else { ROUNDING };
+        // A smaller number beside a larger one is rounding.
+        let rounding = if self.digits > DEFAULT_DIGITS { 1e-13 } else { NEGLIGIBLE };
         if x.abs() <= rounding * largest { 0.0 } else { x }
     }
 
@@ -109,7 +105,7 @@ impl Words {
         let (axis, sign) = (direction.iamax(), if direction[direction.iamax()] < 0.0 { "−" } else { "+" });
         let mut across = *direction;
         across[axis] = 0.0;
-        if across.norm() <= ALONG_AN_AXIS * direction.norm() {
+        if across.norm() <= ALIKE_IN_WORDS * direction.norm() {
             format!("{sign}{}", ["x", "y", "z"][axis])
         } else {
             self.numbers(direction.as_slice())

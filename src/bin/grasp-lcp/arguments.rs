@@ -8,7 +8,7 @@ use clap_complete::Shell;
 
 use crate::identifies::Identifies;
 use crate::map::Unsure;
-use crate::new::{FIELDS, Template};
+use crate::new::{FIELDS_HELP, Template};
 pub(crate) use crate::numbers::{BodyPush, Numbers};
 use crate::numbers::{acceleration, count, kilograms, newtons, percent, times};
 
@@ -17,13 +17,13 @@ use crate::numbers::{acceleration, count, kilograms, newtons, percent, times};
 /// A scene is a JSON file with contacts (points, normals, stiffness, friction, clamping force) and questions. The format is described in the
 /// documentation of the module `scene`; examples are in `examples/scenes`. Lengths are in m, forces in N, angles in degrees.
 #[derive(Debug, Parser)]
-#[command(name = "grasp-lcp", version, max_term_width = 100, after_help = AFTER)]
+#[command(name = "grasp-lcp", version, max_term_width = 100, after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
 }
 
-const AFTER: &str = "\
+const EXAMPLES: &str = "\
 Examples:
   grasp-lcp new gripper > gripper.json        a scene to begin with; `new --help` explains its fields
   grasp-lcp hold mug.json --mass 0.4          does it hold 400 g, and how much more
@@ -45,7 +45,7 @@ pub(crate) enum Command {
     /// Writes an example scene as a starting point.
     ///
     /// The scene goes to standard output and contains questions, so that `ask` answers it at once.
-    #[command(arg_required_else_help = true, after_long_help = FIELDS)]
+    #[command(arg_required_else_help = true, after_long_help = FIELDS_HELP)]
     New {
         /// The kind of grasp.
         #[arg(value_enum)]

@@ -20,7 +20,7 @@ use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, LoadArguments, Numbers, Wanted};
-use crate::failure::{Failure, UNDECIDED};
+use crate::failure::{EXIT_UNDECIDED, Failure};
 use crate::identifies::Identifies;
 use crate::loads::{direction, point, pull_of_mass, weight_of};
 use crate::own_masses::{of_own_masses, refuse_mass, tilted};
@@ -99,7 +99,7 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
         Answers::Planar(list) => list.iter().any(is_undecided),
         Answers::Spatial(list) => list.iter().any(is_undecided),
     };
-    Ok(if undecided { ExitCode::from(UNDECIDED) } else { ExitCode::SUCCESS })
+    Ok(if undecided { ExitCode::from(EXIT_UNDECIDED) } else { ExitCode::SUCCESS })
 }
 
 /// Makes the question about a turning load from a weight, the point where it acts and the axis.

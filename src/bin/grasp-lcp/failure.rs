@@ -35,7 +35,7 @@ impl Failure {
 }
 
 /// Exit code if all answers are there and one of them is "undecided".
-pub(crate) const UNDECIDED: u8 = 4;
+pub(crate) const EXIT_UNDECIDED: u8 = 4;
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

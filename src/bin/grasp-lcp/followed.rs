@@ -10,9 +10,6 @@ use grasp_lcp::scene::{PathAnswer, PathOutcome};
 use crate::report::Report;
 use crate::words::NO_WORDS;
 
-/// A patch opens, and does not slide, if it carries less than this part of the largest force.
-const WEIGHTLESS: f64 = 1e-9;
-
 impl Report<'_> {
     pub(crate) fn followed<const C: usize>(&mut self, path: &PathAnswer<C>) -> io::Result<()> {
         let digits = self.style.digits();
@@ -124,7 +121,8 @@ impl Report<'_> {
             closed.peek().is_some() && closed.all(slides)
         });
         let size = |force: &[f64]| force.iter().fold(0.0, |h: f64, x| h.hypot(*x));
-        let weightless = WEIGHTLESS * state.largest_force();
+        // A patch that carries less opens, and does not slide.
+        let weightless = 1e-9 * state.largest_force();
         let does = |pad: &PadAnswer<C>| {
             let presses = size(&pad.wrench.components()[..C]) > weightless;
             format!("{} {}", pad.contact.text(), if presses { "slides everywhere" } else { "opens" })

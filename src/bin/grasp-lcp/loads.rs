@@ -6,10 +6,6 @@ use grasp_lcp::grasp::{ArmMotion, Payload, Wrench};
 use crate::arguments::{LoadArguments, Numbers};
 use crate::failure::Failure;
 
-/// The error of an arm that turns a body with a mass but without an inertia.
-const INERTIA_IS_MISSING: &str =
-    "--inertia is missing: about the centre of mass, kg m², zero for a body that is small beside its arm";
-
 /// The point where a force acts; the origin if left out.
 pub(crate) fn point<const C: usize>(at: Option<&Numbers>) -> Result<[f64; C], Failure> {
     at.map_or(Ok([0.0; C]), |at| at.array("at")).map_err(Failure::Usage)
@@ -41,9 +37,15 @@ pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<Wrenc
     if load.inertia.is_some() {
         body = body.of_inertia(about_axes(load.inertia.as_ref(), "inertia")?);
     }
-    body.load(&arm.and_turning(about, velocity, faster)).map_err(|error| match error {
-        Error::Question { .. } => Failure::Usage(INERTIA_IS_MISSING.to_owned()),
+    body.load(&arm.and_turning(about, velocity, faster)).map_err(|error| {
+        match error {
+        Error::Question { .. } => Failure::Usage(
+            "--inertia is missing: about the centre of mass, kg m², zero for a body that is small beside its \
+             arm"
+                .to_owned(),
+        ),
         error => error.into(),
+    }
     })
 }
 

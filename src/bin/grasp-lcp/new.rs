@@ -34,7 +34,7 @@ impl Template {
 }
 
 /// The meaning of the fields in these scenes, for the help and the manual: JSON has no comments.
-pub(crate) const FIELDS: &str = "\
+pub(crate) const FIELDS_HELP: &str = "\
 What stands in the scenes:
   format             the version, always \"grasp-lcp/1\"
   comment            a text for the reader; nothing looks at it

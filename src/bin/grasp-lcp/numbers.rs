@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 /// Largest size of a number, in SI units; larger ones are no lengths, forces or masses of real objects.
-const LARGEST: f64 = 1e50;
+const LARGEST_NUMBER: f64 = 1e50;
 
 /// Numbers separated by commas.
 #[derive(Debug, Clone)]
@@ -57,17 +57,17 @@ impl std::str::FromStr for BodyPush {
 
 /// A mass, kg.
 pub(crate) fn kilograms(text: &str) -> Result<f64, String> {
-    within(text, f64::MIN_POSITIVE..=LARGEST, "a number of kg, more than 0, such as 0.5")
+    within(text, f64::MIN_POSITIVE..=LARGEST_NUMBER, "a number of kg, more than 0, such as 0.5")
 }
 
 /// The size of a force, N.
 pub(crate) fn newtons(text: &str) -> Result<f64, String> {
-    within(text, 0.0..=LARGEST, "a number of N, from 0 on, such as 4.9")
+    within(text, 0.0..=LARGEST_NUMBER, "a number of N, from 0 on, such as 4.9")
 }
 
 /// The size of an acceleration, m/s².
 pub(crate) fn acceleration(text: &str) -> Result<f64, String> {
-    within(text, f64::MIN_POSITIVE..=LARGEST, "a number of m/s², more than 0, such as 19.62")
+    within(text, f64::MIN_POSITIVE..=LARGEST_NUMBER, "a number of m/s², more than 0, such as 19.62")
 }
 
 /// A part of something, in percent.

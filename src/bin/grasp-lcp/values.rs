@@ -2,24 +2,24 @@
 
 use std::io::{self, Write};
 
-/// Values and sources, one a line, with columns separated by tabs.
-const TABLE: &str = include_str!("values.tsv");
-
-const HEAD: &str = "\
+const VALUES_HEAD: &str = "\
 What is not known is best measured: tilt the object on the pad until it slides, at the angle θ: μ = tan θ. Where that cannot be done, these are ordinary
 values to begin with; dust, moisture and age change friction by more than any table tells. `need` says how much friction it takes.";
 
-const STIFFNESS: &str = "\
+const VALUES_FOOT: &str = "\
 Springs in series add their compliances, 1/k: of pad, finger and mechanism the softest counts. Of a bellows or a clamp it is force over stroke
 in its data sheet.";
 
 /// Prints every value as a range with its unit, its material or part, and the number of its source in the list at the end.
 pub(crate) fn print(out: &mut dyn Write) -> io::Result<()> {
     let lines = || {
-        TABLE.lines().filter(|line| !line.starts_with('#')).map(|line| line.split('\t').collect::<Vec<_>>())
+        include_str!("values.tsv")
+            .lines()
+            .filter(|line| !line.starts_with('#'))
+            .map(|line| line.split('\t').collect::<Vec<_>>())
     };
     let sources: Vec<_> = lines().filter(|line| line[0] == "source").collect();
-    writeln!(out, "{HEAD}")?;
+    writeln!(out, "{VALUES_HEAD}")?;
     let titles = [
         ("friction", "Coefficient of friction, static"),
         ("kinetic", "Friction once it slides (kinetic_friction), as a part of that at rest"),
@@ -35,7 +35,7 @@ pub(crate) fn print(out: &mut dyn Write) -> io::Result<()> {
             writeln!(out, "  {:20} {what} [{number}]", range.trim_end())?;
         }
     }
-    writeln!(out, "\n{STIFFNESS}\n")?;
+    writeln!(out, "\n{VALUES_FOOT}\n")?;
     for (number, source) in sources.iter().enumerate() {
         writeln!(out, "[{}] {}", number + 1, source[2])?;
     }

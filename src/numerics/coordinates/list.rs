@@ -6,13 +6,13 @@ use crate::prelude::*;
 
 /// Largest number of components kept in place: with their count they fill two cache lines, which are moved without a call. Longer lists are on the
 /// heap.
-const FEW: usize = 15;
+const IN_PLACE: usize = 15;
 
-/// A list of any length: up to [`FEW`] numbers in place with zeros behind them, more on the heap.
+/// A list of any length: up to [`IN_PLACE`] numbers in place with zeros behind them, more on the heap.
 #[derive(Clone)]
 #[repr(u32)] // tag and length share one word, so the numbers behind them are copied by whole words
 pub(super) enum List {
-    Few(u32, [f64; FEW]),
+    Few(u32, [f64; IN_PLACE]),
     More(Vec<f64>),
 }
 
@@ -20,7 +20,7 @@ impl List {
     #[inline]
     pub(super) fn zeros(count: usize) -> Self {
         match u32::try_from(count) {
-            Ok(few) if count <= FEW => Self::Few(few, [0.0; FEW]),
+            Ok(few) if count <= IN_PLACE => Self::Few(few, [0.0; IN_PLACE]),
             _ => Self::on_the_heap(count),
         }
     }
@@ -28,7 +28,7 @@ impl List {
     #[inline]
     pub(super) fn slice(&self) -> &[f64] {
         match self {
-            Self::Few(len, few) => &few[..(*len as usize).min(FEW)],
+            Self::Few(len, few) => &few[..(*len as usize).min(IN_PLACE)],
             Self::More(more) => more,
         }
     }
@@ -36,7 +36,7 @@ impl List {
     #[inline]
     pub(super) fn slice_mut(&mut self) -> &mut [f64] {
         match self {
-            Self::Few(len, few) => &mut few[..(*len as usize).min(FEW)],
+            Self::Few(len, few) => &mut few[..(*len as usize).min(IN_PLACE)],
             Self::More(more) => more,
         }
     }
@@ -63,7 +63,7 @@ impl List {
     #[inline]
     pub(super) fn reach(&mut self, count: usize) {
         match (self, u32::try_from(count)) {
-            (Self::Few(len, _), Ok(few)) if count <= FEW => *len = few.max(*len),
+            (Self::Few(len, _), Ok(few)) if count <= IN_PLACE => *len = few.max(*len),
             (list, _) if list.slice().len() < count => list.move_out(count),
             _ => {}
         }

@@ -12,6 +12,7 @@ use crate::picture::contact_look::{ink, slope, word};
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, Resultant, fingertips};
 use crate::picture::force_scale::metres_per_newton;
+use crate::picture::layout::{MARKS, PLANAR};
 use crate::picture::painting::{Painting, flat};
 use crate::picture::palette::{GREY, VERMILION};
 use crate::picture::planar_link::PlanarLink;
@@ -46,18 +47,6 @@ const OF_A_PAGE: Paper = Paper {
     border: (104.0, 58.0),
     letters: 58,
 };
-/// Letter height, pixels.
-const LETTERS: f64 = 15.0;
-/// Most letters of a line of the title.
-const TITLE_LETTERS: usize = 70;
-/// Line heights of the title and of sentences, pixels.
-const LINE: (f64, f64) = (24.0, 20.0);
-/// Length of a finger behind its contact, and distance of its name, as parts of the span.
-const FINGER: f64 = 0.08;
-/// Colour of fingers.
-const PALE: RGBColor = RGBColor(176, 176, 176);
-/// Length of a cone relative to the arrow of the normal force in it.
-const CONE: f64 = 1.15;
 
 pub(super) struct Picture<'a> {
     of: &'a PlanarPicture<'a>,
@@ -138,11 +127,13 @@ impl<'a> Picture<'a> {
     /// Draws the picture at a scale at which all `points` fit.
     fn draw_on(&self, paper: &Paper, points: &[Vector2<f64>]) -> Result<String, PictureError> {
         let Paper { size, window, border, .. } = *paper;
-        let title = lines(self.of.title, TITLE_LETTERS);
+        let title = lines(self.of.title, 70);
         let caution = caution(self.of.state, self.of.says.iter().copied());
         let sentences = self.of.says.iter().copied().chain(caution.as_deref());
         let says: Vec<_> = sentences.flat_map(|words| lines(words, paper.letters)).collect();
-        let more = LINE.0 * title.len().saturating_sub(1) as f64 + LINE.1 * says.len() as f64;
+        // Line heights of the title and of sentences.
+        let line_heights = (24.0, 20.0);
+        let more = line_heights.0 * title.len().saturating_sub(1) as f64 + line_heights.1 * says.len() as f64;
         let window = Window { top: window.top + more, ..window };
         let axes = EqualScales::new(window, border, points.to_vec());
         if !axes.are_finite() {
@@ -161,10 +152,16 @@ impl<'a> Picture<'a> {
         let leaves = self.way_out.as_ref().and_then(|way| way.paint(&mut painting, place));
         Ok(sheet((size.0, size.1 + more), |paper| {
             for (k, line) in title.iter().enumerate() {
-                paper.title_line(LINE.0 * k as f64, line);
+                paper.title_line(line_heights.0 * k as f64, line);
             }
             for (k, line) in says.iter().rev().enumerate() {
-                paper.text((18.0, window.top - 14.0 - LINE.1 * k as f64), line, LETTERS, 0.0, GREY);
+                paper.text(
+                    (18.0, window.top - 14.0 - line_heights.1 * k as f64),
+                    line,
+                    PLANAR.letters,
+                    0.0,
+                    GREY,
+                );
             }
             axes.draw(paper);
             painting.draw(paper);
@@ -226,7 +223,7 @@ impl<'a> Picture<'a> {
         if let Some(link) = &tip.link {
             link.paint(axes, painting);
         } else if self.of.grasp.contacts()[tip.of.contacts.start].against.is_none() {
-            painting.area(self.finger(tip).map(place), PALE.to_rgba(), -2.0);
+            painting.area(self.finger(tip).map(place), RGBColor(176, 176, 176).to_rgba(), -2.0);
         }
         let Some(does) = &tip.does else {
             painting.dot(flat(place(tip.middle)), 4.0, GREY, true);
@@ -254,14 +251,14 @@ impl<'a> Picture<'a> {
     /// The corners of the finger, a wedge behind the contact.
     fn finger(&self, tip: &Tip) -> [Vector2<f64>; 3] {
         let (n, t) = (tip.frame.column(0), tip.frame.column(1));
-        let corner = |side: f64| tip.middle + (t * (0.35 * side) - n) * (FINGER * self.span);
+        let corner = |side: f64| tip.middle + (t * (0.35 * side) - n) * (PLANAR.finger * self.span);
         [tip.middle, corner(1.0), corner(-1.0)]
     }
 
     /// The corners of the friction cone; `None` without friction or normal force.
     fn cone(&self, tip: &Tip, does: &Resultant<2>) -> Option<[Vector2<f64>; 3]> {
         let (n, t) = (tip.frame.column(0), tip.frame.column(1));
-        let long = CONE * does.normal_force * self.scale;
+        let long = MARKS.cone * does.normal_force * self.scale;
         // A cone that would fill the picture is drawn shorter.
         let wide = (tip.slope * long).min(self.span / 2.0);
         let corner = |side: f64| does.at + n * (wide / tip.slope) + t * (side * wide);

@@ -2,9 +2,10 @@
 
 use nalgebra::Vector2;
 
-use super::{FINGER, LETTERS, Picture, Tip};
+use super::{Picture, Tip};
 use crate::picture::axes::EqualScales;
 use crate::picture::labels::Labels;
+use crate::picture::layout::{MARKS, PLANAR};
 use crate::picture::painting::Painting;
 use crate::picture::palette::GREY;
 use crate::picture::planar_load::LoadOnPaper;
@@ -12,11 +13,6 @@ use crate::picture::sheet::{Place, Sheet};
 use crate::picture::window::Window;
 use crate::picture::words::short;
 use crate::words::printable;
-
-/// With more fingertips than this only names are written, without state and force.
-const MANY: usize = 12;
-/// With more fingertips than this no names are written.
-const TOO_MANY: usize = 30;
 
 impl Picture<'_> {
     /// Writes all names, including the load and the way out. The number of names without room is written below the picture.
@@ -35,47 +31,52 @@ impl Picture<'_> {
             .partition(|(_, at)| at.is_some());
         if !elsewhere.is_empty() {
             let names: Vec<_> = elsewhere.into_iter().map(|(name, _)| name).collect();
-            labels.write_in_the_corner(paper, &format!("At their limit: {}", names.join(", ")), LETTERS);
+            labels.write_in_the_corner(
+                paper,
+                &format!("At their limit: {}", names.join(", ")),
+                PLANAR.letters,
+            );
         }
-        let named = if self.tips.len() <= TOO_MANY { &self.tips[..] } else { &[] };
+        let named = if self.tips.len() <= MARKS.most_named { &self.tips[..] } else { &[] };
         for tip in named {
             self.write_tip(tip, axes, paper, &mut labels);
         }
         for (motion, outline) in self.of.state.iter().flat_map(|state| &state.bodies).zip(&self.of.outlines) {
             if outline.len() > 2 {
                 let middle = outline.iter().sum::<Vector2<f64>>() / outline.len() as f64;
-                labels.write(paper, axes.place(middle), &[&printable(&motion.body)], LETTERS);
+                labels.write(paper, axes.place(middle), &[&printable(&motion.body)], PLANAR.letters);
             }
         }
         if let Some(load) = load {
-            load.write(paper, &mut labels, LETTERS);
+            load.write(paper, &mut labels, PLANAR.letters);
         }
         for (name, at) in placed.into_iter().filter_map(|(name, at)| Some((name, at?))) {
-            labels.write(paper, axes.place(at), &[&format!("{name} yields")], LETTERS);
+            labels.write(paper, axes.place(at), &[&format!("{name} yields")], PLANAR.letters);
         }
         if let Some(at) = leaves {
-            labels.write(paper, at, &["where it goes, not to scale"], LETTERS);
+            labels.write(paper, at, &["where it goes, not to scale"], PLANAR.letters);
         }
         let unnamed = labels.left_out + self.tips.len() - named.len();
         if unnamed > 0 {
             let words = format!("{unnamed} names have no room here");
-            paper.text((window.left, window.top + window.high + 36.0), &words, LETTERS, 0.0, GREY);
+            paper.text((window.left, window.top + window.high + 36.0), &words, PLANAR.letters, 0.0, GREY);
         }
     }
 
     /// Writes name, state and force of a fingertip behind the finger, away from the object.
     fn write_tip(&self, tip: &Tip, axes: &EqualScales, paper: &mut Sheet, labels: &mut Labels) {
-        let at = axes.place(tip.middle - tip.frame.column(0) * (FINGER * self.span));
+        let at = axes.place(tip.middle - tip.frame.column(0) * (PLANAR.finger * self.span));
         match &tip.does {
-            Some(does) if self.tips.len() <= MANY && tip.link.is_some() => {
+            // With more fingertips only names are written, without state and force.
+            Some(does) if self.tips.len() <= PLANAR.most_told && tip.link.is_some() => {
                 let force = format!("{} N", short(does.force.norm()));
-                labels.write(paper, at, &[&tip.of.name, &force], LETTERS);
+                labels.write(paper, at, &[&tip.of.name, &force], PLANAR.letters);
             }
-            Some(does) if self.tips.len() <= MANY => {
+            Some(does) if self.tips.len() <= PLANAR.most_told => {
                 let force = format!("|F| = {} N", short(does.force.norm()));
-                labels.write(paper, at, &[&tip.of.name, does.word, &force], LETTERS);
+                labels.write(paper, at, &[&tip.of.name, does.word, &force], PLANAR.letters);
             }
-            _ => labels.write(paper, at, &[&tip.of.name], LETTERS),
+            _ => labels.write(paper, at, &[&tip.of.name], PLANAR.letters),
         }
     }
 }

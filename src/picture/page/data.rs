@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SHORTEST, SLIP, twist_of};
+use super::drawing::{Drawing, twist_of};
 use super::eye::View;
 use super::frame::Frame;
 use super::spatial_page::MovingLine;
@@ -10,6 +10,7 @@ use super::text::{json_number, json_row, json_string};
 use crate::numerics::tried;
 use crate::picture::contact_look::{slope, word};
 use crate::picture::error::PictureError;
+use crate::picture::layout::{MARKS, SPATIAL};
 use crate::picture::words::short;
 use crate::spatial::Equilibrium;
 
@@ -40,13 +41,13 @@ impl Drawing<'_> {
         let frames = list(&page.frames, &|frame| self.frame(frame))?;
         let lengths = [
             ("span", self.span),
-            ("finger", FINGER * self.span),
-            ("slip", SLIP * self.span),
-            ("axis", AXIS * self.span),
-            ("cone", CONE),
+            ("finger", SPATIAL.finger * self.span),
+            ("slip", SPATIAL.slip * self.span),
+            ("axis", SPATIAL.axis * self.span),
+            ("cone", MARKS.cone),
             ("force", self.force),
             ("moment", self.moment),
-            ("shortest", SHORTEST),
+            ("shortest", MARKS.shortest_load),
             ("displacement", self.displacement),
         ];
         let lengths = tried(&lengths, &|(name, length)| {
@@ -54,11 +55,12 @@ impl Drawing<'_> {
         })?;
         let View { yaw, pitch } = View::default();
         Ok(format!(
-            "{{\"view\":{{\"yaw\":{},\"pitch\":{}}},\"centre\":{},{},\"many\":{MANY},\n\"outlines\":{outlines},\n\"fixtures\":{fixtures},\n\"bodies\":{bodies},\n\"contacts\":{tips},\n\"frames\":{frames}}}",
+            "{{\"view\":{{\"yaw\":{},\"pitch\":{}}},\"centre\":{},{},\"many\":{},\n\"outlines\":{outlines},\n\"fixtures\":{fixtures},\n\"bodies\":{bodies},\n\"contacts\":{tips},\n\"frames\":{frames}}}",
             json_number(yaw)?,
             json_number(pitch)?,
             json_row(self.centre.as_slice())?,
             lengths.join(","),
+            MARKS.most_named,
         ))
     }
 

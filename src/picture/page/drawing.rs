@@ -6,37 +6,13 @@ use super::frame::Frame;
 use super::solid::bodies;
 use super::spatial_page::SpatialPage;
 use crate::numerics::mapped;
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, fingertips};
 use crate::picture::force_scale::metres_per_newton;
 use crate::picture::round_numbers::round_down;
 use crate::picture::words::short;
 use crate::spatial::{Contact, ContactState, Equilibrium, Twist, Wrench};
-
-/// Length of the largest moment, as a part of the size of the picture.
-const LARGEST_MOMENT: f64 = 0.3;
-/// Length of the largest displacement, as a part of the size of the picture.
-const LARGEST_DISPLACEMENT: f64 = 0.2;
-/// The moment of a load about its line of action is rounding up to this part of the moments that cancel in it. With zero every load would be drawn
-/// with an arrow of a moment in a direction made of rounding.
-const ROUNDING: f64 = 1e-12;
-/// A motion whose rotation moves the grasp by less than this part of its translation is drawn as a translation. Its axis is a billion spans away, and
-/// rounding decides its direction.
-const TURNS: f64 = 1e-9;
-/// A line of action farther from the middle of the grasp than this part of the span is not drawn at its place, because the grasp would become a dot.
-const BESIDE: f64 = 1.5;
-/// Length of a finger behind its contact, as a part of the span.
-pub(super) const FINGER: f64 = 0.12;
-/// Length of the arrow of a slip, as a part of the span.
-pub(super) const SLIP: f64 = 0.09;
-/// Half the length of the axis of a free motion, as a part of the span.
-pub(super) const AXIS: f64 = 0.75;
-/// Length of a cone relative to the arrow of the normal force in it.
-pub(super) const CONE: f64 = 1.15;
-/// With more contacts than this the picture has no names.
-pub(super) const MANY: usize = 30;
-/// Least length of an arrow of the load, pixels; a shorter one would hardly be visible.
-pub(super) const SHORTEST: f64 = 18.0;
 
 pub(super) struct Drawing<'p> {
     pub(super) page: &'p SpatialPage,
@@ -137,8 +113,8 @@ impl<'p> Drawing<'p> {
         let part = |of: f64, largest: f64| if largest > 0.0 { of * size / largest } else { 0.0 };
         drawing.size = size;
         drawing.force = drawing.force_scale(states(), largest.force);
-        drawing.moment = part(LARGEST_MOMENT, largest.moment);
-        drawing.displacement = part(LARGEST_DISPLACEMENT, largest.displacement);
+        drawing.moment = part(0.3, largest.moment);
+        drawing.displacement = part(0.2, largest.displacement);
         if drawing.displacement > 0.0 && drawing.displacement.is_finite() {
             drawing.displacement = round_down(drawing.displacement);
         }
@@ -210,11 +186,12 @@ impl<'p> Drawing<'p> {
         }
         let along = force / size;
         let away = along.cross(&(about_centre / size));
-        if away.norm() > BESIDE * self.span {
+        // A line of action farther away is not drawn at its place, because the grasp would become a dot.
+        if away.norm() > 1.5 * self.span {
             return in_the_middle(true);
         }
         let left = along * along.dot(&about_centre);
-        let rounding = ROUNDING * (size * (self.span + self.centre.norm()) + moment.norm());
+        let rounding = SOLVED_ROUNDING * (size * (self.span + self.centre.norm()) + moment.norm());
         let left = if left.norm() <= rounding { Vector3::zeros() } else { left };
         LoadArrow { at: self.centre + away, force, moment: left, is_moved: false }
     }
@@ -222,7 +199,7 @@ impl<'p> Drawing<'p> {
     pub(super) fn axis(&self, motion: &Twist) -> Axis {
         let (moves, turns) = halves(&motion.to_vector());
         let at_centre = moves + turns.cross(&self.centre);
-        if turns.norm() * self.span > TURNS * at_centre.norm() {
+        if turns.norm() * self.span > NEGLIGIBLE * at_centre.norm() {
             let at = self.centre + turns.cross(&at_centre) / turns.norm_squared();
             Axis { at, along: turns.normalize(), turns: true }
         } else {

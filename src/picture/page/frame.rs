@@ -4,7 +4,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{Contact, Motion, Wrench};
 use crate::numerics::mapped;
-use crate::picture::contact_look::STEEPEST;
+use crate::picture::contact_look::STEEPEST_CONE;
 
 /// One of the answers that the buttons of a page select.
 #[derive(Debug, Clone)]
@@ -49,7 +49,7 @@ impl<const C: usize> Frame<C> {
 
     /// The slope of the cone of a contact in pictures.
     pub(super) fn slope(&self, contact: usize, given: f64) -> f64 {
-        self.friction(contact, given).min(STEEPEST)
+        self.friction(contact, given).min(STEEPEST_CONE)
     }
 }
 

@@ -10,17 +10,15 @@ use crate::picture::error::PictureError;
 use crate::picture::fingertip::ContactGroup;
 use crate::picture::words::escaped;
 
-const STYLE: &str = include_str!("style.css");
 /// Parts of one script, which share their names.
-pub(super) const ANSWERS: &str = include_str!("view/answers.js");
-const VIEW: [&str; 5] = [
-    ANSWERS,
+pub(super) const ANSWERS_SCRIPT: &str = include_str!("view/answers.js");
+const VIEW_SCRIPTS: [&str; 5] = [
+    ANSWERS_SCRIPT,
     include_str!("view/eye.js"),
     include_str!("view/strokes.js"),
     include_str!("view/grasp.js"),
     include_str!("view/hands.js"),
 ];
-const LEGEND: &str = include_str!("legend.html");
 
 impl SpatialPage {
     /// Writes the page. Names and labels may contain any characters.
@@ -41,20 +39,20 @@ impl SpatialPage {
         );
         page += "<p class=\"hint\">Drag to turn, wheel or two fingers to enlarge, double click to reset.</p>\n</div>\n<aside>\n";
         write_choice(&mut page, &self.frames);
-        page += LEGEND;
+        page += include_str!("legend.html");
         if drawing.tips.iter().any(ContactGroup::is_soft) {
-            page += POINTS;
+            page += POINTS_CHOICE;
         }
         let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", escaped(&scales));
         table::write(&mut page, &self.grasp, &drawing.tips, &self.actuators, &self.frames)?;
         let _ = writeln!(page, "<script type=\"application/json\" id=\"grasp\">{}</script>", drawing.json()?);
-        closed(&mut page, &VIEW.concat());
+        closed(&mut page, &VIEW_SCRIPTS.concat());
         Ok(page)
     }
 }
 
 /// The checkbox that shows the points of soft fingertips.
-pub(super) const POINTS: &str =
+pub(super) const POINTS_CHOICE: &str =
     "<p><label><input type=\"checkbox\" id=\"points\">points of soft fingertips in the table</label></p>\n";
 
 /// The beginning of a page, including its title.
@@ -64,7 +62,8 @@ pub(super) fn opened(title: &str) -> String {
     page += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
     page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
     // Writing into a string cannot fail.
-    let _ = write!(page, "<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n");
+    let style = include_str!("style.css");
+    let _ = write!(page, "<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n");
     let _ = writeln!(page, "<h1>{title}</h1>");
     page
 }

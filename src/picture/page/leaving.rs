@@ -8,11 +8,6 @@ use crate::grasp::Motion;
 use crate::numerics::{largest, mapped};
 use crate::spatial::{Contact, Twist};
 
-/// Distance by which the fastest point is moved, as a part of the span.
-const LEAVES: f64 = 0.15;
-/// Most arrows.
-const ARROWS: usize = 6;
-
 /// Lines on the object in their next places, and arrows that lead there.
 pub(super) struct MovedLines {
     pub(super) lines: Vec<Vec<Vector3<f64>>>,
@@ -37,13 +32,14 @@ impl Drawing<'_> {
         let speed =
             |(point, twist): &(Vector3<f64>, Twist)| Vector3::from(twist.displacement_at(*point)).norm();
         let fastest = largest(&points, &speed);
-        let time = LEAVES * self.span / fastest;
+        // The fastest point is moved by this part of the span.
+        let time = 0.15 * self.span / fastest;
         if !(time.is_finite() && time > 0.0) {
             return MovedLines { lines: Vec::new(), arrows: Vec::new() };
         }
         let next =
             |(point, twist): &(Vector3<f64>, Twist)| ((*twist * time).exp() * Point3::from(*point)).coords;
-        let every = points.len().div_ceil(ARROWS).max(1);
+        let every = points.len().div_ceil(6).max(1);
         MovedLines {
             lines: mapped(&lines, &|line| line.iter().map(next).collect()),
             arrows: points.iter().step_by(every).map(|at| [at.0, next(at)]).collect(),

@@ -4,27 +4,17 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
-use super::marks::{BROWN, CONTACT, PINK, POINT, SKY};
+use super::marks::{BROWN, PINK, SKY};
 use crate::numerics::mapped;
 use crate::picture::contact_look::{ink, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
+use crate::picture::layout::{LEGEND, SPATIAL};
 use crate::picture::painting::{Painting, flat};
 use crate::picture::palette::{GREY, VERMILION};
 use crate::picture::round_numbers::round_down;
 use crate::picture::sheet::{Place, Sheet};
 use crate::picture::words::{lines, short};
 use crate::spatial::Equilibrium;
-
-/// Left edge of the legend, pixels.
-pub(super) const LEFT: f64 = 624.0;
-/// Length of samples, pixels.
-const SAMPLE: f64 = 40.0;
-/// Most letters of a line of 14 pixels beside a sample.
-const LETTERS: usize = 24;
-/// Most letters of a line of 13 pixels without a sample.
-const SMALL: usize = 32;
-/// Length of the longest arrow of a scale, pixels.
-const LONGEST: f64 = 100.0;
 
 enum Sample {
     None,
@@ -76,32 +66,30 @@ impl Legend {
             draw_sample(paper, &entry.sample, y);
             for line in entry.lines() {
                 paper.text((entry.left(), y), &line, entry.size, 0.0, entry.ink);
-                y += LINE;
+                y += LEGEND.line;
             }
-            y += BETWEEN;
+            y += LEGEND.between;
         }
     }
 
     /// Height of the legend, pixels.
     pub(super) fn high(&self) -> f64 {
-        self.0.iter().map(|entry| LINE * entry.lines().len() as f64 + BETWEEN).sum()
+        self.0.iter().map(|entry| LEGEND.line * entry.lines().len() as f64 + LEGEND.between).sum()
     }
 }
-
-const LINE: f64 = 18.0;
-const BETWEEN: f64 = 7.0;
 
 impl Entry {
     fn left(&self) -> f64 {
         match self.sample {
-            Sample::None => LEFT,
-            Sample::Arrow { long, .. } => LEFT + long + 10.0,
-            _ => LEFT + SAMPLE + 10.0,
+            Sample::None => LEGEND.left,
+            Sample::Arrow { long, .. } => LEGEND.left + long + 10.0,
+            _ => LEGEND.left + LEGEND.sample + 10.0,
         }
     }
 
     fn lines(&self) -> Vec<String> {
-        let letters = if matches!(self.sample, Sample::None) { SMALL } else { LETTERS };
+        // Words without a sample are smaller, and have the whole width.
+        let letters = if matches!(self.sample, Sample::None) { 32 } else { 24 };
         lines(&self.words, letters)
     }
 }
@@ -112,7 +100,8 @@ fn entry(sample: Sample, words: &str) -> Entry {
 
 /// A round force or moment and its arrow, at a scale of `pixels` pixels per unit.
 fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
-    let shown = LONGEST / pixels;
+    // The longest arrow of a scale, pixels.
+    let shown = 100.0 / pixels;
     (pixels > 0.0 && shown > 0.0 && shown.is_finite()).then(|| {
         let round = round_down(shown);
         let sample = Sample::Arrow { ink: GREY, width, heads, long: round * pixels };
@@ -162,7 +151,7 @@ fn of_object(drawing: &Drawing, frame: &Frame<3>) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
     let slides =
         |state: &Equilibrium| drawing.tips.iter().any(|tip| tip.resultant(contacts, state).slides.is_some());
-    let arrow = |ink, width, heads| Sample::Arrow { ink, width, heads, long: SAMPLE };
+    let arrow = |ink, width, heads| Sample::Arrow { ink, width, heads, long: LEGEND.sample };
     let dashes = |ink| Sample::Dashes { ink };
     let displaced = |state: &Equilibrium| state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0);
     let moves = |state: &Equilibrium| state.twist.to_vector().norm() > 0.0 && drawing.displacement > 0.0;
@@ -186,8 +175,8 @@ fn of_object(drawing: &Drawing, frame: &Frame<3>) -> Vec<Entry> {
 }
 
 fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
-    let ends: [Place; 2] = [(LEFT, y), (LEFT + SAMPLE, y)];
-    let from = (LEFT + 6.0, y);
+    let ends: [Place; 2] = [(LEGEND.left, y), (LEGEND.left + LEGEND.sample, y)];
+    let from = (LEGEND.left + 6.0, y);
     let mut drawn = Painting::default();
     match *sample {
         Sample::None => {}
@@ -199,11 +188,13 @@ fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
             if !open {
                 drawn.arrow([from, ends[1]].map(flat), ink, 3.0, 1);
             }
-            drawn.dot(flat(from), CONTACT, ink, open);
+            drawn.dot(flat(from), SPATIAL.contact, ink, open);
         }
-        Sample::Point { ink, open } => drawn.dot(flat((LEFT + SAMPLE / 2.0, y)), POINT, ink, open),
+        Sample::Point { ink, open } => {
+            drawn.dot(flat((LEGEND.left + LEGEND.sample / 2.0, y)), SPATIAL.soft_point, ink, open);
+        }
         Sample::Arrow { ink, width, heads, long } => {
-            drawn.arrow([(LEFT, y), (LEFT + long, y)].map(flat), ink, width, heads);
+            drawn.arrow([(LEGEND.left, y), (LEGEND.left + long, y)].map(flat), ink, width, heads);
         }
         Sample::Dashes { ink } => paper.dashes(&ends, ink, 1.5),
     }

@@ -5,12 +5,13 @@ use std::f64::consts::TAU;
 use nalgebra::Vector3;
 use plotters::style::RGBColor;
 
-use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP, goes};
+use super::drawing::{Drawing, goes};
 use super::frame::Frame;
 use super::leaving::MovedLines;
 use crate::numerics::mapped;
 use crate::picture::contact_look::{ink, slope, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
+use crate::picture::layout::{MARKS, SPATIAL};
 use crate::picture::palette::{GREY, PALETTE, VERMILION};
 use crate::picture::words::short;
 use crate::spatial::{Contact, ContactState, Equilibrium, Wrench};
@@ -21,21 +22,6 @@ pub(super) const PINK: RGBColor = PALETTE[3];
 pub(super) const SKY: RGBColor = RGBColor(58, 143, 200);
 /// Colour of slips.
 pub(super) const BROWN: RGBColor = RGBColor(122, 54, 0);
-const FIXTURE: RGBColor = RGBColor(204, 204, 204);
-/// Colour behind the edges of the object.
-const BODY: RGBColor = RGBColor(238, 239, 241);
-/// Radius of a contact, pixels.
-pub(super) const CONTACT: f64 = 5.5;
-/// Radius of a point of a soft fingertip, pixels.
-pub(super) const POINT: f64 = 2.5;
-/// Lengths of dashes and gaps of lines that have moved, pixels.
-const MOVED: (f64, f64) = (5.0, 4.0);
-/// Lengths of dashes and gaps of the axis of a free motion, pixels.
-const FREE: (f64, f64) = (9.0, 6.0);
-/// Number of sides of a cone.
-const SIDES: u32 = 72;
-/// A cone whose rim would be wider than this part of the picture is drawn shorter, because it would hide everything else.
-const WIDEST: f64 = 0.5;
 
 type Point = Vector3<f64>;
 
@@ -107,9 +93,16 @@ impl Mark {
 pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
     let (page, state) = (drawing.page, frame.and_then(Frame::state));
     let mut marks = Vec::new();
-    marks.extend(drawing.bodies.iter().map(|corners| Mark::Body { corners: points(corners), ink: BODY }));
     marks.extend(
-        page.fixtures.iter().filter_map(|corners| Some(line(closed(points(corners))?, FIXTURE, None))),
+        drawing
+            .bodies
+            .iter()
+            .map(|corners| Mark::Body { corners: points(corners), ink: RGBColor(238, 239, 241) }),
+    );
+    marks.extend(
+        page.fixtures
+            .iter()
+            .filter_map(|corners| Some(line(closed(points(corners))?, RGBColor(204, 204, 204), None))),
     );
     for outline in &page.outlines {
         let at = points(&outline.corners);
@@ -117,7 +110,9 @@ pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
         if let Some(state) = state {
             let corners =
                 at.iter().map(|corner| corner + goes(state, outline.body, corner) * drawing.displacement);
-            marks.extend(closed(corners.collect()).map(|corners| line(corners, PINK, Some(MOVED))));
+            marks.extend(
+                closed(corners.collect()).map(|corners| line(corners, PINK, Some(SPATIAL.moved_dashes))),
+            );
         }
     }
     let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
@@ -126,7 +121,7 @@ pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
         let [n, t, b] = [0, 1, 2].map(|k| Point::new(axes[(0, k)], axes[(1, k)], axes[(2, k)]));
         // The finger behind its contact, or a link.
         let at = tip.middle(contacts);
-        let tail = at - n * (FINGER * drawing.span);
+        let tail = at - n * (SPATIAL.finger * drawing.span);
         let corners = tip.ends_of_link(contacts).map_or(vec![tail, at], |ends| ends.to_vec());
         marks.push(Mark::Line { corners, ink: GREY, width: 5.0, dashes: None });
         match state {
@@ -137,9 +132,9 @@ pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
                 draw_answer(&mut marks, drawing, slope, [n, t, b], &resultant);
                 draw_points(&mut marks, contacts, state, tip);
             }
-            None => marks.push(Mark::Dot { at, radius: CONTACT, ink: GREY, open: true }),
+            None => marks.push(Mark::Dot { at, radius: SPATIAL.contact, ink: GREY, open: true }),
         }
-        if drawing.tips.len() <= MANY {
+        if drawing.tips.len() <= MARKS.most_named {
             marks.push(Mark::Name { at: tail, words: tip.name.clone() });
         }
     }
@@ -151,14 +146,14 @@ pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
     }
     if let Some(state) = state {
         for (name, at) in page.actuators.that_yield(state).filter_map(|(name, at)| Some((name, at?))) {
-            marks.push(Mark::Dot { at, radius: CONTACT, ink: VERMILION, open: false });
+            marks.push(Mark::Dot { at, radius: SPATIAL.contact, ink: VERMILION, open: false });
             marks.push(Mark::Name { at, words: format!("{name} yields") });
         }
         for motion in &state.free_motions {
             let axis = drawing.axis(&motion.object);
-            let half = axis.along * (AXIS * drawing.span);
+            let half = axis.along * (SPATIAL.axis * drawing.span);
             let corners = vec![axis.at - half, axis.at + half];
-            marks.push(Mark::Line { corners, ink: SKY, width: 2.0, dashes: Some(FREE) });
+            marks.push(Mark::Line { corners, ink: SKY, width: 2.0, dashes: Some((9.0, 6.0)) });
             let words = if axis.turns { "turns freely" } else { "moves freely" };
             marks.push(Mark::Name { at: axis.at + half, words: words.into() });
         }
@@ -174,12 +169,14 @@ fn draw_answer(
     resultant: &Resultant<3>,
 ) {
     let (from, ink) = (resultant.at, ink(resultant.word));
-    let high = CONE * resultant.normal_force * drawing.force;
+    let high = MARKS.cone * resultant.normal_force * drawing.force;
     if high > 0.0 && slope > 0.0 {
-        let wide = (slope * high).min(WIDEST * drawing.size);
+        // A cone with a wider rim is drawn shorter, because it would hide everything else.
+        let wide = (slope * high).min(0.5 * drawing.size);
         let middle = from + n * (wide / slope);
-        let rim = (0..SIDES).map(|k| {
-            let (sin, cos) = (TAU * f64::from(k) / f64::from(SIDES)).sin_cos();
+        let sides = 72_u32;
+        let rim = (0..sides).map(|k| {
+            let (sin, cos) = (TAU * f64::from(k) / f64::from(sides)).sin_cos();
             middle + (t * cos + b * sin) * wide
         });
         let rim: Vec<_> = rim.collect();
@@ -190,13 +187,13 @@ fn draw_answer(
     arrow(resultant.force * drawing.force, ink, 3.0);
     arrow(resultant.displacement * drawing.displacement, PINK, 2.0);
     if let Some(direction) = resultant.slides {
-        arrow(direction * (SLIP * drawing.span), BROWN, 2.0);
+        arrow(direction * (SPATIAL.slip * drawing.span), BROWN, 2.0);
     }
 }
 
 /// The points of a fingertip, each in the colour of its state.
 fn draw_points(marks: &mut Vec<Mark>, contacts: &[Contact], state: &Equilibrium, tip: &ContactGroup) {
-    let radius = if tip.is_soft() { POINT } else { CONTACT };
+    let radius = if tip.is_soft() { SPATIAL.soft_point } else { SPATIAL.contact };
     for i in tip.contacts.clone() {
         let answer = &state.contacts[i];
         let open = answer.state == ContactState::Separated;
@@ -230,7 +227,7 @@ fn draw_way_out(marks: &mut Vec<Mark>, way: &MovedLines) {
             corners,
             ink: VERMILION,
             width: 1.5,
-            dashes: Some(MOVED),
+            dashes: Some(SPATIAL.moved_dashes),
         }));
     }
     for [from, to] in &way.arrows {

@@ -3,20 +3,11 @@
 use nalgebra::Vector3;
 use plotters::style::{Color, RGBColor, colors::BLACK};
 
-use super::drawing::SHORTEST;
 use super::eye::Eye;
 use super::marks::Mark;
 use crate::numerics::{increasing, mapped};
+use crate::picture::layout::MARKS;
 use crate::picture::painting::{EyePoint, Painting};
-
-/// Grey level of edges of the object nearest to the eye.
-const NEAR: f64 = 90.0;
-/// Grey level of edges of the object farthest from the eye.
-const FAR: f64 = 200.0;
-/// A load that is shorter on paper than this points to the eye or away from it, pixels.
-const SEEN: f64 = 8.0;
-/// Colour of the contour of the object.
-const CONTOUR: RGBColor = RGBColor(150, 150, 150);
 
 /// The painting of these marks, without names.
 pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
@@ -43,7 +34,8 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
             Mark::Load { from, along, width, heads, .. } => {
                 let (ends, _) = load_ends(eye, from, along);
                 let long = (ends[1] - ends[0]).xy().norm();
-                if long < SEEN {
+                // A load that is shorter on paper, in pixels, points to the eye or away from it.
+                if long < 8.0 {
                     painting.end_on(ends[0], ends[1].z > ends[0].z, BLACK, *width);
                 } else {
                     painting.arrow(ends, BLACK, *width, *heads);
@@ -58,7 +50,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                 let corners = corners.iter().map(|corner| eye.see(corner)).map(|seen| (seen.x, seen.y));
                 let corners = hull(corners.collect());
                 // Bodies are behind everything. Only the half of the contour outside all bodies remains visible.
-                painting.contour(corners.clone(), CONTOUR, 2.4, f64::NEG_INFINITY);
+                painting.contour(corners.clone(), RGBColor(150, 150, 150), 2.4, f64::NEG_INFINITY);
                 painting.area(corners, ink.to_rgba(), f64::MIN);
             }
             Mark::Name { .. } => {}
@@ -70,11 +62,11 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
 /// The ends of the arrow of a load, and whether its length is to scale.
 pub(super) fn load_ends(eye: &Eye, from: &Vector3<f64>, along: &Vector3<f64>) -> ([EyePoint; 2], bool) {
     let long = along.norm() * eye.scale;
-    let is_to_scale = long >= SHORTEST;
+    let is_to_scale = long >= MARKS.shortest_load;
     // The vector is divided by its largest component first, because the square of a tiny one is zero.
     let size = along.amax();
     let unit = if size > 0.0 { (along / size).normalize() } else { *along };
-    let along = if is_to_scale { *along } else { unit * (SHORTEST / eye.scale) };
+    let along = if is_to_scale { *along } else { unit * (MARKS.shortest_load / eye.scale) };
     ([eye.see(from), eye.see(&(from + along))], is_to_scale)
 }
 
@@ -86,7 +78,8 @@ fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> RGBColor + use<> {
     move |depth| {
         let part = if near > far { (depth - far) / (near - far) } else { 1.0 };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a byte")]
-        let grey = (FAR + (NEAR - FAR) * part.clamp(0.0, 1.0)).round() as u8;
+        // Edges near the eye are darker.
+        let grey = (200.0 + (90.0 - 200.0) * part.clamp(0.0, 1.0)).round() as u8;
         RGBColor(grey, grey, grey)
     }
 }

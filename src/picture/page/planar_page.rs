@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::frame::{Frame, change_last};
-use super::html::{ANSWERS, closed, opened, write_choice};
+use super::html::{ANSWERS_SCRIPT, closed, opened, write_choice};
 use super::table;
 use crate::grasp::Motion;
 use crate::picture::actuators::Actuators;
@@ -107,7 +107,7 @@ impl PlanarPage {
         write_choice(&mut page, &self.frames);
         let tips = fingertips(self.grasp.contacts());
         if tips.iter().any(ContactGroup::is_soft) {
-            page.push_str(super::html::POINTS);
+            page.push_str(super::html::POINTS_CHOICE);
         }
         let pictures: Vec<_> =
             self.frames.iter().zip(&self.grasps).map(|(frame, grasp)| self.picture(frame, grasp)).collect();
@@ -119,7 +119,7 @@ impl PlanarPage {
                 writeln!(page, "<section class=\"still\" data-frame=\"{k}\"{hidden}>\n{picture}</section>");
         }
         table::write(&mut page, &self.grasp, &tips, &Actuators::of(&self.grasp), &self.frames)?;
-        closed(&mut page, &format!("{ANSWERS}onChoice(choose);\n"));
+        closed(&mut page, &format!("{ANSWERS_SCRIPT}onChoice(choose);\n"));
         Ok(page)
     }
 

@@ -3,9 +3,6 @@
 use super::spatial_page::MovingLine;
 use crate::numerics::mapped;
 
-/// A ring of fewer corners is a face of an edged body, or the line of a handle, and the space to the next ring may be empty.
-const ROUND: usize = 8;
-
 /// Convex parts: every ring by itself, and the hull of two consecutive round rings. A ring is an outline, or a part of it that returns to its
 /// beginning.
 pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
@@ -16,7 +13,9 @@ pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
 
 fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
     let rings = mapped(&outlines, &|outline| rings(&outline.corners)).concat();
-    let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= ROUND));
+    // A ring of fewer corners is a face of an edged body, or the line of a handle, and the space to the next
+    // ring may be empty.
+    let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= 8));
     let mut solids: Vec<_> = between.map(<[Vec<_>]>::concat).collect();
     solids.extend(rings);
     solids

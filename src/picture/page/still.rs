@@ -3,35 +3,19 @@
 use nalgebra::Vector2;
 use plotters::style::colors::BLACK;
 
-use super::drawing::{Drawing, MANY};
+use super::drawing::Drawing;
 use super::eye::{Eye, View};
-use super::legend::{self, Legend};
+use super::legend::Legend;
 use super::marks::{Mark, marks};
 use super::paint::{load_ends, painting};
 use super::spatial_page::SpatialPage;
 use crate::picture::error::PictureError;
 use crate::picture::labels::Labels;
+use crate::picture::layout::{LEGEND, MARKS, STILL};
 use crate::picture::palette::GREY;
 use crate::picture::sheet::{Place, Sheet, sheet};
 use crate::picture::window::Window;
 use crate::picture::words::{caution, lines};
-
-const WIDE: f64 = 860.0;
-const MARGIN: f64 = 12.0;
-/// Size of the part for the grasp, pixels.
-const ROOM: (f64, f64) = (600.0, 520.0);
-/// Border of that part for marks whose size is in pixels.
-const BORDER: f64 = 18.0;
-/// Most letters of a line of the title and of the label.
-const LETTERS: (usize, usize) = (70, 96);
-/// Letter height of names, pixels.
-const NAMES: f64 = 15.0;
-/// Length of the coordinate axes, pixels.
-const AXES: f64 = 32.0;
-/// Distance of the axes' letters from their ends, pixels.
-const LETTER: f64 = 11.0;
-/// Size of the part for axes and letters, pixels.
-const AXES_ROOM: f64 = 110.0;
 
 impl SpatialPage {
     /// Draws one of the answers from one side, as the page shows it, with a legend. `answer` is its index from 0 in the order of adding; `None` draws
@@ -67,28 +51,31 @@ impl SpatialPage {
         };
         let frame = answer.map(chosen).transpose()?;
         let drawing = Drawing::new(self)?;
-        let title = lines(&self.title, LETTERS.0);
+        // The most letters of a line of the title and of the label.
+        let letters = (70, 96);
+        let title = lines(&self.title, letters.0);
         let label = frame.map_or_else(Vec::new, |frame| {
             let caution = caution(frame.state(), frame.says.iter().map(String::as_str));
-            let mut label = lines(&frame.label, LETTERS.1);
+            let mut label = lines(&frame.label, letters.1);
             for words in frame.says.iter().chain(&caution) {
-                label.extend(lines(words, LETTERS.1));
+                label.extend(lines(words, letters.1));
             }
             label
         });
         let top = 20.0 + 24.0 * title.len() as f64 + 20.0 * label.len() as f64;
-        let window = Window { left: MARGIN, top, wide: ROOM.0, high: ROOM.1 };
+        let window = Window { left: STILL.margin, top, wide: STILL.room.0, high: STILL.room.1 };
         // The view contains everything of every answer, so that stills can be compared.
         let mut everything = marks(&drawing, None);
         for frame in &self.frames {
             everything.extend(marks(&drawing, Some(frame)));
         }
         let points = everything.iter().map(Mark::points).collect::<Vec<_>>().concat();
-        let eye = Eye::new(view, window.within(BORDER), drawing.span, points)?;
+        // Marks whose size is in pixels need a border.
+        let eye = Eye::new(view, window.within(18.0), drawing.span, points)?;
         let marks = marks(&drawing, frame);
         let legend = Legend::new(&drawing, frame, eye.scale);
-        let foot = top + ROOM.1.max(legend.high() + AXES_ROOM);
-        Ok(sheet((WIDE, foot + MARGIN), |paper| {
+        let foot = top + STILL.room.1.max(legend.high() + STILL.axes_room);
+        Ok(sheet((860.0, foot + STILL.margin), |paper| {
             for (k, line) in title.iter().enumerate() {
                 paper.text((18.0, 26.0 + 24.0 * k as f64), line, 20.0, 0.0, BLACK);
             }
@@ -112,15 +99,16 @@ impl SpatialPage {
                     }
                     _ => continue,
                 };
-                labels.write(paper, (seen.x, seen.y), &[&words], NAMES);
+                labels.write(paper, (seen.x, seen.y), &[&words], STILL.names);
             }
-            let unnamed = if drawing.tips.len() > MANY { drawing.tips.len() } else { labels.left_out };
+            let unnamed =
+                if drawing.tips.len() > MARKS.most_named { drawing.tips.len() } else { labels.left_out };
             if unnamed > 0 {
                 let words = format!("{unnamed} names have no room here");
                 paper.text((window.left + 6.0, foot - 4.0), &words, 13.0, 0.0, GREY);
             }
             legend.draw(paper, top + 12.0);
-            draw_axes(paper, &eye, (legend::LEFT + AXES_ROOM / 2.0, foot - AXES_ROOM / 2.0));
+            draw_axes(paper, &eye, (LEGEND.left + STILL.axes_room / 2.0, foot - STILL.axes_room / 2.0));
         }))
     }
 }
@@ -130,16 +118,18 @@ fn draw_axes(paper: &mut Sheet, eye: &Eye, (x, y): Place) {
     let axes = [0, 1, 2].map(|axis| eye.along(axis));
     let mut named: Vec<Vector2<f64>> = Vec::new();
     for (axis, name) in axes.iter().zip(["x", "y", "z"]) {
-        let end = axis * AXES;
+        let end = axis * 32.0;
         paper.line([(x, y), (x + end.x, y + end.y)], GREY, 1.5);
         // An axis towards the eye is a point; its name is written opposite to the other axes.
         let way = if axis.norm() > 0.2 { *axis } else { axis - axes.iter().sum::<Vector2<f64>>() };
-        let way = way.normalize() * LETTER;
+        // The distance of the letters from the ends of the axes.
+        let off = 11.0;
+        let way = way.normalize() * off;
         let mut place = end + way;
-        while named.iter().any(|other| (other - place).norm() < LETTER) {
+        while named.iter().any(|other| (other - place).norm() < off) {
             place += way;
         }
         named.push(place);
-        paper.text((x + place.x, y + place.y), name, NAMES, 0.5, BLACK);
+        paper.text((x + place.x, y + place.y), name, STILL.names, 0.5, BLACK);
     }
 }

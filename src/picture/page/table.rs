@@ -14,7 +14,7 @@ use crate::picture::words::{escaped, short};
 use crate::words::{LinkKind, Words};
 
 /// Headings and their explanations.
-const COLUMNS: [(&str, &str); 9] = [
+const TABLE_COLUMNS: [(&str, &str); 9] = [
     ("contact", "name"),
     ("state", "what the contact does"),
     ("F_n (N)", "normal force; positive pushes"),
@@ -108,7 +108,7 @@ fn write_rows<const C: usize>(
 ) -> Result<(), PictureError> {
     // A table wider than a narrow screen scrolls by itself instead of the page.
     page.push_str("<div class=\"scrolls\">\n<table>\n<thead><tr>");
-    for (heading, meaning) in COLUMNS {
+    for (heading, meaning) in TABLE_COLUMNS {
         let _ = write!(page, "<th title=\"{}\">{}</th>", escaped(meaning), escaped(heading));
     }
     page.push_str("</tr></thead>\n<tbody>\n");

@@ -2,13 +2,11 @@
 
 use std::fmt::Write;
 
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{mapped, tried};
 use crate::picture::error::PictureError;
 use crate::picture::words::short;
 use crate::spatial::Proof;
-
-/// A component up to this part of the largest one is rounding. With 0 a page would show 1e-17 in place of zero.
-const ROUNDING: f64 = 1e-12;
 
 /// A text as a JSON string that is safe inside a `script` element: nothing in it can be read as a tag.
 pub(super) fn json_string(text: &str) -> String {
@@ -41,7 +39,7 @@ pub(super) fn json_row(numbers: &[f64]) -> Result<String, PictureError> {
 /// Components in parentheses; those that are rounding beside the largest are zero.
 pub(super) fn vector(components: &[f64]) -> String {
     let size = components.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-    let clean = |x: &f64| if x.abs() <= ROUNDING * size { 0.0 } else { *x };
+    let clean = |x: &f64| if x.abs() <= SOLVED_ROUNDING * size { 0.0 } else { *x };
     if let [one] = components {
         return short(*one);
     }

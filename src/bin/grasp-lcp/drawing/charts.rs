@@ -8,12 +8,7 @@ use grasp_lcp::scene::{Question, Setup};
 use crate::failure::Failure;
 
 /// The end of a chart, as a multiple of the farthest load factor of interest: the load itself, first slip or loss.
-const BEYOND: f64 = 1.25;
-/// Load factor beyond which nothing is drawn: the path there would fill the chart.
-const FAR: f64 = 5.0;
-/// Bounds of the number of cycles that are drawn of a repeated load.
-const FEWEST_CYCLES: usize = 4;
-const MOST_CYCLES: usize = 12;
+const CHART_END: f64 = 1.25;
 
 /// The chart of a question, if it has a load path.
 pub(super) fn chart<const C: usize>(
@@ -28,8 +23,9 @@ pub(super) fn chart<const C: usize>(
             let ramp = Ramp::load(*base, *load);
             let verdict = grasp.hold(ramp.clone())?;
             let marks = [verdict.first_slip.map(|first| first.factor), verdict.lost.map(|lost| lost.factor)];
-            let farthest = marks.into_iter().flatten().filter(|factor| *factor <= FAR).fold(1.0, f64::max);
-            let chart = chart_of_load(grasp, &ramp, BEYOND * farthest, title)?;
+            // The path beyond this load factor would fill the chart.
+            let farthest = marks.into_iter().flatten().filter(|factor| *factor <= 5.0).fold(1.0, f64::max);
+            let chart = chart_of_load(grasp, &ramp, CHART_END * farthest, title)?;
             let reaches = verdict.held_to >= 1.0;
             Some(if reaches { chart.mark(1.0, "this load") } else { chart })
         }
@@ -37,13 +33,13 @@ pub(super) fn chart<const C: usize>(
             let ramp = setup.ramp(ramp)?;
             match grasp.onset(&ramp)? {
                 Onset::At(event) if event.factor > 0.0 => {
-                    Some(chart_of_load(grasp, &ramp, BEYOND * event.factor, title)?)
+                    Some(chart_of_load(grasp, &ramp, CHART_END * event.factor, title)?)
                 }
                 Onset::GivesWay { factor, .. } if factor > 0.0 => {
-                    Some(chart_of_load(grasp, &ramp, BEYOND * factor, title)?)
+                    Some(chart_of_load(grasp, &ramp, CHART_END * factor, title)?)
                 }
                 Onset::NoBase(_) | Onset::Undecided(_) => None,
-                _ => Some(chart_of_load(grasp, &ramp, BEYOND, title)?),
+                _ => Some(chart_of_load(grasp, &ramp, CHART_END, title)?),
             }
         }
         Question::OnsetOfTurn(turn) => Some(chart_of_turn(grasp, turn, title)?),
@@ -64,5 +60,5 @@ pub(super) fn cycles<const C: usize>(
     let Question::Shake(asked) = question else { return Ok(Vec::new()) };
     let (grasp, cycle) = (&setup.grasp_of(grasp, question)?, setup.cycle(asked)?);
     let until = grasp.shake(&asked.base, &cycle)?.cycles;
-    Ok(charts_of_cycles(grasp, &asked.base, &cycle, until.clamp(FEWEST_CYCLES, MOST_CYCLES), title)?)
+    Ok(charts_of_cycles(grasp, &asked.base, &cycle, until.clamp(4, 12), title)?)
 }

@@ -39,16 +39,16 @@ impl<const C: usize> ShownAnswers<C> {
     /// also have a picture of the grasp before.
     pub(super) fn keys(&self) -> Vec<(usize, &'static str)> {
         let begins = |shown: &Shown<C>, with| shown.label.starts_with(with);
-        let key = self.0.first().map(|first| if begins(first, LEG) { self.0.len() - 1 } else { 0 });
-        let before = self.0.iter().position(|shown| begins(shown, BEFORE)).filter(|k| Some(*k) != key);
+        let key = self.0.first().map(|first| if begins(first, EVENT_LABEL) { self.0.len() - 1 } else { 0 });
+        let before = self.0.iter().position(|shown| begins(shown, BEFORE_LABEL)).filter(|k| Some(*k) != key);
         key.map(|key| (key, "")).into_iter().chain(before.map(|before| (before, "_before"))).collect()
     }
 }
 
 /// The beginning of labels of events.
-const LEG: &str = "leg ";
+const EVENT_LABEL: &str = "leg ";
 /// The label of a grasp before its improvement.
-const BEFORE: &str = "before";
+const BEFORE_LABEL: &str = "before";
 
 /// The answers to show for a question.
 pub(super) fn shown<const C: usize>(
@@ -155,9 +155,6 @@ fn needed<const C: usize>(
     })
 }
 
-/// Fraction of the load at first slip at which the grasp is drawn: at first slip itself, rounding would decide whether a contact slides.
-const JUST_BELOW: f64 = 1.0 - 1e-9;
-
 /// The improved grasp and the original one. Each is at its first slip along the load, under the load that leaves a reserve, or else at rest.
 fn improved<const C: usize>(
     setup: &Setup<C>,
@@ -169,7 +166,8 @@ fn improved<const C: usize>(
     let base = asked.base.unwrap_or(Wrench::ZERO);
     let (times, when): (fn(f64) -> f64, _) = match improved.goal {
         ImproveGoal::Reserve => (|_| 1.0, "under the load"),
-        _ => (|factor| factor * JUST_BELOW, "at first slip"),
+        // At first slip itself, rounding would decide whether a contact slides.
+        _ => (|factor| factor * (1.0 - 1e-9), "at first slip"),
     };
     let seen = |grasp: &Grasp<C>, label: &str, value: Option<f64>| {
         let load = asked.load.filter(|_| asked.any_force.is_none());
@@ -179,7 +177,7 @@ fn improved<const C: usize>(
         shown.label = format!("{label}, {}", if at.is_some() { when } else { "at rest" });
         Ok::<_, Failure>(shown)
     };
-    let before = seen(grasp, BEFORE, improved.before)?;
+    let before = seen(grasp, BEFORE_LABEL, improved.before)?;
     if improved.after.is_none() {
         return Ok(vec![Shown { says: vec![says], ..before }]);
     }
@@ -278,7 +276,7 @@ fn last<const C: usize>(
         Some(PathEnd::Undecided { doubt, .. }) => ("what comes next is undecided", doubt.to_string()),
         _ => ("the path's end", String::new()),
     };
-    let label = format!("{LEG}{leg} at {}: {how}", Words::default().number(fraction));
+    let label = format!("{EVENT_LABEL}{leg} at {}: {how}", Words::default().number(fraction));
     let Some(mut shown) = end(there, ended, &label) else { return nothing(&label, why, Some(*start)) };
     shown.says.extend(Some(why).filter(|why| !why.is_empty()));
     shown
@@ -294,7 +292,10 @@ fn changed<const C: usize>(grasp: &Grasp<C>, event: Event<C>) -> Shown<C> {
     } else {
         format!("{} changes", names.join(", "))
     };
-    state(format!("{LEG}{} at {}: {what}", event.leg, Words::default().number(event.fraction)), event.state)
+    state(
+        format!("{EVENT_LABEL}{} at {}: {what}", event.leg, Words::default().number(event.fraction)),
+        event.state,
+    )
 }
 
 /// The end of a path, with the motion of the object if it is lost.

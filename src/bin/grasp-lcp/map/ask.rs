@@ -18,9 +18,6 @@ pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
     asked.unwrap_or(Wrench::ZERO)
 }
 
-/// If more contacts leave together, they are counted instead of named.
-const MANY: usize = 4;
-
 /// First slip in one direction.
 pub(crate) struct First {
     /// The force at first slip, N; infinite for never, not a number if it is not known.
@@ -68,7 +65,8 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
             });
             let drives = event.drives.iter().map(|drive| format!("{} gives way", drive.part.text()));
             let mut who: Vec<_> = who.chain(drives).collect();
-            if who.len() > MANY {
+            // More contacts are counted instead of named.
+            if who.len() > 4 {
                 let others = who.len() - 1;
                 who = vec![format!("{} and {others} others", who[0])];
             }

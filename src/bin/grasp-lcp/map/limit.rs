@@ -60,6 +60,9 @@ pub(crate) struct Last {
     pub(crate) end: LimitEnd,
 }
 
+/// Load paths are followed up to this multiple of the largest force at first slip. Later ends would hardly be in the picture.
+pub(crate) const FOLLOWED_TO: f64 = 5.0;
+
 /// Error of one step along sliding arcs, relative to the largest force: a picture shows no finer one, and smaller steps cost most of the time.
 pub(crate) const STEP_ERROR: f64 = 1e-6;
 

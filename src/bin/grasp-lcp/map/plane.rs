@@ -1,7 +1,6 @@
 //! The map of all directions in the plane: a table and a polar picture.
 
 use std::f64::consts::TAU;
-use std::time::Duration;
 
 use grasp_lcp::picture::{Polar, Stroke};
 use grasp_lcp::planar::{Grasp, Ramp, Wrench};
@@ -9,24 +8,18 @@ use grasp_lcp::scene::Setup;
 use grasp_lcp::words::Words;
 
 use super::ask::{self, First};
-use super::limit::{self, Last, LimitEnd};
+use super::limit::{self, FOLLOWED_TO, Last, LimitEnd};
 use super::rows;
 use super::unsure::Unsure;
-use super::watch::MapProgress;
+use super::watch::{MOST_SWEEP_TIME, MapProgress};
 use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
 /// Number of directions in the picture; every 60th is in the table.
-const DIRECTIONS: u32 = 1440;
-const TABLE: usize = 60;
+const MAP_DIRECTIONS: u32 = 1440;
 /// The reserve is computed for every fourth direction.
-const KEPT: usize = 4;
-/// Load paths are followed up to `FAR` times the largest force at first slip, and the picture ends at `SHOWN` times that force.
-const FAR: f64 = 5.0;
-const SHOWN: f64 = 3.0;
-/// Time limit of one sweep.
-const MOST: Duration = Duration::from_secs(300);
+const RESERVE_EVERY: usize = 4;
 
 pub(crate) fn map(
     setup: &Setup<2>,
@@ -44,9 +37,10 @@ pub(crate) fn map(
     let ramp = |angle: f64| Ramp::load(base, pull(angle));
     ask::check_base(&grasp, &ramp(0.0))?;
     let quick = ask::quick(&grasp);
-    let angles: Vec<f64> = (0..DIRECTIONS).map(|k| TAU * f64::from(k) / f64::from(DIRECTIONS)).collect();
+    let angles: Vec<f64> =
+        (0..MAP_DIRECTIONS).map(|k| TAU * f64::from(k) / f64::from(MAP_DIRECTIONS)).collect();
     let firsts = watch
-        .sweep("onsets", &angles, MOST, |angle| ask::first(&quick, &ramp(*angle)))?
+        .sweep("onsets", &angles, MOST_SWEEP_TIME, |angle| ask::first(&quick, &ramp(*angle)))?
         .ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let largest = onsets.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
@@ -56,14 +50,14 @@ pub(crate) fn map(
         ));
     }
     let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
-    let kept: Vec<f64> = angles.iter().copied().step_by(KEPT).collect();
+    let kept: Vec<f64> = angles.iter().copied().step_by(RESERVE_EVERY).collect();
     let reserves = watch
-        .sweep("reserves", &kept, MOST, |angle| Ok(reserve.along(&pull(*angle))))?
+        .sweep("reserves", &kept, MOST_SWEEP_TIME, |angle| Ok(reserve.along(&pull(*angle))))?
         .ok_or_else(ask::too_long)?;
     let reserves: Vec<_> = kept.into_iter().zip(reserves).collect();
-    let most = FAR * largest;
+    let most = FOLLOWED_TO * largest;
     let lasts = watch
-        .sweep("load paths", &angles, MOST, |angle| limit::last(&grasp, base, pull(*angle), most))?
+        .sweep("load paths", &angles, MOST_SWEEP_TIME, |angle| limit::last(&grasp, base, pull(*angle), most))?
         .ok_or_else(ask::too_long)?;
     let weakest = ask::weakest(&quick, &base, at)?;
     let Some(pictures) = pictures else {
@@ -81,7 +75,7 @@ pub(crate) fn map(
     println!("{title}: {}", words.join(", "));
     print_table(&angles, &firsts, &reserves, &lasts, most);
     println!("  {}", unsure.words().join(" "));
-    println!("  of {DIRECTIONS} paths: {}", limit::count(&lasts));
+    println!("  of {MAP_DIRECTIONS} paths: {}", limit::count(&lasts));
     if let Some((angle, size)) = weakest {
         let words = Words::default();
         println!("  weakest direction {}: first slip at {} N", words.angle(angle), words.number(size));
@@ -100,7 +94,14 @@ fn quarter(angle: f64) -> Option<(f64, f64)> {
 
 fn print_table(angles: &[f64], firsts: &[First], reserves: &[(f64, f64)], lasts: &[Last], most: f64) {
     rows::head();
-    let all = angles.iter().zip(firsts).zip(lasts).step_by(TABLE).zip(reserves.iter().step_by(TABLE / KEPT));
+    // Every sixtieth direction is in the table.
+    let every = 60;
+    let all = angles
+        .iter()
+        .zip(firsts)
+        .zip(lasts)
+        .step_by(every)
+        .zip(reserves.iter().step_by(every / RESERVE_EVERY));
     for (((angle, first), last), (_, reserve)) in all {
         rows::row(&Words::default().angle(*angle), first, *reserve, last, most);
     }
@@ -129,7 +130,8 @@ impl Drawing<'_> {
         let most = |radii: &mut dyn Iterator<Item = f64>| radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
         let onsets = || firsts.iter().map(|first| first.factor);
         let (onset, limit) = (most(&mut onsets()), most(&mut lasts.iter().map(|last| last.factor)));
-        let rim = onset.max(limit).min(SHOWN * onset) * 1.05;
+        // The picture ends at three times the force at first slip.
+        let rim = onset.max(limit).min(3.0 * onset) * 1.05;
         let mut polar = Polar::new(format!("{title}: what a force in every direction does"), "N")
             .rim(rim)
             .curve("onset of sliding", with(&mut onsets()), Stroke::Line)

@@ -9,25 +9,18 @@ use grasp_lcp::sweep::Reserve;
 use grasp_lcp::words::Words;
 
 use super::ask::{self, First};
-use super::limit::{self, Last, LimitEnd};
+use super::limit::{self, FOLLOWED_TO, Last, LimitEnd};
 use super::rows;
 use super::unsure::Unsure;
-use super::watch::MapProgress;
+use super::watch::{MOST_SWEEP_TIME, MapProgress};
 use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
-/// Rings and directions around of the grids. Load paths take a thousand times as long as onsets, so that their grid is coarser;
-/// it also serves onsets of more than `MANY` contacts.
-const ONSETS: (usize, usize) = (45, 120);
-const PATHS: (usize, usize) = (16, 42);
-/// The note below every map.
-const NOTE: &str = "Crosses: contact normals, the way the finger pushes. Equal areas are equal solid angles. Rings: angle from ±z.";
-/// Time limits of a sweep over onsets or reserves, and over load paths.
-const ALL_ONSETS: Duration = Duration::from_secs(300);
-const ALL_PATHS: Duration = Duration::from_secs(120);
-/// Load paths are followed up to this multiple of the largest force at first slip.
-const FAR: f64 = 5.0;
+/// Rings and directions around of the grid of load paths.
+const PATH_GRID: (usize, usize) = (16, 42);
+/// Time limit of a sweep over load paths.
+const MOST_PATH_TIME: Duration = Duration::from_secs(120);
 
 pub(crate) fn map(
     setup: &Setup<3>,
@@ -42,11 +35,14 @@ pub(crate) fn map(
     ask::check_base(&grasp, &ramp([0.0, 0.0, -1.0]))?;
     let quick = ask::quick(&grasp);
 
-    let (rings, around) = if grasp.len() > MANY { PATHS } else { ONSETS };
+    // Load paths take a thousand times as long as onsets, so that their grid is coarser; it also serves
+    // onsets of many contacts.
+    let (rings, around) = if grasp.len() > MOST_NAMED_POINTS { PATH_GRID } else { (45, 120) };
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
     let first = |d: [f64; 3]| ask::first(&quick, &ramp(d));
-    let firsts = watch.sweep("onsets", &directions, ALL_ONSETS, |d| first(*d))?.ok_or_else(ask::too_long)?;
+    let firsts =
+        watch.sweep("onsets", &directions, MOST_SWEEP_TIME, |d| first(*d))?.ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let finite = || onsets.iter().copied().enumerate().filter(|(_, x)| x.is_finite());
     let largest = finite().map(|(_, x)| x).fold(0.0, f64::max);
@@ -58,12 +54,12 @@ pub(crate) fn map(
     // The exact weakest direction if all contacts are closed and stick under the base load; otherwise the weakest direction of the map.
     let (weakest, onset) = ask::weakest(&quick, &base, at)?.unwrap_or((directions[nearest], least));
 
-    let coarse = SphereGrid::new(PATHS.0, PATHS.1);
-    let most = FAR * largest;
+    let coarse = SphereGrid::new(PATH_GRID.0, PATH_GRID.1);
+    let most = FOLLOWED_TO * largest;
     let ways = coarse.directions();
     let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
     let reserves = watch
-        .sweep("reserves", &ways, ALL_ONSETS, |d| Ok(reserve.along(&pull(*d))))?
+        .sweep("reserves", &ways, MOST_SWEEP_TIME, |d| Ok(reserve.along(&pull(*d))))?
         .ok_or_else(ask::too_long)?;
     let lasts = load_paths(&grasp, watch, base, &pull, (&ways, most))?;
 
@@ -104,12 +100,12 @@ fn load_paths(
     pull: &(impl Fn([f64; 3]) -> Wrench + Sync),
     (ways, most): (&[[f64; 3]], f64),
 ) -> Result<Option<Vec<Last>>, Failure> {
-    if grasp.len() > MANY {
+    if grasp.len() > MOST_NAMED_POINTS {
         return Ok(None);
     }
     let quick = ask::quick(grasp);
     // The search for equilibria beyond the end takes most of the time. It is made only where the end is unknown without it.
-    Ok(watch.sweep("load paths", ways, ALL_PATHS, |d| {
+    Ok(watch.sweep("load paths", ways, MOST_PATH_TIME, |d| {
         let last = limit::last(&quick, base, pull(*d), most)?;
         let known = last.end != LimitEnd::Unknown;
         if known { Ok(last) } else { limit::last(grasp, base, pull(*d), most) }
@@ -177,8 +173,10 @@ impl Drawing<'_> {
 
     /// Writes a map with the notes of every map, the names of the contacts and one more note.
     fn save(&self, end: &str, map: SphereMap, note: &str) -> Result<(), Failure> {
-        let mut map = map.note(NOTE).note(format!("{}.", self.words)).note(note);
-        if self.grasp.len() <= MANY {
+        let note_of_all = "Crosses: contact normals, the way the finger pushes. Equal areas are equal solid angles. \
+                           Rings: angle from ±z.";
+        let mut map = map.note(note_of_all).note(format!("{}.", self.words)).note(note);
+        if self.grasp.len() <= MOST_NAMED_POINTS {
             for (i, (contact, frame)) in self.grasp.contacts().iter().zip(self.grasp.frames()).enumerate() {
                 map = map.ray([frame[(0, 0)], frame[(1, 0)], frame[(2, 0)]], contact.label_text(i));
             }
@@ -188,7 +186,7 @@ impl Drawing<'_> {
 }
 
 /// Number of points of contact above which their names would cover the map, and load paths would take minutes.
-const MANY: usize = 8;
+const MOST_NAMED_POINTS: usize = 8;
 
 fn print_table(
     (grasp, watch): (&Grasp, MapProgress),
@@ -202,9 +200,11 @@ fn print_table(
     let names = ["+x", "−x", "+y", "−y", "+z", "−z", "weakest"];
     let ways = [x, back(x), y, back(y), z, back(z), weakest];
     // With many contacts, a proof that no equilibrium exists beyond takes seconds, and is hardly ever found.
-    let quick = if grasp.len() > MANY { &ask::quick(grasp) } else { grasp };
+    let quick = if grasp.len() > MOST_NAMED_POINTS { &ask::quick(grasp) } else { grasp };
     let lasts = watch
-        .sweep("load paths of the table", &ways, ALL_PATHS, |d| limit::last(quick, base, pull(*d), most))?
+        .sweep("load paths of the table", &ways, MOST_PATH_TIME, |d| {
+            limit::last(quick, base, pull(*d), most)
+        })?
         .ok_or_else(ask::too_long)?;
     rows::head();
     for ((name, d), last) in names.iter().zip(ways).zip(&lasts) {

@@ -9,8 +9,8 @@ use grasp_lcp::Error;
 use grasp_lcp::sweep::map_watched;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// A sweep that ends sooner shows no progress bar.
-const SOON: Duration = Duration::from_secs(1);
+/// Time limit of one sweep over onsets or reserves, or over load paths in the plane.
+pub(crate) const MOST_SWEEP_TIME: Duration = Duration::from_secs(300);
 
 /// The display of progress: a bar on a terminal; elsewhere one line each second, if `lines` is set.
 #[derive(Debug, Clone, Copy)]
@@ -37,7 +37,8 @@ impl MapProgress {
         let seconds_told = AtomicU64::new(0);
         let answers = map_watched(items, f, |progress| {
             let seconds = start.elapsed().as_secs();
-            if bar.is_hidden() && start.elapsed() > SOON && is_seen {
+            // A shorter sweep shows no progress bar.
+            if bar.is_hidden() && start.elapsed() > Duration::from_secs(1) && is_seen {
                 bar.set_draw_target(ProgressDrawTarget::stderr());
             }
             if self.lines && !is_seen && seconds_told.fetch_max(seconds, Ordering::Relaxed) < seconds {

@@ -1,0 +1,43 @@
+//! The distances of amounts at which a search ends, and the limits of its range.
+//!
+//! All of them are pure numbers: parts of the amount, or of the end of a range, beside which they stand.
+
+use super::threshold::Enough;
+
+/// Relative distance of two amounts that differ by rounding alone.
+///
+/// A guess moved across the bound by it, and trials on both sides, leave a bracket within [`EXACT`]; an end of the range is final where
+/// cuts come this close. Smaller, rounding decides the side. Larger, from 5e-13 on, the bracket needs more trials.
+pub(super) const LAST_DIGITS: f64 = 1e-13;
+
+/// Width, relative to the coefficient of friction, that ends the search for the least one.
+///
+/// Smaller, rounding decides whether a proof exists. Larger, the end is looser, though still proved.
+pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
+
+/// Distances of trials inside and outside an end of the range, relative to the end.
+///
+/// Where the end is exact, the first pair is a bracket within [`EXACT`]. The others exceed the error that proofs leave; without them both
+/// trials beside a loose end fall on one side.
+pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
+
+/// Ratio of successive amounts in a short search, and where sufficient amounts are left.
+///
+/// A bracket beyond it is halved in logarithms, since means of amounts that far apart approach the smaller one slowly.
+pub(super) const FAR_APART: f64 = 4.0;
+
+/// Widths for the amount itself: the last digits that rounding leaves.
+///
+/// Narrower ones cost steps that only rounding decides; wider ones show in the answer.
+pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
+
+/// Widths for an amount reported beside the first, `sticks` or `safe`. Narrower ones multiply the trials of an answer.
+pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
+
+/// Widths for other changes of verdict around a bound. There may be eight of them, so that narrower ones cost the most trials.
+pub(super) const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
+
+/// Largest ratio of an amount to the start of the search, and of the start to an amount.
+///
+/// Where the load is sought it is followed up to this multiple. Larger, a search of an insufficient grasp takes longer.
+pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;

@@ -1,0 +1,160 @@
+//! Sizes and places of what is drawn, one list for each kind of figure.
+//!
+//! Lengths are in pixels. Lengths of marks in a grasp are parts of its span, so that they grow with it.
+
+use plotters::style::RGBColor;
+
+use super::sheet::Place;
+
+/// Marks that planar and spatial pictures of a grasp share.
+pub(super) struct MarkLayout {
+    /// Length of a cone relative to the arrow of the normal force in it.
+    pub(super) cone: f64,
+    /// Least length of an arrow of the load; a shorter one would hardly be visible.
+    pub(super) shortest_load: f64,
+    /// Radius of the arc of a moment in the plane.
+    pub(super) moment_arc: f64,
+    /// With more fingertips no names are written.
+    pub(super) most_named: usize,
+}
+
+pub(super) const MARKS: MarkLayout =
+    MarkLayout { cone: 1.15, shortest_load: 18.0, moment_arc: 30.0, most_named: 30 };
+
+/// A grasp in the plane.
+pub(super) struct PlanarLayout {
+    /// Height of letters.
+    pub(super) letters: f64,
+    /// Length of a finger behind its contact, and distance of its name, as parts of the span.
+    pub(super) finger: f64,
+    /// With more fingertips their names stand without state and force.
+    pub(super) most_told: usize,
+}
+
+pub(super) const PLANAR: PlanarLayout = PlanarLayout { letters: 15.0, finger: 0.08, most_told: 12 };
+
+/// A grasp in space.
+pub(super) struct SpatialLayout {
+    /// Length of a finger behind its contact, as a part of the span.
+    pub(super) finger: f64,
+    /// Length of the arrow of a slip, as a part of the span.
+    pub(super) slip: f64,
+    /// Half the length of the axis of a free motion, as a part of the span.
+    pub(super) axis: f64,
+    /// Radius of a contact.
+    pub(super) contact: f64,
+    /// Radius of a point of a soft fingertip.
+    pub(super) soft_point: f64,
+    /// Lengths of dashes and gaps of lines that have moved.
+    pub(super) moved_dashes: (f64, f64),
+}
+
+pub(super) const SPATIAL: SpatialLayout = SpatialLayout {
+    finger: 0.12,
+    slip: 0.09,
+    axis: 0.75,
+    contact: 5.5,
+    soft_point: 2.5,
+    moved_dashes: (5.0, 4.0),
+};
+
+/// A still picture of a grasp in space.
+pub(super) struct StillLayout {
+    pub(super) margin: f64,
+    /// Size of the part for the grasp.
+    pub(super) room: (f64, f64),
+    /// Letter height of names.
+    pub(super) names: f64,
+    /// Size of the part for the coordinate axes and their letters.
+    pub(super) axes_room: f64,
+}
+
+pub(super) const STILL: StillLayout =
+    StillLayout { margin: 12.0, room: (600.0, 520.0), names: 15.0, axes_room: 110.0 };
+
+/// The legend beside a still picture.
+pub(super) struct LegendLayout {
+    /// Its left edge.
+    pub(super) left: f64,
+    /// Length of samples.
+    pub(super) sample: f64,
+    /// Height of a line, and the space between entries.
+    pub(super) line: f64,
+    pub(super) between: f64,
+}
+
+pub(super) const LEGEND: LegendLayout = LegendLayout { left: 624.0, sample: 40.0, line: 18.0, between: 7.0 };
+
+/// A chart with two axes.
+pub(super) struct ChartLayout {
+    /// Size of one chart.
+    pub(super) size: (u32, u32),
+    /// Letter heights of the title, of axes and legend, of labels of events, and of plaques and notes.
+    pub(super) title: u32,
+    pub(super) letters: u32,
+    pub(super) label: u32,
+    pub(super) plaque: u32,
+    /// Line height of a note.
+    pub(super) note_line: u32,
+    /// The names of more series are written beside the chart.
+    pub(super) most_inside: usize,
+    /// Most letters of a name beside the chart, on it, and at a mark.
+    pub(super) longest_beside: usize,
+    pub(super) longest_inside: usize,
+    pub(super) mark_letters: usize,
+    /// Most names in a list of curves that are not drawn, and their most letters.
+    pub(super) listed_names: usize,
+    pub(super) listed_letters: usize,
+}
+
+pub(super) const CHART: ChartLayout = ChartLayout {
+    size: (860, 540),
+    title: 23,
+    letters: 17,
+    label: 16,
+    plaque: 14,
+    note_line: 18,
+    most_inside: 6,
+    longest_beside: 26,
+    longest_inside: 70,
+    mark_letters: 26,
+    listed_names: 12,
+    listed_letters: 60,
+};
+
+/// A chart over directions in the plane.
+pub(super) struct PolarLayout {
+    pub(super) middle: Place,
+    /// Radius of the rim.
+    pub(super) radius: f64,
+    /// Left edge of the legend, and length of its samples.
+    pub(super) legend: f64,
+    pub(super) sample: f64,
+    /// Two texts beside each other do not fit between directions closer than this, rad.
+    pub(super) beside: f64,
+}
+
+pub(super) const POLAR: PolarLayout =
+    PolarLayout { middle: (330.0, 340.0), radius: 225.0, legend: 630.0, sample: 22.0, beside: 0.12 };
+
+/// A map over directions in space: two discs, and a colour scale beside them.
+pub(super) struct SphereLayout {
+    pub(super) wide: f64,
+    /// Radius of the discs, and their middles.
+    pub(super) radius: f64,
+    pub(super) discs: [Place; 2],
+    /// Height of the first line of notes.
+    pub(super) foot: f64,
+    /// Colours of directions with an infinite value, and without one.
+    pub(super) unbounded: RGBColor,
+    pub(super) missing: RGBColor,
+}
+
+pub(super) const SPHERE: SphereLayout = SphereLayout {
+    wide: 860.0,
+    radius: 165.0,
+    discs: [(200.0, 268.0), (590.0, 268.0)],
+    foot: 510.0,
+    unbounded: RGBColor(255, 246, 214),
+    missing: RGBColor(190, 190, 190),
+};
