@@ -176,7 +176,7 @@ fn seen_from<const C: usize>(
     let count = touching.len().max(1) as f64;
     let centre = touching.iter().fold(SVector::zeros(), |sum, part| sum + places[part.contact] / count);
     let along = velocity(&centre);
-    let reach = largest(&contacts, &|contact| (contact.point - centre).norm());
+    let reach = largest(contacts, &|contact| (contact.point - centre).norm());
     let spin = coordinates.iter().skip(C).map(|x| x * x).sum::<f64>().sqrt() * reach;
     let fastest = touching.iter().map(|part| moves[part.contact].norm()).fold(spin, f64::max);
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STAYS * fastest;

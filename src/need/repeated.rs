@@ -70,7 +70,7 @@ fn carried<const C: usize>(shaken: &Shaken<C>, legs: usize) -> f64 {
         }
         Repeats::Walks { by, .. } => {
             let part = |motion: &BodyMotion<C>| motion.speed() / motion.reach.max(f64::MIN_POSITIVE);
-            HELD + (1.0 - HELD) / (2.0 + largest(&by, &part))
+            HELD + (1.0 - HELD) / (2.0 + largest(by, &part))
         }
         _ => HELD + 0.5 * (1.0 - HELD),
     }

@@ -12,7 +12,7 @@ use crate::contact::{Edges, Fit, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, Lcp};
-use crate::numerics::{largest, mapped, tried};
+use crate::numerics::{largest, mapped, numbered, tried};
 use crate::object::Load;
 use crate::prelude::*;
 use crate::search::Settings;
@@ -170,11 +170,11 @@ impl Program {
         under: &[Vec<SVector<f64, C>>],
         slips: &[&Vec<SVector<f64, C>>],
     ) -> Self {
-        let size = |forces: &[SVector<f64, C>]| largest(&forces, &Matrix::norm);
+        let size = |forces: &[SVector<f64, C>]| largest(forces, &Matrix::norm);
         let or_one = |x: f64| if x > 0.0 { x } else { 1.0 };
         let force = or_one(size(rest));
-        let unit = force / or_one(largest(&under, &|forces| size(forces)));
-        let units: Vec<f64> = mapped(&slips, &|forces| force / or_one(size(forces)));
+        let unit = force / or_one(largest(under, &|forces| size(forces)));
+        let units: Vec<f64> = mapped(slips, &|forces| force / or_one(size(forces)));
         let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for k in 0..=under.len() {
             for (i, edges) in edges.iter().enumerate() {
@@ -226,7 +226,7 @@ impl Program {
             return None;
         }
         let factor = if z[0] >= FARTHEST * (1.0 - MET) { f64::INFINITY } else { z[0] * self.units.0 };
-        let sizes = self.units.1.iter().enumerate().map(|(k, unit)| size(k) * unit).collect();
+        let sizes = numbered(self.units.1.len(), &|k| size(k) * self.units.1[k]);
         Some((factor, sizes, z.rows(first, rows).iter().copied().collect()))
     }
 }

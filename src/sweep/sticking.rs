@@ -82,7 +82,7 @@ impl<const C: usize> StuckGrasp<C> {
 
     /// The largest factor with at most the allowed failure probability.
     pub(super) fn most(&self, direction: &Wrench<C>) -> f64 {
-        let size = largest(&direction.components(), &|x| x.abs());
+        let size = largest(direction.components(), &|x| x.abs());
         let work = |motion: &Wrench<C>| {
             motion.components().iter().zip(direction.components()).map(|(v, w)| v * w).sum::<f64>()
         };

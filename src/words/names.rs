@@ -38,7 +38,7 @@ pub(crate) fn listed<T: fmt::Display>(names: &[T]) -> String {
             format!("{} and {} more", first.join(", "), many.len() - FIRST_NAMES)
         }
         [first @ .., last] => {
-            let first: Vec<_> = mapped(&first, &ToString::to_string);
+            let first: Vec<_> = mapped(first, &ToString::to_string);
             format!("{} and {last}", first.join(", "))
         }
     }

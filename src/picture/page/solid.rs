@@ -15,7 +15,7 @@ pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
 }
 
 fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
-    let rings = mapped(&outlines, &|outline| rings(&outline.corners)).concat();
+    let rings = mapped(outlines, &|outline| rings(&outline.corners)).concat();
     let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= ROUND));
     let mut solids: Vec<_> = between.map(<[Vec<_>]>::concat).collect();
     solids.extend(rings);
