@@ -41,7 +41,7 @@ impl<const C: usize> FrictionProblem<C> {
                     edge(y, columns, C, side * mu).is_some_and(|sum| sum.sign() != Ordering::Greater)
                 });
             }
-            let sums: Vec<(f64, i32)> = mapped(&columns, &|column| weighed(column).leading());
+            let sums: Vec<(f64, i32)> = mapped(columns, &|column| weighed(column).leading());
             let (normal, slips) = (sums[0], &sums[1..]);
             if *mu == 0.0 || slips.iter().all(|slip| slip.0 == 0.0) {
                 return normal.0 <= 0.0;

@@ -41,7 +41,7 @@ impl<const C: usize> Facets<C> {
             }
             numbered(count, &|k| direction(angle + TAU * k as f64 / count as f64))
         };
-        Self(mapped(&angles, &of))
+        Self(mapped(angles, &of))
     }
 
     /// The number of unknowns of each contact: r_N, its β, λ.

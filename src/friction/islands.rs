@@ -52,7 +52,7 @@ impl<const C: usize> FrictionProblem<C> {
         Self {
             w: DMatrix::from_fn(size, size, |i, j| self.w[(component(i), component(j))]),
             q: DVector::from_fn(size, |i, _| self.q[component(i)]),
-            mu: mapped(&contacts, &|i| self.mu[*i]),
+            mu: mapped(contacts, &|i| self.mu[*i]),
         }
     }
 

@@ -120,7 +120,7 @@ impl Engine {
     fn lost_at_rest(&self, base: &Wrench<3>, settings: &Settings) -> Option<Box<Lost<3>>> {
         let growing = self.growing_from_nothing(base);
         let direction = if growing.is_some() { Wrench::from_components(&[1.0]) } else { *base };
-        let commands: Vec<_> = mapped(&self.contacts(), &|contact| contact.command);
+        let commands: Vec<_> = mapped(self.contacts(), &|contact| contact.command);
         let none = vec![SVector::zeros(); self.len()];
         let grasp = growing.as_ref().unwrap_or(self).with_commands(&none).ok()?;
         let leg = Leg::along(&Ramp::load(Wrench::ZERO, direction).with_commands(commands));

@@ -362,7 +362,7 @@ impl<const C: usize> WayOut<C> {
                 };
                 let about_whole =
                     |part: &WholeContact| about.iter().all(|other| other.contact != part.contact);
-                let edges: Vec<_> = mapped(&about, &edge);
+                let edges: Vec<_> = mapped(about, &edge);
                 let opens: Vec<_> = opens.iter().filter(|part| about_whole(part)).cloned().collect();
                 let they_open =
                     if opens.is_empty() { String::new() } else { format!(", {}", they_open(&opens)) };

@@ -76,7 +76,7 @@ type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 /// squeezes and carried loads have the factor instead.
 fn begun<const C: usize>(model: &Model<'_, C>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
-    let begin: Vec<f64> = mapped(&unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
+    let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
     let first = model.linear(&begin)?;
     let Err((_, mut why)) = first else { return Ok((begin, first)) };
     let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);

@@ -45,7 +45,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         if !is_round || !seen.is_pressed_by_commands() || forces.len() != contacts.len() {
             return None;
         }
-        let farthest = largest(&contacts, &|contact| contact.point.norm());
+        let farthest = largest(contacts, &|contact| contact.point.norm());
         let length = if farthest > 0.0 { farthest } else { 1.0 };
         let motion = at_length::<C>(motion.components(), length);
         let mut pressing = pressing(seen, forces, length);
@@ -186,7 +186,7 @@ impl Equations {
     /// `None` if the equations do not determine the load.
     fn of<const C: usize>(leaving: &GrossSlip<'_, '_, C>) -> Option<Self> {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
-        let normals: Vec<_> = mapped(&pressing, &|contact| contact.normal.clone());
+        let normals: Vec<_> = mapped(pressing, &|contact| contact.normal.clone());
         let (springs, _) = spaces(&normals, size);
         let mut kept = leaving.kept();
         kept.push(motion.clone());

@@ -59,7 +59,7 @@ pub(super) fn pressing<const C: usize>(
     length: f64,
 ) -> Vec<Pressing> {
     let contacts = seen.grasp.contacts();
-    let largest = largest(&forces, &|force| force[0].abs());
+    let largest = largest(forces, &|force| force[0].abs());
     let may_pull = |contact: &Contact<C>| contact.hold != Hold::Unilateral;
     let of = |(contact, (data, frame)): (usize, (&Contact<C>, &SMatrix<f64, C, C>))| {
         let along = |axis: usize| {

@@ -9,7 +9,7 @@ use super::grouped::Grouped;
 use super::model::{Linear, Model};
 use super::robust::Huber;
 use super::tolerances::INDISTINCT;
-use crate::numerics::{increasing, mapped, numbered, two_sided};
+use crate::numerics::{mapped, numbered, two_sided};
 use crate::prelude::*;
 
 /// The answer at the end of a search.
@@ -76,6 +76,7 @@ pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identi
 
 /// Variances of logarithms at the solution.
 struct Spread {
+    /// Singular values, the largest first, and their directions as columns.
     values: Vec<f64>,
     directions: DMatrix<f64>,
     rank: usize,
@@ -125,21 +126,16 @@ impl Spread {
 
     /// A basis of the determined directions, as columns, whose lengths are the standard errors for independent slips.
     fn told_directions(&self) -> DMatrix<f64> {
-        let mut told = self.directions.select_columns(&self.in_order()[..self.rank]);
-        for (mut column, k) in told.column_iter_mut().zip(self.in_order()) {
-            column /= self.values[k];
+        let mut told = self.directions.columns(0, self.rank).into_owned();
+        for (mut column, value) in told.column_iter_mut().zip(&self.values) {
+            column /= *value;
         }
         told
     }
 
-    /// Directions in the order of decreasing singular values.
-    fn in_order(&self) -> Vec<usize> {
-        increasing(&mapped(&self.values, &|value| -value))
-    }
-
     /// Directions that the slips do not determine, as columns.
     fn free(&self) -> DMatrix<f64> {
-        self.directions.select_columns(&self.in_order()[self.rank..])
+        self.directions.columns(self.rank, self.values.len() - self.rank).into_owned()
     }
 
     fn fixes(&self, unknown: usize) -> bool {

@@ -204,7 +204,7 @@ impl<const C: usize> Climb<'_, C> {
     ) -> (StepProgram, Vec<usize>) {
         let variables = &self.choice.variables;
         let force = self.choice.unit_of_force();
-        let mut rows: Vec<_> = mapped(&bounds, &|bound| (&bound.gradient / force, bound.left / force));
+        let mut rows: Vec<_> = mapped(bounds, &|bound| (&bound.gradient / force, bound.left / force));
         let (mut rooms, mut reach) = (Vec::new(), vec![[f64::NEG_INFINITY, f64::INFINITY]; variables.len()]);
         for (i, spot) in held.placing.spots.iter().enumerate() {
             let Some(spot) = spot else { continue };
@@ -230,8 +230,8 @@ impl<const C: usize> Climb<'_, C> {
             }
         }
         let program = StepProgram {
-            factors: mapped(&events, &|event| 1.0 + (event.value - held.value) / held.scale),
-            gradients: mapped(&events, &|event| &event.gradient / held.scale),
+            factors: mapped(events, &|event| 1.0 + (event.value - held.value) / held.scale),
+            gradients: mapped(events, &|event| &event.gradient / held.scale),
             bounds: rows,
             reach,
         };

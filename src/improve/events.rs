@@ -158,16 +158,17 @@ impl<const C: usize> Pressed<'_, C> {
         added: &dyn Fn(&SVector<f64, C>) -> f64,
         added_changes: &dyn Fn(&SVector<f64, C>, &BySource<FrameForces<C>>) -> f64,
     ) -> Vec<SlipEvent<C>> {
-        let event = |(number, row): (usize, SVector<f64, C>)| {
+        let mut events = Vec::new();
+        for (number, row) in rows.into_iter().enumerate() {
             let added = added(&row);
-            let value = self.goal.counts(row.dot(&self.force), added)?;
+            let Some(value) = self.goal.counts(row.dot(&self.force), added) else { continue };
             let gradient = self.by_variable(&|d| {
                 self.goal.change(value, added, [row.dot(&self.change(d)), added_changes(&row, d)])
             });
             let condition = ConeRow { load, contact: self.number, number, row };
-            Some(SlipEvent { condition, value, gradient })
-        };
-        rows.into_iter().enumerate().filter_map(event).collect()
+            events.push(SlipEvent { condition, value, gradient });
+        }
+        events
     }
 
     /// Events under one load, under which the force changes by `rate`.
@@ -194,7 +195,7 @@ impl<const C: usize> Pressed<'_, C> {
         let rows = rows(self.contact).unwrap_or_else(|| {
             let at = |row: SVector<f64, C>| self.goal.counts(row.dot(&self.force), added(&row));
             let angles = worst_angles(&|angle| at(round(mu, angle)).unwrap_or(f64::INFINITY));
-            angles.into_iter().map(|angle| round(mu, angle)).collect()
+            mapped(&angles, &|angle| round(mu, *angle))
         });
         self.events(None, rows, &added, &|row, d| {
             let v = felt(row, loads);
@@ -220,8 +221,9 @@ pub(super) fn events<const C: usize>(
         constraints.extend(pressed.constraints(most[number]));
         match asked.acts {
             Acts::Each => {
-                let each = loads.iter().enumerate();
-                all.extend(each.flat_map(|(load, rates)| pressed.under(load, &rates[number])));
+                for (load, rates) in loads.iter().enumerate() {
+                    all.extend(pressed.under(load, &rates[number]));
+                }
             }
             Acts::AnyForce => all.extend(pressed.under_any_force(loads)),
         }

@@ -137,12 +137,11 @@ impl<const C: usize> Improved<C> {
         if given != expected {
             return Err(Error::Size { what: "contacts of the answer", given, expected });
         }
-        let contacts = grasp.contacts().iter().zip(&self.contacts).map(|(contact, placed)| {
-            let mut contact = contact.clone();
+        let mut contacts = grasp.contacts().to_vec();
+        for (contact, placed) in contacts.iter_mut().zip(&self.contacts) {
             (contact.point, contact.normal) = (placed.point, placed.normal);
             (contact.tangent, contact.command) = (Some(placed.tangent), placed.command);
-            contact
-        });
+        }
         Ok(Grasp::new(contacts)?.with(grasp.settings()))
     }
 }
@@ -150,65 +149,60 @@ impl<const C: usize> Improved<C> {
 fn placed<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>) -> Vec<Placed<C>> {
     let contacts = choice.contacts(&held.placing);
     let parts = WholeContacts::of(&choice.given);
-    let place = |(i, contact): (usize, &crate::grasp::Contact<C>)| {
-        let surface = choice.question.surfaces.get(&i).map(|surface| surface.name().to_owned());
-        let part = parts.with(&|k| k == i).into_iter().next()?;
-        Some(Placed {
-            contact: part,
-            surface,
-            point: contact.point,
-            normal: contact.normal.normalize(),
-            tangent: held.placing.tangents[i],
-            command: contact.command,
-            moved: (contact.point - choice.given[i].point).norm(),
-            pressed_with: held.placing.presses[i],
-            normal_force: held.sticking.at_rest(i)[0],
-        })
-    };
-    contacts.iter().enumerate().filter_map(place).collect()
+    let mut all = Vec::with_capacity(contacts.len());
+    for (i, contact) in contacts.iter().enumerate() {
+        for part in parts.with(&|k| k == i) {
+            all.push(Placed {
+                contact: part,
+                surface: choice.question.surfaces.get(&i).map(|surface| surface.name().to_owned()),
+                point: contact.point,
+                normal: contact.normal.normalize(),
+                tangent: held.placing.tangents[i],
+                command: contact.command,
+                moved: (contact.point - choice.given[i].point).norm(),
+                pressed_with: held.placing.presses[i],
+                normal_force: held.sticking.at_rest(i)[0],
+            });
+        }
+    }
+    all
 }
 
 fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &LastStep<C>) -> Vec<InTheWay> {
     let LastStep { step, events, bounds, rooms } = last;
     let parts = WholeContacts::of(&choice.given);
     let mut all: Vec<(usize, Binds)> = Vec::new();
-    for (event, share) in events.iter().zip(&step.events).filter(|(_, share)| **share > ROUNDED_MULTIPLIER) {
+    let mut shares: Vec<(usize, Option<usize>, f64)> = Vec::new();
+    for (event, share) in events.iter().zip(&step.events) {
         let (contact, load) = (event.condition.contact, event.condition.load);
-        let known = all.iter_mut().find_map(|(of, binds)| match binds {
-            Binds::FirstSlip { load: under, share } | Binds::Reserve { load: under, share }
-                if *of == contact && *under == load =>
-            {
-                Some(share)
+        if *share > ROUNDED_MULTIPLIER {
+            match shares.iter_mut().find(|(of, under, _)| (*of, *under) == (contact, load)) {
+                Some((.., known)) => *known += share,
+                None => shares.push((contact, load, *share)),
             }
-            _ => None,
-        });
-        match known {
-            Some(known) => *known += share,
-            None => all.push((
-                contact,
-                match choice.question.goal {
-                    ImproveGoal::FirstSlip => Binds::FirstSlip { load, share: *share },
-                    ImproveGoal::Reserve => Binds::Reserve { load, share: *share },
-                },
-            )),
         }
+    }
+    for (contact, load, share) in shares {
+        let binds = match choice.question.goal {
+            ImproveGoal::FirstSlip => Binds::FirstSlip { load, share },
+            ImproveGoal::Reserve => Binds::Reserve { load, share },
+        };
+        all.push((contact, binds));
     }
     let force = choice.unit_of_force();
     let gain = |multiplier: f64, unit: f64| multiplier * held.scale / unit;
-    for (bound, multiplier) in bounds.iter().zip(&step.bounds).filter(|(_, y)| **y > ROUNDED_MULTIPLIER) {
-        let per_newton = gain(*multiplier, force);
-        all.push((
-            bound.contact,
-            match bound.kind {
+    for (k, multiplier) in step.bounds.iter().enumerate().filter(|(_, y)| **y > ROUNDED_MULTIPLIER) {
+        if let Some(bound) = bounds.get(k) {
+            let per_newton = gain(*multiplier, force);
+            let binds = match bound.kind {
                 ConstraintKind::Sticks => Binds::Rest { per_newton },
                 ConstraintKind::Force => Binds::Force { per_newton },
-            },
-        ));
-    }
-    let of_rooms = rooms.iter().zip(step.bounds.iter().skip(bounds.len()));
-    for (contact, multiplier) in of_rooms.filter(|(_, y)| **y > ROUNDED_MULTIPLIER) {
-        let unit = choice.variables.iter().find(|v| v.contact == *contact).map_or(1.0, |v| v.unit);
-        all.push((*contact, Binds::End { per_metre: gain(*multiplier, unit) }));
+            };
+            all.push((bound.contact, binds));
+        } else if let Some(&contact) = rooms.get(k - bounds.len()) {
+            let unit = choice.variables.iter().find(|v| v.contact == contact).map_or(1.0, |v| v.unit);
+            all.push((contact, Binds::End { per_metre: gain(*multiplier, unit) }));
+        }
     }
     for (variable, [down, up]) in choice.variables.iter().zip(&step.ends) {
         if let DesignKind::Press { .. } = variable.what {
@@ -220,9 +214,11 @@ fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &Las
             }
         }
     }
-    let told = |(contact, binds): (usize, Binds)| {
-        let contact = parts.with(&|k| k == contact).into_iter().next()?;
-        Some(InTheWay { contact, binds })
-    };
-    all.into_iter().filter_map(told).collect()
+    let mut told = Vec::with_capacity(all.len());
+    for (contact, binds) in all {
+        for contact in parts.with(&|k| k == contact) {
+            told.push(InTheWay { contact, binds });
+        }
+    }
+    told
 }

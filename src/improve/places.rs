@@ -80,7 +80,7 @@ impl<const C: usize> Surface<C> {
 
     /// The largest coordinate of a corner at which parts meet, m. The rounding of places is relative to it.
     pub(super) fn largest(&self) -> f64 {
-        let of = |corners: &[SVector<f64, C>]| largest(&corners, &SVector::amax);
+        let of = |corners: &[SVector<f64, C>]| largest(corners, &SVector::amax);
         match &self.0 {
             Shape::Segments(parts) => of(parts.as_flattened()),
             Shape::Triangles(parts) => of(parts.as_flattened()),

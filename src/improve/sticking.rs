@@ -11,7 +11,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::Parameter;
-use crate::numerics::mapped;
+use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 
 /// Forces of all contacts in their frames, N.
@@ -52,8 +52,7 @@ impl<const C: usize> StickingForces<C> {
     ) -> Result<Option<Self>, Error> {
         let contacts = choice.contacts(placing);
         let with = |keep: &dyn Fn(usize, Contact<C>) -> Contact<C>| {
-            let glued = contacts.iter().enumerate().map(|(i, contact)| keep(i, glued(contact.clone())));
-            Grasp::new(glued)
+            Grasp::new(numbered(contacts.len(), &|i| keep(i, glued(contacts[i].clone()))))
         };
         let idle = |mut contact: Contact<C>| {
             (contact.command, contact.clearance) = (SVector::zeros(), 0.0);
@@ -66,7 +65,9 @@ impl<const C: usize> StickingForces<C> {
             }
             let command = contact.command;
             let mut contact = idle(contact);
-            (1..C).for_each(|axis| contact.command[axis] = command[axis]);
+            for axis in 1..C {
+                contact.command[axis] = command[axis];
+            }
             contact
         })?;
         let squeezed = with(&|i, contact| {
@@ -137,9 +138,9 @@ impl<const C: usize> StickingForces<C> {
                     let mut add = |parameter, times: f64| {
                         if times != 0.0 {
                             let forces = by(state, parameter)?;
-                            sum.iter_mut()
-                                .zip(forces)
-                                .for_each(|(sum, force)| *sum += force * (times * unit));
+                            for (sum, force) in sum.iter_mut().zip(forces) {
+                                *sum += force * (times * unit);
+                            }
                         }
                         Some(())
                     };

@@ -207,7 +207,7 @@ impl<const C: usize> Surface<C> {
     fn is_one(&self) -> Result<(), NoSurface> {
         let refused = |field, value, allowed| Err(NoSurface { field, value, allowed });
         let wrong = |points: &[SVector<f64, C>]| {
-            let mut numbers = points.iter().flat_map(|point| point.as_slice());
+            let mut numbers = points.iter().flat_map(nalgebra::Matrix::as_slice);
             numbers.find(|x| !is_moderate(**x)).copied()
         };
         let size = "finite, above 0 and at most 1e50 m";

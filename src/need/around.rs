@@ -64,7 +64,7 @@ impl Around {
             around.side(from, up, is_beyond, &amounts, tries)?;
         }
         let lows: Vec<f64> = mapped(&around.elsewhere, &low);
-        around.elsewhere = increasing(&lows).into_iter().map(|i| around.elsewhere[i].clone()).collect();
+        around.elsewhere = increasing(&lows).into_iter().map(|i| around.elsewhere[i]).collect();
         Ok(around)
     }
 
@@ -77,7 +77,7 @@ impl Around {
     ) -> Result<Option<Threshold>, Error> {
         let mut around = Self { changes: 0, until: None, elsewhere: Vec::new() };
         let up = plan.is_least;
-        let mut amounts: Vec<f64> = mapped(&known, &|(at, _)| *at);
+        let mut amounts: Vec<f64> = mapped(known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
         amounts.sort_by(f64::total_cmp);
         if !up {

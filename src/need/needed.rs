@@ -180,7 +180,7 @@ fn start<const C: usize>(grasp: &Grasp<C>, need: &Need<C>) -> f64 {
             let away = |contact: &crate::grasp::Contact<C>| {
                 (contact.point() - first.unwrap_or(contact.point())).norm()
             };
-            let width = largest(&contacts, &away);
+            let width = largest(contacts, &away);
             if width > 0.0 { width } else { 1.0 }
         }
         Sought::Angle { turn } => turn.angle(),
@@ -369,13 +369,22 @@ fn presses<const C: usize>(grasp: &Grasp<C>, squeeze: f64) -> Result<(Vec<Press>
     let Outcome::Equilibrium(state) = squeezed.solve(&Wrench::ZERO)? else { return Ok(Default::default()) };
     let parts = WholeContacts::of(grasp.contacts());
     let forces = parts.sum(&|i| state.contacts[i].force[0]);
-    let press = |part: crate::grasp::WholeContact| {
+    let mut presses = Vec::new();
+    for part in parts.with(&|_| true) {
         let force = forces[part.contact];
-        Press { part, force }
-    };
-    let joints = state.joints.iter().map(|joint| (joint.state, joint.joint.text()));
-    let drives = joints.chain(state.tendons.iter().map(|tendon| (tendon.state, tendon.tendon.text())));
+        presses.push(Press { part, force });
+    }
     // Contacts held by a constant force are at their limit by design and are not listed.
-    let at_their_limit = drives.filter(|(state, _)| *state == DriveState::Yields).map(|(_, name)| name);
-    Ok((parts.with(&|_| true).into_iter().map(press).collect(), at_their_limit.collect()))
+    let mut at_their_limit = Vec::new();
+    for joint in &state.joints {
+        if joint.state == DriveState::Yields {
+            at_their_limit.push(joint.joint.text());
+        }
+    }
+    for tendon in &state.tendons {
+        if tendon.state == DriveState::Yields {
+            at_their_limit.push(tendon.tendon.text());
+        }
+    }
+    Ok((presses, at_their_limit))
 }

@@ -66,7 +66,7 @@ fn carried<const C: usize>(shaken: &Shaken<C>, legs: usize) -> f64 {
         }
         Repeats::Walks { by, .. } => {
             let part = |motion: &BodyMotion<C>| motion.speed() / motion.reach.max(f64::MIN_POSITIVE);
-            held + (1.0 - held) / (2.0 + largest(&by, &part))
+            held + (1.0 - held) / (2.0 + largest(by, &part))
         }
         _ => held + 0.5 * (1.0 - held),
     }

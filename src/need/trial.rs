@@ -146,13 +146,13 @@ impl<const C: usize> Loading<C> {
     pub(super) fn to_balance(&self) -> Vec<Wrench<C>> {
         let mut list = vec![self.base];
         match &self.loads {
-            Loads::Each(loads) => list.extend(loads.iter().map(|load| self.base + *load * self.times)),
+            Loads::Each(loads) => list.extend(mapped(loads, &|load| self.base + *load * self.times)),
             Loads::AnyForce { base, size, point } => {
-                let along = |k: usize| {
-                    let signed = if k.is_multiple_of(2) { size * self.times } else { -size * self.times };
-                    force_at(core::array::from_fn(|a| if a == k / 2 { signed } else { 0.0 }), *point)
-                };
-                list.extend((0..2 * C).map(|k| self.base + *base * self.times + along(k)));
+                for k in 0..2 * C {
+                    let mut force = [0.0; C];
+                    force[k / 2] = if k.is_multiple_of(2) { size * self.times } else { -size * self.times };
+                    list.push(self.base + *base * self.times + force_at(force, *point));
+                }
             }
             Loads::Turn(turn) => {
                 let turn = self.so_many(turn);
@@ -175,7 +175,7 @@ impl<const C: usize> Loading<C> {
         let (besides, times) = (self.base, self.times);
         Ok(match &self.loads {
             Loads::Each(loads) => {
-                let ramps: Vec<_> = mapped(&loads, &|load| Ramp::load(besides, *load * times));
+                let ramps: Vec<_> = mapped(loads, &|load| Ramp::load(besides, *load * times));
                 self.all(&ramps, demand, first)?
             }
             Loads::AnyForce { base, size, point } => {

@@ -258,7 +258,7 @@ impl Needed {
                     return times;
                 }
                 if let Some(force) = alike(presses) {
-                    let names: Vec<_> = mapped(&presses, &|press| press.part.text());
+                    let names: Vec<_> = mapped(presses, &|press| press.part.text());
                     let at =
                         if names.len() > MOST_NAMES { "every contact".to_owned() } else { listed(&names) };
                     return format!("{} N at {at}", words.number(force));
@@ -331,7 +331,7 @@ fn roughly(amount: f64, up: bool) -> f64 {
 
 /// The drives at their limit, if there are any: "motor is at its limit and presses no harder".
 fn at_limit(drives: &[String]) -> Option<String> {
-    let names: Vec<_> = mapped(&drives, &|name| printable(name));
+    let names: Vec<_> = mapped(drives, &|name| printable(name));
     let are = match names.len() {
         0 => return None,
         1 => "is at its limit and presses",

@@ -71,7 +71,7 @@ pub fn charts_of_cycles<const C: usize>(
     for (k, tip) in order.iter().enumerate() {
         let (name, curve) = (tips[*tip].name.clone(), &slides[*tip].curve);
         let stroke = if k < PALETTE.len() { Stroke::Line } else { Stroke::Dashed };
-        slips = slips.series(name.clone(), mapped(&curve, &|(x, slip, _)| (*x, *slip)), stroke);
+        slips = slips.series(name.clone(), mapped(curve, &|(x, slip, _)| (*x, *slip)), stroke);
         let of_the_last: Vec<_> = curve.iter().filter(|(x, ..)| *x >= last - 1.0).collect();
         let slips = || of_the_last.iter().map(|(_, slip, _)| *slip);
         if slips().fold(f64::MIN, f64::max) - slips().fold(f64::MAX, f64::min) > no_slip * farthest {

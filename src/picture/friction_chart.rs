@@ -130,7 +130,7 @@ impl<const C: usize> Drawn<'_, C> {
 fn part_used<const C: usize>(tip: &ContactGroup, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
     let (answers, contacts) = (&state.contacts[tip.contacts.clone()], &contacts[tip.contacts.clone()]);
     // The ratio is meaningless for forces that are rounding.
-    let force = largest(&answers, &|answer| answer.force.norm());
+    let force = largest(answers, &|answer| answer.force.norm());
     if force > 0.0 && without_rounding(force, state) == 0.0 {
         return f64::NAN;
     }

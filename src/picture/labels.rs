@@ -37,7 +37,7 @@ impl Labels {
 
     /// Writes lines beside their point without touching other names; only the first line if there is no room for all.
     pub(super) fn write(&mut self, paper: &mut Sheet, point: Place, words: &[&str], size: f64) {
-        let words: Vec<_> = mapped(&words, &|line| shortened(line, 36));
+        let words: Vec<_> = mapped(words, &|line| shortened(line, 36));
         for count in [words.len(), 1] {
             let sizes: Vec<_> = mapped(&words[..count], &|line| plaque_size(line, size));
             let wide = largest(&sizes, &|line| line.0);

@@ -71,7 +71,7 @@ impl<'a> PlanarPicture<'a> {
     /// Draws the outline of each of [several bodies](crate::grasp::Bodies), in order; an empty outline omits a body.
     #[must_use]
     pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
-        let points = |corners: Outline| mapped(&corners, &|corner| Vector2::from(*corner));
+        let points = |corners: Outline| mapped(corners, &|corner| Vector2::from(*corner));
         self.outlines = outlines.into_iter().map(points).collect();
         self
     }

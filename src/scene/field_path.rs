@@ -63,7 +63,7 @@ fn field_path(read: &[u8], around: bool) -> String {
                 match &mut present.element {
                     Some(element) => {
                         *element += 1;
-                        path.push_str(&format!("[{element}]"));
+                        path.extend(["[", &element.to_string(), "]"]);
                     }
                     None => name_next = true,
                 }

@@ -19,7 +19,7 @@ impl<const C: usize> Setup<C> {
         let mut warnings = Vec::new();
         let entries: Vec<_> = self.entries().collect();
         let name = |i: usize| entries[i].contact.label_text(i);
-        let names = |contacts: &[usize]| mapped(&contacts, &|i| name(*i));
+        let names = |contacts: &[usize]| mapped(contacts, &|i| name(*i));
         let mu = |i: usize| entries[i].contact.friction_coefficient();
         // Soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
         let much = |i: &usize| mu(*i) > 2.0 && mu(*i).is_finite();
@@ -180,7 +180,7 @@ pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
 
 /// The largest distance from the first point; the largest of all distances is at most twice as large.
 fn spread<const C: usize>(points: &[SVector<f64, C>]) -> f64 {
-    largest(&points, &|point| (point - points[0]).norm())
+    largest(points, &|point| (point - points[0]).norm())
 }
 
 /// Whether two contacts of the same bodies are at one point with parallel normals.
@@ -200,7 +200,7 @@ fn points_out<const C: usize>(
     if C != 2 || outline.len() < 3 {
         return false;
     }
-    let size = largest(&outline, &|corner| (corner - outline[0]).norm());
+    let size = largest(outline, &|corner| (corner - outline[0]).norm());
     // A small step into the object or out of it.
     let step = normal.normalize() * (1e-3 * size);
     is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))

@@ -104,7 +104,7 @@ impl SceneNames {
             events: events.into_iter().map(|event| self.event(event)).collect(),
             steps: Vec::new(),
             small_motions_end: path.end_of_small_motions().cloned(),
-            energies: mapped(&path.energies(), &balanced),
+            energies: mapped(path.energies(), &balanced),
             step_error: path.step_error(),
         }
     }

@@ -92,7 +92,7 @@ fn number<K: Bounded>() -> Schema {
     if K::WORDS.is_empty() {
         return number;
     }
-    let words: Vec<&str> = mapped(&K::WORDS, &|(word, _)| *word);
+    let words: Vec<&str> = mapped(K::WORDS, &|(word, _)| *word);
     json_schema!({ "anyOf": [number, { "enum": words }] })
 }
 

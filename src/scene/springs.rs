@@ -17,13 +17,13 @@ impl<const C: usize> Serialize for Springs<C> {
 
 impl<'de, const C: usize> Deserialize<'de> for Springs<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        Few::read(deserializer, Self::of_given)
+        Few::<SpringStiffness, 3>::read(deserializer, Self::of_given)
     }
 }
 
 impl<const C: usize> Springs<C> {
-    fn of_given(given: Few<SpringStiffness, 3>) -> Result<Self, String> {
-        match *given.as_slice() {
+    fn of_given(given: &[f64]) -> Result<Self, String> {
+        match *given {
             [all] => Ok(Self(SVector::repeat(all))),
             [n, t] => Ok(Self(SVector::from_fn(|a, _| if a == 0 { n } else { t }))),
             ref axes if axes.len() == C => Ok(Self(SVector::from_column_slice(axes))),

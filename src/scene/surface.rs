@@ -149,7 +149,7 @@ impl<const C: usize> WrittenSurface<C> {
             }
             Shape::Cylinder { ends, radius } => Self::Cylinder { axis: ends.map(row), radius: *radius },
             Shape::Sphere { centre, radius } => Self::Sphere { centre: row(*centre), radius: *radius },
-            Shape::Triangles(parts) => Self::Triangles(mapped(&parts, &|corners| corners.map(row))),
+            Shape::Triangles(parts) => Self::Triangles(mapped(parts, &|corners| corners.map(row))),
         }
     }
 }

@@ -187,12 +187,12 @@ impl fmt::Display for Warning {
                 all(names)
             ),
             Self::SameName { contacts, name } => {
-                let numbers: Vec<_> = mapped(&contacts, &|contact| format!("contact {contact}"));
+                let numbers: Vec<_> = mapped(contacts, &|contact| format!("contact {contact}"));
                 write!(f, "{} are called {}: answers do not tell which is meant", listed(&numbers), printable(name))
             }
             Self::StiffnessLeftOut { names, stiffness, questions, .. } => {
                 let have = if names.len() == 1 { "has" } else { "have" };
-                let numbers: Vec<_> = mapped(&questions, &|question| format!("question {question}"));
+                let numbers: Vec<_> = mapped(questions, &|question| format!("question {question}"));
                 write!(
                     f,
                     "{} {have} no stiffness, and it is taken that each gives way by {} N/m in all directions: the answer to {} depends on it; say `stiffness`",
@@ -212,7 +212,7 @@ impl fmt::Display for Warning {
 
 /// A list of the names of contacts.
 fn all(names: &[String]) -> String {
-    listed(&mapped(&names, &|name| printable(name)))
+    listed(&mapped(names, &|name| printable(name)))
 }
 
 impl Scene {

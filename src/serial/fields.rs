@@ -50,7 +50,7 @@ impl<K, T: Numeric<K>> Numeric<K> for Option<T> {
 impl<K, T: Numeric<K>> Numeric<K> for Vec<T> {
     type Written = Vec<T::Written>;
     fn write(&self) -> Self::Written {
-        mapped(&self, &T::write)
+        mapped(self, &T::write)
     }
     fn read(written: Self::Written) -> Self {
         written.into_iter().map(T::read).collect()

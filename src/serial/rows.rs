@@ -40,7 +40,7 @@ impl<K: Kind, const MOST: usize> Serialize for Few<K, MOST> {
 
 impl<'de, K: Kind, const MOST: usize> Deserialize<'de> for Few<K, MOST> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        Self::read(deserializer, Ok)
+        Self::read(deserializer, |list| Ok(Self::of(list)))
     }
 }
 
@@ -48,14 +48,15 @@ impl<K: Kind, const MOST: usize> Few<K, MOST> {
     /// Reads a list and makes a `T` of it. A fault is reported before the list is left, so that a format with lines and columns adds its end.
     pub(crate) fn read<'de, D: Deserializer<'de>, T>(
         deserializer: D,
-        make: fn(Self) -> Result<T, String>,
+        make: fn(&[f64]) -> Result<T, String>,
     ) -> Result<T, D::Error> {
-        deserializer.deserialize_any(FewVisitor { make })
+        deserializer.deserialize_any(FewVisitor::<K, T, MOST> { make, kind: PhantomData })
     }
 }
 
 struct FewVisitor<K, T, const MOST: usize> {
-    make: fn(Few<K, MOST>) -> Result<T, String>,
+    make: fn(&[f64]) -> Result<T, String>,
+    kind: PhantomData<K>,
 }
 
 impl<'de, K: Kind, T, const MOST: usize> Visitor<'de> for FewVisitor<K, T, MOST> {
@@ -67,7 +68,7 @@ impl<'de, K: Kind, T, const MOST: usize> Visitor<'de> for FewVisitor<K, T, MOST>
 
     fn visit_f64<E: Error>(self, x: f64) -> Result<T, E> {
         let x = NumberVisitor::<K>::new().visit_f64(x)?;
-        (self.make)(Few::of(&[x])).map_err(E::custom)
+        (self.make)(&[x]).map_err(E::custom)
     }
 
     fn visit_u64<E: Error>(self, x: u64) -> Result<T, E> {
@@ -80,21 +81,21 @@ impl<'de, K: Kind, T, const MOST: usize> Visitor<'de> for FewVisitor<K, T, MOST>
 
     fn visit_str<E: Error>(self, word: &str) -> Result<T, E> {
         let x = NumberVisitor::<K>::new().visit_str(word)?;
-        (self.make)(Few::of(&[x])).map_err(E::custom)
+        (self.make)(&[x]).map_err(E::custom)
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<T, A::Error> {
-        let mut few = Few { values: [0.0; MOST], count: 0, kind: PhantomData };
+        let (mut values, mut count) = ([0.0; MOST], 0);
         while let Some(number) = seq.next_element::<Number<K>>()? {
-            if few.count < MOST {
-                few.values[few.count] = number.0;
+            if count < MOST {
+                values[count] = number.0;
             }
-            few.count += 1;
+            count += 1;
         }
-        if few.count > MOST {
-            return Err(A::Error::invalid_length(few.count, &self));
+        if count > MOST {
+            return Err(A::Error::invalid_length(count, &self));
         }
-        (self.make)(few).map_err(A::Error::custom)
+        (self.make)(&values[..count]).map_err(A::Error::custom)
     }
 }
 

@@ -102,7 +102,7 @@ fn cycles(many: usize) -> String {
 
 /// "the object moves 3 mm along +x", or the motion of each body.
 fn moves<const C: usize>(words: Words, by: &[BodyMotion<C>]) -> String {
-    listed(&mapped(&by, &|body| words.body_motion(body)))
+    listed(&mapped(by, &|body| words.body_motion(body)))
 }
 
 impl<const C: usize> fmt::Display for Shakedown<C> {

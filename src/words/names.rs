@@ -35,7 +35,7 @@ pub(crate) fn listed<T: fmt::Display>(names: &[T]) -> String {
             format!("{} and {} more", first.join(", "), many.len() - first.len())
         }
         [first @ .., last] => {
-            let first: Vec<_> = mapped(&first, &ToString::to_string);
+            let first: Vec<_> = mapped(first, &ToString::to_string);
             format!("{} and {last}", first.join(", "))
         }
     }

@@ -72,7 +72,7 @@ impl Words {
     pub fn numbers(self, components: &[f64]) -> String {
         let largest = components.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let clean = |x: &f64| self.number(self.beside(*x, largest));
-        format!("({})", mapped(&components, &clean).join(", "))
+        format!("({})", mapped(components, &clean).join(", "))
     }
 
     /// The number, or zero if it is rounding beside `largest`.

@@ -63,7 +63,7 @@ pub(super) struct Picture<'a> {
 /// Pictures of one page, on the same axes and with the same scale of forces.
 pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, PictureError> {
     of.iter().try_for_each(PlanarPicture::check)?;
-    let mut pictures: Vec<_> = mapped(&of, &Picture::new);
+    let mut pictures: Vec<_> = mapped(of, &Picture::new);
     let scales = pictures.iter().map(|picture| picture.scale).filter(|scale| *scale > 0.0);
     let scale = scales.fold(f64::INFINITY, f64::min);
     for picture in &mut pictures {
@@ -87,7 +87,7 @@ impl<'a> Picture<'a> {
     pub(super) fn new(of: &'a PlanarPicture<'a>) -> Self {
         let PlanarPicture { grasp, state, outlines, .. } = of;
         let contacts = grasp.contacts();
-        let points: Vec<_> = mapped(&contacts, &|contact| contact.point);
+        let points: Vec<_> = mapped(contacts, &|contact| contact.point);
         let held = [&points[..], &outlines.concat()].concat();
         let (low, high) = bounds(held.iter().copied());
         // A single contact has no extent, so that 1 m is used.
@@ -95,7 +95,7 @@ impl<'a> Picture<'a> {
             |(low, high): (Vector2<f64>, Vector2<f64>)| if low == high { 1.0 } else { (high - low).amax() };
         let load = state.map(|state| state.load).or(of.load);
         let load = load.map(|load| PlanarLoad::new(&load, low / 2.0 + high / 2.0, size((low, high))));
-        let span = size(bounds([held, grasp.links().concat()].concat().into_iter()));
+        let span = size(bounds([held, grasp.links().concat()].concat()));
         let frames: Vec<_> = grasp.frames().copied().collect();
         let tip = |tip: ContactGroup| Tip {
             middle: tip.middle(contacts),

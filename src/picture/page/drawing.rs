@@ -74,7 +74,7 @@ impl<'p> Drawing<'p> {
                 return Err(PictureError(format!("\"{}\" has {x} among its numbers", frame.label)));
             }
         }
-        let mut points: Vec<Vector3<f64>> = mapped(&page.grasp.contacts(), &Contact::point);
+        let mut points: Vec<Vector3<f64>> = mapped(page.grasp.contacts(), &Contact::point);
         for corners in page.outlines.iter().map(|line| &line.corners).chain(&page.fixtures) {
             for corner in corners {
                 points.push((*corner).into());

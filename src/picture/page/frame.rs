@@ -29,7 +29,7 @@ impl<const C: usize> Frame<C> {
 
     /// An equilibrium of a grasp whose coefficients of friction may differ from those of the page.
     pub(super) fn of(label: String, grasp: &Grasp<C>, state: &Equilibrium<C>) -> Self {
-        let friction = mapped(&grasp.contacts(), &Contact::friction_coefficient);
+        let friction = mapped(grasp.contacts(), &Contact::friction_coefficient);
         Self { friction: Some(friction), ..Self::new(label, Ok(Box::new(state.clone()))) }
     }
 

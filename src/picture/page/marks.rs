@@ -236,7 +236,7 @@ fn draw_way_out(marks: &mut Vec<Mark>, way: &MovedLines) {
 }
 
 fn points(corners: &[[f64; 3]]) -> Vec<Point> {
-    mapped(&corners, &|corner| Point::from(*corner))
+    mapped(corners, &|corner| Point::from(*corner))
 }
 
 /// A line closed back to its first corner; for two corners the line between them, for fewer `None`.

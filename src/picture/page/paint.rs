@@ -16,14 +16,14 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
     for mark in marks {
         match mark {
             Mark::Line { corners, ink, width, dashes } => {
-                let corners: Vec<_> = mapped(&corners, &|corner| eye.see(corner));
+                let corners: Vec<_> = mapped(corners, &|corner| eye.see(corner));
                 let pieces = dashes.map_or_else(|| pairs(&corners), |(on, off)| dashed(&corners, on, off));
                 for ends in pieces {
                     painting.line(ends, *ink, *width);
                 }
             }
             Mark::Edge { corners } => {
-                let corners: Vec<_> = mapped(&corners, &|corner| eye.see(corner));
+                let corners: Vec<_> = mapped(corners, &|corner| eye.see(corner));
                 for ends in pairs(&corners) {
                     painting.line(ends, shade(f64::midpoint(ends[0].z, ends[1].z)), 1.2);
                 }
@@ -42,7 +42,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                 }
             }
             Mark::Cone { apex, rim, ink } => {
-                let rim: Vec<_> = mapped(&rim, &|point| eye.see(point));
+                let rim: Vec<_> = mapped(rim, &|point| eye.see(point));
                 cone(&mut painting, &eye.see(apex), &rim, *ink);
             }
             Mark::Dot { at, radius, ink, open } => painting.dot(eye.see(at), *radius, *ink, *open),

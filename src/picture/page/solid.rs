@@ -12,7 +12,7 @@ pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
 }
 
 fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
-    let rings = mapped(&outlines, &|outline| rings(&outline.corners)).concat();
+    let rings = mapped(outlines, &|outline| rings(&outline.corners)).concat();
     // A ring of fewer corners is a face of an edged body, or the line of a handle, and the space to the next
     // ring may be empty.
     let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= 8));

@@ -78,7 +78,7 @@ impl SpatialPage {
             grasp: grasp.clone(),
             title: title.into(),
             outlines: Vec::new(),
-            fixtures: mapped(&grasp.links(), &|bone| bone.map(<[f64; 3]>::from).to_vec()),
+            fixtures: mapped(grasp.links(), &|bone| bone.map(<[f64; 3]>::from).to_vec()),
             frames: Vec::new(),
             actuators: Actuators::of(grasp),
         }

@@ -43,7 +43,7 @@ pub(super) fn vector(components: &[f64]) -> String {
     if let [one] = components {
         return short(*one);
     }
-    format!("({})", mapped(&components, &|x| short(clean(x))).join(", "))
+    format!("({})", mapped(components, &|x| short(clean(x))).join(", "))
 }
 
 /// The proof that no equilibrium exists, in words.
