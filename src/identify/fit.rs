@@ -7,7 +7,7 @@ use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
-use crate::numerics::{SingularValues, mapped};
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// The end of a search.
@@ -224,10 +224,16 @@ pub(super) fn singular(
     residuals: &[f64],
     weights: &[f64],
 ) -> (Vec<f64>, DMatrix<f64>, Vec<f64>) {
-    let (rows, columns) = jacobian.shape();
-    let matrix = DMatrix::from_fn(rows, columns, |i, j| weights[i] * jacobian[(i, j)]);
-    let right = DVector::from_fn(rows, |i, _| weights[i] * residuals[i]);
-    let found = SingularValues::of(&matrix);
-    let along = found.along_left(&right);
-    (found.values, found.right, along)
+    let columns = jacobian.ncols();
+    // Rows of zeros if there are fewer slips than unknowns, so that the decomposition has a vector for every unknown.
+    let rows = jacobian.nrows().max(columns);
+    let weighted = |i: usize, x: f64| if i < weights.len() { weights[i] * x } else { 0.0 };
+    let matrix =
+        DMatrix::from_fn(rows, columns, |i, j| weighted(i, jacobian.get((i, j)).copied().unwrap_or(0.0)));
+    let right = DVector::from_fn(rows, |i, _| weighted(i, residuals.get(i).copied().unwrap_or(0.0)));
+    let svd = matrix.svd(true, true);
+    let along =
+        svd.u.as_ref().map_or_else(|| vec![0.0; columns], |u| u.tr_mul(&right).iter().copied().collect());
+    let directions = svd.v_t.as_ref().map_or_else(|| DMatrix::identity(columns, columns), DMatrix::transpose);
+    (svd.singular_values.iter().copied().collect(), directions, along)
 }

@@ -18,7 +18,7 @@ use super::tolerances::INDISTINCT;
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Twist, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{SingularValues, largest, mapped};
+use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
 /// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
@@ -176,10 +176,10 @@ struct Equations {
     /// Orthonormal bases: displacements that change normal forces, and changes of the motion.
     springs: DMatrix<f64>,
     turns: DMatrix<f64>,
-    /// The matrix with columns of length one, the scale of each column, and the factors of the matrix.
+    /// The matrix with columns of length one, the scale of each column, and the pseudo-inverse.
     matrix: DMatrix<f64>,
     scales: DVector<f64>,
-    factors: SingularValues,
+    inverse: DMatrix<f64>,
 }
 
 impl Equations {
@@ -226,15 +226,15 @@ impl Equations {
         if !matrix.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let factors = SingularValues::of(&matrix);
+        let inverse = matrix.clone().svd(true, true).pseudo_inverse(NEGLIGIBLE).ok()?;
         let last = columns.len() - 1;
-        let told = factors.solve(&columns[last], NEGLIGIBLE)[last];
-        ((told - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, factors })
+        let told = matrix.column(last).dot(&inverse.row(last).transpose());
+        ((told - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, inverse })
     }
 
     /// The least-squares solution of least norm, for the scaled columns.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
-        self.factors.solve(change, NEGLIGIBLE).component_mul(&self.scales)
+        (&self.inverse * change).component_mul(&self.scales)
     }
 
     /// A step in units of the scaled columns.
@@ -245,10 +245,12 @@ impl Equations {
 
 /// Orthonormal bases of the span of these directions, and of its orthogonal complement.
 fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f64>) {
-    let matrix = DMatrix::from_fn(directions.len(), size, |i, j| directions[i][j]);
-    let factors = SingularValues::of(&matrix);
-    let least = NEGLIGIBLE * factors.largest();
-    let spanned = factors.values.iter().filter(|value| **value > least).count();
-    let all = factors.right;
+    // Rows of zeros, so that the decomposition contains a basis of the whole space.
+    let rows = directions.len().max(size);
+    let matrix = DMatrix::from_fn(rows, size, |i, j| directions.get(i).map_or(0.0, |row| row[j]));
+    let svd = matrix.svd(false, true);
+    let all = svd.v_t.map_or_else(|| DMatrix::identity(size, size), |v| v.transpose());
+    let most = svd.singular_values.max();
+    let spanned = svd.singular_values.iter().filter(|value| **value > NEGLIGIBLE * most).count();
     (all.columns(0, spanned).into_owned(), all.columns(spanned, size - spanned).into_owned())
 }

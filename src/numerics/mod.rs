@@ -6,7 +6,6 @@
 //! | `orthogonal` | rank-revealing orthogonal factors of a tall matrix with graded rows |
 //! | `gram_schmidt` | its orthogonalisation, column by column |
 //! | `orthonormal_set` | the part of a vector across orthonormal vectors |
-//! | `singular_values` | singular values and vectors of a matrix |
 //! | `complete_pivoting` | LU with rank, kernels and the unreachable part of a right-hand side |
 //! | `cores` | work spread over the cores |
 //! | `partial_pivoting` | LU of a matrix far from singular |
@@ -72,7 +71,6 @@ mod partial_pivoting;
 mod positive_band;
 mod pseudo_random;
 mod ray_shooting;
-mod singular_values;
 mod square_root;
 mod student_t;
 mod support;
@@ -112,7 +110,6 @@ pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{RayExit, shoot};
-pub(crate) use singular_values::SingularValues;
 pub(crate) use square_root::square_root;
 #[cfg(feature = "std")]
 pub(crate) use std::sync::OnceLock as Once;

@@ -9,7 +9,6 @@ use nalgebra::{DMatrix, DVector};
 
 use super::cycle::Scale;
 use crate::load_path::CycleState;
-use crate::numerics::SingularValues;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
@@ -31,8 +30,9 @@ impl<'p> Recurrence<'p> {
             let places = &places[n - modes - 2..];
             let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).collect();
             let (last, others) = changes.split_last()?;
-            let decomposed = SingularValues::of(&DMatrix::from_columns(others));
-            let coefficients = decomposed.solve(last, SOLVED_ROUNDING * decomposed.largest());
+            let decomposed = DMatrix::from_columns(others).svd(true, true);
+            let rank = SOLVED_ROUNDING * decomposed.singular_values.max();
+            let coefficients = decomposed.solve(last, rank).ok()?;
             let told = others.iter().zip(coefficients.iter());
             let left = told.fold(last.clone(), |left, (change, weight)| left - change * *weight);
             let coefficients = coefficients.iter().copied().collect();
