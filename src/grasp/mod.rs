@@ -74,7 +74,9 @@ pub use motion::Motion;
 pub use payload::{ArmMotion, Payload};
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
-pub(crate) use rotation::{Space, assert_plane_or_space, of_axes, of_the_object};
+#[cfg(feature = "serde")]
+pub(crate) use rotation::of_the_object;
+pub(crate) use rotation::{Space, assert_plane_or_space, of_axes};
 pub(crate) use scaled::PressOfPart;
 pub(crate) use site::{Site, size_of};
 pub(crate) use stiffness::Stiffness;
