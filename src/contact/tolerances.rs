@@ -4,6 +4,11 @@
 /// several edges at once, and edges reached together must count as one event.
 pub(crate) const ZERO_SLACK: f64 = 5e-14;
 
+/// Upper bound of the slack for rounding, relative to the size of a condition, where a piece amplifies rounding.
+///
+/// Smaller, true answers of badly conditioned pieces are refused. Larger, conditions that are broken count as kept.
+pub(crate) const MOST_SLACK: f64 = 1e-10;
+
 /// A force below this part of its size is zero: the contact is at the apex of its cone. Looser than [`ZERO_SLACK`], since facets
 /// that meet near the apex cannot be distinguished there.
 pub(crate) const WEIGHTLESS: f64 = 1e-12;

@@ -96,6 +96,7 @@ mod sticking_path;
 mod stopped;
 mod straight;
 mod stretch;
+mod tolerances;
 mod trajectory;
 mod transition;
 mod turn;
