@@ -17,10 +17,6 @@ use crate::prelude::*;
 use crate::proofs;
 use crate::structured::propose_by_newton;
 
-/// From this many contacts on, the kinematic form is solved on lists of contact states first. Its pivots are cheaper from three contacts
-/// on, but with few contacts the dense solver's path is kept: another covering vector may end in another of several equilibria.
-const STRUCTURED_FROM: usize = 8;
-
 /// Contacts that would pull are open; all others stick.
 pub(super) fn touching_contacts_stick(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
     let found = touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone());
@@ -38,7 +34,9 @@ pub(super) fn newton_on_answers(scene: &TrialScene<'_, '_>, log: &mut Log) -> At
 
 /// Lemke's method on the kinematic form, on lists of contact states: a pivot costs a few numbers a contact.
 pub(super) fn kinematic_form_on_states(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
-    if scene.problem.len() < STRUCTURED_FROM {
+    // From this many contacts on, the kinematic form is solved on lists of contact states first. Its pivots are cheaper from three contacts on,
+    // but with few contacts the dense solver's path is kept: another covering vector may end in another of several equilibria.
+    if scene.problem.len() < 8 {
         return Attempt::Nothing;
     }
     let propose = |problem: &Problem, log: &mut Log| propose_structured(scene, problem, log);
