@@ -15,3 +15,9 @@ pub(crate) const WEIGHTLESS: f64 = 1e-12;
 
 /// Added to every size: below it, intermediate results are subnormal and lose relative precision.
 pub(crate) const SMALLEST: f64 = 1e-250;
+
+/// Arcs are not divided below this angle. A wedged object travels the farther the flatter its taper is. Where fingers are symmetric but for
+/// 1e-8 of their normals, directions of slip matter to that angle; below it the distance that contradicts is rounding.
+///
+/// Smaller, a search divides arcs whose contradiction is rounding; larger, wedged objects are not decided.
+pub(super) const NARROWEST_ARC: f64 = 1e-8;

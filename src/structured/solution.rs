@@ -6,7 +6,7 @@ use super::basis::TRIAL;
 use super::path::Path;
 use crate::contact::{PolygonState, SMALLEST};
 use crate::numerics::{Bordered, Vector};
-use crate::object::{CORRECTIONS, Facet, Problem};
+use crate::object::{Facet, Problem};
 use crate::prelude::*;
 
 /// Relative imbalance of forces that counts as balance: the rest is mostly
@@ -106,7 +106,8 @@ impl Path {
         let zero = Vector::zeros();
         let factors = Bordered::new(&self.sums.stiffness, &zero, &zero, 1.0)?;
         let mut y = factors.solve(&self.sums.sides[TRIAL], 0.0).0;
-        for _ in 0..CORRECTIONS {
+        // Corrections of a motion from such sums by the imbalance of its forces, summed anew: the second removes the rounding of the first.
+        for _ in 0..2 {
             let (mut left, mut size) = (Vector::zeros(), 0.0);
             for (contact, local) in self.form.locals.iter().enumerate() {
                 let seen = &local.contact.seen;
