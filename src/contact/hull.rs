@@ -55,7 +55,7 @@ impl Label {
     pub(super) fn sector(&self) -> Sector {
         match self {
             Self::Friction(sector) | Self::Sticking(sector) | Self::Sliding(sector) => *sector,
-            Self::Anything | Self::Open | Self::Closed => Sector::WHOLE,
+            Self::Anything | Self::Open | Self::Closed => Sector::FULL_TURN,
         }
     }
 
@@ -84,7 +84,7 @@ impl Label {
 }
 
 impl Sector {
-    const WHOLE: Self = Self { from: -PI, to: PI };
+    const FULL_TURN: Self = Self { from: -PI, to: PI };
 
     /// The unit tangent in the sector that is farthest along a vector.
     pub(super) fn most_along(&self, a: &SVector<f64, 3>) -> SVector<f64, 3> {
@@ -205,7 +205,8 @@ impl LocalLaw<'_> {
         match label {
             // Where slips may have any direction, the tangential stretch does not restrict friction.
             Label::Anything | Label::Closed => {
-                for t in Sector::WHOLE.around().into_iter().filter(|t| t[0].hypot(t[1]) > 1.0 + NARROWEST_ARC)
+                for t in
+                    Sector::FULL_TURN.around().into_iter().filter(|t| t[0].hypot(t[1]) > 1.0 + NARROWEST_ARC)
                 {
                     push(normal, on_cone(t));
                 }

@@ -4,11 +4,11 @@
 use crate::prelude::*;
 
 /// Order of the error of a step in its length.
-const ORDER: f64 = 8.0;
+const ERROR_ORDER: f64 = 8.0;
 /// The next step aims at a sixth of the allowed error: fewer steps are refused, and errors of many steps add up.
 const CAUTION: f64 = 0.8;
-/// Bounds of the ratio of successive step lengths, since the estimate holds for small changes.
-const SHORTER: f64 = 0.2;
+/// Least ratio of successive step lengths, since the estimate holds for small changes.
+const LEAST_RATIO: f64 = 0.2;
 
 /// State of the step control along an arc.
 #[derive(Debug, Clone, Copy)]
@@ -64,8 +64,9 @@ impl Pace {
 
     /// Records a step, given its error as a part of the allowed one. A step shortened to end at an event does not speak against longer ones.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
+        // Largest ratio of successive step lengths, for the same reason as the least one.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
-        let next = length * (CAUTION * part.powf(-1.0 / ORDER)).clamp(SHORTER, longest);
+        let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
         self.refused = 0;
         self.patience = self.patience.saturating_sub(1);
@@ -80,7 +81,7 @@ impl Pace {
 
     /// Records a refused step, given its error as a multiple of the allowed one.
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
-        self.length = Some(length * (CAUTION * times.powf(-1.0 / ORDER)).clamp(SHORTER, CAUTION));
+        self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
         // Where implicit steps do not help, an explicit one may.
         // After this many refusals in a row the other kind of step is tried.

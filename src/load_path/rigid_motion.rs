@@ -21,11 +21,11 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// Largest number of coordinates and of contacts for which the motion is computed: beyond, it takes too long.
-const MOST: usize = 64;
+const MOST_RIGID: usize = 64;
 
 /// The unit motion with which the object leaves under rates of a load that nothing balances, where no contact presses yet; `None` where one does.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
-    if rates.wrench.as_slice().len() > MOST || rates.drives.iter().any(|drive| drive.norm() > 0.0) {
+    if rates.wrench.as_slice().len() > MOST_RIGID || rates.drives.iter().any(|drive| drive.norm() > 0.0) {
         return None;
     }
     // An orthonormal basis of the motions that links resist.
@@ -44,7 +44,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     let touches = |i: &usize| matches!(rates.laws[*i], Law::Cone { .. });
     let touching: Vec<usize> = (0..rates.len()).filter(touches).collect();
     let never_slides = |i: &usize| rates.local(*i).never_slides();
-    if touching.is_empty() || touching.len() > MOST || touching.iter().any(never_slides) {
+    if touching.is_empty() || touching.len() > MOST_RIGID || touching.iter().any(never_slides) {
         return None;
     }
     let load = across(rates.wrench.clone(), &resisted);

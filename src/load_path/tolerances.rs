@@ -11,7 +11,7 @@ pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
 /// Largest correction of an event's load factor, as a part of it, by the solve at the event; a larger one means that something else is wrong.
 ///
-/// Smaller, events of soft grasps are not corrected; larger, wrong events count as corrected.
+/// Smaller, true corrections are thrown away; larger, wrong events count as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
 /// Margins below this part of their size count as zero where steps die out, because events follow each other ever faster there.

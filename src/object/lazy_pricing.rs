@@ -15,7 +15,7 @@
 //! path has turned away from e, so that the clock runs fast, all contacts are queued again for its
 //! new direction.
 
-use super::tolerances::ACROSS;
+use super::tolerances::PRICED_ACROSS;
 use crate::numerics::Vector;
 
 use crate::numerics::WaitingLine;
@@ -57,7 +57,7 @@ impl Point {
 /// gradient.
 #[inline]
 pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
-    let fastest = (-rate).max(ACROSS * gradient);
+    let fastest = (-rate).max(PRICED_ACROSS * gradient);
     if fastest > 0.0 { value.max(0.0) / fastest } else { f64::INFINITY }
 }
 
@@ -95,7 +95,7 @@ impl LazyPricing {
     pub(crate) fn speed(&self, along: &Point) -> f64 {
         let e = &self.towards;
         let forward = (along.y.dot(&e.y) + along.s * e.s).max(0.0);
-        forward + along.plus(-forward, e).size() / ACROSS
+        forward + along.plus(-forward, e).size() / PRICED_ACROSS
     }
 
     /// Advances the path by `times` a direction.

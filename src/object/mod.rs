@@ -60,4 +60,4 @@ pub(crate) use sizes::{largest_force, least_spring_force};
 pub(crate) use solution::{PieceState, SolutionMemory, Unbalanced};
 pub(crate) use sums::{Sums, are_stale};
 pub(crate) use tangent::{TangentFactors, balance, tangent_stiffness};
-pub(crate) use tolerances::{MARGIN, NO_FORCE};
+pub(crate) use tolerances::{NO_FORCE, PRICING_MARGIN};

@@ -7,9 +7,10 @@ use alloc::sync::Arc;
 
 use super::candidate::breaking;
 use super::near_states::{beside, regular};
-use super::proposals::{MOST_WORK, propose_dense};
+use super::proposals::propose_dense;
 use super::scene::{Log, TrialScene};
 use super::settings::Settings;
+use super::tolerances::MOST_WORK;
 use crate::contact::State;
 use crate::forms::{Moved, kinematic_form_among, kinematic_states};
 use crate::object::{Piece, PieceState, Problem, states_by_given_limits};

@@ -6,7 +6,7 @@ use super::enumerate::combinations;
 use super::polish::{polish, solution_near};
 use super::scene::{Log, TrialScene};
 use super::settings::Settings;
-use super::tolerances::COVERING_VECTORS;
+use super::tolerances::{COVERING_VECTORS, MANY_CONTACTS, MOST_WORK};
 use super::tree::most_cases;
 use crate::contact::State;
 use crate::forms::Form;
@@ -14,14 +14,6 @@ use crate::lcp::{self, Basis, Outcome};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::structured;
-
-/// From this many contacts on, Newton's method and the search for a separating motion come first. With few contacts Newton's method often
-/// cycles; with many hardly ever, unless stiffnesses and friction lie decades apart. Above this number a linear program hardly finds a proof
-/// that the search has missed.
-pub(super) const MANY: usize = 32;
-/// Multiplications of all paths of one rung where the caller sets no limit on pivots: about a second. With a larger limit a scene of thousands
-/// of contacts without an equilibrium takes minutes to give up; with a smaller one some solvable scenes are given up.
-pub(super) const MOST_WORK: usize = 500_000_000;
 
 /// Whether one path on a dense matrix with `times` the rows of the kinematic form is affordable. A path takes about as many
 /// pivots as there are rows.
@@ -95,7 +87,7 @@ pub(super) fn propose_dense(
         let few = problem.round || enumerable(problem, settings);
         // Covering vectors tried after a ray where there are too many contacts to try every combination.
         let retries = if few { COVERING_VECTORS } else { 16 };
-        lcp::Settings { prove_infeasible: problem.len() < MANY, retries, ..one_path }
+        lcp::Settings { prove_infeasible: problem.len() < MANY_CONTACTS, retries, ..one_path }
     };
     match form.lcp.solve_with(&lcp_settings) {
         Outcome::Solved(solution) => {
