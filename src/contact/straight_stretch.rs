@@ -26,8 +26,8 @@ use crate::prelude::*;
 
 impl LocalLaw<'_> {
     /// State and force after a straight stretch from `before`, at rest on the contact's law, to `stretch`. The slip until then is the part of
-    /// `before` beyond the springs, [`Compliance::slip`](super::Compliance::slip). In the plane and without sliding equal to [`Self::answer`], but for a contact
-    /// that closes on the way: friction acts from there on.
+    /// `before` beyond the springs, [`Compliance::slip`](super::Compliance::slip). In the plane and without sliding equal to [`Self::answer`], but
+    /// for a contact that closes on the way: friction acts from there on.
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, 3>,

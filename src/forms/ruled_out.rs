@@ -38,7 +38,7 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
     if !known {
         return false;
     }
-    // A row is clearly broken if it is below zero by this part of the largest force or jump: the form is accurate to some 1e-14.
+    // A row is clearly broken if it is below zero by this part of the largest force or jump. The form is accurate to some 1e-14.
     let broken = -NEGLIGIBLE * largest.max(most);
     let w = |i: usize| q[i] + jumps.iter().zip(z.iter()).map(|((j, _), z)| m[(i, *j)] * z).sum::<f64>();
     jumps.iter().zip(z.iter()).any(|((_, has_sign), z)| *has_sign && *z < broken)

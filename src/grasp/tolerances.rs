@@ -6,8 +6,8 @@
 /// Smaller, rounding makes a matrix indefinite; larger, an indefinite one passes.
 pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;
 
-/// Displacement by rotation, over the mean displacement of the points, up to which the words begin with the translation; above, with the
-/// rotation about its axis. Also the least speed of a body, over the fastest, at which it is named.
+/// Displacement by rotation, over the mean displacement of the points, up to which the words begin with the translation. Above it they begin with
+/// the rotation about its axis. Also the least speed of a body, over the fastest, at which it is named.
 ///
 /// Smaller, sentences name motions that hardly show; larger, they leave out bodies that move.
 pub(super) const SEEN_MOTION: f64 = 0.05;

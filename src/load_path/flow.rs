@@ -262,7 +262,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.course, Trajectory::Straight { .. });
-        // A load factor that falls by less than this part of the arclength is constant: at its maximum it is known up to the square of this.
+        // A load factor that falls by less than this part of the arclength is constant. At its maximum it is known up to the square of this.
         Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }
 

@@ -51,8 +51,8 @@ impl<'g> JumpInProgress<'g> {
 
     /// Follows the leg to its end; contacts that leave their cone on the way join.
     pub(super) fn go(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        // Most times that one contact slides, sticks and slides again within a jump: each time energy is lost, and beyond this number rounding goes
-        // in circles.
+        // Most times that one contact slides, sticks and slides again within a jump. Each time energy is lost; beyond this number rounding goes in
+        // circles.
         let mut left = 16 * self.fallen.slid.len();
         loop {
             let begin = match self.go_to_the_next_node(journey) {

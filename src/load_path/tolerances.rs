@@ -1,6 +1,6 @@
 //! The numbers below which a load path takes a value for zero, for rounding or for the same.
 //!
-//! All of them are pure numbers or angles, rad: parts of the leg, of the largest force, or of the motion that they are compared with.
+//! All of them are pure numbers, or angles in rad. They are parts of the leg, of the largest force, or of the motion that is compared.
 
 use crate::contact::ZERO_SLACK;
 
@@ -9,7 +9,7 @@ use crate::contact::ZERO_SLACK;
 /// Smaller, the equilibrium beyond differs from the end by rounding only; larger, a later event decides.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
-/// Largest correction of an event's load factor, as a part of it, by the solve at the event; a larger one means that something else is wrong.
+/// Largest correction of an event's load factor by the solve at the event, as a part of it. A larger one means that something else is wrong.
 ///
 /// Smaller, true corrections are thrown away; larger, wrong events count as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
@@ -30,8 +30,8 @@ pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 /// Smaller, rounding would seem to turn directions for ever; larger, directions that still turn count as settled.
 pub(super) const STANDS_STILL: f64 = 1e-10;
 
-/// A normal force below this part of its size, on its way to zero, does not give the direction of friction any more: its relative error is the
-/// error of the steps divided by this part.
+/// A normal force below this part of its size, on its way to zero, does not give the direction of friction any more. Its relative error is the error
+/// of the steps divided by this part.
 ///
 /// Smaller, friction follows directions that the steps have blurred; larger, a contact that still presses counts as vanishing.
 pub(super) const VANISHING_NORMAL: f64 = 1e-7;
@@ -41,7 +41,7 @@ pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 /// Smaller, steps are made of rounding; larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;
 
-/// Value of a condition on an arc that counts as zero, as a part of its size: rounding, and the error of the arc's steps, 1e-13.
+/// Value of a condition on an arc that counts as zero, as a part of its size. It is made of rounding and of the error of the arc's steps, 1e-13.
 ///
 /// Smaller, events that the steps have blurred are found twice; larger, conditions that nearly fail count as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;

@@ -124,7 +124,8 @@ impl<'g> Pieces<'g> {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
 
-    /// The length of a step along which the load turns by a quarter of a radian. Along a longer step a condition could fail and hold again at the end.
+    /// The length of a step along which the load turns by a quarter of a radian. Along a longer step a condition could fail and hold again at the
+    /// end.
     fn part_of_a_turn(&self, here: &Here) -> f64 {
         match self.segment.course {
             // Largest turn of the load in a step, rad.

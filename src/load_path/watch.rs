@@ -85,7 +85,7 @@ pub(super) fn watch(segment: &Segment<'_>, states: &[State], (factor, here): (f6
     ];
     // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate of zero may grow.
     let straight = matches!(segment.course, Trajectory::Straight { .. });
-    // The rest of a leg counts as at least this part of it, where the change of a value over the rest is compared with rounding.
+    // The rest of a leg counts as at least a hundredth of it. The change of a value over the rest is compared with rounding.
     let per_length = here.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&here.lines[contact], segment.problem.local(contact));

@@ -79,7 +79,7 @@ impl Bounded {
     ) -> Self {
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        // The term of fourth order, which the cubic leaves out, is estimated by that of third order, but by no less than this part of that of second
+        // The cubic leaves out the term of fourth order. It is estimated by that of third order, but by no less than this part of that of second
         // order. The terms of accepted steps fall from order to order at least by this factor.
         let bend = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }

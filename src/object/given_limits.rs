@@ -9,8 +9,8 @@
 //! and Newton's method finds its minimum from any start. Each step keeps a part of the stiffness of yielding springs, less from step to step. Limits
 //! of friction from the resulting normal forces come next, until no contact changes its state. The states are a proposal: some may be wrong.
 //!
-//! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV (1996):
-//! friction as a fixed point of problems with given friction.
+//! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
+//! (1996): friction as a fixed point of problems with given friction.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -196,7 +196,8 @@ impl GivenLimits {
                 let next: Vec<f64> = q.iter().zip(&step).map(|(q, step)| q + step * part).collect();
                 here = self.answers(&next);
                 let rises = -dot(&here.left, &step);
-                // A step is reduced at most eight times, while the energy rises at its end by more than this part of its initial rate of decrease.
+                // A step is reduced at most eight times. It is reduced while the energy rises at its end by more than this part of its initial rate
+                // of decrease.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
                     *q = next;
                     break;

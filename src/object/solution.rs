@@ -81,7 +81,7 @@ impl Piece {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // Where each correction leaves a constant part of the one before, a later correction by less than this part of the largest force is the
+            // Each correction may leave a constant part of the one before. A later correction by less than this part of the largest force is the
             // last.
             if self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);

@@ -8,8 +8,8 @@
 /// Smaller, balanced loads seem to drive the object off; larger, loads that do are neglected.
 pub(super) const NO_WORK: f64 = 1e-13;
 
-/// ε of the clock that says when a contact is evaluated: deviations from e count 1/ε times. With a smaller ε, a clock that turns away runs too fast; with a larger one, contacts are evaluated
-/// too early.
+/// ε of the clock that says when a contact is evaluated: deviations from e count 1/ε times. With a smaller ε, a clock that turns away runs too
+/// fast; with a larger one, contacts are evaluated too early.
 pub(super) const PRICED_ACROSS: f64 = 0.25;
 
 /// Values are reduced by this part of their terms, which exceeds their rounding: a contact that waits too long would be missed.
@@ -17,9 +17,8 @@ pub(super) const PRICED_ACROSS: f64 = 0.25;
 /// Smaller, such contacts are missed; larger, contacts are evaluated too early.
 pub(crate) const PRICING_MARGIN: f64 = 1e-13;
 
-/// Part of the springs' possible forces that counts as a force. Where a statically determinate grasp carries no force at all, three
-/// projections leave rounding of rounding of rounding (1e-45) of the forces that its springs could have from displacements of this size. With
-/// this part, noise is not compared with itself.
+/// Part of the springs' possible forces that counts as a force. A statically determinate grasp may carry no force at all. Three projections then
+/// leave 1e-45 of the forces that its springs could have from displacements of this size. With this part, noise is not compared with itself.
 ///
 /// Smaller, that noise counts as forces; larger, small forces beside large displacements do not count.
 pub(crate) const NO_FORCE: f64 = 1e-25;

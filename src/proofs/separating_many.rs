@@ -10,7 +10,8 @@
 //! with the projection P_i onto the cone. Each round is a convex problem without constraints, solved by Newton's method in a narrow band, as contacts
 //! couple few coordinates. The result is checked like any other motion.
 //!
-//! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1 (1976).
+//! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1
+//! (1976).
 
 use core::ops::Range;
 
@@ -167,7 +168,8 @@ impl PushedBack {
                 let next: Vec<f64> = v.iter().zip(&step).map(|(v, step)| v + step * part).collect();
                 missing = self.missing(&next);
                 let rises = -dot(&missing, &step);
-                // A step is reduced at most twelve times, while the energy rises at its end by more than this part of its initial rate of decrease.
+                // A step is reduced at most twelve times. It is reduced while the energy rises at its end by more than this part of its initial
+                // rate of decrease.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 12 {
                     *v = next;
                     break;

@@ -15,6 +15,6 @@ pub(crate) const LEAST_WORK: f64 = 1e-15;
 /// Smaller, a load on the boundary seems to separate; larger, true proofs are refused.
 pub(super) const CLEAR_RESIDUAL: f64 = 1e-9;
 
-/// With more coordinates at most 200 generators join: each takes a time that grows with the square of the number of coordinates,
-/// and all would take seconds.
+/// With more coordinates at most 200 generators join. Each takes a time that grows with the square of the number of coordinates, and all would take
+/// seconds.
 pub(super) const MOST_COORDINATES: usize = 600;

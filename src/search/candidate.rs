@@ -86,8 +86,8 @@ pub(super) fn admit(
         }
     }
     if exceeds(worst, ZERO_SLACK) {
-        // A violation below this (times growth) is neither rounding nor clearly a violation: the proposal is not accepted, but nothing may be
-        // concluded from its failure either.
+        // A violation below this (times growth) is neither rounding nor clearly a violation. The proposal is not accepted, but its failure proves
+        // nothing either.
         return Err(Refused { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);

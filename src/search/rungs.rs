@@ -33,8 +33,8 @@ pub(super) fn newton_on_answers(scene: &TrialScene<'_, '_>, log: &mut Log) -> At
 
 /// Lemke's method on the kinematic form, on lists of contact states: a pivot costs a few numbers a contact.
 pub(super) fn kinematic_form_on_states(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
-    // From this many contacts on, the kinematic form is solved on lists of contact states first. Its pivots are cheaper from three contacts on,
-    // but with few contacts the dense solver's path is kept: another covering vector may end in another of several equilibria.
+    // From this many contacts on, the kinematic form is solved on lists of contact states first. Its pivots are cheaper from three contacts on, but
+    // with few contacts the dense solver's path is kept. Another covering vector may end in another of several equilibria.
     if scene.problem.len() < 8 {
         return Attempt::Nothing;
     }

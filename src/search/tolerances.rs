@@ -12,6 +12,6 @@ pub(super) const COVERING_VECTORS: usize = 3;
 /// Smaller, scenes of few contacts miss proofs; larger, scenes of many wait for a search that finds nothing.
 pub(super) const MANY_CONTACTS: usize = 32;
 
-/// Multiplications of all paths of one rung where the caller sets no limit on pivots: about a second. With a larger limit a scene of thousands
-/// of contacts without an equilibrium takes minutes to give up; with a smaller one some solvable scenes are given up.
+/// Multiplications of all paths of one rung where the caller sets no limit on pivots: about a second. With a larger limit a scene of thousands of
+/// contacts without an equilibrium takes minutes to give up. With a smaller one some solvable scenes are given up.
 pub(super) const MOST_WORK: usize = 500_000_000;

@@ -43,8 +43,8 @@ impl Coarse {
         // change of states; errors that are forgotten would then add up.
         let by = 10.0 * distance + to.apart(at_once);
         let step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
-        // Distance, as a part of the largest force, below which both paths are equal up to Newton's method, and so is their next step made at once.
-        // With more, errors that are forgotten would add up.
+        // Below this distance, as a part of the largest force, both paths are equal up to Newton's method. So is their next step made at once. With
+        // more, errors that are forgotten would add up.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.apart(at_once) <= by {
             core::mem::swap(&mut self.standing, beside);
         } else {

@@ -116,8 +116,8 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.drives);
-    // Rounding of spring forces relative to the forces that their displacements would make, divided by the imbalance that may be left, to have
-    // the same scale.
+    // Rounding of spring forces, relative to the forces that their displacements would make. It is divided by the imbalance that may be left, to
+    // have the same scale.
     let rounded =
         1e-3 * springs.map(|(site, drive)| site.springs.stiffest() * site.span(drive, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {

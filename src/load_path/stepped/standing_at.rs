@@ -30,8 +30,8 @@ impl SteppedState {
     pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StandAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (drives, largest) = (segment.drives(self.fraction), self.largest_force());
-        // Friction reserve, or force to close a gap, below this part of the largest force counts as none, since the last steps are 1e-12 of a leg.
-        // With a smaller part, a contact that such a step would bring to its edge still holds, and the limit is missed.
+        // A friction reserve, or a force to close a gap, below this part of the largest force counts as none. The last steps are 1e-12 of a leg. With
+        // a smaller part, a contact that such a step would bring to its edge still holds, and the limit is missed.
         let at_an_edge = 1e-9;
         let near = largest * (at_an_edge / ZERO_SLACK);
         let law = |i: usize| {

@@ -70,24 +70,24 @@ impl<'g> Steps<'g> {
         let (from, Places { to, at_once, .. }, largest) = (&self.standing, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let way = to.apart(from) / largest;
-        // Part of the error that a step may make in proportion to its way, which is the longest of three: the fraction of the leg, the change of
-        // forces over the largest force, and the change that sticking springs would feel. The error of a direction is forgotten while that last
+        // Half the error may be made in proportion to the way of a step, which is the longest of three. They are the fraction of the leg, the change
+        // of forces over the largest force, and the change that sticking springs would feel. The error of a direction is forgotten while that last
         // change grows to the largest force.
         let even = 0.5 * self.error * length.max(way).max(twice.felt / largest);
-        // The error budget of a contact is proportional to the way of the forces over the largest one, up to this multiple of the error: the error is
-        // a third of the distance between the two paths. With more it would exceed the allowed error.
+        // The error budget of a contact is proportional to the way of the forces over the largest one, up to twice the error. The error is a third of
+        // the distance between the two paths. With more it would exceed the allowed error.
         let budget = self.error * (self.way + way).min(2.0);
         // Errors below this part of the largest force are rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
             let so_far = (from.forces[i] - self.coarse.standing.forces[i]).norm() / largest;
             // Part of a contact's remaining error budget that a step may use. With more, a few steps would use it up, and the others would have as
-            // little as if nothing were ever forgotten; with less, steps are shorter than the error requires.
+            // little as if nothing were ever forgotten. With less, steps are shorter than the error requires.
             let allowed = even.max(0.05 * (budget - so_far)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let seen = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // Part of the allowed error for what a step and its halves miss alike in one step: that happens to a contact a few times a leg.
+        // A tenth of the allowed error is for what a step and its halves miss alike. That happens to a contact a few times a leg.
         seen.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
@@ -103,8 +103,8 @@ impl<'g> Steps<'g> {
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
         let felt = most_felt(sites, &(&to.twist - &from.twist));
-        // A step is a jump if halfway the object is farther from the middle of the step than a quarter of it, and if springs would feel the step by
-        // more than a twentieth of the largest force.
+        // A step is a jump if halfway the object is farther from the middle of the step than a quarter of it. Springs must also feel the step by more
+        // than a twentieth of the largest force.
         if felt > 0.05 * largest && most_felt(sites, &off) > 0.25 * felt {
             return None;
         }
