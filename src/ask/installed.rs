@@ -5,23 +5,8 @@ use nalgebra::{DMatrix, DVector};
 use super::grasp::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
-
-/// Relative error of a tension at which Newton's method stops.
-const SAME: f64 = 1e-12;
-
-/// Most Newton steps: one is enough while no contact changes state, and each change of state takes one more.
-const STEPS: usize = 20;
-
-/// Step of the difference quotient, relative to the stretch of the link's spring under its tension. It is small, so that contacts hardly ever change
-/// state within it; if none does, the quotient is exact.
-const NUDGE: f64 = 1e-3;
-
-/// A tension with a larger relative error is refused.
-const NEAR: f64 = 1e-9;
-
-/// The allowed values in the error of a tension that is not reached.
-const HELD: &str = "one that the rest of the grasp holds against while nothing else is put on";
 
 impl<const C: usize> Grasp<C> {
     /// This grasp with commands such that links pull at rest with their given tensions.
@@ -41,26 +26,32 @@ impl<const C: usize> Grasp<C> {
         let mut commands: Vec<[f64; C]> =
             self.contacts().iter().map(|contact| contact.command.into()).collect();
         let mut off = self.missing(&commands, &told)?;
-        for _ in 0..STEPS {
+        // Most Newton steps: one is enough while no contact changes state, and each change of state takes one more.
+        for _ in 0..20 {
             let worst = off.iter().zip(&told).map(|(off, (_, force))| off.abs() / force).fold(0.0, f64::max);
-            if worst <= SAME {
+            // Relative error of a tension at which Newton's method stops.
+            if worst <= SOLVED_ROUNDING {
                 break;
             }
+            // Step of the difference quotient, relative to the stretch of the link's spring under its tension. It is small, so that contacts
+            // hardly ever change state within it; if none does, the quotient is exact.
+            let nudge = 1e-3;
             // Column k: the change of the missing tensions as the command of link k grows by a small part of the stretch of its spring.
             let mut change = DMatrix::zeros(told.len(), told.len());
             for (k, (i, force)) in told.iter().enumerate() {
                 let mut pulled = commands.clone();
-                pulled[*i][0] += NUDGE * force / stiffness[k];
+                pulled[*i][0] += nudge * force / stiffness[k];
                 change.set_column(k, &(&off - self.missing(&pulled, &told)?));
             }
             let steps = change.lu().solve(&off).filter(|steps| steps.iter().all(|x| x.is_finite()));
             let Some(steps) = steps else { break };
             for (k, (i, force)) in told.iter().enumerate() {
-                commands[*i][0] += steps[k] * NUDGE * force / stiffness[k];
+                commands[*i][0] += steps[k] * nudge * force / stiffness[k];
             }
             off = self.missing(&commands, &told)?;
         }
-        match off.iter().zip(&told).find(|(off, (_, force))| off.abs() > NEAR * force) {
+        // A tension with a larger relative error is refused.
+        match off.iter().zip(&told).find(|(off, (_, force))| off.abs() > NEGLIGIBLE * force) {
             Some((_, (i, force))) => Err(self.not_held(*i, *force)),
             None => self.with_commands(commands),
         }
@@ -83,7 +74,8 @@ impl<const C: usize> Grasp<C> {
             name: link.label_text(contact),
             field: "tension",
             value: force,
-            allowed: HELD,
+            // The allowed values in the error of a tension that is not reached.
+            allowed: "one that the rest of the grasp holds against while nothing else is put on",
         }
     }
 }

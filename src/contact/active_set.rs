@@ -10,14 +10,8 @@ use super::law::{Law, LocalLaw};
 use super::state::{Mode, State};
 use super::tangential::tangential;
 use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
-
-/// Facets closer than this are one facet: on the round cone the direction of a facet reached again differs by rounding.
-const ONE_FACET: f64 = 1e-9;
-/// At the end of a slip the margin and its rate are zero up to this error of the steps.
-const TANGENT: f64 = 1e-9;
-/// A force whose rate across its direction is below this part moves straight outwards or inwards.
-const TURNED: f64 = 1e-6;
 
 /// The edges, or the apex, of its cone that a contact has reached.
 #[derive(Debug, Clone)]
@@ -52,8 +46,9 @@ impl ActiveSet {
         for exit in exits {
             // Without a facet the normal force itself vanishes, or the gap.
             if state.is_open() || exit.facet.norm() == 0.0 {
+                // Facets closer than this are one facet: on the round cone the direction of a facet reached again differs by rounding.
                 self.apex = true;
-            } else if !self.facets.iter().any(|facet| (facet - exit.facet).norm() <= ONE_FACET) {
+            } else if !self.facets.iter().any(|facet| (facet - exit.facet).norm() <= NEGLIGIBLE) {
                 self.facets.push(exit.facet);
             }
         }
@@ -180,10 +175,12 @@ impl LocalLaw<'_> {
         let (p, weight) = (friction.normalize(), cone.round_weight());
         let rate = tangential(&line.rate);
         let across = (rate - p * p.dot(&rate)).norm();
-        let on_the_edge = cone.round_margin(&line.force) <= TANGENT * line.force_size * weight;
+        // At the end of a slip the margin and its rate are zero up to this error of the steps.
+        let on_the_edge = cone.round_margin(&line.force) <= NEGLIGIBLE * line.force_size * weight;
+        // A force whose rate across its direction is below this part moves straight outwards or inwards.
         on_the_edge
-            && cone.facet_margin(&line.rate, &p) <= TANGENT * line.rate_size * weight
-            && across > TURNED * line.rate_size * weight
+            && cone.facet_margin(&line.rate, &p) <= NEGLIGIBLE * line.rate_size * weight
+            && across > 1e-6 * line.rate_size * weight
     }
 
     /// A state of the rates, with facets numbered among those of the edge, as a state among the facets of the whole law. On the round cone it is the

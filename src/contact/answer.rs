@@ -23,15 +23,6 @@ use super::tangential::{cross, tangential_norm};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Most Newton steps on the secular equation. Starting from its lower bound, each step gains digits.
-const STEPS: usize = 60;
-/// A step shorter than this part of λ is the last.
-const LAST: f64 = 1e-8;
-/// Largest starting λ, as a multiple of the compliance of the stiffest spring: beyond, squares underflow.
-const FAR: f64 = 1e100;
-/// Least r, as a part of the traction. With r = 0 every λ is too small; with this one S is negligible beside K.
-const NO_FRICTION: f64 = 1e-200;
-
 /// State and force of a contact at a stretch.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ContactResponse {
@@ -185,17 +176,22 @@ impl LocalLaw<'_> {
 /// The secular equation 1/|S v| = 1/r of trust regions is nearly linear in λ and concave. From any start Newton's steps
 /// lead left of the root; from there they increase towards the root and never pass it.
 fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
-    let excess = traction / r.max(traction * NO_FRICTION);
+    // Least r, as a part of the traction. With r = 0 every λ is too small; with this one S is negligible beside K.
+    let excess = traction / r.max(traction * 1e-200);
     if springs.is_isotropic() {
         return springs.give_along(1, excess - 1.0);
     }
     let unit = trial / traction;
     // A larger start makes squares underflow, and no step would lead back.
-    let mut lambda = if near * springs.stiffest() < FAR { near } else { 0.0 };
+    // Largest starting λ, as a multiple of the compliance of the stiffest spring: beyond, squares underflow.
+    let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
     // A backward slip, λ < 0, is bounded by the softer axis. It also stays above -1/k of the stiffer axis, where 1 + λk vanishes.
     let [soft, stiff] = springs.tangential_range();
-    let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - LAST) / stiff) };
-    for _ in 0..STEPS {
+    // A step shorter than this part of λ is the last.
+    let last = 1e-8;
+    let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };
+    // Most Newton steps on the secular equation. Starting from its lower bound, each step gains digits.
+    for _ in 0..60 {
         let softened = springs.softened(lambda);
         let (mut square, mut slope) = (0.0, 0.0);
         for a in 1..3 {
@@ -209,7 +205,7 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
         }
         lambda = (lambda + step).max(least);
         // The error after a step is of the order of its square.
-        if step.abs() <= LAST * lambda.abs() {
+        if step.abs() <= last * lambda.abs() {
             break;
         }
     }

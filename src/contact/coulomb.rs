@@ -10,10 +10,6 @@ use super::tangential::tangential_norm;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Coefficient in place of infinite friction where a contact with infinite friction must open: only then does it need facets.
-/// It is multiplied by the root of k_n/k_t where that exceeds one.
-const INSTEAD_OF_INFINITE_FRICTION: f64 = 1e8;
-
 /// A coefficient of friction, 0 to infinity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Coulomb {
@@ -44,7 +40,9 @@ impl Coulomb {
         if self.mu.is_finite() {
             return self;
         }
-        Self { mu: INSTEAD_OF_INFINITE_FRICTION * springs.ratio_to_the_last().sqrt().max(1.0) }
+        // Coefficient in place of infinite friction where a contact with infinite friction must open: only then does it need facets. It is multiplied
+        // by the root of k_n/k_t where that exceeds one.
+        Self { mu: 1e8 * springs.ratio_to_the_last().sqrt().max(1.0) }
     }
 
     /// `μ F_n`, the most that a tangential force can be.

@@ -8,14 +8,6 @@ use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
 use crate::prelude::*;
 
-/// Newton's steps on the margin of a round cone: each doubles the correct digits of the quadratic's root.
-const POLISHING_STEPS: usize = 3;
-/// Polishing has not converged if its last step moves the root by more than this part of the distance from the apex. The next step would
-/// move the root by the square of that.
-const POLISHED: f64 = 1e-8;
-/// Most Newton's steps down from the apex. Near it the margin bends within a distance of rounding; farther off each step doubles the digits.
-const MOST_DESCENTS: usize = 60;
-
 /// An exit from the cone: the step to it, and the uncertainty of that step from rounding.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Exit {
@@ -167,7 +159,8 @@ impl LocalLaw<'_> {
         // Close to a double root the discriminant cancels. The margin μF_n - |F_t| itself is concave and does not cancel: Newton's
         // method on it restores the digits.
         let mut moved = 0.0;
-        for _ in 0..POLISHING_STEPS {
+        // Newton's steps on the margin of a round cone: each doubles the correct digits of the quadratic's root.
+        for _ in 0..3 {
             let at = t0 + t1 * step;
             let slope = n1 - leaves(&at).dot(&t1);
             let better = step - (n0 + n1 * step - at.norm()) / slope;
@@ -184,7 +177,9 @@ impl LocalLaw<'_> {
             if through {
                 return Some(apex);
             }
-            if step.is_nan() || step <= 0.0 || step > apex.step || moved > POLISHED * (apex.step - step) {
+            // Polishing has not converged if its last step moves the root by more than this part of the distance from the apex. The next step would
+            // move the root by the square of that.
+            if step.is_nan() || step <= 0.0 || step > apex.step || moved > 1e-8 * (apex.step - step) {
                 // Beside the apex both roots are as close as rounding of the discriminant. The margin is negative at the apex, so Newton's
                 // method descends from there to the root before it.
                 let root = from_above(apex.step, |step| {
@@ -212,7 +207,8 @@ impl LocalLaw<'_> {
 /// The root of a concave function below a start where it is negative; `value` returns value and slope. `None` if no step leads down.
 fn from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
-    for _ in 0..MOST_DESCENTS {
+    // Most Newton's steps down from the apex. Near it the margin bends within a distance of rounding; farther off each step doubles the digits.
+    for _ in 0..60 {
         let (height, slope) = value(at);
         let better = at - height / slope;
         if !(slope < 0.0 && better > 0.0 && better < at) {

@@ -20,25 +20,9 @@ use nalgebra::SVector;
 
 use super::law::{Law, LocalLaw};
 use super::tangential::tangential_norm;
+use super::tolerances::NARROWEST_ARC;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
-
-/// A polygon around an arc has a corner for every piece of at most this angle.
-const PIECE: f64 = FRAC_PI_8;
-/// Largest angle between directions that span the slips on an arc; it must stay below a half turn.
-const SPAN: f64 = 0.6 * PI;
-/// Arcs are not divided below this angle. A wedged object travels the farther the flatter its taper is. Where fingers are symmetric but for 1e-8 of
-/// their normals, directions of slip matter to that angle; below it the distance that contradicts is rounding.
-const NARROWEST: f64 = 1e-8;
-/// Wider arcs are halved; on narrower ones the friction force and the slip determine where to divide.
-const WIDE: f64 = 1.1 * PI;
-/// Least part of an arc after a division.
-const LEAST_PART: f64 = 0.15;
-/// Directions that differ by less than this angle are equal for the choice of the first division.
-const ALIKE: f64 = 0.1;
-/// The ends of a whole turn may miss it by this angle: rounding of their difference.
-const ROUNDED: f64 = 1e-14;
-/// Tangential parts below this part of larger vectors are rounding and have no direction.
-const NO_DIRECTION: f64 = 1e-12;
 
 /// Directions of friction between two angles, the second the larger, at most a turn apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,7 +55,7 @@ impl Label {
     pub(super) fn sector(&self) -> Sector {
         match self {
             Self::Friction(sector) | Self::Sticking(sector) | Self::Sliding(sector) => *sector,
-            Self::Anything | Self::Open | Self::Closed => Sector::WHOLE,
+            Self::Anything | Self::Open | Self::Closed => Sector::FULL_TURN,
         }
     }
 
@@ -88,7 +72,8 @@ impl Label {
             (Self::Anything, [Self::Open, Self::Closed]) => true,
             (Self::Friction(whole), [Self::Sticking(a), Self::Sliding(b)]) => whole == a && whole == b,
             (Self::Closed, [Self::Friction(a), Self::Friction(b)]) => {
-                joined([a, b]).is_some_and(|whole| whole.width() >= TAU - ROUNDED)
+                // The ends of a whole turn may miss it by this angle: rounding of their difference.
+                joined([a, b]).is_some_and(|whole| whole.width() >= TAU - 1e-14)
             }
             (Self::Friction(whole), [Self::Friction(a), Self::Friction(b)])
             | (Self::Sticking(whole), [Self::Sticking(a), Self::Sticking(b)])
@@ -99,7 +84,7 @@ impl Label {
 }
 
 impl Sector {
-    const WHOLE: Self = Self { from: -PI, to: PI };
+    const FULL_TURN: Self = Self { from: -PI, to: PI };
 
     /// The unit tangent in the sector that is farthest along a vector.
     pub(super) fn most_along(&self, a: &SVector<f64, 3>) -> SVector<f64, 3> {
@@ -122,7 +107,8 @@ impl Sector {
 
     /// Points of a polygon around the arc: its ends, and the corners of tangents between them.
     fn around(&self) -> Vec<[f64; 2]> {
-        let pieces = self.pieces(PIECE);
+        // A polygon around an arc has a corner for every piece of at most this angle.
+        let pieces = self.pieces(FRAC_PI_8);
         let half = 0.5 * self.width() / f64::from(pieces);
         let reach = 1.0 / half.cos();
         let corner = |k: u8| on_circle(self.from + f64::from(2 * k + 1) * half).map(|x| x * reach);
@@ -132,7 +118,8 @@ impl Sector {
 
     /// Directions whose nonnegative combinations include every direction of the sector.
     fn spanned(&self) -> impl Iterator<Item = [f64; 2]> {
-        let pieces = self.pieces(SPAN);
+        // Largest angle between directions that span the slips on an arc; it must stay below a half turn.
+        let pieces = self.pieces(0.6 * PI);
         let step = self.width() / f64::from(pieces);
         let from = self.from;
         (0..=pieces).map(move |k| on_circle(from + step * f64::from(k)))
@@ -218,7 +205,9 @@ impl LocalLaw<'_> {
         match label {
             // Where slips may have any direction, the tangential stretch does not restrict friction.
             Label::Anything | Label::Closed => {
-                for t in Sector::WHOLE.around().into_iter().filter(|t| t[0].hypot(t[1]) > 1.0 + NARROWEST) {
+                for t in
+                    Sector::FULL_TURN.around().into_iter().filter(|t| t[0].hypot(t[1]) > 1.0 + NARROWEST_ARC)
+                {
                     push(normal, on_cone(t));
                 }
                 if *label == Label::Closed {
@@ -255,9 +244,13 @@ impl LocalLaw<'_> {
         let slip = self.springs.slip(stretch, force);
         let (traction, friction) = (tangential_norm(&pushed), tangential_norm(force));
         let angle = |x: &SVector<f64, 3>| x[2].atan2(x[1]);
-        let towards =
-            if friction > NO_DIRECTION * (force[0].abs() + traction) { angle(force) } else { angle(&pushed) };
-        let slips = tangential_norm(&self.springs.force(&slip)) > NO_DIRECTION * (friction + traction);
+        // Tangential parts below this part of larger vectors are rounding and have no direction.
+        let towards = if friction > SOLVED_ROUNDING * (force[0].abs() + traction) {
+            angle(force)
+        } else {
+            angle(&pushed)
+        };
+        let slips = tangential_norm(&self.springs.force(&slip)) > SOLVED_ROUNDING * (friction + traction);
         let slides_towards = if slips { angle(&slip) } else { towards };
         match *label {
             Label::Anything => Some([Label::Open, Label::Closed]),
@@ -265,26 +258,31 @@ impl LocalLaw<'_> {
             Label::Closed if !self.may_slide() => None,
             Label::Closed => {
                 let apart = (slides_towards - towards + PI).rem_euclid(TAU) - PI;
-                let from = towards + if apart.abs() < ALIKE { FRAC_PI_2 } else { 0.5 * apart };
+                // Directions that differ by less than this angle are equal for the choice of the first division.
+                let from = towards + if apart.abs() < 0.1 { FRAC_PI_2 } else { 0.5 * apart };
                 Some(Sector { from, to: from + TAU }.at(from + PI).map(Label::Friction))
             }
             Label::Sticking(sector) => {
                 let middle = 0.5 * (sector.from + sector.to);
-                (sector.width() > NARROWEST).then(|| sector.at(middle).map(Label::Sticking))
+                (sector.width() > NARROWEST_ARC).then(|| sector.at(middle).map(Label::Sticking))
             }
             Label::Friction(sector) | Label::Sliding(sector) => {
                 let [a, b] = [towards, slides_towards].map(|angle| sector.inside(angle));
                 let limit = self.friction.limit(force[0]).min(traction);
                 let turned = friction * (a - b).abs().min(1.0);
                 let width = sector.width();
-                if matches!(label, Label::Friction(_)) && (limit - friction).abs() > turned && width < WIDE {
+                // Wider arcs are halved; on narrower ones the friction force and the slip determine where to divide.
+                let wide = 1.1 * PI;
+                if matches!(label, Label::Friction(_)) && (limit - friction).abs() > turned && width < wide {
                     return Some([Label::Sticking(sector), Label::Sliding(sector)]);
                 }
-                let part = if width > WIDE { 0.5 } else { 0.5 * (a + b) / width };
-                let middle = sector.from + width * part.clamp(LEAST_PART, 1.0 - LEAST_PART);
+                let part = if width > wide { 0.5 } else { 0.5 * (a + b) / width };
+                // Least part of an arc after a division.
+                let least_part = 0.15;
+                let middle = sector.from + width * part.clamp(least_part, 1.0 - least_part);
                 let label =
                     if matches!(label, Label::Friction(_)) { Label::Friction } else { Label::Sliding };
-                (width > NARROWEST).then(|| sector.at(middle).map(label))
+                (width > NARROWEST_ARC).then(|| sector.at(middle).map(label))
             }
         }
     }

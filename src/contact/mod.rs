@@ -68,5 +68,5 @@ pub(crate) use springs::Spring;
 pub(crate) use state::{Mode, PolygonState, State};
 pub(crate) use tangent::Tangent;
 pub(crate) use tangential::{cross, tangential, tangential_norm};
-pub(crate) use tolerances::{SMALLEST, WEIGHTLESS, ZERO_SLACK};
+pub(crate) use tolerances::{MOST_SLACK, SMALLEST, WEIGHTLESS, ZERO_SLACK};
 pub(crate) use turning_exits::{TurningExit, Wave};

@@ -14,9 +14,6 @@ use crate::grasp::Space;
 use crate::numerics::Once;
 use crate::prelude::*;
 
-/// A sine or cosine below this is rounding of zero at a right angle.
-const ROUNDED_ZERO: f64 = 1e-15;
-
 /// Position of the polygon of m facets relative to the circle of radius one, the section of the round cone at `μ F_n = 1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
@@ -178,7 +175,8 @@ pub(crate) fn corner(h1: &SVector<f64, 3>, h2: &SVector<f64, 3>) -> SVector<f64,
 fn direction(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     // A cosine of 6e-17 instead of 0 would blur the ties of symmetric grasps.
-    [cos, sin].map(|x| if x.abs() < ROUNDED_ZERO { 0.0 } else { x })
+    // A sine or cosine below this is rounding of zero at a right angle.
+    [cos, sin].map(|x| if x.abs() < 1e-15 { 0.0 } else { x })
 }
 
 fn in_the_tangent_plane(components: &[f64]) -> SVector<f64, 3> {

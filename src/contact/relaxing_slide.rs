@@ -20,13 +20,6 @@
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Most steps towards s; each gains digits.
-const STEPS: usize = 60;
-/// A step shorter than this part of s is the last: rounding of s. A coarser limit would show as jumps to Newton's method for the object.
-const LAST: f64 = 1e-15;
-/// Largest exponent: beyond it no digit of the previous direction is left, and squares do not overflow yet.
-const FAR: f64 = 300.0;
-
 /// Two tangential springs with a constant rate of stretch while they slide.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RelaxingSlide {
@@ -48,13 +41,15 @@ impl RelaxingSlide {
         }
         let (mut low, mut high) = (per_radius / k1.max(k2), per_radius / k1.min(k2));
         let mut s = per_radius / self.stiffness(start);
-        for _ in 0..STEPS {
+        // Most steps towards s; each gains digits.
+        for _ in 0..60 {
             let (p, gone) = self.gone(start, s);
             let off = gone - per_radius;
             *(if off > 0.0 { &mut high } else { &mut low }) = s;
             let newton = s - off / self.stiffness(p);
             let next = if low <= newton && newton <= high { newton } else { 0.5 * (low + high) };
-            let last = (next - s).abs() <= LAST * s;
+            // A step shorter than this part of s is the last: rounding of s. A coarser limit would show as jumps to Newton's method for the object.
+            let last = (next - s).abs() <= 1e-15 * s;
             s = next;
             if last {
                 break;
@@ -98,7 +93,9 @@ impl RelaxingSlide {
 
     /// The direction after s at a constant stretch.
     fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
-        let y = (0.5 * self.growth * (self.tangential[1] - self.tangential[0]) * s).clamp(-FAR, FAR);
+        // Largest exponent: beyond it no digit of the previous direction is left, and squares do not overflow yet.
+        let far = 300.0;
+        let y = (0.5 * self.growth * (self.tangential[1] - self.tangential[0]) * s).clamp(-far, far);
         let q = [p[0] * (-y).exp(), p[1] * y.exp()];
         let size = q[0].hypot(q[1]);
         q.map(|x| x / size)

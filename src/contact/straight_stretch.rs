@@ -20,18 +20,14 @@ use super::relaxing_slide::RelaxingSlide;
 use super::slide::Slide;
 use super::state::Mode;
 use super::tangential::{tangential, tangential_norm};
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A traction within this part of its limit is on the cone: a step leaves that much rounding.
-const ON_THE_CONE: f64 = 1e-12;
-/// Below this relative difference of radii the logarithm is replaced by the first terms of its series.
-const ALIKE: f64 = 1e-7;
-
 impl LocalLaw<'_> {
     /// State and force after a straight stretch from `before`, at rest on the contact's law, to `stretch`. The slip until then is the part of
-    /// `before` beyond the springs, [`Compliance::slip`](super::Compliance::slip). In the plane and without sliding equal to [`Self::answer`], but for a contact
-    /// that closes on the way: friction acts from there on.
+    /// `before` beyond the springs, [`Compliance::slip`](super::Compliance::slip). In the plane and without sliding equal to [`Self::answer`], but
+    /// for a contact that closes on the way: friction acts from there on.
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, 3>,
@@ -65,7 +61,8 @@ impl LocalLaw<'_> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
-        if size >= r * (1.0 - ON_THE_CONE) && t.dot(&d) > growth * size {
+        // A traction within this part of its limit is on the cone: a step leaves that much rounding.
+        if size >= r * (1.0 - SOLVED_ROUNDING) && t.dot(&d) > growth * size {
             return Some(0.0);
         }
         // |t + τ d|² = (r + τ r')², with a negative difference inside the cone.
@@ -86,7 +83,8 @@ impl LocalLaw<'_> {
         let [r0, r1] = [from[0], normal].map(|f| self.friction.limit(f.max(0.0)));
         // ∫dτ/r over the rest of the way.
         let x = (r1 - r0) / r0;
-        let per_radius = rest / r0 * if x.abs() < ALIKE { 1.0 - 0.5 * x } else { x.ln_1p() / x };
+        // Below this relative difference of radii the logarithm is replaced by the first terms of its series.
+        let per_radius = rest / r0 * if x.abs() < 1e-7 { 1.0 - 0.5 * x } else { x.ln_1p() / x };
         let friction = tangential(from);
         let size = friction.norm();
         let mut direction = tangential(rate);
@@ -109,7 +107,7 @@ impl LocalLaw<'_> {
             force[0] = normal;
             return ContactResponse { state: Mode::Sticking, force };
         }
-        let lambda = self.springs.give_along(1, 1.0 / holds.clamp(ON_THE_CONE, 1.0) - 1.0);
+        let lambda = self.springs.give_along(1, 1.0 / holds.clamp(SOLVED_ROUNDING, 1.0) - 1.0);
         let slide = Slide::new(direction, lambda);
         let mut force = slide.direction * r;
         force[0] = normal;

@@ -5,9 +5,6 @@ use nalgebra::SVector;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Squares between this and its reciprocal lose no digits by underflow or overflow.
-const SAFE_SQUARE: f64 = 1e-280;
-
 /// The vector without its normal component.
 #[inline(always)]
 pub(crate) fn tangential(v: &SVector<f64, 3>) -> SVector<f64, 3> {
@@ -20,7 +17,9 @@ pub(crate) fn tangential(v: &SVector<f64, 3>) -> SVector<f64, 3> {
 #[inline(always)]
 pub(crate) fn tangential_norm(v: &SVector<f64, 3>) -> f64 {
     let square: f64 = v.iter().skip(1).map(|x| x * x).sum();
-    if (SAFE_SQUARE..1.0 / SAFE_SQUARE).contains(&square) {
+    // Squares between this and its reciprocal lose no digits by underflow or overflow.
+    let safe_square = 1e-280;
+    if (safe_square..1.0 / safe_square).contains(&square) {
         square.sqrt()
     } else {
         v.iter().skip(1).fold(0.0, |h: f64, x| h.hypot(*x))

@@ -10,15 +10,9 @@ use super::law::LocalLaw;
 use super::state::{Mode, State};
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
+use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{Fall, Harmonic, Trigonometric, Turning};
 use crate::prelude::*;
-
-/// Newton's steps on the margin of a round cone: each doubles the correct digits of the root of its square.
-const POLISHING_STEPS: usize = 3;
-/// Rounding of a margin's square, relative to its largest coefficient.
-const SQUARED: f64 = 16.0 * f64::EPSILON;
-/// Most change of an angle by polishing, rad: the square root of the rounding of squares, with room.
-const NEAR: f64 = 1e-3;
 
 /// A force, or a motion of the body over the finger, as a function of the angle φ from the present load.
 #[derive(Debug, Clone, Copy)]
@@ -141,7 +135,8 @@ impl LocalLaw<'_> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
         let difference = margin.square();
-        let rounding = SQUARED * (self.cone().round_weight() * wave.size).powi(2);
+        // Rounding of a margin's square, relative to its largest coefficient.
+        let rounding = ROUNDED_SUM * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),
             // Near the apex the normal force decides.
@@ -153,11 +148,13 @@ impl LocalLaw<'_> {
     fn polished(&self, wave: &Wave, angle: f64) -> f64 {
         let cone = self.cone();
         let mut step = angle;
-        for _ in 0..POLISHING_STEPS {
+        // Newton's steps on the margin of a round cone: each doubles the correct digits of the root of its square.
+        for _ in 0..3 {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
             let better = step - cone.round_margin(&at) / slope;
-            if slope < 0.0 && better > 0.0 && (better - angle).abs() <= NEAR {
+            // Most change of an angle by polishing, rad: the square root of the rounding of squares, with room.
+            if slope < 0.0 && better > 0.0 && (better - angle).abs() <= 1e-3 {
                 step = better;
             }
         }

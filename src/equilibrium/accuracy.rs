@@ -13,9 +13,6 @@ use crate::search::Rung;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Number of sign patterns with which the data are varied.
-const PATTERNS: u64 = 3;
-
 /// Estimated errors of an equilibrium, relative to the exact one with the same contact states, and its condition.
 ///
 /// The errors come from the residual of the conditions, evaluated in twice the working precision, and a solve for it. The condition comes from
@@ -69,7 +66,8 @@ impl Engine {
             }
             size(&forces)
         };
-        let most = (0..PATTERNS).map(varied).fold(0.0, f64::max);
+        // Number of sign patterns with which the data are varied.
+        let most = (0..3).map(varied).fold(0.0, f64::max);
         Some(Accuracy {
             force: size(&missing.forces) + missing.doubt,
             displacement,

@@ -6,14 +6,9 @@
 use super::answer::Equilibrium;
 use crate::contact::{Mode, State};
 use crate::grasp::Engine;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::largest_force;
 use crate::prelude::*;
-
-/// Value of a condition, over the size of its terms, below which it may be rounding of the data. Normals, arms and their products carry a few units
-/// of 1e-16, which well-posed grasps magnify a hundred times and more.
-const ROUNDING_OF_DATA: f64 = 1e-12;
-/// Value of a condition, over the estimated error, below which it may be that error.
-const ERRORS: f64 = 10.0;
 
 impl Engine {
     /// [`Grasp::distinct`](crate::ask::Grasp::distinct).
@@ -25,12 +20,15 @@ impl Engine {
         let forces = equilibrium.site_forces();
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites(), &problem.drives, twist, problem.wrench.norm(), sizes);
-        let part = |error: f64, size: f64| if size > 0.0 { ERRORS * error / size } else { 0.0 };
+        // Value of a condition, over the estimated error, below which it may be that error.
+        let part = |error: f64, size: f64| if size > 0.0 { 10.0 * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State)| {
             let at = problem.at(i, &forces[i], twist, largest);
             let of_forces = part(force_error, largest);
             let of_displacements = part(displacement_error, at.span);
-            let least = ROUNDING_OF_DATA.max(match state {
+            // Value of a condition, over the size of its terms, below which it may be rounding of the data. Normals, arms and their products carry a
+            // few units of 1e-16, which well-posed grasps magnify a hundred times and more.
+            let least = SOLVED_ROUNDING.max(match state {
                 Mode::Open => of_displacements,
                 Mode::Sticking => of_forces,
                 _ => of_forces.max(of_displacements),

@@ -19,9 +19,6 @@ use crate::search::{Settings, refute};
 
 type Rational = BigRational;
 
-/// Relative distance by which corners of polygons around arcs are moved outwards: more than the rounding of sines.
-const BEYOND_ROUNDING: f64 = 1e-15;
-
 fn exact(x: f64) -> Rational {
     Rational::from_f64(x).expect("finite")
 }
@@ -99,7 +96,8 @@ fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     let half = 0.25 * (to - from) / f64::from(pieces);
     let point = |angle: f64, reach: f64| {
         let (sin, cos) = angle.sin_cos();
-        [cos, sin].map(|x| exact(x * reach * (1.0 + BEYOND_ROUNDING)))
+        // Relative distance by which corners of polygons around arcs are moved outwards: more than the rounding of sines.
+        [cos, sin].map(|x| exact(x * reach * (1.0 + 1e-15)))
     };
     let corner = |k: i32| point(from + f64::from(2 * k + 1) * half, 1.0 / half.cos());
     (0..2 * pieces).map(corner).chain([point(from, 1.0), point(to, 1.0)]).collect()

@@ -37,6 +37,7 @@ mod questions;
 mod recomputed;
 mod refutation;
 mod residuals;
+mod tolerances;
 mod too_far;
 mod write_out;
 
@@ -57,4 +58,4 @@ pub use too_far::TooFar;
 pub(crate) use too_far::{CountedMotion, Standing, farthest};
 pub(crate) use write_out::site_states;
 
-pub(crate) use questions::ACCURATE;
+pub(crate) use tolerances::ACCURATE;

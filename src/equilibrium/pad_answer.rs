@@ -14,9 +14,6 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::{LinkKind, Words};
 
-/// Size of a sum, over the sizes of its terms, below which it is rounding.
-const ROUNDING: f64 = 1e-14;
-
 /// A soft fingertip of an equilibrium: states and forces of its points together.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -221,7 +218,8 @@ impl Engine {
                 add(axes + turn, space.displacement_of(&arm, &unit).dot(&contact.force_world));
             }
         }
-        let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= ROUNDING * size { 0.0 } else { *sum };
+        // Size of a sum, over the sizes of its terms, below which it is rounding.
+        let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= 1e-14 * size { 0.0 } else { *sum };
         Wrench::among(space, &Vector::from_slice(&sums.iter().map(clean).collect::<Vec<_>>()))
     }
 }

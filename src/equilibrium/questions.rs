@@ -4,24 +4,18 @@ use super::answer::{Equilibrium, Outcome, Undecided, WorkDone};
 use super::cone::{AnswerFor, Cone};
 use super::contact_answer::ContactState;
 use super::no_equilibrium::{NoEquilibrium, Proof};
+use super::tolerances::ACCURATE;
 use crate::contact::Polygon;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Vector;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{
     Doubt, Effort, Found, Rung, Settings, Settled, combinations, on_the_whole_line, search, settle,
     settle_at_rest,
 };
-
-/// Largest residual of an equilibrium. Usual residuals are below 1e-15; only scenes whose numbers lie apart by more than the working precision come
-/// near this.
-pub(crate) const ACCURATE: f64 = 1e-10;
-/// Largest residual on the round cone; a larger one means that Newton's method has not converged.
-const ACCURATE_ON_THE_ROUND_CONE: f64 = 1e-12;
-/// Difference of forces and of displacements, over the largest, below which two answers are the same equilibrium.
-const SAME: f64 = 1e-9;
 
 impl Engine {
     /// [`Grasp::solve`](crate::ask::Grasp::solve).
@@ -135,7 +129,8 @@ impl Engine {
 
 /// Whether the residuals are small enough for an equilibrium.
 fn accurate(equilibrium: &Equilibrium<3>) -> bool {
-    let most = if equilibrium.cone == Cone::Round { ACCURATE_ON_THE_ROUND_CONE } else { ACCURATE };
+    // Largest residual on the round cone; a larger one means that Newton's method has not converged.
+    let most = if equilibrium.cone == Cone::Round { 1e-12 } else { ACCURATE };
     equilibrium.residuals.worst() <= most
 }
 
@@ -146,11 +141,12 @@ fn same(a: &Equilibrium<3>, b: &Equilibrium<3>) -> bool {
     let travel = |e: &Equilibrium<3>| e.contacts.iter().map(|c| c.body_core.norm()).fold(0.0, f64::max);
     let motion_size = travel(a).max(travel(b));
     let contacts_agree = a.contacts.iter().zip(&b.contacts).all(|(x, y)| {
-        (x.force - y.force).norm() <= SAME * force_size
-            && (x.body_core - y.body_core).norm() <= SAME * motion_size
+        // Difference of forces and of displacements, over the largest, below which two answers are the same equilibrium.
+        (x.force - y.force).norm() <= NEGLIGIBLE * force_size
+            && (x.body_core - y.body_core).norm() <= NEGLIGIBLE * motion_size
     });
     let joints = || a.joints.iter().zip(&b.joints);
     let turn =
         joints().fold(0.0_f64, |most, (x, y)| most.max(x.displacement.abs()).max(y.displacement.abs()));
-    contacts_agree && joints().all(|(x, y)| (x.displacement - y.displacement).abs() <= SAME * turn)
+    contacts_agree && joints().all(|(x, y)| (x.displacement - y.displacement).abs() <= NEGLIGIBLE * turn)
 }

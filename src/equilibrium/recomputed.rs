@@ -5,17 +5,12 @@ use nalgebra::SVector;
 use super::cone::Cone;
 use super::contact_answer::{ContactAnswer, ContactState};
 use super::residuals::Residuals;
-use crate::contact::{Coulomb, Polygon};
+use crate::contact::{Coulomb, Polygon, SMALLEST};
 use crate::grasp::{Engine, Hold, Site, Wrench};
 use crate::numerics::Vector;
 use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
-
-/// Least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
-const SMALLEST: f64 = 1e-250;
-/// Least size of the displacements at a contact, over the largest of the scene.
-const STILL: f64 = 1e-20;
 
 /// Answer at one site: a contact, or a drive of a hand.
 struct Told<'a> {
@@ -109,6 +104,7 @@ impl Engine {
                 let give = self.sites()[i].springs.give(&answers[i].force).norm();
                 let own = problem.drives[i].norm() + contact.clearance.abs() + give;
                 let moved = translated.norm() + turned * contact.point.norm() + self.carried(i, twist).1;
+                // Least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
                 (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
             })
             .collect();
@@ -119,7 +115,8 @@ impl Engine {
             travels.push((problem.drives[i].norm() + give + moved).max(travel_terms).max(SMALLEST));
         }
         // If nothing is driven and the object stays, the displacements here are rounding of displacements elsewhere.
-        let still = STILL * travels.iter().copied().fold(0.0, f64::max);
+        // Least size of the displacements at a contact, over the largest of the scene.
+        let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
         for travel in &mut travels {
             *travel = travel.max(still);
         }

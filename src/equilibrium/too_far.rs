@@ -10,17 +10,13 @@ use nalgebra::SVector;
 use crate::contact::State;
 use crate::grasp::{Engine, WholeContact, WholeContacts};
 use crate::numerics::Vector;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, SmallMotions};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 use crate::words::{LinkKind, Words, printable};
-
-/// Contact points are apart if their distance is more than this part of their coordinates: less is the rounding of their centroid.
-const APART: f64 = 1e-12;
-/// Significant digits of limits in sentences.
-const FEW_DIGITS: usize = 2;
 
 /// The motion that is farthest beyond [`SmallMotions`].
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +70,8 @@ impl TooFar {
     /// The motion with a verb, without the name of the body or contact: "turns by more than 5.7°".
     #[must_use]
     pub fn does(&self) -> String {
-        let words = Words::with_digits(FEW_DIGITS);
+        // Significant digits of limits in sentences.
+        let words = Words::with_digits(2);
         match self {
             Self::Turns { limit, .. } => format!("turns by more than {}", words.angle(*limit)),
             Self::Slips { limit, .. } => format!("slips by more than {}", words.length(*limit)),
@@ -142,7 +139,8 @@ impl Engine {
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
         let far = self.contacts().iter().map(|contact| contact.point.amax()).fold(0.0, f64::max);
-        if self.contacts().iter().all(|contact| (contact.point - first).amax() <= APART * far) {
+        // Contact points are apart if their distance is more than this part of their coordinates: less is the rounding of their centroid.
+        if self.contacts().iter().all(|contact| (contact.point - first).amax() <= SOLVED_ROUNDING * far) {
             return f64::INFINITY;
         }
         let places = self.bodies().map_or(&[][..], |bodies| &bodies.places);

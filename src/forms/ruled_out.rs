@@ -5,12 +5,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::rows::{Form, Row};
 use crate::contact::{Mode, State};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
-
-/// A row is clearly broken if it is below zero by this part of the largest force or jump: the form is accurate to some 1e-14.
-const CLEARLY: f64 = 1e-9;
-/// Jumps larger than this multiple of the forces show that rows depend on each other; the test then excludes nothing.
-const DEPENDENT: f64 = 1e8;
 
 /// Whether these states clearly break a row of the form; `largest` is the largest force of the trial state in units of the rows. If a contact slips
 /// across two facets, the result is `false`.
@@ -37,11 +33,13 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
     let Some(z) = solved else { return false };
     let most = z.iter().fold(0.0, |most: f64, z| if z.abs() <= most { most } else { z.abs() });
     // Written so that NaN fails, too.
-    let known = most <= DEPENDENT * largest;
+    // Jumps larger than this multiple of the forces show that rows depend on each other; the test then excludes nothing.
+    let known = most <= 1e8 * largest;
     if !known {
         return false;
     }
-    let broken = -CLEARLY * largest.max(most);
+    // A row is clearly broken if it is below zero by this part of the largest force or jump. The form is accurate to some 1e-14.
+    let broken = -NEGLIGIBLE * largest.max(most);
     let w = |i: usize| q[i] + jumps.iter().zip(z.iter()).map(|((j, _), z)| m[(i, *j)] * z).sum::<f64>();
     jumps.iter().zip(z.iter()).any(|((_, has_sign), z)| *has_sign && *z < broken)
         || slack.into_iter().any(|i| w(i) < broken)

@@ -84,11 +84,6 @@ pub struct SoftFingertip<const C: usize> {
     pub(super) points: Vec<PatchPoint<C>>,
 }
 
-/// Sines and cosines below this size are zero but for rounding. A cosine of 6e-17 in place of 0
-/// would blur the ties of symmetric grasps. A ring of at most 4096 points has no other value below
-/// 3e-4.
-const ZERO: f64 = 1e-15;
-
 /// One point of the patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PatchPoint<const C: usize> {
@@ -154,7 +149,9 @@ impl SoftFingertip<3> {
         let place = |from_rim: usize, ring: &Layer, i: usize| {
             let half_spacings = 2 * i + from_rim % 2;
             let (sin, cos) = (TAU * half_spacings as f64 / (2 * points) as f64).sin_cos();
-            let clean = |x: f64| if x.abs() < ZERO { 0.0 } else { x };
+            // Sines and cosines below this size are zero but for rounding. A cosine of 6e-17 in place of 0 would blur the ties of symmetric grasps. A
+            // ring of at most 4096 points has no other value below 3e-4.
+            let clean = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
             PatchPoint {
                 offset: SVector::from([0.0, clean(cos), clean(sin)]) * (ring.distance * radius),
                 share: ring.share / points as f64,
@@ -323,12 +320,10 @@ impl<const C: usize> SoftFingertip<C> {
     }
 }
 
-/// Allowed range of lengths, in messages; see [usable].
-const NEITHER_TINY_NOR_HUGE: &str = "from 1e-50 to 1e50";
-
 pub(super) fn usable(length: f64, what: &'static str) -> Result<f64, Error> {
     let usable = (1.0 / LARGEST..=LARGEST).contains(&length);
-    check(usable, what, length, NEITHER_TINY_NOR_HUGE).map(|()| length)
+    // Allowed range of lengths, in messages; see [usable].
+    check(usable, what, length, "from 1e-50 to 1e50").map(|()| length)
 }
 
 pub(super) fn check(good: bool, what: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {

@@ -5,25 +5,11 @@ use nalgebra::SVector;
 use super::axis::Rotation;
 use super::bodies::BodyMotion;
 use super::motion::Motion;
+use super::tolerances::{LITTLE_ROUNDING, SEEN_MOTION};
 use super::wrench::{Twist, Wrench};
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 use crate::words::{Words, listed, printable};
-
-/// Displacement by rotation, over the mean displacement of the points, up to which the words begin with the translation; above, with the rotation
-/// about its axis. Also the least speed of a body, over the fastest, at which it is named.
-const SEEN: f64 = 0.05;
-/// Rotation or translation, over the other one, that counts as rounding.
-const ROUNDING: f64 = 1e-9;
-/// The same where only the motion is known, in m, and for components of a load over the largest one.
-const LITTLE_ROUNDING: f64 = 1e-13;
-/// Displacement, m, below which a point counts as at rest: less than the width of an atomic nucleus.
-const NOWHERE: f64 = 1e-15;
-
-/// Up to this number of bodies with the same motion are named one by one.
-const APART: usize = 3;
-
-/// Largest `|f·m|/(|f||m|)` at which force and moment act along one line, and so are a single force.
-const ONE_LINE: f64 = 1e-12;
 
 impl<const C: usize> Wrench<C> {
     /// Size and unit of a load that is one force or one moment.
@@ -36,7 +22,8 @@ impl<const C: usize> Wrench<C> {
         }
         let twisted =
             if C == 3 { force.iter().zip(moment).map(|(f, m)| f * m).sum::<f64>().abs() } else { 0.0 };
-        (twisted <= ONE_LINE * force_size * moment_size).then_some((force_size, "N"))
+        // Largest `|f·m|/(|f||m|)` at which force and moment act along one line, and so are a single force.
+        (twisted <= SOLVED_ROUNDING * force_size * moment_size).then_some((force_size, "N"))
     }
 }
 
@@ -83,9 +70,13 @@ impl Words {
     fn moved<const C: usize>(self, twist: &Twist<C>, points: Option<(SVector<f64, C>, f64)>) -> String {
         let (along, omega) = twist.parts();
         let (mean, spread) = points.unwrap_or((along, 0.0));
-        let turns = omega.size() > 0.0 && (points.is_none() || spread > NOWHERE.max(ROUNDING * mean.norm()));
+        // A rotation or translation below the part NEGLIGIBLE of the other one is rounding.
+        // Displacement, m, below which a point counts as at rest: less than the width of an atomic nucleus.
+        let nowhere: f64 = 1e-15;
+        let turns =
+            omega.size() > 0.0 && (points.is_none() || spread > nowhere.max(NEGLIGIBLE * mean.norm()));
         let moves = |by: &SVector<f64, C>| {
-            if by.norm() <= NOWHERE {
+            if by.norm() <= nowhere {
                 return "stays where it is".to_owned();
             }
             format!("moves {} along {}", self.length(by.norm()), self.along(&by.normalize()))
@@ -93,16 +84,17 @@ impl Words {
         if !turns {
             return moves(&mean);
         }
-        let seen = if points.is_none() { along.norm() <= omega.size() } else { spread > SEEN * mean.norm() };
+        let seen =
+            if points.is_none() { along.norm() <= omega.size() } else { spread > SEEN_MOTION * mean.norm() };
         if !seen {
             return format!("{}, turns {}", moves(&mean), self.about(&omega));
         }
         // Distance of the points from the axis, m, as the scale of rounding.
         let arm = if spread > 0.0 { spread / omega.size() } else { 1.0 };
-        let through = omega.way_to_axis(&along).map(|x| if x.abs() <= ROUNDING * arm { 0.0 } else { x });
+        let through = omega.way_to_axis(&along).map(|x| if x.abs() <= NEGLIGIBLE * arm { 0.0 } else { x });
         let turning = format!("turns {}{} m", self.about(&omega), self.point::<C>(&through));
         let pitch = omega.along_axis(&along);
-        if pitch.norm() <= ROUNDING * spread.max(mean.norm()) {
+        if pitch.norm() <= NEGLIGIBLE * spread.max(mean.norm()) {
             return turning;
         }
         format!("{turning}, {}", moves(&pitch))
@@ -122,12 +114,13 @@ impl Words {
     /// Directions of the bodies that move: "wedge moving along −x, block moving along +y".
     fn directions_of<const C: usize>(self, bodies: &[BodyMotion<C>]) -> String {
         let fastest = bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
-        let moves = bodies.iter().filter(|motion| motion.speed() > SEEN * fastest);
+        let moves = bodies.iter().filter(|motion| motion.speed() > SEEN_MOTION * fastest);
         let told =
             |motion: &BodyMotion<C>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
         let told: Vec<_> = moves.map(told).collect();
         let Some((_, first)) = told.first() else { return "moving nothing but the hand".to_owned() };
-        if told.len() > APART && told.iter().all(|(_, way)| way == first) {
+        // Up to this number of bodies with the same motion are named one by one.
+        if told.len() > 3 && told.iter().all(|(_, way)| way == first) {
             let names: Vec<_> = told.iter().map(|(name, _)| name).collect();
             return format!("{}, all {first}", listed(&names));
         }
@@ -136,7 +129,7 @@ impl Words {
 
     fn direction<const C: usize>(self, twist: &Twist<C>) -> String {
         let (along, omega) = twist.parts();
-        if omega.size() <= ROUNDING * along.norm() {
+        if omega.size() <= NEGLIGIBLE * along.norm() {
             if along.norm() > 0.0 {
                 format!("moving along {}", self.along(&along.normalize()))
             } else {
@@ -151,7 +144,7 @@ impl Words {
                 format!("turning about {}", self.along(&omega.axis()))
             };
             let turning = format!("{axis}{} m", self.point::<C>(&through));
-            if pitch.norm() <= ROUNDING * along.norm() {
+            if pitch.norm() <= NEGLIGIBLE * along.norm() {
                 turning
             } else {
                 let a_degree = self.length(pitch.norm() / omega.size().to_degrees());

@@ -49,6 +49,7 @@ mod site;
 mod stiffness;
 mod suction_cup;
 mod support;
+mod tolerances;
 mod vacuum;
 mod well_posed;
 mod whole_contact;

@@ -6,13 +6,7 @@ use super::contact::Contact;
 use super::rotation::Space;
 use super::stiffness::Stiffness;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
-
-/// Part of a tangent across the normal, over its length, up to which it counts as along the normal. Rounding turns a tangent by some 1e-16: with a
-/// smaller bound it would choose the direction of the frame. A much larger bound would refuse tangents with a clear direction.
-const ALONG_NORMAL: f64 = 1e-12;
-
-/// Least kinetic friction over that at rest: below it a sliding contact's friction force has no direction but rounding.
-const LEAST_KINETIC: f64 = 1e-6;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 impl<const C: usize> Contact<C> {
     /// The contact frame: columns n, t (and t₂), orthonormal.
@@ -30,7 +24,10 @@ impl<const C: usize> Contact<C> {
             t[1] = -n[0];
             if let Some(hint) = &self.tangent {
                 let side = hint.dot(&t);
-                if !side.is_finite() || side.abs() <= ALONG_NORMAL * hint.norm() {
+                // Part of a tangent across the normal, over its length, up to which it counts as along the normal. Rounding turns a tangent by some
+                // 1e-16: with a smaller bound it would choose the direction of the frame. A much larger bound would refuse tangents with a clear
+                // direction.
+                if !side.is_finite() || side.abs() <= SOLVED_ROUNDING * hint.norm() {
                     return Err(fault(
                         Field::Tangent,
                         length_or_culprit(hint),
@@ -53,7 +50,7 @@ impl<const C: usize> Contact<C> {
         // Projected twice, so that t₁ is orthogonal to n to the last bit even when the hint nearly points along n.
         let flat = hint - n * n.dot(&hint);
         let flat = flat - n * n.dot(&flat);
-        if flat.norm() <= ALONG_NORMAL {
+        if flat.norm() <= SOLVED_ROUNDING {
             return Err(fault(Field::Tangent, flat.norm(), "not along the normal"));
         }
         let t1 = flat.normalize();
@@ -99,8 +96,9 @@ impl<const C: usize> Contact<C> {
         if self.friction != f64::INFINITY && !(is_moderate(self.friction) && self.friction >= 0.0) {
             return fault(Field::Friction, self.friction, "from 0 to 1e50, or infinite");
         }
+        // Least kinetic friction over that at rest: below it a sliding contact's friction force has no direction but rounding.
         if let Some(kinetic) = self.kinetic
-            && !(kinetic > 0.0 && kinetic >= self.friction * LEAST_KINETIC && kinetic <= self.friction)
+            && !(kinetic > 0.0 && kinetic >= self.friction * 1e-6 && kinetic <= self.friction)
         {
             let allowed = "from a millionth of the friction coefficient at rest to all of it";
             return fault(Field::KineticFriction, kinetic, allowed);

@@ -88,7 +88,7 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
 }
 
 /// A solution at a corner of some piece with a singular block, for problems where linear programming has found none; n is at most
-/// [`MOST_ROWS_WITH_VERTICES`].
+/// [`MOST_ROWS_WITH_VERTICES`](super::tolerances::MOST_ROWS_WITH_VERTICES).
 pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     let n = lcp.len();
     let mut scaling = Scaling::default();

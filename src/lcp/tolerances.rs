@@ -31,7 +31,7 @@ pub(super) const STORED_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Such a pivot multiplies the errors of all entries by its inverse: half of the sixteen digits
 /// would be gone. Larger, dictionaries are computed afresh, at O(n³), where nothing was lost;
 /// smaller, pivots are made on noise.
-pub(super) const DOUBTFUL_PIVOT: f64 = 1e-7;
+pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 
 /// A dictionary whose values miss the data by more than this part of their terms is computed anew.
 ///

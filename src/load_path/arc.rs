@@ -22,19 +22,6 @@ use crate::numerics::Vector;
 use crate::object::{Imbalance, Piece, PieceState};
 use crate::prelude::*;
 
-/// Most Newton corrections onto the cones: a step violates them by the order of its error, and the first correction leaves the square of that.
-const CORRECTIONS: usize = 6;
-/// A state whose forces were larger than at the end by more than this factor is corrected again: it still carries their rounding.
-const FROM_AFAR: f64 = 4.0;
-const PASSES: usize = 4;
-/// Imbalance below this part of the sum of all terms, times the root of their number, is rounding.
-const BALANCED: f64 = 2e-16;
-/// Least cosine of the turn of the tangent within a step, sixty degrees: a longer step might come out reversed.
-const LEAST_COSINE: f64 = 0.5;
-
-/// A correction by more than this part of the largest force leads to another equilibrium: events leave only rounding in balance and cones.
-const CORRECTED: f64 = 1e-6;
-
 /// Contacts in fixed states along an arc.
 pub(super) struct Arc<'s, 'g> {
     pub(super) segment: &'s Segment<'g>,
@@ -189,7 +176,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         let (bordered, scale) = self.bordered(tangents, factor, along)?;
         let (x, factor) = bordered.solve(&Vector::zeros(), scale);
         let length = (x.norm_squared() + factor * factor).sqrt();
-        let turned = 1.0 / length >= LEAST_COSINE;
+        // Least cosine of the turn of the tangent within a step, sixty degrees: a longer step might come out reversed.
+        let turned = 1.0 / length >= 0.5;
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
 
@@ -222,12 +210,15 @@ impl<'s, 'g> Arc<'s, 'g> {
     ) -> Option<(PieceState, f64)> {
         let tangents = self.tangents(frictions.iter().copied());
         let (bordered, _) = self.bordered(&tangents, factor, across)?;
-        let rounding = BALANCED * ((self.sites().len() + 2) as f64).sqrt();
-        for _ in 0..PASSES {
+        // Imbalance below this part of the sum of all terms, times the root of their number, is rounding.
+        let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
+        for _ in 0..4 {
             let mut forces = self.forces_at(&twist, factor, frictions);
             let begun: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            for _ in 0..CORRECTIONS {
+            // Most Newton corrections onto the cones: a step violates them by the order of its error, and the first correction leaves the square of
+            // that.
+            for _ in 0..6 {
                 let load = self.segment.course.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
                 if left.norm() <= rounding * (load.norm() + carried) {
@@ -244,7 +235,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 let rates = self.force_rates(&tangents, &change);
                 forces.iter_mut().zip(&rates).for_each(|(force, rate)| *force += rate);
             }
-            if begun <= FROM_AFAR * ended? {
+            // A state whose forces were larger than at the end by more than this factor is corrected again: it still carries their rounding.
+            if begun <= 4.0 * ended? {
                 return Some((PieceState { forces, twist }, factor));
             }
         }
@@ -294,7 +286,8 @@ impl Segment<'_> {
         let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(PieceState, f64)| {
-            there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= CORRECTED * largest)
+            // A correction by more than this part of the largest force leads to another equilibrium: events leave only rounding in balance and cones.
+            there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =
             arc.balanced(at.twist.clone(), factor, &Direction::onward(), &frictions).filter(is_near);

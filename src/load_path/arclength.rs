@@ -10,9 +10,6 @@ use super::trajectory::Trajectory;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Largest ratio of the object's motion to the deflection of the softest spring, in the displacement that counts as much as the whole leg.
-const MOST_AMPLIFIED: f64 = 1e6;
-
 impl Pieces<'_> {
     /// Displacement of the object for one unit of the factor at the beginning; while the load turns, together with the rate a quarter turn later.
     pub(super) fn displacement_rate(&self, here: &Here) -> f64 {
@@ -25,7 +22,8 @@ impl Pieces<'_> {
             }
         }
         // Near a limit load hardly anything resists a motion, and an unbounded displacement would be no scale for others.
-        let size = size.min(MOST_AMPLIFIED * self.springs_give(here));
+        // Largest ratio of the object's motion to the deflection of the softest spring, in the displacement that counts as much as the whole leg.
+        let size = size.min(1e6 * self.springs_give(here));
         if size > 0.0 { size } else { 1.0 }
     }
 

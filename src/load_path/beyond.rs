@@ -7,12 +7,14 @@
 use nalgebra::SVector;
 
 use super::segment::Segment;
-use crate::contact::ZERO_SLACK;
+use super::tolerances::LITTLE_BEYOND;
+use crate::contact::{MOST_SLACK, ZERO_SLACK};
 use crate::equilibrium::{ContactState, NoEquilibrium, Outcome, site_states};
 use crate::forms::kinematic_form;
 use crate::grasp::{Engine, Motion, WholeContact};
 use crate::lcp;
 use crate::numerics::Vector;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
@@ -22,23 +24,6 @@ use crate::search::{
 };
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
-
-/// Upper bound of the slack for rounding, relative to the size of a condition. A condition missed by more is broken, however strongly a piece
-/// amplifies rounding.
-const MOST_ROUNDING: f64 = 1e-10;
-
-/// First distance beyond the end, as a part of the whole load or of all commands, or of the leg where there is no load.
-const A_LITTLE: f64 = 1e-6;
-/// Distances tried in turn on the round cone, where the search may not decide at a shorter one.
-const PARTS_BEYOND: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
-/// Shorter distances, where the equilibrium found beyond has nearly the forces of the end. On a continued path those forces converge to the end, on
-/// another they do not.
-const PARTS_NEARER: [f64; 2] = [1e-8, 1e-10];
-/// Distance of the proof that nothing holds under any load from the end on: a longer one makes the proof clearer.
-const FURTHER: f64 = 1e-2;
-
-/// A condition that would break within this part of the way that brought the load here counts as broken at the event.
-const FLEETING: f64 = 1e-9;
 
 /// The situation after an onset or after the end of a path.
 #[derive(Debug, Clone, PartialEq)]
@@ -132,7 +117,7 @@ pub(super) fn beyond_end(
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&here, rates));
     let separates = |v: &Vector| separates_from_here_on(&here, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
-        || separating_motion(&past(A_LITTLE)).as_ref().is_some_and(separates)
+        || separating_motion(&past(LITTLE_BEYOND)).as_ref().is_some_and(separates)
     {
         return Beyond::LimitLoad;
     }
@@ -154,7 +139,8 @@ pub(super) fn beyond_end(
         return search_beyond(&here, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        Outcome::NoEquilibrium(_) if nothing_holds(&here, &past(FURTHER)) => Beyond::LimitLoad,
+        // Distance of the proof that nothing holds under any load from the end on: a longer one makes the proof clearer.
+        Outcome::NoEquilibrium(_) if nothing_holds(&here, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
         Outcome::Equilibrium(_) => Beyond::Undecided { doubt: Doubt::OnTheBoundary },
@@ -185,13 +171,16 @@ fn from_scratch<'g>(
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
-    for part in PARTS_BEYOND {
+    // Distances tried in turn on the round cone, where the search may not decide at a shorter one.
+    for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
             // At a larger distance the search would take as many pivots again.
             Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided { doubt: Doubt::OutOfPivots },
             Settled::Undecided(doubt) => why = doubt,
             Settled::Found(found, _) => {
-                let is_another = !is_near(&found.forces, forces, part) || PARTS_NEARER.iter().any(another);
+                // Shorter distances, where the equilibrium found beyond has nearly the forces of the end. On a continued path those forces converge
+                // to the end, on another they do not.
+                let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
                 // This equilibrium may be the one that ends here, found past its end by rounding.
                 return if is_another {
                     Beyond::Snap
@@ -208,7 +197,7 @@ fn from_scratch<'g>(
 /// Whether forces could belong to a path that continues by this part: over so short a way they change by at most its square root.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
-    let near = part.min(A_LITTLE).sqrt();
+    let near = part.min(LITTLE_BEYOND).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
@@ -246,7 +235,9 @@ fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
         ) else {
             return false;
         };
-        let rounding = (ZERO_SLACK * piece.growth()).min(MOST_ROUNDING);
+        // Upper bound of the slack for rounding, relative to the size of a condition. A condition missed by more is broken, however strongly a piece
+        // amplifies rounding.
+        let rounding = (ZERO_SLACK * piece.growth()).min(MOST_SLACK);
         let mut values = Vec::new();
         for_each_condition(here, &states, &now.forces, &now.twist, |value, size| {
             values.push((value, size));
@@ -257,7 +248,8 @@ fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
             let (value, size) = values[at];
             at += 1;
             // Conditions that would break within the uncertainty of the load factor itself count as zero.
-            let fleeting = rate < 0.0 && value <= FLEETING * way * -rate;
+            // A condition that would break within this part of the way that brought the load here counts as broken at the event.
+            let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };
         });

@@ -18,16 +18,12 @@ use super::pieces::Pieces;
 use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
 use crate::grasp::Coordinates;
 use crate::numerics::Vector;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::PieceState;
 use crate::prelude::*;
 use crate::search::Found;
 
 use nalgebra::SVector;
-
-/// A contact velocity below this part of the largest that the motion could give it is rounding.
-const STILL: f64 = 1e-9;
-/// Friction resists fully where the slip is off its direction by less than the root of twice this, rad.
-const ALONG: f64 = 1e-10;
 
 /// The free motion up to the gap that closes first.
 struct FreeWay {
@@ -51,8 +47,9 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
             // The resistance refers to a unit normal stretch; the normal velocity reduces it.
+            // Friction resists fully where the slip is off its direction by less than the root of twice this, rad.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
-            -force.dot(velocity) >= most - ALONG * most.abs() - force[0] * none
+            -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
     }
 }
@@ -66,7 +63,8 @@ impl<'g> Pieces<'g> {
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
         for (i, site) in grasp.sites().iter().enumerate() {
             let velocity = site.map.tr_mul(motion);
-            let none = STILL * site.span_moved(&SVector::zeros(), motion.norm());
+            // A contact velocity below this part of the largest that the motion could give it is rounding.
+            let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);
             if self.node.states[i].is_open() || self.node.stands[i].apex && local.may_open() {

@@ -8,12 +8,6 @@ use super::segment::Here;
 use super::watch::{Watch, watch};
 use crate::prelude::*;
 
-/// Least distance of a secant step from either end of the bracket, as a part of it.
-const INSIDE: f64 = 1e-3;
-
-/// Evaluations on the way to an event: bisection alone would need 50.
-const MOST_TRIALS: usize = 80;
-
 /// The end of a step.
 pub(super) struct StepEnd {
     pub(super) length: f64,
@@ -57,10 +51,13 @@ impl Pieces<'_> {
             // The condition is met at the start already, and is violated at once.
             low.1 = 0.0;
         }
-        for trial in 0..MOST_TRIALS {
+        // Evaluations on the way to an event: bisection alone would need 50.
+        for trial in 0..80 {
             // A secant step, and every third time bisection, so that the bracket shrinks for certain.
             let part = low.1 / (low.1 - high.1);
-            let part = if trial % 3 == 2 { 0.5 } else { part.clamp(INSIDE, 1.0 - INSIDE) };
+            // Least distance of a secant step from either end of the bracket, as a part of it.
+            let inside = 1e-3;
+            let part = if trial % 3 == 2 { 0.5 } else { part.clamp(inside, 1.0 - inside) };
             let newton =
                 end.watches[k].way().map(|way| end.length + way).filter(|t| *t > low.0 && *t < high.0);
             let to = newton.unwrap_or(low.0 + (high.0 - low.0) * part);

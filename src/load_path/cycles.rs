@@ -12,13 +12,9 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Vector;
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
-
-/// A cycle is closed if its end differs from its beginning by at most this part of the largest load or command on the way.
-const CLOSED: f64 = 1e-12;
-/// Forces of a rebuilt state must agree with the given ones within this part of the largest.
-const SAME: f64 = 1e-9;
 
 /// A program of repeated cycles in progress.
 #[derive(Debug)]
@@ -93,7 +89,8 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, Pieces::at_start)?;
-        path.journey.program.check_closed(CLOSED)?;
+        // A cycle is closed if its end differs from its beginning by at most this part of the largest load or command on the way.
+        path.journey.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, gone: 0 })
     }
 
@@ -108,7 +105,12 @@ impl<'g> Cycles<'g> {
             slipped.cones = from.cones(grasp);
             // If a contact would have to slide at once, no search is needed.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
-                slipped.local(i).edges().worst(force).is_some_and(|(_, margin)| margin < -SAME * largest)
+                // Forces of a rebuilt state must agree with the given ones within this part of the largest.
+                slipped
+                    .local(i)
+                    .edges()
+                    .worst(force)
+                    .is_some_and(|(_, margin)| margin < -NEGLIGIBLE * largest)
             };
             if from.forces.iter().enumerate().any(slides) {
                 return Err(journey.undecided(0.0, Doubt::OnTheBoundary));
@@ -118,7 +120,7 @@ impl<'g> Cycles<'g> {
         let path = begin.ok()?;
         let begun = Self { path, legs: self.legs.clone(), base: self.base, gone: 0 };
         let forces = &begun.path.follower.as_ref()?.node.at.forces;
-        let is_there = forces.iter().zip(&from.forces).all(|(a, b)| (a - b).norm() <= SAME * largest);
+        let is_there = forces.iter().zip(&from.forces).all(|(a, b)| (a - b).norm() <= NEGLIGIBLE * largest);
         is_there.then_some(begun)
     }
 

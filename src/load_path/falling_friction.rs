@@ -7,10 +7,8 @@ use super::jump::Jump;
 use super::pieces::Pieces;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Mode};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
-
-/// Forces below this part of the largest have vanished, where alternating stick and slip has brought them there.
-const RUN_OUT: f64 = 1e-9;
 
 impl<'g> Pieces<'g> {
     /// Gives every contact a cone of its own from rest on, if some have lower friction while they slide. Contacts that slide already get the lower
@@ -68,7 +66,8 @@ impl<'g> Pieces<'g> {
     pub(super) fn runs_out(&self, standing: &PathState) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
-        standing.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= RUN_OUT * largest)
+        // Forces below this part of the largest have vanished, where alternating stick and slip has brought them there.
+        standing.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
     /// Puts such a contact at its apex, as if all of its force had vanished.
@@ -76,7 +75,7 @@ impl<'g> Pieces<'g> {
         let largest = self.segment.largest;
         for (i, _) in standing {
             let force = self.node.at.forces[*i].norm();
-            if force <= RUN_OUT * largest {
+            if force <= NEGLIGIBLE * largest {
                 self.node.stands[*i].apex = true;
                 self.step_error += force / largest;
             }

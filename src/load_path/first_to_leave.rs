@@ -8,23 +8,16 @@ use nalgebra::{Matrix, SVector};
 use super::onset::{Leaving, Onset, OnsetEvent};
 use super::onset_workspace::OnsetMemory;
 use super::segment::Segment;
+use super::tolerances::LARGEST_CORRECTION;
 use super::turn::Turn;
 use crate::contact::{ActiveSet, At, Exit, Line, LocalLaw};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
 use crate::prelude::*;
 use crate::search::{Found, Rung};
-
-/// Least relative margin of conditions at the base. Less may be rounding, or a contact on an edge, which the sticking path decides.
-const CLEARLY: f64 = 1e-9;
-/// Least distance of the next contact behind the first, as a part of the way to the first.
-const APART: f64 = 1e-9;
-/// Largest relative correction of the factor by the solve at the onset; a larger one means that something else is wrong.
-const ROUGHLY: f64 = 1e-6;
-/// Largest growth of forces up to the onset, relative to the base: beyond it, the rates may be rounding.
-const FAR: f64 = 1e6;
 
 /// The contact that stops sticking first, and the state there.
 pub(super) struct FirstToLeave {
@@ -52,7 +45,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     segment.drives_into(factor, driven);
     piece.solve_into(problem.sites, driven, &load, (solution, there)).ok()?;
     let more = problem.local(contact).way_to(&exit, &there.forces[contact], &line.rate);
-    if more.abs() > ROUGHLY * factor || !is_balanced(problem.sites, &load, &there.forces) {
+    if more.abs() > LARGEST_CORRECTION * factor || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
     }
     factor += more;
@@ -110,14 +103,14 @@ pub(super) fn first_to_leave_on_turn(
     let Some((mut angle, standing)) = first.standing else { return Some(WhileTurning::Never) };
     let [(contact, exits)] = &standing[..] else { return None };
     let [exit] = exits[..] else { return None };
-    if exit.uncertainty > ROUGHLY * angle {
+    if exit.uncertainty > LARGEST_CORRECTION * angle {
         return None;
     }
     let load = inside.at(angle);
     let mut there = piece.solve(problem.sites, &problem.drives, &load).ok()?;
     let rate = turned.waves[*contact][0].of.rate_at(angle);
     let more = problem.local(*contact).way_to(&exit, &there.forces[*contact], &rate);
-    if more.abs() > ROUGHLY * angle || !is_balanced(problem.sites, &load, &there.forces) {
+    if more.abs() > LARGEST_CORRECTION * angle || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
     }
     angle += more;
@@ -162,7 +155,8 @@ impl FirstToLeave {
 /// Whether a contact meets all conditions of its unjumped state by more than rounding.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &At<'_>) -> bool {
     let mut clear = true;
-    local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > CLEARLY * size);
+    // Least relative margin of conditions at the base. Less may be rounding, or a contact on an edge, which the sticking path decides.
+    local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 
@@ -207,8 +201,11 @@ fn first_exit(
         }
     }
     first.filter(|First { exit, .. }| {
-        let alone = next - exit.step > APART * exit.step && exit.uncertainty <= ROUGHLY * exit.step;
-        alone && exit.step * fastest <= FAR * largest
+        // Least distance of the next contact behind the first, as a part of the way to the first.
+        let alone =
+            next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
+        // Largest growth of forces up to the onset, relative to the base: beyond it, the rates may be rounding.
+        alone && exit.step * fastest <= 1e6 * largest
     })
 }
 

@@ -19,30 +19,10 @@ use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
 use super::watch::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Size, Stepped, Vector, explicit_step, implicit_step};
 use crate::object::{PieceState, largest_force};
 use crate::prelude::*;
-
-/// A step that comes within this part of the leg of its goal ends at the goal.
-const AT_THE_GOAL: f64 = 2e-13;
-/// Wider distances to the goal, after [`MANY_TRIALS`] trials and after twice as many; the last is as small as the error of steps. The tangent covers
-/// the rest.
-const NEAR_THE_GOAL: [f64; 2] = [1e-11, 1e-9];
-const MANY_TRIALS: usize = 16;
-const MOST_TRIALS: usize = 60;
-/// Factors on the error allowed to a part of a step, tried in turn: rounding may refuse the smaller ones.
-const LOOSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
-/// A free motion slower than this part of the twist rate is rounding.
-const UNPUSHED: f64 = 1e-9;
-/// A slip against the friction force by this part of the displacements of the contact is rounding.
-const BACKWARDS: f64 = 1e-13;
-/// A load factor that falls by less than this part of the arclength is constant: at its maximum it is known up to the square of this.
-const TURNS_BACK: f64 = 1e-8;
-/// Weight of the relative error of a vanishing friction force. Other friction forces have their error relative to the largest force. The weight
-/// keeps the direction of a vanishing force accurate.
-const OF_ITSELF: f64 = 1e-6;
-/// Works and their turnover are integrated along with the rest.
-const WORKS: usize = 4;
 
 /// How a step is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,10 +57,12 @@ pub(super) struct StepGoal {
 impl StepGoal {
     /// The goal of a trial, given the number of trials that missed it: steps of implicit rules come no nearer than their rounding.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
-        let near = match trials / MANY_TRIALS {
-            0 => AT_THE_GOAL,
-            1 => NEAR_THE_GOAL[0],
-            _ => NEAR_THE_GOAL[1],
+        // A step that comes within this part of the leg of its goal ends at the goal. The part is wider after sixteen trials and after twice as many;
+        // the last is as small as the error of steps. The tangent covers the rest.
+        let near = match trials / 16 {
+            0 => 2e-13,
+            1 => 1e-11,
+            _ => 1e-9,
         };
         Self { factor, near }
     }
@@ -141,7 +123,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         // Motions that no force drives continue at their present rate.
         let pushed = |v: &Vector| {
             let rate = v.dot(&here.twist_rate);
-            if rate.abs() > UNPUSHED * here.twist_rate.norm() { rate / here.factor_rate } else { 0.0 }
+            // A free motion slower than this part of the twist rate is rounding.
+            if rate.abs() > NEGLIGIBLE * here.twist_rate.norm() { rate / here.factor_rate } else { 0.0 }
         };
         let arc = Arc::new(segment, states, here.free_motions.iter().map(|v| (v, pushed(v))), unit);
         // A contact that has just closed has a friction force of rounding size: its state gives the direction.
@@ -182,7 +165,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
         let [load, works] = self.places();
-        let mut first = vec![0.0; works + WORKS];
+        // Works and their turnover are integrated along with the rest.
+        let mut first = vec![0.0; works + 4];
         rate(&first.clone(), &mut first)?;
         let size = |error: &[f64]| self.error_size(error, length);
         let Stepped { change: y, error } = match rule {
@@ -265,8 +249,8 @@ impl<'s, 'g> Flow<'s, 'g> {
             out.copy_from_slice(&force.as_slice()[1..]);
             let site = &self.arc.sites()[i];
             let dissipated = friction.dot(&site.springs.slip(&stretch, &force));
-            let rounding =
-                BACKWARDS * friction.norm() * site.span(&(segment.change[i] * way.factor), &way.twist);
+            // A slip against the friction force by this part of the displacements of the contact is rounding.
+            let rounding = 1e-13 * friction.norm() * site.span(&(segment.change[i] * way.factor), &way.twist);
             if !vanishes {
                 backwards = backwards.max(-dissipated - rounding);
             }
@@ -278,7 +262,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.course, Trajectory::Straight { .. });
-        Some(backwards > 0.0 || is_straight && way.factor < -TURNS_BACK)
+        // A load factor that falls by less than this part of the arclength is constant. At its maximum it is known up to the square of this.
+        Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }
 
     /// Friction forces of the sliding contacts, in order, after these changes of the variables.
@@ -322,8 +307,9 @@ impl<'s, 'g> Flow<'s, 'g> {
         let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
-        let of_itself =
-            |(error, friction): (&[f64], &SVector<f64, 3>)| OF_ITSELF * norm(error) / friction.norm();
+        // Weight of the relative error of a vanishing friction force. Other friction forces have their error relative to the largest force. The
+        // weight keeps the direction of a vanishing force accurate.
+        let of_itself = |(error, friction): (&[f64], &SVector<f64, 3>)| 1e-6 * norm(error) / friction.norm();
         let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);
         (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
@@ -333,13 +319,14 @@ impl<'s, 'g> Flow<'s, 'g> {
     pub(super) fn reach_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<Reached> {
         let (mut low, mut high) = (0.0, most);
         let mut length = (goal - self.from) / self.here.factor_rate;
-        for trial in 0..MOST_TRIALS {
+        for trial in 0..60 {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
             // A rule that reached the end of a step also reaches a part of it, though rounding may prevent the same error.
             let goal_here = StepGoal::after(goal, trial);
-            let mut rules = LOOSER.into_iter().map(|times| rule.looser(times));
+            // Factors on the error allowed to a part of a step, tried in turn: rounding may refuse the smaller ones.
+            let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.looser(times));
             let reached = rules.find_map(|rule| self.reach(length, goal_here, rule))?;
             if reached.to == goal {
                 return Some(reached);

@@ -14,9 +14,6 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};
 
-/// A body that moves by less than this part of the largest motion is not named in the sentence.
-const SEEN: f64 = 1e-6;
-
 /// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they
 /// carry less.
 ///
@@ -72,7 +69,8 @@ impl<const C: usize> fmt::Display for Jump<C> {
             let mut reached: Vec<_> = self.reaches.iter().map(|contact| contact.whole().text()).collect();
             reached.dedup();
             let farthest = self.moved.iter().map(BodyMotion::speed).fold(0.0, f64::max);
-            let moved = self.moved.iter().filter(|body| body.speed() > SEEN * farthest);
+            // A body that moves by less than this part of the largest motion is not named in the sentence.
+            let moved = self.moved.iter().filter(|body| body.speed() > 1e-6 * farthest);
             let moved: Vec<_> = moved.map(|body| words.body_motion(body)).collect();
             return write!(f, "{} to {}", listed(&moved), listed(&reached));
         }

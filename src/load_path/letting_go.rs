@@ -30,10 +30,6 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, Settings, Settled, settle};
 
-/// Most times that one contact slides, sticks and slides again within a jump: each time energy is lost, and beyond this number rounding goes in
-/// circles.
-const MOST_OFTEN: usize = 16;
-
 /// A jump in progress.
 pub(super) struct JumpInProgress<'g> {
     /// The leg along which the missing force is released.
@@ -55,7 +51,9 @@ impl<'g> JumpInProgress<'g> {
 
     /// Follows the leg to its end; contacts that leave their cone on the way join.
     pub(super) fn go(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        let mut left = MOST_OFTEN * self.fallen.slid.len();
+        // Most times that one contact slides, sticks and slides again within a jump. Each time energy is lost; beyond this number rounding goes in
+        // circles.
+        let mut left = 16 * self.fallen.slid.len();
         loop {
             let begin = match self.go_to_the_next_node(journey) {
                 Ok(None) => return Ok(()),

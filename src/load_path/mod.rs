@@ -1,7 +1,7 @@
 //! The onset of sliding as the load grows, found directly, the first step beyond it, and whole load programs with slip memory.
 //!
-//! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything sticks, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ >= 0
-//! at which a condition of sticking is used up, found from two linear solves and no stepping:
+//! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything sticks, forces are affine in the factor τ of a [`Ramp`], and the onset
+//! is the least τ >= 0 at which a condition of sticking is used up, found from two linear solves and no stepping:
 //!
 //! ```text
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
@@ -96,6 +96,7 @@ mod sticking_path;
 mod stopped;
 mod straight;
 mod stretch;
+mod tolerances;
 mod trajectory;
 mod transition;
 mod turn;

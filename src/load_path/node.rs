@@ -12,20 +12,13 @@ use super::trajectory::Trajectory;
 use super::transition::{change, nothing_changes, others};
 use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{
     Doubt, Effort, Found, Judged, Rung, Settings, Settled, on_the_whole_line, polish, settle, solution_near,
     try_states,
 };
-
-/// Motions whose lengths differ by less than this part are equal up to rounding.
-const LESS: f64 = 1e-9;
-
-/// While the load turns, rates this many radians ahead decide, or nearer ones where another event comes first.
-const AHEAD: [f64; 4] = [1e-3, 1e-5, 1e-7, 1e-9];
-/// Accuracy of an event's angle, rad: where the load turns back, its rate is zero up to that, of either sign.
-const ANGLE_KNOWN: f64 = 1e-12;
 
 /// The decision from the rates at a node.
 struct Decided<'g> {
@@ -135,14 +128,16 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
-        for little in AHEAD {
+        // While the load turns, rates this many radians ahead decide, or nearer ones where another event comes first.
+        for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let Settled::Found(found, _) = &decided.settled else {
                 last = Some(decided);
                 continue;
             };
             // At the apex of a round cone the direction of sliding turns with the load.
-            let here = segment.rates(factor + ANGLE_KNOWN / angle, laws.clone());
+            // Accuracy of an event's angle, rad: where the load turns back, its rate is zero up to that, of either sign.
+            let here = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round || matches!(try_states(&here, found.states.clone()), Judged::Holds(_)) {
                 return decided;
             }
@@ -209,7 +204,8 @@ impl Node {
             return Found { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
         match try_states(rates, states) {
-            Judged::Holds(parted) if parted.twist.norm() < found.twist.norm() * (1.0 - LESS) => parted,
+            // Motions whose lengths differ by less than this part are equal up to rounding.
+            Judged::Holds(parted) if parted.twist.norm() < found.twist.norm() * (1.0 - NEGLIGIBLE) => parted,
             _ => found,
         }
     }

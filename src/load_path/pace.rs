@@ -3,29 +3,12 @@
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Factor by which the allowed error grows where steps die out, at most [`MOST_OFTEN`] times: rounding may be the reason for refusals. The path
-/// reports the error actually made.
-const LOOSER: f64 = 30.0;
-const MOST_OFTEN: u8 = 2;
-/// First step after such a change, as a part of the rest of the leg.
-const AGAIN: f64 = 1e-3;
-
 /// Order of the error of a step in its length.
-const ORDER: f64 = 8.0;
+const ERROR_ORDER: f64 = 8.0;
 /// The next step aims at a sixth of the allowed error: fewer steps are refused, and errors of many steps add up.
 const CAUTION: f64 = 0.8;
-/// Bounds of the ratio of successive step lengths, since the estimate holds for small changes.
-const SHORTER: f64 = 0.2;
-const LONGER: f64 = 5.0;
-
-/// After this many refusals in a row the other kind of step is tried.
-const MOST_REFUSALS: u8 = 4;
-
-/// Number of explicit steps after an event, and after implicit ones have failed, before implicit ones are tried.
-const PATIENCE: u8 = 8;
-const LONG_PATIENCE: u8 = 64;
-/// An implicit step costs as much as a few explicit ones, and is as long as hundreds.
-const MANY_STEPS: f64 = 50.0;
+/// Least ratio of successive step lengths, since the estimate holds for small changes.
+const LEAST_RATIO: f64 = 0.2;
 
 /// State of the step control along an arc.
 #[derive(Debug, Clone, Copy)]
@@ -53,7 +36,8 @@ impl Pace {
             unit: None,
             refused: 0,
             stiff: false,
-            patience: PATIENCE,
+            // Number of explicit steps after an event, and after implicit ones have failed, before implicit ones are tried.
+            patience: 8,
             steps: 0,
             loosened: 0,
             looser: 1.0,
@@ -67,36 +51,42 @@ impl Pace {
 
     /// Allows a larger error where steps die out. Whether that was possible.
     pub(super) fn loosen(&mut self, rest: f64) -> bool {
-        let may = self.loosened < MOST_OFTEN;
+        let may = self.loosened < 2;
         if may {
-            (self.loosened, self.looser) = (self.loosened + 1, self.looser * LOOSER);
-            (self.length, self.refused) = (Some(AGAIN * rest), 0);
+            // Where steps die out, the allowed error grows by this factor, at most twice: rounding may be the reason for refusals. The path reports
+            // the error actually made.
+            (self.loosened, self.looser) = (self.loosened + 1, self.looser * 30.0);
+            // First step after such a change, as a part of the rest of the leg.
+            (self.length, self.refused) = (Some(1e-3 * rest), 0);
         }
         may
     }
 
     /// Records a step, given its error as a part of the allowed one. A step shortened to end at an event does not speak against longer ones.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        let longest = if self.refused > 0 { 1.0 } else { LONGER };
-        let next = length * (CAUTION * part.powf(-1.0 / ORDER)).clamp(SHORTER, longest);
+        // Largest ratio of successive step lengths, for the same reason as the least one.
+        let longest = if self.refused > 0 { 1.0 } else { 5.0 };
+        let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
         self.refused = 0;
         self.patience = self.patience.saturating_sub(1);
         self.steps += 1;
     }
 
-    /// Whether steps have been explicit for a while, and so short that more than [`MANY_STEPS`] of them remain.
+    /// Whether steps have been explicit for a while, and so short that more than fifty of them remain.
     pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
-        self.patience == 0 && stable * MANY_STEPS < rest
+        // An implicit step costs as much as a few explicit ones, and is as long as hundreds.
+        self.patience == 0 && stable * 50.0 < rest
     }
 
     /// Records a refused step, given its error as a multiple of the allowed one.
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
-        self.length = Some(length * (CAUTION * times.powf(-1.0 / ORDER)).clamp(SHORTER, CAUTION));
+        self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
         // Where implicit steps do not help, an explicit one may.
-        if self.stiff && self.refused >= MOST_REFUSALS {
-            (self.stiff, self.patience) = (false, LONG_PATIENCE);
+        // After this many refusals in a row the other kind of step is tried.
+        if self.stiff && self.refused >= 4 {
+            (self.stiff, self.patience) = (false, 64);
         }
         self.steps += 1;
     }

@@ -5,27 +5,25 @@ use nalgebra::{Matrix, SVector};
 use super::first_exits::PathState;
 use super::node::{Node, directions};
 use super::segment::{Here, Segment};
+use super::tolerances::GATHERED_MARGIN;
 use super::trajectory::Trajectory;
 use super::watch::{has_vanished, is_vanishing};
 use crate::contact::{ActiveSet, Line, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::Vector;
+use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::object::{PieceState, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
-
-/// Margins below this part of their size count as zero where steps die out, because events follow each other ever faster there.
-const GATHERED: f64 = 1e-8;
-
-/// Forces at rest are rounding below this part of the force that the displacements make in the softest spring. Rounding of 16 units may add up.
-const NO_FORCE_AT_REST: f64 = 16.0 * f64::EPSILON;
 
 /// Whether all forces are as small as the rounding of displacements in the softest spring. Rounding alone would then decide which contacts press, so
 /// none of them does. The same holds for rates of forces and of displacements.
 pub(super) fn carries_nothing(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
-    largest <= NO_FORCE_AT_REST * least_spring_force(problem.sites, spans)
+    // Forces at rest are rounding below this part of the force that the displacements make in the softest spring. Rounding of 16 units may add
+    // up.
+    largest <= ROUNDED_SUM * least_spring_force(problem.sites, spans)
 }
 
 impl Node {
@@ -180,14 +178,14 @@ impl Node {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in here.lines.iter().zip(&here.gaps).enumerate() {
             let (local, stand) = (segment.problem.local(i), &mut self.stands[i]);
-            if self.states[i].is_open() && local.may_open() && gap.gap <= GATHERED * gap.size {
+            if self.states[i].is_open() && local.may_open() && gap.gap <= GATHERED_MARGIN * gap.size {
                 stand.apex = true;
                 apart = Some(apart.unwrap_or(0.0).max(gap.gap / gap.size));
             } else if self.states[i].is_sticking() && local.may_slide() {
                 let (friction, size) =
                     (tangential(&line.force), line.force_size * local.cone().round_weight());
                 let margin = local.cone().round_margin(&line.force) / size;
-                if margin <= GATHERED && friction.norm() > GATHERED * size {
+                if margin <= GATHERED_MARGIN && friction.norm() > GATHERED_MARGIN * size {
                     stand.facets = vec![friction.normalize()];
                     apart = Some(apart.unwrap_or(0.0).max(margin));
                 }

@@ -4,6 +4,7 @@ use alloc::sync::Arc;
 use core::ops::Range;
 
 use crate::grasp::Site;
+use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{Band, Bordered, BorderedBand, Size, Square, Vector, narrow_order, widest};
 use crate::object::are_many;
 use crate::prelude::*;
@@ -41,9 +42,6 @@ pub(super) enum PathFactors {
     Whole(Bordered),
     Narrow { order: Arc<NarrowOrder>, bordered: Box<BorderedBand> },
 }
-
-/// A pivot below this part of the largest means that more than one direction is open.
-const SINGULAR: f64 = 1e-13;
 
 impl PathStiffness {
     pub(super) fn zeros(size: Size, order: Option<Arc<NarrowOrder>>) -> Self {
@@ -124,7 +122,8 @@ impl PathStiffness {
             }
         };
         let bordered = Bordered::new(&square, cover, gradient, corner)?;
-        (bordered.least_pivot() > SINGULAR).then_some(PathFactors::Whole(bordered))
+        // A pivot below this part of the largest means that more than one direction is open.
+        (bordered.least_pivot() > LINEARLY_DEPENDENT).then_some(PathFactors::Whole(bordered))
     }
 }
 

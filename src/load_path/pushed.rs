@@ -3,10 +3,8 @@
 
 use super::segment::Segment;
 use crate::numerics::Vector;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{Piece, PieceState};
-
-/// A velocity along a free motion below this part of the pushing velocity is rounding.
-const UNFELT: f64 = 1e-12;
 
 impl Segment<'_> {
     /// Rates of a piece, with the velocities along its free motions taken from `pushed`.
@@ -18,7 +16,8 @@ impl Segment<'_> {
     ) -> PieceState {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
-        let felt = |v: &Vector| v.dot(&apart).abs() > UNFELT * pushed.norm();
+        // A velocity along a free motion below this part of the pushing velocity is rounding.
+        let felt = |v: &Vector| v.dot(&apart).abs() > SOLVED_ROUNDING * pushed.norm();
         let moves = piece.free_motions().iter().any(felt) || piece.neutral_motions().iter().any(felt);
         if moves { self.nearest(piece, rate, pushed) } else { rate }
     }

@@ -23,9 +23,6 @@ use crate::contact::{Tangent, tangential_norm};
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// Angle by which a direction is turned to both sides for the derivative of a tangent, rad: two thirds of the digits remain.
-const TURNED: f64 = 6e-6;
-
 /// A sliding contact at the start of a step.
 struct Turning {
     contact: usize,
@@ -80,9 +77,11 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
                 _ => SVector::zeros(),
             };
             let turned = |angle: f64| arc.tangent(contact, &(friction + across * (size * angle)));
+            // Angle by which a direction is turned to both sides for the derivative of a tangent, rad: two thirds of the digits remain.
+            let small = 6e-6;
             let [[_, less], [_, more]] =
-                [-TURNED, TURNED].map(|angle| arc.rates(contact, &turned(angle), &way));
-            let change = (more - less) / (2.0 * TURNED);
+                [-small, small].map(|angle| arc.rates(contact, &turned(angle), &way));
+            let change = (more - less) / (2.0 * small);
             let felt = tangent.matrix().tr_mul(&across);
             let map = &arc.sites()[contact].map;
             Turning { contact, tangent, size, across, change, push: map * change, felt, pull: map * felt }

@@ -5,12 +5,10 @@ use nalgebra::{DMatrix, DVector, DVectorView};
 use super::sensitivity::{Local, Parameter};
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{Engine, Twist};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Size, Vector};
 use crate::object::least_combination;
 use crate::prelude::*;
-
-/// Commands produce a twist that they miss by no more than this part of it.
-const REACHED: f64 = 1e-9;
 
 /// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position
 /// control, the paper's aim. Columns: the commands, contact by contact, axis by axis (m); column `c i + a` is axis a of contact i. Of a
@@ -78,7 +76,8 @@ impl Response {
         let command = DVector::from_vec(self.least_combination(Size::of(wanted.len()), wanted));
         let wanted = DVectorView::from_slice(wanted, wanted.len());
         let missed = (&self.twist * &command - wanted).norm();
-        (missed <= REACHED * wanted.norm()).then_some(command)
+        // Commands produce a twist that they miss by no more than this part of it.
+        (missed <= NEGLIGIBLE * wanted.norm()).then_some(command)
     }
 
     fn least_combination(&self, size: Size, wanted: &[f64]) -> Vec<f64> {

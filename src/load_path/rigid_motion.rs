@@ -12,6 +12,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
 use crate::friction::FrictionProblem;
 use crate::grasp::Space;
@@ -20,17 +21,11 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// Largest number of coordinates and of contacts for which the motion is computed: beyond, it takes too long.
-const MOST: usize = 64;
-/// A motion below this part of the load's counts as zero, up to the rounding of forces: contacts push it back entirely, or nearly so.
-const NONE: f64 = 1e-6;
-/// Friction within this part of its limit is at its limit, where forces nearly balance the load.
-const NEAR: f64 = 1e-6;
-/// A direction of which less than this part remains beside others depends on them.
-const DEPENDENT: f64 = 1e-9;
+const MOST_RIGID: usize = 64;
 
 /// The unit motion with which the object leaves under rates of a load that nothing balances, where no contact presses yet; `None` where one does.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
-    if rates.wrench.as_slice().len() > MOST || rates.drives.iter().any(|drive| drive.norm() > 0.0) {
+    if rates.wrench.as_slice().len() > MOST_RIGID || rates.drives.iter().any(|drive| drive.norm() > 0.0) {
         return None;
     }
     // An orthonormal basis of the motions that links resist.
@@ -49,7 +44,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     let touches = |i: &usize| matches!(rates.laws[*i], Law::Cone { .. });
     let touching: Vec<usize> = (0..rates.len()).filter(touches).collect();
     let never_slides = |i: &usize| rates.local(*i).never_slides();
-    if touching.is_empty() || touching.len() > MOST || touching.iter().any(never_slides) {
+    if touching.is_empty() || touching.len() > MOST_RIGID || touching.iter().any(never_slides) {
         return None;
     }
     let load = across(rates.wrench.clone(), &resisted);
@@ -69,7 +64,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     };
     let pushes = pushes.solution()?;
     let motion = columns.iter().zip(pushes.r.iter()).fold(load.clone(), |v, (column, r)| v + column * *r);
-    if motion.norm() > NONE * load.norm() {
+    if motion.norm() > NO_RIGID_MOTION * load.norm() {
         return Some(motion.normalize());
     }
     // Near the limit forces almost balance the load: contacts that slide there may slide on, sticking ones stay, and pressing ones do not come
@@ -77,23 +72,26 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(axes * k, axes);
-        if push[0] <= NEAR * largest {
+        // Friction within this part of its limit is at its limit, where forces nearly balance the load.
+        let near = 1e-6;
+        if push[0] <= near * largest {
             continue;
         }
         let sideways = push.iter().skip(1).map(|x| x * x).sum::<f64>().sqrt();
-        let slides = sideways >= rates.local(i).cone().limit(push[0]) * (1.0 - NEAR);
+        let slides = sideways >= rates.local(i).cone().limit(push[0]) * (1.0 - near);
         for column in &columns[axes * k..axes * k + if slides { 1 } else { axes }] {
             resist(&mut resisted, column);
         }
     }
     let free = across(load.clone(), &resisted);
-    (free.norm() > NONE * load.norm()).then(|| free.normalize())
+    (free.norm() > NO_RIGID_MOTION * load.norm()).then(|| free.normalize())
 }
 
 /// Adds a motion to the basis of resisted ones, unless it depends on them.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = across(motion.clone(), basis);
-    if rest.norm() > DEPENDENT * motion.norm() {
+    // A direction of which less than this part remains beside others depends on them.
+    if rest.norm() > 1e-9 * motion.norm() {
         basis.push(rest.normalize());
     }
 }

@@ -20,6 +20,7 @@ use super::geometry::{map_by_normal, map_by_point};
 use crate::contact::{Mode, Polygon, State};
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Engine, Motion, Twist, Wrench};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Map, Vector};
 use crate::object::{Load, Piece, Problem};
 use crate::prelude::*;
@@ -122,9 +123,6 @@ pub(super) struct Local<'g> {
     twist: Vector,
 }
 
-/// Forces below this part of the stiffest spring's force, if the whole motion stretched it, are rounding.
-const FREE: f64 = 1e-9;
-
 impl<'g> Local<'g> {
     pub(super) fn new(grasp: &'g Engine, equilibrium: &Equilibrium<3>) -> Option<Self> {
         if !equilibrium.knows_all_of(grasp.sites().len()) {
@@ -223,7 +221,8 @@ impl<'g> Local<'g> {
             drives[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let felt = self.piece.solve(self.grasp.sites(), &drives, &Vector::zeros()).ok();
-            felt.is_some_and(|felt| felt.forces.iter().all(|force| force.norm() <= FREE * alone))
+            // Forces below this part of the stiffest spring's force, if the whole motion stretched it, are rounding.
+            felt.is_some_and(|felt| felt.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone))
         };
         self.piece.free_motions().iter().all(stays_free).then_some(change)
     }

@@ -17,9 +17,6 @@ use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Bisection of one piece down to adjacent floating-point numbers.
-const HALVINGS: usize = 64;
-
 /// The place where the motions of a path cease to be [small](crate::Settings::small_motions): beyond it, answers hold for the undeformed geometry and
 /// say little.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,7 +94,8 @@ impl<'g> Stretch<'g> {
             return (self.from, motion);
         }
         let (mut low, mut high, mut which) = (self.from, self.to, at_the_end);
-        for _ in 0..HALVINGS {
+        // Bisection of one piece down to adjacent floating-point numbers.
+        for _ in 0..64 {
             let middle = 0.5 * (low + high);
             if middle <= low || middle >= high {
                 break;

@@ -8,12 +8,6 @@ use super::pieces::Pieces;
 use super::watch::{Watch, WatchedCondition, watch};
 use crate::contact::{Mode, State};
 
-/// Ratio of the lengths of successive trial steps; the first one is this part of the rest of the leg.
-const SHORTER: f64 = 0.25;
-const MOST_TRIALS: usize = 40;
-/// Number of accurate trial steps that must break the condition, each by more than rounding.
-const FAILURES: usize = 3;
-
 impl Pieces<'_> {
     /// Whether a contact can neither stick nor slide from here.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
@@ -34,8 +28,9 @@ impl Pieces<'_> {
         let flow = Flow::new(&self.segment, &states, self.factor, &here, unit);
         let mut length = (1.0 - self.factor) / here.factor_rate;
         let mut failures = 0;
-        for _ in 0..MOST_TRIALS {
-            length *= SHORTER;
+        for _ in 0..40 {
+            // Ratio of the lengths of successive trial steps; the first one is this part of the rest of the leg.
+            length *= 0.25;
             let reached = flow.reach(length, StepGoal::after(1.0, 0), Rule::Explicit);
             let Some(reached) = reached.filter(|reached| reached.error <= tolerance) else { continue };
             let watches = watch(&self.segment, &states, (reached.to, &reached.here));
@@ -44,7 +39,8 @@ impl Pieces<'_> {
                 return false;
             }
             failures += 1;
-            if failures == FAILURES {
+            // Number of accurate trial steps that must break the condition, each by more than rounding.
+            if failures == 3 {
                 return true;
             }
         }

@@ -6,15 +6,10 @@ use super::first_exits::PathState;
 use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::Here;
+use super::tolerances::LARGEST_CORRECTION;
 use crate::object::PieceState;
 use crate::prelude::*;
 use crate::search::Doubt;
-
-/// Most steps in a row within their uncertainty that still count as events of one node: with more, rounding goes in circles.
-const MOST_STALLS: usize = 64;
-
-/// Largest relative correction of a step; a larger one means that something else is wrong.
-const ROUGHLY: f64 = 1e-6;
 
 impl<'g> Pieces<'g> {
     /// Advances along the present piece to its end: the next edge, or the end of the leg. Whether the leg is done.
@@ -45,7 +40,8 @@ impl<'g> Pieces<'g> {
         // A step within its own uncertainty may be zero: two motions between which rounding chooses could alternate for ever.
         let uncertain = standing.iter().flat_map(|(_, exits)| exits).any(|exit| step <= exit.uncertainty);
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
-        let piled_up = self.stalls > MOST_STALLS;
+        // Most steps in a row within their uncertainty that still count as events of one node: with more, rounding goes in circles.
+        let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&standing) {
             // Rounding chooses between continuations, one of which leads back to the other.
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
@@ -80,6 +76,6 @@ impl<'g> Pieces<'g> {
         };
         let there = self.state_after(here, step);
         let more = self.segment.way_to(i, &self.node.states[i], exit, here, self.factor + step, &there);
-        if more.abs() <= ROUGHLY * (self.factor + step) { (step + more).max(0.0) } else { step }
+        if more.abs() <= LARGEST_CORRECTION * (self.factor + step) { (step + more).max(0.0) } else { step }
     }
 }

@@ -17,11 +17,6 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, Rung, told_at_rest};
 
-/// Most parts into which a step is divided where it cannot be repeated at once: each is half as long as the one before.
-const MOST_PARTS: usize = 60;
-/// Loads less than this part of the leg apart are equal, up to the rounding of balance.
-const ONE_LOAD: f64 = 1e-15;
-
 /// The data from which the state at any fraction of the piece is computed.
 #[derive(Debug)]
 pub(super) struct Stretch<'g> {
@@ -179,7 +174,8 @@ impl<'g> Stretch<'g> {
     fn part_of_a_step(&self, bend: &Bend, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut here, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = bend.length;
-        for _ in 0..MOST_PARTS {
+        // Most parts into which a step is divided where it cannot be repeated at once: each is half as long as the one before.
+        for _ in 0..60 {
             let flow = Flow::new(segment, &states, from, &here, bend.unit);
             if let Some(reached) = flow.reach_factor(fraction, length, bend.rule) {
                 return Some(reached.at());
@@ -199,7 +195,8 @@ impl<'g> Stretch<'g> {
         }
         // If the object moves under a load that is constant up to rounding, any place on the way is valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
-        let near = to_the_start.min(to_the_end) <= ONE_LOAD;
+        // Loads less than this part of the leg apart are equal, up to the rounding of balance.
+        let near = to_the_start.min(to_the_end) <= 1e-15;
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
     }
 

@@ -7,17 +7,10 @@ use crate::contact::{Mode, State};
 use crate::forms::{Form, clearly_breaks, kinematic_form};
 use crate::grasp::{Site, Space};
 use crate::lcp::MatrixClass;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, combinations, search_among};
-
-/// Solutions whose forces and travel differ by no more than this part of their size are equal.
-const SAME: f64 = 1e-9;
-
-/// Up to this many combinations of states among the contacts on an edge, all are tried to find every continuation of the path.
-const FEW_COMBINATIONS: f64 = 256.0;
-/// With more rows than this, classifying their matrix costs more than the event.
-const MOST_ROWS: usize = 64;
 
 /// The present states expressed in the laws of the rates, if these have them: nothing changes.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
@@ -58,7 +51,8 @@ pub(super) fn others(rates: &Problem, found: &Found) -> Option<usize> {
     if rows == 0 || few.as_ref().is_some_and(|few| p_matrix(&few.form)) {
         return Some(0);
     }
-    if combinations(rates) > FEW_COMBINATIONS {
+    // Up to this many combinations of states among the contacts on an edge, all are tried to find every continuation of the path.
+    if combinations(rates) > 256.0 {
         return None;
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
@@ -75,8 +69,9 @@ pub(super) fn others(rates: &Problem, found: &Found) -> Option<usize> {
                 apart -= v * v.dot(&apart);
             }
             let travel = known.twist.norm().max(other.twist.norm());
-            apart.norm() <= SAME * travel
-                && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= SAME * size)
+            // Solutions whose forces and travel differ by no more than this part of their size are equal.
+            apart.norm() <= NEGLIGIBLE * travel
+                && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= NEGLIGIBLE * size)
         };
         if !distinct.iter().any(same) {
             distinct.push(other);
@@ -96,7 +91,8 @@ struct FewRows {
 
 /// The kinematic form, if it has some rows and not too many. A P-matrix gives one solution under any load.
 fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
-    if rows == 0 || rows > MOST_ROWS {
+    // With more rows than this, classifying their matrix costs more than the event.
+    if rows == 0 || rows > 64 {
         return None;
     }
     let trial = rates.trial();

@@ -38,9 +38,6 @@ pub struct Turn<const C: usize> {
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
-/// Fault reported where the bodies have no weight that could turn.
-const NO_WEIGHT: &str = "is missing: give weight, or force, or cosine and sine; without them gravity turns, where a scene's bodies have masses under `gravity`, by onset_of_turn and need";
-
 impl<const C: usize> Turn<C> {
     /// A turn from its three parts, N and N m; one full turn.
     #[must_use]
@@ -135,7 +132,9 @@ impl<const C: usize> Turn<C> {
         self.load.cosine.check_in(space, "cosine of the load")?;
         self.load.sine.check_in(space, "sine of the load")?;
         if self.tilts_bodies_about.is_some() {
-            return Err(Error::Question { question: "turn", field: "weight", fault: NO_WEIGHT });
+            // Fault reported where the bodies have no weight that could turn.
+            let no_weight: &str = "is missing: give weight, or force, or cosine and sine; without them gravity turns, where a scene's bodies have masses under `gravity`, by onset_of_turn and need";
+            return Err(Error::Question { question: "turn", field: "weight", fault: no_weight });
         }
         self.check_angle()
     }

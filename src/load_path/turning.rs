@@ -20,36 +20,14 @@ use super::flow::{Flow, Rule};
 use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::Here;
+use super::tolerances::STANDS_STILL;
 use super::trajectory::Trajectory;
 use super::watch::{Watch, WatchedCondition, watch};
 use super::within_a_step::first_dip;
 use crate::contact::{ActiveSet, Exit, Line, Mode, State, ZERO_SLACK, tangential};
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 use crate::search::Doubt;
-
-/// The first step turns the fastest contact by this angle, rad, judged by the rate at the start.
-const FIRST_TURN: f64 = 0.3;
-/// Longest explicit step, in units of the length over which a direction relaxes: from six units on, rounding would grow.
-const STABLE: f64 = 4.0;
-/// Largest turn of the load in a step, rad.
-const MOST_TURNED: f64 = 0.25;
-/// A force is constant if its relative change is below this, while the object moves as far as for the whole load at the start. A direction has
-/// reached its limit within this angle, rad. With a smaller value, rounding would seem to turn directions for ever.
-const STANDS_STILL: f64 = 1e-10;
-/// A falling normal force below this part of its size is followed to zero along the tangent.
-const ALL_BUT_GONE: f64 = 1e-10;
-/// First step from an apex, as a part of the way on which forces change by their own size: directions turn by its square.
-const SETTING_OUT: f64 = 1e-6;
-/// Forces that would double within this part of the rest of the leg are rounding.
-const NO_WAY: f64 = 1e-12;
-/// A step leaves this part of the way to the place where a sliding contact loses its normal force: directions may turn ever faster there.
-const APPROACH: f64 = 0.5;
-/// Least distance of two places at which events are gathered, as a part of the leg.
-const GATHERED_AGAIN: f64 = 1e-9;
-/// Most times that a step is shortened because a condition may be violated within it.
-const MOST_LOOKS: usize = 20;
-/// Steps shorter than this part of the load factor do not advance: the arc ends here.
-const SHORTEST: f64 = 1e-13;
 
 impl<'g> Pieces<'g> {
     /// Makes one step along the arc, up to an event if one comes first. Whether the leg is done.
@@ -82,7 +60,8 @@ impl<'g> Pieces<'g> {
         let length = length.min(self.way_to_apex(&here)).min(self.part_of_a_turn(&here));
         let tolerance = journey.settings.step_error * self.pace.looser;
         let (length, rule) = self.stable(&here, length, tolerance);
-        if length <= SHORTEST * self.factor.max(f64::EPSILON) {
+        // Steps shorter than this part of the load factor do not advance: the arc ends here.
+        if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.let_go(&here) {
                 self.at_node = true;
             } else if self.stops_for_good(tolerance) {
@@ -125,7 +104,8 @@ impl<'g> Pieces<'g> {
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            let Some(part) = dip.filter(|_| looks < MOST_LOOKS) else { return Some(end) };
+            // Most times that a step is shortened because a condition may be violated within it.
+            let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(here, (part * end.length, 0), end.rule)?;
         }
@@ -134,19 +114,22 @@ impl<'g> Pieces<'g> {
     /// Whether a contact whose slip has ended here can neither stick nor slide.
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
-        let here = (self.factor - at).abs() <= GATHERED_AGAIN;
+        // Least distance of two places at which events are gathered, as a part of the leg.
+        let here = (self.factor - at).abs() <= NEGLIGIBLE;
         here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
     /// Whether the path has advanced since events were last gathered at one place.
     fn may_gather(&self) -> bool {
-        self.gathered.is_nan() || (self.factor - self.gathered).abs() > GATHERED_AGAIN
+        self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
 
-    /// The length of a step along which the load turns by [`MOST_TURNED`]. Along a longer step a condition could fail and hold again at the end.
+    /// The length of a step along which the load turns by a quarter of a radian. Along a longer step a condition could fail and hold again at the
+    /// end.
     fn part_of_a_turn(&self, here: &Here) -> f64 {
         match self.segment.course {
-            Trajectory::Turn { angle, .. } => MOST_TURNED / (angle * here.factor_rate.abs()),
+            // Largest turn of the load in a step, rad.
+            Trajectory::Turn { angle, .. } => 0.25 / (angle * here.factor_rate.abs()),
             Trajectory::Straight { .. } => f64::INFINITY,
         }
     }
@@ -155,7 +138,8 @@ impl<'g> Pieces<'g> {
     fn stable(&mut self, here: &Here, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
-        let stable = STABLE / flow.fastest_relaxation();
+        // Longest explicit step, in units of the length over which a direction relaxes: from six units on, rounding would grow.
+        let stable = 4.0 / flow.fastest_relaxation();
         let rest = (1.0 - self.factor) / here.factor_rate;
         self.pace.stiff |= self.pace.is_cramped(stable, rest);
         if self.pace.stiff && length > stable {
@@ -185,7 +169,8 @@ impl<'g> Pieces<'g> {
         let rest = (1.0 - self.factor) / here.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {
             let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-            let little = falls && line.force[0] > 0.0 && line.force[0] <= ALL_BUT_GONE * line.force_size;
+            // A falling normal force below this part of its size is followed to zero along the tangent.
+            let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
             little.then(|| line.force[0] / -line.rate[0])
         };
         let last = here.lines.iter().zip(&self.node.states).filter_map(all_but_gone);
@@ -194,8 +179,10 @@ impl<'g> Pieces<'g> {
         }
         let force_way = here.sizes[0] / here.rate_sizes[0];
         // Smaller ratios come from the rounding of vanishing forces.
-        let way = if force_way > NO_WAY * rest { rest.min(force_way) } else { rest };
-        self.node.sets_out.then_some(SETTING_OUT * way)
+        // Forces that would double within this part of the rest of the leg are rounding.
+        let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
+        // First step from an apex, as a part of the way on which forces change by their own size: directions turn by its square.
+        self.node.sets_out.then_some(1e-6 * way)
     }
 
     fn first_length(&self, here: &Here) -> f64 {
@@ -206,8 +193,10 @@ impl<'g> Pieces<'g> {
             let touches = ActiveSet::is_weightless(f, line.force_size);
             if state.slides() && !touches {
                 let turn = (f[1] * df[2] - f[2] * df[1]).abs() / (f[1] * f[1] + f[2] * f[2]);
-                if turn.is_finite() && turn * length > FIRST_TURN {
-                    length = FIRST_TURN / turn;
+                // The first step turns the fastest contact by this angle, rad, judged by the rate at the start.
+                let first_turn = 0.3;
+                if turn.is_finite() && turn * length > first_turn {
+                    length = first_turn / turn;
                 }
             }
         }
@@ -221,7 +210,9 @@ impl<'g> Pieces<'g> {
                 && line.rate[0] < -ZERO_SLACK * line.rate_size
                 && !ActiveSet::is_weightless(&line.force, line.force_size)
             {
-                way = way.min((1.0 - APPROACH) * line.force[0] / -line.rate[0]);
+                // A step leaves this part of the way to the place where a sliding contact loses its normal force: directions may turn ever faster
+                // there.
+                way = way.min(0.5 * line.force[0] / -line.rate[0]);
             }
         }
         way

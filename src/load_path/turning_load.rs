@@ -9,17 +9,16 @@ use super::trajectory::Trajectory;
 use super::turning_state::TurningState;
 use crate::contact::Wave;
 use crate::equilibrium::NoEquilibrium;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Harmonic, Vector};
 use crate::object::{Piece, PieceState};
-
-/// A rate below this part of the fastest counts as zero: its angle is known to the rounding of a full turn.
-const TURNS_BACK: f64 = 1e-12;
 
 impl Segment<'_> {
     /// Whether the load turns back at a factor: its rate vanishes there.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
-        load.rate_at(angle * factor).norm() <= TURNS_BACK * (load.cosine.norm() + load.sine.norm())
+        // A rate below this part of the fastest counts as zero: its angle is known to the rounding of a full turn.
+        load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
     /// Forces, gaps and their rates at a factor, and how they turn from there on.

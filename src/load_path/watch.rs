@@ -1,26 +1,10 @@
 //! The conditions that must stay positive along a sliding arc.
 
 use super::segment::{Here, Segment};
+use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};
 use super::trajectory::Trajectory;
-use crate::contact::{Line, Mode, State, ZERO_SLACK, tangential, tangential_norm};
+use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::prelude::*;
-
-/// Relative error of values on an arc from its steps, in addition to rounding.
-const ERROR_OF_STEPS: f64 = 1e-13;
-
-/// Scale of the rate of the load factor, which is at most 1. At a maximum of the load factor a rate of 1e-8 counts as zero: the factor is known to
-/// its square.
-const AT_THE_TOP: f64 = 1e-8 / (ZERO_SLACK + ERROR_OF_STEPS);
-
-/// The rest of a leg counts as at least this part of it, where the change of a value over the rest is compared with rounding.
-const LEAST_REST: f64 = 0.01;
-
-/// Multiple of the tolerance for zero beyond which a negative value is certain.
-const CLEARLY: f64 = 1e3;
-
-/// A normal force below this part of its size, on its way to zero, does not give the direction of friction any more: its relative error is the error
-/// of the steps divided by this part.
-const VANISHING: f64 = 1e-7;
 
 /// The subject of a condition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,23 +30,24 @@ pub(super) struct Watch {
 impl Watch {
     /// Clearly negative.
     pub(super) fn is_violated(&self) -> bool {
-        self.value < -(ZERO_SLACK + ERROR_OF_STEPS) * self.size
+        self.value < -SLACK_ON_AN_ARC * self.size
     }
 
     /// Zero up to rounding and the error of steps.
     pub(super) fn is_met(&self) -> bool {
-        self.value.abs() <= (ZERO_SLACK + ERROR_OF_STEPS) * self.size
+        self.value.abs() <= SLACK_ON_AN_ARC * self.size
     }
 
     /// Negative by far more than rounding and the errors of steps explain.
     pub(super) fn is_broken(&self) -> bool {
-        self.value < -CLEARLY * (ZERO_SLACK + ERROR_OF_STEPS) * self.size
+        // Multiple of the tolerance for zero beyond which a negative value is certain.
+        self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
 
     /// Decreasing by more than rounding, or with an unknown rate. A constant value does not fall: contacts at rest stay at their edge while others
     /// slide.
     pub(super) fn falls(&self) -> bool {
-        self.rate.is_none_or(|[rate, size]| rate < -(ZERO_SLACK + ERROR_OF_STEPS) * size)
+        self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }
 
     /// The length of the path until the value is zero along the tangent.
@@ -73,18 +58,24 @@ impl Watch {
 
 /// Whether a sliding contact has all but lost its normal force.
 pub(super) fn is_vanishing(line: &Line) -> bool {
-    line.rate[0] < 0.0 && line.force[0] <= VANISHING * line.force_size
+    line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
 /// Whether a sliding contact has just lost its normal force: its direction was not accurate enough for a step that ends there.
 pub(super) fn has_vanished(line: &Line) -> bool {
-    line.force[0] < 0.0 && line.force[0] >= -VANISHING * line.force_size
+    line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
 
 /// The conditions in these states.
 pub(super) fn watch(segment: &Segment<'_>, states: &[State], (factor, here): (f64, &Here)) -> Vec<Watch> {
+    // The rate of the load factor is at most 1. At a maximum of the load factor a rate of 1e-8 counts as zero: the factor is known to its square.
     let mut list = vec![
-        Watch { what: WatchedCondition::Growth, value: here.factor_rate, rate: None, size: AT_THE_TOP },
+        Watch {
+            what: WatchedCondition::Growth,
+            value: here.factor_rate,
+            rate: None,
+            size: 1e-8 / SLACK_ON_AN_ARC,
+        },
         Watch {
             what: WatchedCondition::Leg,
             value: 1.0 - factor,
@@ -94,7 +85,8 @@ pub(super) fn watch(segment: &Segment<'_>, states: &[State], (factor, here): (f6
     ];
     // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate of zero may grow.
     let straight = matches!(segment.course, Trajectory::Straight { .. });
-    let per_length = here.factor_rate / (1.0 - factor).max(LEAST_REST);
+    // The rest of a leg counts as at least a hundredth of it. The change of a value over the rest is compared with rounding.
+    let per_length = here.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&here.lines[contact], segment.problem.local(contact));
         let mut push = |value, rate: Option<[f64; 2]>, size: f64| {

@@ -13,18 +13,6 @@ use nalgebra::SVector;
 use super::segment::{Here, Segment};
 use crate::contact::{Coulomb, Mode, State};
 
-/// The term of fourth order, which the cubic leaves out, is estimated by that of third order, but by no less than this part of that of second order.
-/// The terms of accepted steps fall from order to order at least by this factor.
-const NEXT_ORDER: f64 = 0.05;
-/// Most pieces that are examined before a step is refused as too long.
-const MOST_PIECES: usize = 200;
-/// A step that is too long for a decision is repeated with this part of its length.
-const SHORTER: f64 = 0.5;
-/// A margin is violated where it is negative by more than this part of the error of a step.
-const WITHIN_THE_ERROR: f64 = 0.02;
-/// Rounding of margins, relative to their size: the least violation that counts.
-const ROUNDED: f64 = 2e-13;
-
 /// The four Bézier points of a piece of the cubic.
 type Points = [SVector<f64, 3>; 4];
 
@@ -63,7 +51,11 @@ pub(super) fn first_dip(
             _ => continue,
         };
         let weight = cone.map_or(1.0, Coulomb::round_weight);
-        let nothing = (WITHIN_THE_ERROR * step_error).max(ROUNDED) * size * weight;
+        // A margin is violated where it is negative by more than this part of the error of a step.
+        let within_the_error = 0.02;
+        // Rounding of margins, relative to their size: the least violation that counts.
+        let rounded = 2e-13;
+        let nothing = (within_the_error * step_error).max(rounded) * size * weight;
         let bounded = Bounded::new(values, rates.map(|rate| rate * length), cone, (weight, nothing));
         if let Some(part) = bounded.dip() {
             first = Some(first.map_or(part, |first| first.min(part)));
@@ -87,7 +79,9 @@ impl Bounded {
     ) -> Self {
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        let bend = third.norm().max(NEXT_ORDER * second.norm()) * weight;
+        // The cubic leaves out the term of fourth order. It is estimated by that of third order, but by no less than this part of that of second
+        // order. The terms of accepted steps fall from order to order at least by this factor.
+        let bend = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
     }
 
@@ -95,10 +89,11 @@ impl Bounded {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
-    /// The part of the step at which the margin is violated, or [`SHORTER`] where that is undecided. `None` where it holds.
+    /// The part of the step at which the margin is violated, or one half where that is undecided. `None` where it holds.
     fn dip(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
-        for _ in 0..MOST_PIECES {
+        // Most pieces that are examined before a step is refused as too long.
+        for _ in 0..200 {
             let (from, to, points) = pieces.pop()?;
             let least = points.iter().map(|point| self.margin(point)).fold(f64::INFINITY, f64::min);
             let farthest = if to <= 0.5 { to } else { from.max(0.5) };
@@ -113,7 +108,8 @@ impl Bounded {
             pieces.push((middle, to, after));
             pieces.push((from, middle, before));
         }
-        Some(SHORTER)
+        // A step that is too long for a decision is repeated with half its length.
+        Some(0.5)
     }
 
     /// Error bound of the margin on the cubic at a part of the step.

@@ -19,17 +19,11 @@ use crate::contact::Spring;
 use crate::grasp::{Site, size_of};
 use crate::prelude::*;
 
-/// With fewer coordinates orthogonal factors cost no more, and determine the rank. With them four bodies in space take a third less time,
-/// nine bricks in the plane more than twice as much.
-const FROM: usize = 36;
-/// Steps of the power method, which estimates the norm from below.
-const POWERS: usize = 4;
-/// Factor by which the estimate may be too small.
-const ESTIMATED: f64 = 2.0;
-
 /// Whether factors in a band pay off for this number of coordinates.
 pub(crate) fn are_many(coordinates: Size) -> bool {
-    coordinates.count() >= FROM
+    // With fewer coordinates orthogonal factors cost no more, and determine the rank. With them four bodies in space take a third less time, nine
+    // bricks in the plane more than twice as much.
+    coordinates.count() >= 36
 }
 
 /// T with its factors.
@@ -176,7 +170,8 @@ impl BandPiece {
         let length = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
         let mut growth = 1.0_f64;
         let mut q = vec![0.0; self.numbers.len()];
-        for _ in 0..POWERS {
+        // Steps of the power method, which estimates the norm from below.
+        for _ in 0..4 {
             let before = length(&x);
             q.fill(0.0);
             self.springs.add(left, &x, &mut q);
@@ -189,7 +184,8 @@ impl BandPiece {
             self.factors.solve_transposed(&mut q);
             self.springs.stretch(left, &mut q, |spring, stretch| x[spring] = stretch / after);
         }
-        ESTIMATED * growth
+        // Factor by which the estimate may be too small.
+        2.0 * growth
     }
 
     /// The full rows of A and, where a contact slides, of B.

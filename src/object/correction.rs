@@ -14,7 +14,7 @@ use nalgebra::SVector;
 use super::piece::Piece;
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
-use super::solution::{MOST_CORRECTIONS, NEARLY};
+use super::tolerances::{MOST_CORRECTIONS, NEARLY_CORRECTED};
 use crate::contact::{LocalLaw, Mode, Spring, State};
 use crate::numerics::{DoubleDouble, Vector, without};
 use crate::prelude::*;
@@ -60,7 +60,7 @@ impl Piece {
                 }
             }
             let changed = largest(&change);
-            let settled = changed <= NEARLY * size;
+            let settled = changed <= NEARLY_CORRECTED * size;
             doubt = noise + if settled { 0.0 } else { changed };
             if settled && noise <= 0.1 * changed.max(f64::EPSILON * size) {
                 break;

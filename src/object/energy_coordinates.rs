@@ -17,9 +17,6 @@ use crate::grasp::Site;
 use crate::numerics::{Orthogonal, Seen, Vector};
 use crate::prelude::*;
 
-/// Facets whose normals enclose an angle with a sine below this leave no independent slips.
-const PARALLEL: f64 = 1e-6;
-
 /// A facet of a friction cone, in units of the tangential length of its row, or the normal force of
 /// a contact that may open, as a facet (1, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -167,7 +164,8 @@ impl Slipping {
         let pair = [facets.next(), facets.next()];
         match pair {
             _ if facets.next().is_some() => None,
-            [Some(a), Some(b)] if cross(&a.row, &b.row).abs() < PARALLEL => None,
+            // Facets whose normals enclose an angle with a sine below this leave no independent slips.
+            [Some(a), Some(b)] if cross(&a.row, &b.row).abs() < 1e-6 => None,
             pair => Some(Self::new(pair)),
         }
     }

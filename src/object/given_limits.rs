@@ -9,8 +9,8 @@
 //! and Newton's method finds its minimum from any start. Each step keeps a part of the stiffness of yielding springs, less from step to step. Limits
 //! of friction from the resulting normal forces come next, until no contact changes its state. The states are a proposal: some may be wrong.
 //!
-//! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV (1996):
-//! friction as a fixed point of problems with given friction.
+//! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
+//! (1996): friction as a fixed point of problems with given friction.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -18,24 +18,9 @@ use super::band_piece::are_many;
 use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
+use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{PositiveBand, Vector, narrow_order, widest};
 use crate::prelude::*;
-
-/// Outer iterations, each with new limits. The first `AS_THEY_COME` are undamped, later ones average to stop oscillation.
-const ROUNDS: usize = 30;
-const AS_THEY_COME: usize = 6;
-/// Newton's steps for given limits.
-const STEPS: usize = 10;
-/// The iteration ends when limits change by less than this part and no contact changes its state.
-const NEARLY: f64 = 1e-4;
-/// Part of the stiffness of yielding springs in the Newton matrix (regularisation): at first, at least before each round, and the lower limit.
-const KEPT: [f64; 3] = [0.5, 1e-4, 1e-6];
-/// Imbalance at which Newton's method ends, relative to the initial one: in the first round, and the least; then relative to the change of limits.
-const OUT_OF_BALANCE: [f64; 2] = [1e-2, 1e-9];
-const OF_THE_CHANGE: f64 = 0.1;
-/// Most reductions of a step, made while the energy rises at its end by more than the part `LEVEL` of its initial rate of decrease.
-const SHORTENED: usize = 8;
-const LEVEL: f64 = 0.1;
 
 /// All contacts with given limits of friction, in a narrow order of coordinates.
 struct GivenLimits {
@@ -164,23 +149,28 @@ impl GivenLimits {
         self.band.solve(&mut q);
         answers = self.answers_by(&q, |i, stretch| stuck(&self.contacts[i], stretch));
         self.limits = self.limits_of(&answers.of);
-        let (mut kept, mut enough) = (KEPT[0], OUT_OF_BALANCE[0] * size);
+        // The Newton matrix keeps a part of the stiffness of yielding springs (regularisation): half at first, at least 1e-4 before each round.
+        // Newton's method ends at an imbalance of 1e-2 of the initial one in the first round.
+        let (mut kept, mut enough) = (0.5, 1e-2 * size);
         let mut states: Vec<Mode<u16>> = Vec::new();
-        for round in 0..ROUNDS {
+        // Outer iterations, each with new limits.
+        for round in 0..30 {
             answers = self.least_energy(&mut q, (&mut kept, enough))?;
             let next = self.limits_of(&answers.of);
             let change: Vec<f64> = next.iter().zip(&self.limits).map(|(next, last)| next - last).collect();
             let change = norm(&change) / norm(&next).max(f64::MIN_POSITIVE);
             let last =
                 core::mem::replace(&mut states, answers.of.iter().map(|answer| answer.state).collect());
-            if last == states && change <= NEARLY {
+            // The iteration ends when limits change by less than this part and no contact changes its state.
+            if last == states && change <= 1e-4 {
                 break;
             }
-            let mean =
-                |(next, last): (&f64, &f64)| if round < AS_THEY_COME { *next } else { 0.5 * (next + last) };
+            // The first six iterations are undamped, later ones average to stop oscillation.
+            let mean = |(next, last): (&f64, &f64)| if round < 6 { *next } else { 0.5 * (next + last) };
             self.limits = next.iter().zip(&self.limits).map(mean).collect();
-            kept = kept.max(KEPT[1]);
-            enough = enough.min(OF_THE_CHANGE * change * size).max(OUT_OF_BALANCE[1] * size);
+            kept = kept.max(1e-4);
+            // Later rounds end at a tenth of the change of limits, but no lower than 1e-9.
+            enough = enough.min(0.1 * change * size).max(1e-9 * size);
         }
         Some((states, q))
     }
@@ -192,7 +182,8 @@ impl GivenLimits {
     /// Newton's method from a motion to the least energy with the given limits.
     fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
         let mut here = self.answers(q);
-        for _ in 0..STEPS {
+        // Newton's steps for given limits.
+        for _ in 0..10 {
             if norm(&here.left) <= enough {
                 break;
             }
@@ -205,14 +196,17 @@ impl GivenLimits {
                 let next: Vec<f64> = q.iter().zip(&step).map(|(q, step)| q + step * part).collect();
                 here = self.answers(&next);
                 let rises = -dot(&here.left, &step);
-                if rises <= LEVEL * falls || shorter == SHORTENED {
+                // A step is reduced at most eight times. It is reduced while the energy rises at its end by more than this part of its initial rate
+                // of decrease.
+                if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
                     *q = next;
                     break;
                 }
                 part *= (falls / (falls + rises)).clamp(0.1, 0.9);
             }
             if part > 0.5 {
-                *kept = (*kept * 0.3).max(KEPT[2]);
+                // The lower limit of the part that is kept.
+                *kept = (*kept * 0.3).max(1e-6);
             } else if part < 0.2 {
                 *kept = (*kept * 4.0).min(1.0);
             }

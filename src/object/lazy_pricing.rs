@@ -15,21 +15,11 @@
 //! path has turned away from e, so that the clock runs fast, all contacts are queued again for its
 //! new direction.
 
+use super::tolerances::PRICED_ACROSS;
 use crate::numerics::Vector;
 
 use crate::numerics::WaitingLine;
 use crate::prelude::*;
-
-/// ε: deviations from e count 1/ε times. With a smaller ε, a clock that turns away runs too fast;
-/// with a larger one, contacts are evaluated too early.
-const ACROSS: f64 = 0.25;
-/// If the clock advances by more than this multiple of the path's length, a new e is due.
-const TURNED: f64 = 1.25;
-/// Values are reduced by this part of their terms, which exceeds their rounding: a contact
-/// that waits too long would be missed.
-pub(crate) const MARGIN: f64 = 1e-13;
-/// Contacts per step before the queue may be rebuilt: a rebuild evaluates every contact.
-const AGAIN: usize = 16;
 
 /// A point of a path, or its direction.
 #[derive(Debug, Clone)]
@@ -67,7 +57,7 @@ impl Point {
 /// gradient.
 #[inline]
 pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
-    let fastest = (-rate).max(ACROSS * gradient);
+    let fastest = (-rate).max(PRICED_ACROSS * gradient);
     if fastest > 0.0 { value.max(0.0) / fastest } else { f64::INFINITY }
 }
 
@@ -105,7 +95,7 @@ impl LazyPricing {
     pub(crate) fn speed(&self, along: &Point) -> f64 {
         let e = &self.towards;
         let forward = (along.y.dot(&e.y) + along.s * e.s).max(0.0);
-        forward + along.plus(-forward, e).size() / ACROSS
+        forward + along.plus(-forward, e).size() / PRICED_ACROSS
     }
 
     /// Advances the path by `times` a direction.
@@ -117,7 +107,11 @@ impl LazyPricing {
 
     /// Whether the path has turned far enough from e for a new one.
     pub(crate) fn has_turned(&self) -> bool {
-        self.line.clock > TURNED * self.length && self.steps * AGAIN > self.contacts
+        // If the clock advances by more than this multiple of the path's length, a new e is due.
+        let turned = 1.25;
+        // Contacts per step before the queue may be rebuilt: a rebuild evaluates every contact.
+        let again = 16;
+        self.line.clock > turned * self.length && self.steps * again > self.contacts
     }
 
     /// Whether a contact has enough slack to keep waiting; otherwise it joins the contacts evaluated

@@ -40,6 +40,7 @@ mod sizes;
 mod solution;
 mod sums;
 mod tangent;
+mod tolerances;
 mod trial;
 
 pub(crate) use band_piece::are_many;
@@ -48,14 +49,15 @@ pub(crate) use energy_coordinates::{
 };
 pub(crate) use free_motions::worked_on;
 pub(crate) use given_limits::{states_by_given_limits, twist_by_given_limits};
-pub(crate) use lazy_pricing::{LazyPricing, MARGIN, Point, slack};
+pub(crate) use lazy_pricing::{LazyPricing, Point, slack};
 pub(crate) use load::Load;
 pub(crate) use newton::{Imbalance, StretchAnswers, newton};
 pub(crate) use one_by_one::{newton_on_cones, newton_one_by_one};
 pub(crate) use piece::{Piece, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::{Lists, Problem};
-pub(crate) use sizes::{NO_FORCE, largest_force, least_spring_force};
+pub(crate) use sizes::{largest_force, least_spring_force};
 pub(crate) use solution::{PieceState, SolutionMemory, Unbalanced};
-pub(crate) use sums::{CORRECTIONS, Sums, are_stale};
+pub(crate) use sums::{Sums, are_stale};
 pub(crate) use tangent::{TangentFactors, balance, tangent_stiffness};
+pub(crate) use tolerances::{NO_FORCE, PRICING_MARGIN};

@@ -14,13 +14,7 @@ use nalgebra::SVector;
 use super::tangent::TangentFactors;
 use crate::grasp::Site;
 use crate::numerics::Vector;
-
-/// Most Newton steps: the method converges in a few.
-const STEPS: usize = 20;
-/// Sufficient decrease: a part of a step must reduce the imbalance by at least that part times this.
-const GAIN: f64 = 0.1;
-/// Least part of a step that is tried.
-const SHORTEST: f64 = 1e-3;
+use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 
 /// R and the sizes of its terms.
 #[derive(Debug, Clone, Default)]
@@ -69,7 +63,8 @@ pub(crate) fn newton(
     settled: f64,
 ) -> Option<(Vector, usize, Imbalance)> {
     let mut here = contacts.answer(&twist);
-    for steps in 0..STEPS {
+    // Most Newton steps: the method converges in a few.
+    for steps in 0..20 {
         let norm = here.left.norm();
         if norm <= settled * here.size {
             return Some((twist, steps, here));
@@ -80,11 +75,14 @@ pub(crate) fn newton(
         let step = contacts.tangent()?.solve(&here.left);
         let mut next = contacts.answer(&(&twist + &step));
         let mut part = 1.0;
-        while next.left.norm() > (1.0 - GAIN * part) * norm && part > SHORTEST {
+        // Sufficient decrease: a part of a step must reduce the imbalance by at least that part times this.
+        // Least part of a step that is tried.
+        let shortest = 1e-3;
+        while next.left.norm() > (1.0 - SUFFICIENT_DECREASE * part) * norm && part > shortest {
             part *= 0.5;
             next = contacts.answer(&(&twist + &step * part));
         }
-        if part <= SHORTEST {
+        if part <= shortest {
             part = 1.0;
             next = contacts.answer(&(&twist + &step));
         }

@@ -10,16 +10,10 @@
 use nalgebra::DMatrix;
 
 use super::band_piece::{BandPiece, Side};
-use super::free_motions::NO_WORK;
+use super::tolerances::NO_WORK;
+use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{BandFactors, Size, Vector, orthonormalise_against};
 use crate::prelude::*;
-
-/// A unit motion is free if it stretches springs by at most this part of the longest row. The softest springs stretch by more than 1e-6.
-const FREE: f64 = 1e-11;
-/// T is singular in a motion if the product of T and the motion is at most this part of its stretches.
-const SINGULAR: f64 = 1e-13;
-/// Corrections of a null vector by the residual of its stretches.
-const CLEARED: usize = 2;
 
 /// Motions in which T is singular.
 #[derive(Debug, Clone)]
@@ -95,7 +89,8 @@ fn apart(
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
         springs.stretch(side, &mut q, |spring, stretch| stretches[spring] = stretch);
         // Removes the residual stretches that stem from rounding of T and its factors.
-        for _ in 0..CLEARED {
+        // Corrections of a null vector by the residual of its stretches.
+        for _ in 0..2 {
             let mut back = vec![0.0; q.len()];
             springs.add(other, &stretches, &mut back);
             solve(&band.factors, &mut back);
@@ -130,7 +125,8 @@ fn apart(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        if length <= FREE * side.longest {
+        // A unit motion is free if it stretches springs by at most this part of the longest row. The softest springs stretch by more than 1e-6.
+        if length <= 1e-11 * side.longest {
             apart.unfelt.push(v);
             continue;
         }
@@ -138,7 +134,8 @@ fn apart(
         springs.add(other, &stretches, &mut left);
         let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         // This comparison also refuses NaN.
-        let singular = left <= SINGULAR * length;
+        // T is singular in a motion if the product of T and the motion is at most this part of its stretches.
+        let singular = left <= LINEARLY_DEPENDENT * length;
         if !singular {
             return None;
         }

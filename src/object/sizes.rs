@@ -5,15 +5,11 @@ use nalgebra::SVector;
 use super::newton::Imbalance;
 use super::problem::Problem;
 use super::solution::PieceState;
+use super::tolerances::NO_FORCE;
 use crate::contact::At;
 use crate::grasp::Site;
 use crate::numerics::Vector;
 use crate::prelude::*;
-
-/// Part of the springs' possible forces that counts as a force. Where a statically determinate grasp carries no force at all, three projections
-/// leave rounding of rounding of rounding (1e-45) of the forces that its springs could have from displacements of this size. With this part,
-/// noise is not compared with itself.
-pub(crate) const NO_FORCE: f64 = 1e-25;
 
 /// The least force that a spring of the scene could have from displacements of these sizes, contact by contact.
 pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {

@@ -8,21 +8,15 @@
 
 use nalgebra::SVector;
 
-use super::free_motions::{NO_WORK, worked_on};
+use super::free_motions::worked_on;
 use super::load::Load;
 use super::piece::{OrthogonalPiece, Piece};
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
+use super::tolerances::{MOST_CORRECTIONS, NEARLY_CORRECTED, NO_WORK};
 use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
 use crate::prelude::*;
-
-/// A correction by less than this part of the largest force is the last: its own error is this part of it.
-pub(super) const NEARLY: f64 = 1e-8;
-/// Where each correction leaves a constant part of the one before, a later correction by less than this part of the largest force is the last.
-const SHARP: f64 = 1e-15;
-/// Most corrections: where a force is exactly zero, each correction leaves 1e-16 of the previous value.
-pub(super) const MOST_CORRECTIONS: usize = 4;
 
 /// Forces and a twist of one linear piece.
 #[derive(Debug, Clone)]
@@ -87,7 +81,9 @@ impl Piece {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            if self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, SHARP)) {
+            // Each correction may leave a constant part of the one before. A later correction by less than this part of the largest force is the
+            // last.
+            if self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, drives.len());
                 return Ok(());
@@ -113,13 +109,13 @@ impl Piece {
         factors.right.subtract(x, &step);
         let mut twist = PreciseTwist::new(self.size(), factors.right.preimage(&step));
         let respond = |x: &mut [f64], rest: &Vector| factors.respond(x, rest);
-        self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, NEARLY));
+        self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, NEARLY_CORRECTED));
         state.twist = without(twist.value(), &self.free);
         self.forces_into(&mut state.forces, x, drives.len());
         Ok(())
     }
 
-    /// Solves again for the residuals. Returns whether the first correction was below the part `NEARLY` of the largest force, or a later one below
+    /// Solves again for the residuals. Returns whether the first correction was below [`NEARLY_CORRECTED`] of the largest force, or a later one below
     /// the part `sharp`.
     fn refine(
         &self,
@@ -140,7 +136,7 @@ impl Piece {
                 largest = largest.max(push * x.abs());
                 changed = changed.max(push * change.abs());
             }
-            if changed <= (if step == 0 { NEARLY } else { sharp }) * largest {
+            if changed <= (if step == 0 { NEARLY_CORRECTED } else { sharp }) * largest {
                 return true;
             }
         }

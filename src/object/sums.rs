@@ -18,17 +18,11 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::numerics::in_halves;
 
-/// Sums are recomputed after this number of changes plus a quarter of the number of contacts. A change
-/// leaves a rounding; new sums evaluate each contact.
-const FRESH: usize = 64;
-
-/// Corrections of a motion from such sums by the imbalance of its forces, summed anew: the second
-/// removes the rounding of the first.
-pub(crate) const CORRECTIONS: usize = 2;
-
 /// Whether sums over this number of contacts have changed too often to be accurate.
 pub(crate) fn are_stale(changes: usize, contacts: usize) -> bool {
-    changes > FRESH + contacts / 4
+    // Sums are recomputed after this number of changes plus a quarter of the number of contacts. A change leaves a rounding; new sums evaluate
+    // each contact.
+    changes > 64 + contacts / 4
 }
 
 /// T and R sides.

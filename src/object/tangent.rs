@@ -22,9 +22,6 @@ use crate::grasp::{Site, size_of};
 use crate::numerics::{Factors, PartialPivoting, in_halves};
 use crate::prelude::*;
 
-/// Steps of refinement: where one is not enough, the second should be.
-const STEPS: usize = 4;
-
 /// Factors of T, in a band where there are many coordinates.
 pub(crate) enum TangentFactors {
     Whole(Factors),
@@ -113,7 +110,8 @@ pub(crate) fn balance(
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
-    for _ in 0..STEPS {
+    // Steps of refinement: where one is not enough, the second should be.
+    for _ in 0..4 {
         let Imbalance { left, size } = Imbalance::of(sites, &state.forces, wrench, wrench.norm());
         if left.norm() <= part * size {
             return Some(moved);

@@ -6,16 +6,14 @@ use super::piece::Piece;
 use super::problem::Problem;
 use crate::contact::State;
 
-/// Grasps of more sites than this do not keep their factors: many sites take memory, and most repeated questions concern few.
-const MOST_KEPT: usize = 256;
-
 impl Problem<'_> {
     /// The piece in which every contact that is present sticks. At rest it depends on the sites of the grasp alone, not on load
     /// or commands, and is made once for all questions.
     pub(crate) fn trial(&self) -> Arc<Piece> {
         let make = || Piece::new(self, &self.unjumped());
         match self.trial {
-            Some(kept) if self.len() <= MOST_KEPT => kept.get(make),
+            // Grasps of more sites than this do not keep their factors: many sites take memory, and most repeated questions concern few.
+            Some(kept) if self.len() <= 256 => kept.get(make),
             _ => Arc::new(make()),
         }
     }

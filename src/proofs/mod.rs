@@ -14,12 +14,13 @@ mod nothing_near;
 mod open_choices;
 mod refutation;
 mod separating_many;
+mod tolerances;
 mod wrench_cone;
 
-pub(crate) use escape::{ESCAPE, LEAST_WORK};
 pub(crate) use nothing_near::nothing_near;
 pub(crate) use open_choices::nothing_holds;
 pub(crate) use refutation::{ProofStep, check, yields};
+pub(crate) use tolerances::{ESCAPE, LEAST_WORK};
 pub(crate) use wrench_cone::{
     Generator, NearestForces, nearest_forces, round_generators, separates_from_here_on, separating_motion,
     separating_motion_in_a_band, straight_generators,

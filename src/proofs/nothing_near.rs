@@ -21,9 +21,6 @@ use crate::numerics::{Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Bound of a sum's rounding per term, relative to the sum of the sizes of its terms. It includes the rounding of products and maps.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-
 /// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, turns the object by at
 /// most ρ over the inside unit of length, and moves each further coordinate by at most ρ. Infinite where no equilibrium exists at all; `None` where
 /// nothing is proved even at q*.
@@ -54,7 +51,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
         site.map.push(&row, &mut slope);
         size += row.norm() * site.span(&problem.drives[i], at);
     }
-    let rounding = ROUNDING * (problem.len() as f64).max(8.0);
+    // Bound of a sum's rounding per term, relative to the sum of the sizes of its terms. It includes the rounding of products and maps.
+    let rounding = 64.0 * f64::EPSILON * (problem.len() as f64).max(8.0);
     let mut left = work - resisted - rounding * size;
     if left <= 0.0 {
         return None;

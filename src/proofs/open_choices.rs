@@ -21,15 +21,13 @@ use crate::numerics::{Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Most contacts that may open: all choices of open ones among them are tried.
-const MOST_CONTACTS: usize = 8;
-
 /// Whether no forces hold any load between a load (not included) and another a little beyond.
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = (0..here.len()).filter(|&i| here.local(i).may_open()).collect();
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
+    // Most contacts that may open: all choices of open ones among them are tried.
     whole
-        && free.len() <= MOST_CONTACTS
+        && free.len() <= 8
         && (0..1_usize << free.len()).all(|choice| {
             let mut open = vec![false; here.len()];
             for (bit, &i) in free.iter().enumerate() {

@@ -13,16 +13,12 @@
 
 use nalgebra::SVector;
 
-use super::escape::{ESCAPE, LEAST_WORK};
+use super::tolerances::{ESCAPE, LEAST_WORK};
 use crate::contact::{Label, LocalLaw, State};
 use crate::grasp::Site;
 use crate::numerics::Vector;
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
-
-/// Tolerance of the virtual forces' balance, relative to them and to the forces that the virtual motion would cause. Through the rest
-/// an equilibrium could escape whose motion is larger than the data by the reciprocal.
-const BALANCED: f64 = 1e-13;
 
 /// A step of the proof. A division is followed by its second case with all steps below it, then by its first.
 #[derive(Debug, Clone)]
@@ -99,6 +95,8 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
     // Forces that do not balance one another prove nothing about equilibria far away.
-    let is_balanced = unbalanced.norm() <= BALANCED * balanced_size;
+    // Tolerance of the virtual forces' balance, relative to them and to the forces that the virtual motion would cause. Through the rest an
+    // equilibrium could escape whose motion is larger than the data by the reciprocal.
+    let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

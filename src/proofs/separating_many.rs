@@ -10,7 +10,8 @@
 //! with the projection P_i onto the cone. Each round is a convex problem without constraints, solved by Newton's method in a narrow band, as contacts
 //! couple few coordinates. The result is checked like any other motion.
 //!
-//! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1 (1976).
+//! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1
+//! (1976).
 
 use core::ops::Range;
 
@@ -18,26 +19,10 @@ use nalgebra::{SMatrix, SVector};
 
 use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
+use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{PositiveBand, Vector, narrow_order, unit, widest};
 use crate::object::{Problem, are_many};
 use crate::prelude::*;
-
-/// ρ in the first round, its growth per round, and its largest value: with more, a step would lose its digits.
-const FIRST: f64 = 1e1;
-const GROWS: f64 = 10.0;
-const LAST: f64 = 1e8;
-/// Rounds after the last growth of ρ.
-const MORE: usize = 6;
-/// Rounds after the first proof, which remove rounding from its motion: the motion is shown to users.
-const CLEARER: usize = 4;
-/// Most Newton steps of a round, and the imbalance at which a round ends: the first number over ρ, but no less than the second.
-const STEPS: usize = 12;
-const LEFT: [f64; 2] = [1e-3, 1e-14];
-/// Most reductions of a step, made while the energy rises at its end by more than the part `LEVEL` of its initial rate of decrease.
-const SHORTENED: usize = 12;
-const LEVEL: f64 = 0.1;
-/// A load whose residual is below this part of it counts as balanced: its residual is no motion.
-const BALANCED: f64 = 1e-5;
 
 /// The cone of one contact that responds to motions by forces.
 struct Pushing {
@@ -104,10 +89,14 @@ pub(super) fn left_of_many(problem: &Problem, judged: &dyn Fn(&Vector) -> bool) 
     };
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
-    while more < MORE && clearer < CLEARER {
-        let enough = if proof.is_some() { LEFT[1] } else { (LEFT[0] / pushed.stiffness).max(LEFT[1]) };
+    // Six rounds after the last growth of ρ, and four after the first proof: those remove rounding from its motion, which is shown to users.
+    while more < 6 && clearer < 4 {
+        // Imbalance at which a round ends: 1e-3 over ρ, but no less than 1e-14, which holds after a proof.
+        let least = 1e-14;
+        let enough = if proof.is_some() { least } else { (1e-3 / pushed.stiffness).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
-        if left < BALANCED {
+        // A load whose residual is below this part of it counts as balanced: its residual is no motion.
+        if left < 1e-5 {
             return Left::Nothing;
         }
         let motion = Vector::from_fn(problem.size(), |k| v[pushed.numbers[k]]);
@@ -115,8 +104,9 @@ pub(super) fn left_of_many(problem: &Problem, judged: &dyn Fn(&Vector) -> bool) 
             proof = Some(motion);
         }
         clearer += usize::from(proof.is_some());
-        if pushed.stiffness < LAST {
-            pushed.stiffness *= GROWS;
+        // ρ grows per round up to its largest value: with more, a step would lose its digits.
+        if pushed.stiffness < 1e8 {
+            pushed.stiffness *= 10.0;
         } else {
             more += 1;
         }
@@ -157,13 +147,15 @@ impl PushedBack {
         let mut load = vec![0.0; count];
         let size = problem.wrench.norm();
         problem.wrench.iter().zip(&numbers).for_each(|(w, k)| load[*k] = w / size);
-        Some(Self { contacts, numbers, load, band, stiffness: FIRST })
+        // ρ in the first round.
+        Some(Self { contacts, numbers, load, band, stiffness: 1e1 })
     }
 
     /// Moves v to the motion balanced by its responses up to `enough`, and updates the multipliers. Returns the length of the residual load.
     fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
         let mut missing = self.missing(v);
-        for _ in 0..STEPS {
+        // Most Newton steps of a round.
+        for _ in 0..12 {
             if norm(&missing) <= enough {
                 break;
             }
@@ -176,7 +168,9 @@ impl PushedBack {
                 let next: Vec<f64> = v.iter().zip(&step).map(|(v, step)| v + step * part).collect();
                 missing = self.missing(&next);
                 let rises = -dot(&missing, &step);
-                if rises <= LEVEL * falls || shorter == SHORTENED {
+                // A step is reduced at most twelve times. It is reduced while the energy rises at its end by more than this part of its initial
+                // rate of decrease.
+                if rises <= SUFFICIENT_DECREASE * falls || shorter == 12 {
                     *v = next;
                     break;
                 }

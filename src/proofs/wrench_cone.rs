@@ -15,25 +15,14 @@
 
 use nalgebra::SVector;
 
-use super::escape::{ESCAPE, LEAST_WORK, counts_from_here_on};
+use super::escape::counts_from_here_on;
 use super::separating_many::{Left, left_of_many};
+use super::tolerances::{CLEAR_RESIDUAL, ESCAPE, LEAST_WORK, MOST_COORDINATES};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::{NearestPoint, Size, Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
-
-/// A residual below this part of the load is no proof: the load is on the boundary, up to rounding.
-const CLEAR: f64 = 1e-9;
-/// A generator that works against the residual by less than this part of it does not join.
-const JOINS: f64 = 1e-13;
-/// Most generators that join: `MOST_JOINING`, and `MOST_JOINING_EACH` more for each coordinate. As a rule straight cones need no more to carry a
-/// load. Near the boundary of round cones each new generator reduces the distance only by a part.
-const MOST_JOINING: usize = 200;
-const MOST_JOINING_EACH: usize = 4;
-/// With more coordinates at most [`MOST_JOINING`] generators join: each takes a time that grows with the square of the number of coordinates, and
-/// all would take seconds.
-const MOST_COORDINATES: usize = 600;
 
 /// A force of one contact whose wrench is one unit long.
 #[derive(Debug, Clone)]
@@ -74,8 +63,10 @@ pub(crate) fn nearest_forces(
     let mut nearest = NearestPoint::new(target.as_slice());
     // By its number a straight generator joins once; generators of round cones are all different.
     let mut joined: Vec<Generator> = Vec::new();
-    let each = if size.count() <= MOST_COORDINATES { MOST_JOINING_EACH } else { 0 };
-    let mut joins_left = MOST_JOINING + each * size.count();
+    // Most generators that join: two hundred, and four more for each coordinate. As a rule straight cones need no more to carry a load. Near the
+    // boundary of round cones each new generator reduces the distance only by a part.
+    let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
+    let mut joins_left = 200 + each * size.count();
     let (motion, against) = loop {
         let residual = nearest.residual();
         let v = Vector::from_fn(size, |k| -residual[k]);
@@ -88,7 +79,8 @@ pub(crate) fn nearest_forces(
             }
         }
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
-        let joins = work < -JOINS * v.norm() && v.norm() > CLEAR && !nearest.has(tag);
+        // A generator that works against the residual by less than this part of it does not join.
+        let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
         if !joins || joins_left == 0 || !nearest.take_in(tag, generator.wrench.as_slice(), target.as_slice())
         {
             break (v, -work);
@@ -126,7 +118,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     fn separates(&self, v: &Vector, works: f64, against: f64) -> bool {
         let distance = v.norm();
         let escape = works * self.load / against.max(LEAST_WORK * distance);
-        distance > CLEAR && escape >= ESCAPE * self.data
+        distance > CLEAR_RESIDUAL && escape >= ESCAPE * self.data
     }
 
     /// The residual of the load after the nearest forces, as a unit motion, if it is a clear proof.
@@ -190,7 +182,7 @@ pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &
     // The next load is larger by the size of load and squeeze together.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
-    gained > CLEAR && counts_from_here_on(here, here + data * gained, against, data)
+    gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)
 }
 
 /// The unit wrenches that generate the cones that are not round; `None` where a law is not a cone of forces at rest.

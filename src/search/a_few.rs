@@ -7,22 +7,14 @@ use alloc::sync::Arc;
 
 use super::candidate::breaking;
 use super::near_states::{beside, regular};
-use super::proposals::{MOST_WORK, propose_dense};
+use super::proposals::propose_dense;
 use super::scene::{Log, TrialScene};
 use super::settings::Settings;
+use super::tolerances::MOST_WORK;
 use crate::contact::State;
 use crate::forms::{Moved, kinematic_form_among, kinematic_states};
 use crate::object::{Piece, PieceState, Problem, states_by_given_limits};
 use crate::prelude::*;
-
-/// Rounds in which further contacts may join: a disturbance spreads from contact to contact, and fades.
-const ROUNDS: usize = 32;
-/// Multiplications per path where the caller sets no limit on pivots: some seconds, where any other rung takes minutes.
-const MOST_WORK_OF_A_FEW: usize = MOST_WORK.saturating_mul(20);
-/// From this many contacts that leave the trial on, nearer states are computed first: a path costs the cube of their number.
-const MANY_LEAVE: usize = 128;
-/// Most contacts in the pivoting set, neighbours included, of a path from nearer states.
-const MOST_BESIDE: usize = 400;
 
 /// States that all contacts keep except the pivoting set, whose contacts stick, with their solved piece.
 struct Base {
@@ -60,7 +52,8 @@ pub(super) fn propose_of_a_few(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.unjumped, &scene.state);
-    if leaving.len() >= MANY_LEAVE
+    // From this many contacts that leave the trial on, nearer states are computed first: a path costs the cube of their number.
+    if leaving.len() >= 128
         && let Some(near) = states_by_given_limits(problem).and_then(|near| regular(problem, near))
         && let Some(base) = Base::of(problem, near)
     {
@@ -68,7 +61,8 @@ pub(super) fn propose_of_a_few(
         if among.is_empty() {
             return Some(base.states);
         }
-        if let Some(states) = pivoted(problem, scene.settings, (base, among, MOST_BESIDE), log) {
+        // Most contacts in the pivoting set, neighbours included, of a path from nearer states.
+        if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }
     }
@@ -84,12 +78,19 @@ fn pivoted(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let mut moved = Moved::default();
-    for _ in 0..ROUNDS {
+    // Rounds in which further contacts may join: a disturbance spreads from contact to contact, and fades.
+    for _ in 0..32 {
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.piece, &base.at, &among, &mut moved)?;
-        let proposed =
-            propose_dense(problem, settings, (Some(form), MOST_WORK_OF_A_FEW), kinematic_states, log);
+        // Multiplications per path where the caller sets no limit on pivots: some seconds, where any other rung takes minutes.
+        let proposed = propose_dense(
+            problem,
+            settings,
+            (Some(form), MOST_WORK.saturating_mul(20)),
+            kinematic_states,
+            log,
+        );
         let Some(mut states) = proposed else {
             among = beside(problem, &among);
             if among.len() > most {

@@ -5,27 +5,12 @@ use core::cell::OnceCell;
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
 use super::answer::Found;
-use crate::contact::{At, State};
+use crate::contact::{At, MOST_SLACK, State, ZERO_SLACK};
 use crate::lcp::{self, Lcp, Outcome};
 use crate::numerics::Vector;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
-
-/// An inequality may be violated by this part of its size, times the growth of errors in the piece. Ties are the
-/// normal case in symmetric grasps: a slack that is exactly zero comes out as a few roundings of 1e-16.
-const ROUNDING: f64 = 5e-14;
-/// Upper bound of the tolerance, however badly conditioned the piece is.
-const MOST_ROUNDING: f64 = 1e-10;
-/// A violation below this (times growth) is neither rounding nor clearly a violation: the proposal is not accepted,
-/// but nothing may be concluded from its failure either.
-const DOUBTFUL: f64 = 1e-12;
-
-/// A rate of an inequality along a unit motion below this part of its size is rounding of zero.
-const UNFELT: f64 = 1e-12;
-/// With more inequalities than these, the least shift is found by an active set of violated rows instead of from all rows at once.
-const ALL_AT_ONCE: usize = 200;
-/// Forces that fail to balance the load by more than this part of their sizes are no solution; the pieces reach 1e-15.
-const OUT_OF_BALANCE: f64 = 1e-11;
 
 /// Verdict on a proposal.
 #[derive(Debug, Clone)]
@@ -73,12 +58,15 @@ pub(super) fn admit(
     let growth = OnceCell::new();
     // Most verdicts do not depend on the growth of errors, which costs as much as the factorisation: it is computed on demand.
     let exceeds = |worst: f64, part: f64| {
-        worst > MOST_ROUNDING || worst > part && worst > part * growth.get_or_init(|| piece.growth())
+        // Upper bound of the tolerance, however badly conditioned the piece is.
+        worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| piece.growth())
     };
     let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    if exceeds(worst, ROUNDING) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
+    // An inequality may be violated by this part of its size, times the growth of errors in the piece. Ties are the normal case in symmetric
+    // grasps: a slack that is exactly zero comes out as a few roundings of 1e-16.
+    if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // The piece has a family of solutions. The one of least norm is not admissible, but another one may be.
         let free = free_motions.iter().map(|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
         let neutral = neutral_motions.iter().map(|v| (v.clone(), piece.forces_along(problem, v)));
@@ -97,11 +85,14 @@ pub(super) fn admit(
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
     }
-    if exceeds(worst, ROUNDING) {
-        return Err(Refused { states, at, doubtful: !exceeds(worst, DOUBTFUL) });
+    if exceeds(worst, ZERO_SLACK) {
+        // A violation below this (times growth) is neither rounding nor clearly a violation. The proposal is not accepted, but its failure proves
+        // nothing either.
+        return Err(Refused { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
-    if out_of_balance(problem, &there.forces, &there.twist) > OUT_OF_BALANCE {
+    // Forces that fail to balance the load by more than this part of their sizes are no solution; the pieces reach 1e-15.
+    if out_of_balance(problem, &there.forces, &there.twist) > 1e-11 {
         return Err(Refused { states, at, doubtful: true });
     }
     let PieceState { forces, twist } = shifted.unwrap_or(at);
@@ -113,7 +104,7 @@ pub(super) fn admit_regular(problem: &Problem, states: Vec<State>, state: PieceS
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
         // This comparison also refuses NaN.
-        holds &= value >= -ROUNDING * size;
+        holds &= value >= -ZERO_SLACK * size;
     });
     holds.then(|| Found::new(states, state.forces, state.twist))
 }
@@ -126,7 +117,7 @@ pub(super) fn breaking(problem: &Problem, states: &[State], at: &PieceState) -> 
         let force = &at.forces[*contact];
         let (mut holds, at) = (true, problem.at_moved((*contact, force), &at.twist, norm, largest));
         problem.local(*contact).for_each_condition(&states[*contact], &at, |value, size| {
-            holds &= value >= -ROUNDING * size;
+            holds &= value >= -ZERO_SLACK * size;
         });
         !holds
     };
@@ -212,7 +203,8 @@ fn least_admissible_shift(
             let at = At { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, |rate, rate_size| {
                 // The rate is rounding of zero. A very long motion must not satisfy this inequality with it.
-                if rate.abs() > UNFELT * rate_size {
+                // A rate of an inequality along a unit motion below this part of its size is rounding of zero.
+                if rate.abs() > SOLVED_ROUNDING * rate_size {
                     a[(i, k)] = rate / sizes[i];
                 }
                 i += 1;
@@ -225,7 +217,9 @@ fn least_admissible_shift(
         let Outcome::Solved(solution) = lcp.solve_with(&lcp::Settings::one_path()) else { return None };
         Some(a.tr_mul(&solution.z))
     };
-    if b.len() <= ALL_AT_ONCE {
+    // With more inequalities than these, the least shift is found by an active set of violated rows instead of from all rows at once.
+    let all_at_once = 200;
+    if b.len() <= all_at_once {
         return least(&(0..b.len()).collect::<Vec<_>>());
     }
     // Few of many inequalities are active: in each round the most violated ones join the active set.
@@ -236,7 +230,7 @@ fn least_admissible_shift(
         let mut joins: Vec<usize> = joins.collect();
         joins.sort_by(|&i, &j| left[i].total_cmp(&left[j]));
         joins.truncate(problem.size().count());
-        if joins.is_empty() || rows.len() > ALL_AT_ONCE {
+        if joins.is_empty() || rows.len() > all_at_once {
             return least(&rows);
         }
         rows.extend(joins);

@@ -15,18 +15,10 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::answer::Found;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{NearestPoint, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
-
-/// A condition whose rate along a unit motion is below this part of its size does not depend on that motion.
-const UNCHANGED: f64 = 1e-12;
-/// Tolerance of the nearest point, relative to the largest condition: below it no generator violates its condition.
-const VIOLATED: f64 = 1e-12;
-/// Normals along free motions with a singular value below this count as dependent.
-const DEPENDENT: f64 = 1e-9;
-/// If the last component of the residual is below this, no place keeps all conditions.
-const NO_PLACE: f64 = 1e-9;
 
 /// The solution with the shortest admissible part along its free motions.
 pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found {
@@ -52,7 +44,8 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
     let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
     for (i, (value, _)) in values.iter().enumerate() {
         let changes = changes.iter().map(|list| list[i]);
-        if changes.clone().any(|(change, size)| change.abs() > UNCHANGED * size) {
+        // A condition whose rate along a unit motion is below this part of its size does not depend on that motion.
+        if changes.clone().any(|(change, size)| change.abs() > SOLVED_ROUNDING * size) {
             rows.push((*value, changes.map(|(change, _)| change).collect()));
         }
     }
@@ -77,7 +70,8 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
     let rows = DMatrix::from_fn(open.len(), free.len(), |r, k| normal(open[r]).dot(&free[k]));
     let gaps = DVector::from_fn(open.len(), |r, _| problem.stretch(open[r], base)[0]);
-    let parts = rows.svd(true, true).solve(&gaps, DEPENDENT);
+    // Normals along free motions with a singular value below this count as dependent.
+    let parts = rows.svd(true, true).solve(&gaps, 1e-9);
     parts.map_or_else(
         |_| Vector::zeros(),
         |parts| free.iter().zip(parts.iter()).fold(Vector::zeros(), |sum, (v, part)| sum + v * *part),
@@ -106,9 +100,11 @@ fn least(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
             if nearest.has(*k) { f64::NEG_INFINITY } else { work }
         };
         let most = (0..generators.len()).max_by(|a, b| works(a).total_cmp(&works(b)))?;
-        if works(&most) <= VIOLATED {
+        // Tolerance of the nearest point, relative to the largest condition: below it no generator violates its condition.
+        if works(&most) <= SOLVED_ROUNDING {
             let (parts, last) = nearest.residual().split_at(count);
-            return (last[0] > NO_PLACE).then(|| parts.iter().map(|r| -r / last[0] * largest).collect());
+            // If the last component of the residual is below this, no place keeps all conditions.
+            return (last[0] > NEGLIGIBLE).then(|| parts.iter().map(|r| -r / last[0] * largest).collect());
         }
         if !nearest.take_in(most, &generators[most], &target) {
             return None;

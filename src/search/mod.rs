@@ -32,6 +32,7 @@ mod rungs;
 mod scene;
 mod settings;
 mod small_motions;
+mod tolerances;
 mod touching;
 mod tree;
 mod whole_line;

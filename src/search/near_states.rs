@@ -4,9 +4,6 @@ use crate::contact::{Mode, State};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Most rounds of sticking further contacts before the states are given up.
-const ROUNDS: usize = 8;
-
 /// The contacts that share a coordinate with one of `among`, these included, in order.
 pub(super) fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
     let felt = |i: usize| problem.sites[i].support.ranges().into_iter().flatten();
@@ -18,7 +15,8 @@ pub(super) fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
 /// The states, with further contacts sticking until no motion is loose. For each loose motion the contact with the largest displacement sticks,
 /// among the contacts that do not. `None` if motions are still loose after all rounds.
 pub(super) fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
-    for _ in 0..ROUNDS {
+    // Most rounds of sticking further contacts before the states are given up.
+    for _ in 0..8 {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
         if loose.is_empty() {
             return Some(states);

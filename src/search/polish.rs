@@ -8,12 +8,10 @@ use super::answer::Found;
 use super::candidate::{Judged, try_states};
 use super::round_pieces::RoundPieces;
 use crate::contact::State;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{PartialPivoting, Vector};
 use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
 use crate::prelude::*;
-
-/// Imbalance of a polygon's answer, as a part of its forces, with which Newton's method may start.
-const NEAR: f64 = 1e-12;
 
 /// Accepts a proposal that holds: the polygon's solution, or on the round cone the solution that Newton's method reaches from it.
 pub(super) fn accept(problem: &Problem, states: Vec<State>) -> Judged {
@@ -50,7 +48,8 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
     let forces = springs.iter().zip(&problem.drives).map(|(springs, drive)| springs * drive).collect();
     let mut near = PieceState { forces, twist: Vector::zeros() };
-    balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, NEAR)?;
+    // Imbalance of a polygon's answer, as a part of its forces, with which Newton's method may start.
+    balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, SOLVED_ROUNDING)?;
     Some(near)
 }
 

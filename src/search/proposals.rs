@@ -6,6 +6,7 @@ use super::enumerate::combinations;
 use super::polish::{polish, solution_near};
 use super::scene::{Log, TrialScene};
 use super::settings::Settings;
+use super::tolerances::{COVERING_VECTORS, MANY_CONTACTS, MOST_WORK};
 use super::tree::most_cases;
 use crate::contact::State;
 use crate::forms::Form;
@@ -13,18 +14,6 @@ use crate::lcp::{self, Basis, Outcome};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::structured;
-
-/// Covering vectors tried after a ray where all combinations of states are tried next. Each path costs as much as the first.
-const OTHER_PATHS: usize = 3;
-/// Covering vectors tried after a ray where there are too many contacts to try every combination.
-const OTHER_PATHS_AT_MOST: usize = 16;
-/// From this many contacts on, Newton's method and the search for a separating motion come first. With few contacts Newton's method often
-/// cycles; with many hardly ever, unless stiffnesses and friction lie decades apart. Above this number a linear program hardly finds a proof
-/// that the search has missed.
-pub(super) const MANY: usize = 32;
-/// Multiplications of all paths of one rung where the caller sets no limit on pivots: about a second. With a larger limit a scene of thousands
-/// of contacts without an equilibrium takes minutes to give up; with a smaller one some solvable scenes are given up.
-pub(super) const MOST_WORK: usize = 500_000_000;
 
 /// Whether one path on a dense matrix with `times` the rows of the kinematic form is affordable. A path takes about as many
 /// pivots as there are rows.
@@ -65,7 +54,7 @@ pub(super) fn propose_structured(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let max_pivots = scene.settings.max_pivots;
-    let retries = if most_cases(problem, scene.settings) > 0 { 0 } else { OTHER_PATHS };
+    let retries = if most_cases(problem, scene.settings) > 0 { 0 } else { COVERING_VECTORS };
     let proposal = structured::propose(problem, &scene.trial, &scene.state, retries, max_pivots, MOST_WORK);
     log.effort.rows = log.effort.rows.max(proposal.pairs);
     log.effort.pivots += proposal.pivots;
@@ -96,8 +85,9 @@ pub(super) fn propose_dense(
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        let retries = if few { OTHER_PATHS } else { OTHER_PATHS_AT_MOST };
-        lcp::Settings { prove_infeasible: problem.len() < MANY, retries, ..one_path }
+        // Covering vectors tried after a ray where there are too many contacts to try every combination.
+        let retries = if few { COVERING_VECTORS } else { 16 };
+        lcp::Settings { prove_infeasible: problem.len() < MANY_CONTACTS, retries, ..one_path }
     };
     match form.lcp.solve_with(&lcp_settings) {
         Outcome::Solved(solution) => {

@@ -19,21 +19,11 @@
 use nalgebra::SVector;
 
 use crate::contact::HullRay;
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{NearestPoint, Vector};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
-
-/// Least work of a generator along the residual, as a part of the residual, with which it joins.
-const WORKS: f64 = 1e-12;
-/// A distance below this part of the trial state is zero.
-const MET: f64 = 1e-11;
-/// A distance below this part of the trial state is too close to its rounding for a contradiction.
-const CLEAR: f64 = 1e-10;
-/// A distance that shrinks by less than this part has not shrunk: generators tried since then are not tried again.
-const SHRINKS: f64 = 1e-9;
-/// Most generators that join, for each row of the equation.
-const MOST_PER_ROW: usize = 40;
 
 /// A generator: the number of its contact, and its number among the generators of that contact.
 pub(super) type Tag = (usize, usize);
@@ -140,17 +130,21 @@ impl BalanceEquation {
         // Generators that brought nothing since the distance has last shrunk.
         let mut tried: Vec<Tag> = Vec::new();
         let mut least = f64::INFINITY;
-        for _ in 0..MOST_PER_ROW * self.target.len() {
+        // Most generators that join, for each row of the equation.
+        for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            if distance < MET || !distance.is_finite() {
+            // A distance below this part of the trial state is zero.
+            if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
-            if distance < least * (1.0 - SHRINKS) {
+            // A distance that shrinks by less than this part has not shrunk: generators tried since then are not tried again.
+            if distance < least * (1.0 - NEGLIGIBLE) {
                 least = distance;
                 tried.clear();
             }
             self.projected(nearest.residual(), &mut projected);
-            let (mut best, mut most) = (None, WORKS * distance);
+            // Least work of a generator along the residual, as a part of the residual, with which it joins.
+            let (mut best, mut most) = (None, SOLVED_ROUNDING * distance);
             let mut hardest = LEAST_WORK * distance;
             for (tag, work) in Self::works(nearest.residual(), &projected, hulls) {
                 hardest = hardest.max(work);
@@ -160,7 +154,8 @@ impl BalanceEquation {
             }
             let Some(tag) = best else {
                 let escape = distance * distance / hardest;
-                if escape >= ESCAPE && distance >= CLEAR {
+                // A distance below this part of the trial state is too close to its rounding for a contradiction.
+                if escape >= ESCAPE && distance >= 1e-10 {
                     return Relaxed::Contradicted { escape };
                 }
                 break;

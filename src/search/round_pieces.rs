@@ -10,33 +10,9 @@ use super::answer::Found;
 use super::candidate::{admit, admit_regular};
 use crate::contact::{LocalLaw, Mode, Slide, State, tangential, tangential_norm};
 use crate::numerics::Vector;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, PreciseTwist, Problem, newton_on_cones};
 use crate::prelude::*;
-
-/// Imbalance, as a part of the forces, at which Newton's method on the twist ends; steps on the pieces reduce the rest.
-const ARRIVED: f64 = 1e-9;
-/// Most steps.
-const STEPS: usize = 20;
-/// A step that changes the twist and each force by less than this part of itself is the last.
-const SHARP: f64 = 1e-14;
-/// This part of the largest force is below the last digit of any force.
-const NO_DIGIT: f64 = 1e-20;
-/// Where only rounding determines the direction of a small force, no step is sharp. A step that changes forces by less than this part of
-/// them, or by rounding of the largest, leaves an error of this part squared.
-const SETTLED: f64 = 1e-8;
-/// Rounding of the largest force.
-const ROUNDING: f64 = 1e-15;
-/// Tolerance of friction on its cone, as a part of the largest force. A force that still turns is off the cone by the square of the angle.
-const ON_THE_CONE: f64 = 1e-14;
-/// An answer may be out of balance by this part of load and forces: a load that was computed has rounding.
-const BALANCED: f64 = 1e-13;
-/// A state is left where its inequality fails by more than this part of its terms.
-const FAILS: f64 = 1e-14;
-/// Farthest answer from the start, as a multiple of the twist and drives there: beyond, hardly a digit of the contacts' stretch is left. Beside a
-/// locking angle steps lead there, where another rung finds an equilibrium close by.
-const FAR: f64 = 1e12;
-/// A motion that moves a contact by less than this part of its reach does not move it.
-const FELT: f64 = 1e-10;
 
 /// A state for every contact, with forces and a twist that need not solve their piece yet.
 #[derive(Debug, Clone)]
@@ -51,9 +27,9 @@ pub(super) struct RoundPieces {
 struct Progress {
     /// Forces and twist changed by their last digit at most.
     sharp: bool,
-    /// Forces and twist changed by at most a part `SETTLED` of themselves: the directions of friction have hardly turned.
+    /// Forces and twist changed by at most 1e-8 of themselves: the directions of friction have hardly turned.
     near: bool,
-    /// Forces changed by at most a part `SETTLED` of themselves, plus rounding of the largest.
+    /// Forces changed by at most 1e-8 of themselves, plus rounding of the largest.
     settled: bool,
 }
 
@@ -61,7 +37,8 @@ impl RoundPieces {
     /// The limit of Newton's method on the twist from `from`, each contact free to change its state.
     pub(super) fn arrived(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
-        let (twist, ..) = newton_on_cones(problem, (from, ARRIVED), &mut contacts)?;
+        // Imbalance, as a part of the forces, at which Newton's method on the twist ends; steps on the pieces reduce the rest.
+        let (twist, ..) = newton_on_cones(problem, (from, NEGLIGIBLE), &mut contacts)?;
         let (states, forces) = contacts.iter().map(|at| (at.state, at.force)).unzip();
         Some(Self { states, forces, twist: PreciseTwist::new(problem.size(), twist) })
     }
@@ -89,12 +66,16 @@ impl RoundPieces {
     pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
         let driven = problem.drives.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
-        for step in 1..=STEPS {
+        // Most steps.
+        let most_steps = 20;
+        for step in 1..=most_steps {
             let Progress { sharp, near, settled } = self.step(problem, &piece);
-            if self.twist.value().norm() > FAR * driven {
+            // Farthest answer from the start, as a multiple of the twist and drives there: beyond, hardly a digit of the contacts' stretch is left.
+            // Beside a locking angle steps lead there, where another rung finds an equilibrium close by.
+            if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }
-            let last = (sharp || step == STEPS && settled) && self.on_cones(problem);
+            let last = (sharp || step == most_steps && settled) && self.on_cones(problem);
             if last && let Some(found) = self.admitted(problem, &piece) {
                 return Some(found);
             }
@@ -117,8 +98,8 @@ impl RoundPieces {
         let largest = problem.largest_force(&self.forces, &self.twist.value());
         problem.locals().zip(&self.states).zip(&self.forces).all(|((local, state), force)| {
             let limit = local.cone().limit(force[0]);
-            state.slide().is_none()
-                || (tangential_norm(force) - limit).abs() <= ON_THE_CONE * largest.max(limit)
+            // Tolerance of friction on its cone, as a part of the largest force. A force that still turns is off the cone by the square of the angle.
+            state.slide().is_none() || (tangential_norm(force) - limit).abs() <= 1e-14 * largest.max(limit)
         })
     }
 
@@ -129,13 +110,19 @@ impl RoundPieces {
         let missing = piece.correction(problem, &self.states, (&self.forces, &self.twist), largest);
         self.twist.add(&missing.twist);
         let (moved, size) = (missing.twist.norm(), twist.norm());
-        let (mut sharp, mut near, mut settled) = (moved <= SHARP * size, moved <= SETTLED * size, true);
+        // A step that changes the twist and each force by less than this part of itself is the last.
+        let last = 1e-14;
+        // Where only rounding determines the direction of a small force, no step is sharp. A step that changes forces by less than this part of
+        // them, or by rounding of the largest, leaves an error of this part squared.
+        let little = 1e-8;
+        let (mut sharp, mut near, mut settled) = (moved <= last * size, moved <= little * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
             *force += missing;
             // Each contact is compared with its own force: a small force may still turn while the large ones have settled.
-            sharp &= missing.norm() <= SHARP * force.norm() + NO_DIGIT * largest;
-            near &= missing.norm() <= SETTLED * force.norm();
-            settled &= missing.norm() <= SETTLED * force.norm() + ROUNDING * largest;
+            // A force has no digit below 1e-20 of the largest, whose rounding is 1e-15 of it.
+            sharp &= missing.norm() <= last * force.norm() + 1e-20 * largest;
+            near &= missing.norm() <= little * force.norm();
+            settled &= missing.norm() <= little * force.norm() + 1e-15 * largest;
         }
         Progress { sharp, near, settled }
     }
@@ -163,7 +150,8 @@ impl RoundPieces {
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide| slide.across().dot(&site.map.tr_mul(motion)).abs();
-            state.slide().is_some_and(|slide| turns(slide) > FELT * site.map.norm())
+            // A motion that moves a contact by less than this part of its reach does not move it.
+            state.slide().is_some_and(|slide| turns(slide) > 1e-10 * site.map.norm())
         })
     }
 
@@ -177,14 +165,16 @@ impl RoundPieces {
             let site = &problem.sites[contact];
             let precise = |axis: usize| self.twist.stretch(site, axis, problem.drives[contact][axis]).value();
             let stretch = SVector::<f64, 3>::from_fn(|axis, _| precise(axis));
-            let touches = closing && stretch[0] > FAILS * problem.span(contact, &twist);
+            // A state is left where its inequality fails by more than this part of its terms.
+            let fails = 1e-14;
+            let touches = closing && stretch[0] > fails * problem.span(contact, &twist);
             let (state, force) = (self.states[contact], &mut self.forces[contact]);
             let next = next_state(
                 &problem.local(contact),
                 &state,
                 force,
                 &stretch,
-                [touches, force[0] < -FAILS * largest],
+                [touches, force[0] < -fails * largest],
             );
             any |= !next.is_kind_of(&state);
             self.states[contact] = next;
@@ -236,5 +226,6 @@ fn balanced(problem: &Problem, at: &PieceState) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();
     let scale = if load > 0.0 { load } else { problem.largest_force(&at.forces, &at.twist) };
-    left <= BALANCED * (scale + carried)
+    // An answer may be out of balance by this part of load and forces: a load that was computed has rounding.
+    left <= 1e-13 * (scale + carried)
 }

@@ -4,10 +4,9 @@ use super::a_few::propose_of_a_few;
 use super::answer::{Doubt, Rung, Settled};
 use super::enumerate::search;
 use super::polish::polish_from;
-use super::proposals::{
-    MANY, MOST_WORK, climb, dense_is_affordable, enumerable, propose_dense, propose_structured,
-};
+use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense, propose_structured};
 use super::scene::{Attempt, Log, TrialScene};
+use super::tolerances::{MANY_CONTACTS, MOST_WORK};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::contact::State;
@@ -17,10 +16,6 @@ use crate::prelude::*;
 use crate::proofs;
 use crate::structured::propose_by_newton;
 
-/// From this many contacts on, the kinematic form is solved on lists of contact states first. Its pivots are cheaper from three contacts
-/// on, but with few contacts the dense solver's path is kept: another covering vector may end in another of several equilibria.
-const STRUCTURED_FROM: usize = 8;
-
 /// Contacts that would pull are open; all others stick.
 pub(super) fn touching_contacts_stick(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
     let found = touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone());
@@ -29,7 +24,7 @@ pub(super) fn touching_contacts_stick(scene: &TrialScene<'_, '_>, _: &mut Log) -
 
 /// Newton's method on the contacts' forces as functions of the object's motion, for many contacts.
 pub(super) fn newton_on_answers(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
-    if scene.problem.len() < MANY {
+    if scene.problem.len() < MANY_CONTACTS {
         return Attempt::Nothing;
     }
     let propose = |problem: &Problem, _: &mut Log| propose_by_newton(problem);
@@ -38,7 +33,9 @@ pub(super) fn newton_on_answers(scene: &TrialScene<'_, '_>, log: &mut Log) -> At
 
 /// Lemke's method on the kinematic form, on lists of contact states: a pivot costs a few numbers a contact.
 pub(super) fn kinematic_form_on_states(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
-    if scene.problem.len() < STRUCTURED_FROM {
+    // From this many contacts on, the kinematic form is solved on lists of contact states first. Its pivots are cheaper from three contacts on, but
+    // with few contacts the dense solver's path is kept. Another covering vector may end in another of several equilibria.
+    if scene.problem.len() < 8 {
         return Attempt::Nothing;
     }
     let propose = |problem: &Problem, log: &mut Log| propose_structured(scene, problem, log);
@@ -75,7 +72,7 @@ pub(super) fn separating_motion_in_a_band(scene: &TrialScene<'_, '_>, _: &mut Lo
 
 /// With many contacts a separating motion is cheaper than any path.
 pub(super) fn separating_motion_of_many(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
-    if scene.problem.len() < MANY { Attempt::Nothing } else { separating_motion(scene, log) }
+    if scene.problem.len() < MANY_CONTACTS { Attempt::Nothing } else { separating_motion(scene, log) }
 }
 
 /// Contact states from Lemke's method on the dense kinematic form.
@@ -87,7 +84,7 @@ fn propose_kinematic(scene: &TrialScene<'_, '_>, problem: &Problem, log: &mut Lo
 /// Lemke's method on the kinematic form with a dense matrix.
 pub(super) fn kinematic_form(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
     // With too many contacts the dense form adds nothing to the lists of states.
-    if scene.problem.len() >= MANY && !dense_is_affordable(scene.proposing(), 1) {
+    if scene.problem.len() >= MANY_CONTACTS && !dense_is_affordable(scene.proposing(), 1) {
         return Attempt::Stop;
     }
     let propose = |problem: &Problem, log: &mut Log| propose_kinematic(scene, problem, log);

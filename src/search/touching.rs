@@ -6,11 +6,6 @@ use crate::contact::{Mode, State};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// With more contacts, all that pull open together.
-const ONE_BY_ONE: usize = 64;
-/// Most rounds where contacts open together.
-const ROUNDS: usize = 20;
-
 /// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until neither are left.
 /// The result is accepted if it satisfies every condition. A finger far out of reach thus does not lead to another
 /// equilibrium than the grasp without it.
@@ -24,7 +19,10 @@ pub(super) fn touching_contacts(
     let mut piece = None;
     let mut changed = Vec::new();
     // Every contact usually changes once; the bound ends cycles.
-    let rounds = if states.len() > ONE_BY_ONE { ROUNDS } else { 2 * states.len() + 2 };
+    // With more contacts, all that pull open together.
+    let one_by_one = 64;
+    // Most rounds where contacts open together.
+    let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
         // Few contacts open one at a time: a contact that pulls makes others pull that no longer do once it is open. The first to open is
         // the contact with the largest initial gap.
@@ -35,7 +33,7 @@ pub(super) fn touching_contacts(
         let penetrates = |i: &usize| states[*i].is_open() && depth(*i) > 0.0;
         changed.clear();
         changed.extend((0..states.len()).filter(may_open).filter(pulls));
-        if states.len() <= ONE_BY_ONE
+        if states.len() <= one_by_one
             && let Some(first) = changed.iter().copied().min_by(|&i, &j| reach(i).total_cmp(&reach(j)))
         {
             changed = vec![first];
@@ -43,7 +41,7 @@ pub(super) fn touching_contacts(
         let next = if changed.is_empty() { Mode::Sticking } else { Mode::Open };
         if changed.is_empty() {
             changed.extend((0..states.len()).filter(may_open).filter(penetrates));
-            if states.len() <= ONE_BY_ONE
+            if states.len() <= one_by_one
                 && let Some(first) = changed.iter().copied().max_by(|&i, &j| depth(i).total_cmp(&depth(j)))
             {
                 changed = vec![first];

@@ -19,20 +19,6 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::ProofStep;
 
-/// Newton's method starts from every fourth case: it costs as much as a few cases.
-const EVERY: usize = 4;
-/// An error of the law below this part of the trial state is rounding: Newton's method should have converged.
-const AT_THE_LAW: f64 = 1e-10;
-/// Weight of the error of a contact that is neither open nor closed yet: before its division, other divisions contribute little.
-const UNDECIDED: f64 = 3.0;
-
-/// A case takes as long as the cube of the number of contacts over this many combinations of contact states.
-const COMBINATIONS: usize = 400;
-/// Least cost of a case in combinations, however few contacts: the first relaxation has its cost, too.
-const FEW_CONTACTS: usize = 5;
-/// With more contacts there would be too few cases for a decision.
-const MOST_CONTACTS: usize = 32;
-
 /// The end of the search.
 #[derive(Debug, Clone)]
 pub(super) enum Tree {
@@ -64,11 +50,14 @@ pub(super) fn has_round_cones(problem: &Problem) -> bool {
 /// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero where nothing can be divided, or
 /// with too many contacts.
 pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
-    if problem.len() > MOST_CONTACTS || !has_round_cones(problem) {
+    // With more contacts there would be too few cases for a decision.
+    if problem.len() > 32 || !has_round_cones(problem) {
         return 0;
     }
-    let by_size = settings.most_states.saturating_mul(COMBINATIONS) / problem.len().pow(3);
-    by_size.min(settings.most_states / FEW_CONTACTS)
+    // A case takes as long as the cube of the number of contacts over this many combinations of contact states.
+    let by_size = settings.most_states.saturating_mul(400) / problem.len().pow(3);
+    // Least cost of a case in combinations, however few contacts: the first relaxation has its cost, too.
+    by_size.min(settings.most_states / 5)
 }
 
 /// Searches every case, at most `most_cases`.
@@ -109,7 +98,11 @@ pub(super) fn search_tree(
             return Tree::Unresolved(Doubt::Inaccurate);
         }
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
-        if (cases - 1) % EVERY == 0 || error <= AT_THE_LAW {
+        // Newton's method starts from every fourth case: it costs as much as a few cases.
+        let every = 4;
+        // An error of the law below this part of the trial state is rounding: Newton's method should have converged.
+        let at_the_law = 1e-10;
+        if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = problem.drives.iter().zip(&stretches).map(|(a, v)| a - v).collect();
             let twist = trial.solve_roughly(&from, &Vector::zeros()).twist;
             if let Some(found) = polish_from(problem, twist) {
@@ -167,7 +160,8 @@ fn farthest_from_the_law(
         let answer = local.answer(&stretches[contact], 0.0);
         let off = balance.part(contact, &(forces[contact] - answer.force));
         error = error.max(off);
-        let weighed = if labels[contact] == Label::Anything { UNDECIDED * off } else { off };
+        // Weight of the error of a contact that is neither open nor closed yet: before its division, other divisions contribute little.
+        let weighed = if labels[contact] == Label::Anything { 3.0 * off } else { off };
         if weighed > worst {
             (farthest, worst) = (contact, weighed);
         }

@@ -10,11 +10,9 @@ use super::candidate::{Judged, try_states};
 use super::least_motion::at_the_least_motion;
 use crate::contact::{Line, Mode, State, WEIGHTLESS};
 use crate::grasp::Space;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
-
-/// Forces that differ by less than this part of the largest are equal.
-const SAME: f64 = 1e-9;
 
 /// The same forces in states that show the free motions: contacts on an edge of their cone slide, contacts without force part. `found` itself if
 /// these states do not hold.
@@ -25,8 +23,10 @@ pub(crate) fn on_the_whole_line(problem: &Problem, found: Found) -> Found {
     }
     let Some(states) = yielding(problem, &found) else { return found };
     let largest = problem.largest_force(&found.forces, &found.twist);
-    let are_the_same =
-        |other: &Found| found.forces.iter().zip(&other.forces).all(|(f, g)| (f - g).norm() <= SAME * largest);
+    // Forces that differ by less than this part of the largest are equal.
+    let are_the_same = |other: &Found| {
+        found.forces.iter().zip(&other.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest)
+    };
     let free = |other: &Found| other.free_motions.len();
     match try_states(problem, states) {
         Judged::Holds(other) if free(&other) > free(&found) && are_the_same(&other) => {

@@ -11,10 +11,8 @@ use super::least_motion::at_the_least_motion;
 use super::settings::Settings;
 use super::whole_line::on_the_whole_line;
 use crate::contact::{ActiveSet, Mode, WEIGHTLESS};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, Problem};
-
-/// Forces that differ by less than this part of the largest are the same.
-const SAME: f64 = 1e-9;
 
 /// [`settle`] for a problem at rest.
 pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
@@ -63,7 +61,8 @@ fn opened(problem: &Problem, found: &Found) -> Option<Found> {
     }
     let piece = Piece::new(problem, &states);
     let PieceState { forces, .. } = piece.solve(problem.sites, &problem.drives, problem.load()).ok()?;
-    let are_the_same = forces.iter().zip(&found.forces).all(|(f, g)| (f - g).norm() <= SAME * largest);
+    // Forces that differ by less than this part of the largest are the same.
+    let are_the_same = forces.iter().zip(&found.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest);
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
     are_the_same.then(|| Found { states, forces, free_motions, neutral_motions, ..found.clone() })

@@ -31,7 +31,7 @@ pub(crate) struct Active {
 }
 
 impl Active {
-    pub(super) const NONE: Self = Self { pairs: [0; 3], len: 0 };
+    pub(super) const EMPTY: Self = Self { pairs: [0; 3], len: 0 };
 
     pub(crate) fn len(self) -> usize {
         usize::from(self.len)
@@ -185,7 +185,7 @@ impl StateBasis {
     /// Sets every contact to its trial state.
     pub(super) fn unjump(&mut self, contacts: usize) {
         self.active.clear();
-        self.active.resize(contacts, Active::NONE);
+        self.active.resize(contacts, Active::EMPTY);
         if self.reactions.len() < contacts {
             self.reactions.resize(contacts, self.sticking);
         }

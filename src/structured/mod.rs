@@ -24,6 +24,7 @@ mod path;
 mod proposal;
 mod round_cone;
 mod solution;
+mod tolerances;
 mod variables;
 mod view;
 mod workspace;

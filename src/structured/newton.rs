@@ -7,7 +7,8 @@ use core::ops::Range;
 
 use nalgebra::SVector;
 
-use super::solution::{BALANCED, Solution};
+use super::solution::Solution;
+use super::tolerances::BALANCED_SOLUTION;
 use crate::contact::{Mode, PolygonState, State, Tangent};
 use crate::grasp::Site;
 use crate::numerics::{Factors, Size, Square, Vector, in_halves};
@@ -59,7 +60,7 @@ pub(super) fn newton(problem: &Problem, found: &mut Solution) -> Option<usize> {
     // If a motion is free, the least one is wanted, which Newton's method does not find.
     let start = factors.is_regular().then(|| factors.solve(&(&sums.balance.left + &problem.wrench)))?;
     let mut answers = OnPolygons { problem, states: &mut found.states, forces: &mut found.forces, sums };
-    let (twist, steps, here) = object::newton(&mut answers, start, BALANCED)?;
+    let (twist, steps, here) = object::newton(&mut answers, start, BALANCED_SOLUTION)?;
     let lawful = answers.sums.lawful;
     found.twist = twist;
     found.residual = here.left.norm() / here.size;

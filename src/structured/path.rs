@@ -10,17 +10,14 @@
 
 use super::basis::{COVER, PERTURBED, StateBasis, TRIAL};
 use super::contact_form::ContactForm;
-use super::variables::{Candidate, Entering, GREY, PivotStep, TIE, Vanishing};
+use super::tolerances::TIE;
+use super::variables::{Candidate, Entering, PivotStep, Vanishing};
 use crate::contact::{LocalLaw, Mode, PolygonState};
+use crate::lcp::tolerances::DOUBTFUL_PIVOT;
+use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::numerics::{Bordered, Vector};
 use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
 use crate::prelude::*;
-
-/// Number of contacts below which every step evaluates all of them: a queue would cost more than it saves.
-const FEW: usize = 24;
-
-/// A pivot below this part of the largest change of the step is made on fresh sums only.
-const DOUBTFUL: f64 = 1e-7;
 
 /// How a path ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -147,10 +144,13 @@ impl Path {
                 continue;
             };
             let leaving = self.blocking(&step, &entering);
+            // A smaller pivot, beside the largest change of the step, is made on fresh sums only.
             let doubtful = match &leaving {
                 Leaving::Nobody => true,
-                Leaving::Covering => step.along.s.abs() < DOUBTFUL * step.largest,
-                Leaving::Variable(candidate) => candidate.vanishing.rate.abs() < DOUBTFUL * step.largest,
+                Leaving::Covering => step.along.s.abs() < DOUBTFUL_PIVOT * step.largest,
+                Leaving::Variable(candidate) => {
+                    candidate.vanishing.rate.abs() < DOUBTFUL_PIVOT * step.largest
+                }
             };
             if doubtful && self.age > 0 {
                 self.refresh();
@@ -188,7 +188,8 @@ impl Path {
     }
 
     fn is_lazy(&self) -> bool {
-        self.form.len() >= FEW
+        // Number of contacts below which every step evaluates all of them: a queue would cost more than it saves.
+        self.form.len() >= 24
     }
 
     /// Queues all contacts except `out`, whose pair is outside the basis.
@@ -241,7 +242,7 @@ impl Path {
         let Self { form, basis, pricing, candidates, .. } = self;
         candidates.clear();
         let covering = Vanishing { value: step.here.s, rate: step.along.s, level: step.here.size() };
-        let z0_shrinks = covering.rate < -GREY * step.largest;
+        let z0_shrinks = covering.rate < -FEW_ROUNDINGS * step.largest;
         let mut length = if z0_shrinks { covering.longest() } else { f64::INFINITY };
         let mut looks = 0;
         let mut look = |contact: u32, length: &mut f64| {

@@ -5,7 +5,8 @@
 
 use nalgebra::SVector;
 
-use super::solution::{ACCURATE, BALANCED, Solution};
+use super::solution::Solution;
+use super::tolerances::{ACCURATE_SOLUTION, BALANCED_SOLUTION};
 use crate::contact::{ContactResponse, ZERO_SLACK};
 use crate::numerics::Vector;
 use crate::object::{Problem, newton_on_cones};
@@ -18,7 +19,7 @@ pub(super) fn newton(
     answers: &mut Vec<ContactResponse>,
     found: &mut Solution,
 ) -> Option<usize> {
-    let (twist, steps, here) = newton_on_cones(problem, (from, BALANCED), answers)?;
+    let (twist, steps, here) = newton_on_cones(problem, (from, BALANCED_SOLUTION), answers)?;
     // A contact that is kept closed may pull, but then it has no friction to slide with.
     let lawful = problem
         .locals()
@@ -65,5 +66,5 @@ pub(super) fn trial_holds(
     found.twist.clone_from(twist);
     let (left, carried) = problem.imbalance(&found.forces);
     found.residual = worst.max(left / (carried + problem.wrench.norm() + f64::MIN_POSITIVE));
-    worst <= ZERO_SLACK && found.residual <= ACCURATE
+    worst <= ZERO_SLACK && found.residual <= ACCURATE_SOLUTION
 }

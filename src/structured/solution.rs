@@ -4,21 +4,11 @@ use nalgebra::SVector;
 
 use super::basis::TRIAL;
 use super::path::Path;
+use super::tolerances::{ACCURATE_SOLUTION, BALANCED_SOLUTION, TRIAL_ROUNDING};
 use crate::contact::{PolygonState, SMALLEST};
 use crate::numerics::{Bordered, Vector};
-use crate::object::{CORRECTIONS, Facet, Problem};
+use crate::object::{Facet, Problem};
 use crate::prelude::*;
-
-/// Relative imbalance of forces that counts as balance: the rest is mostly
-/// rounding, which another correction would not reduce.
-pub(super) const BALANCED: f64 = 1e-13;
-/// Number of pivots up to which the sums have lost hardly any digits, and are not computed afresh for the
-/// solution.
-const FRESH: usize = 16;
-/// Largest residual of a solution: a vertex of a wrong basis violates its conditions by much more.
-pub(super) const ACCURATE: f64 = 1e-10;
-/// Forces below this part of those in the trial state are rounding of the trial state.
-const ROUNDING: f64 = 1e-5;
 
 /// An equilibrium, found by Newton's method or from the last basis of a path.
 #[derive(Debug, Clone)]
@@ -42,7 +32,8 @@ impl Solution {
     /// Solves the equations of the present states of a path at z₀ = 0. Returns the motion y on top
     /// of the trial state if every inequality holds there, too.
     pub(super) fn take(&mut self, path: &mut Path, problem: &Problem) -> Option<Vector> {
-        if path.age <= FRESH
+        // Number of pivots up to which the sums have lost hardly any digits, and are not computed afresh for the solution.
+        if path.age <= 16
             && let Some(y) = self.check(path, problem)
         {
             return Some(y);
@@ -60,7 +51,7 @@ impl Solution {
             let x = path.basis.reaction(contact).hold * local.stretch(&y);
             let force = x.component_mul(&site.springs.root());
             let trial = site.springs.stiffest().sqrt() * local.trial.norm();
-            largest = largest.max(force.norm()).max(ROUNDING * trial);
+            largest = largest.max(force.norm()).max(TRIAL_ROUNDING * trial);
             self.forces.push(force);
         }
         let mut worst = 0.0_f64;
@@ -90,10 +81,11 @@ impl Solution {
                 force.fill(0.0);
             }
             sum += &site.map * *force;
-            size += force.norm() + ROUNDING * site.springs.stiffest().sqrt() * level.min(local.trial.norm());
+            size += force.norm()
+                + TRIAL_ROUNDING * site.springs.stiffest().sqrt() * level.min(local.trial.norm());
         }
         self.residual = worst.max(sum.norm() / (size + SMALLEST));
-        (self.residual <= ACCURATE).then_some(y)
+        (self.residual <= ACCURATE_SOLUTION).then_some(y)
     }
 }
 
@@ -106,7 +98,8 @@ impl Path {
         let zero = Vector::zeros();
         let factors = Bordered::new(&self.sums.stiffness, &zero, &zero, 1.0)?;
         let mut y = factors.solve(&self.sums.sides[TRIAL], 0.0).0;
-        for _ in 0..CORRECTIONS {
+        // Corrections of a motion from such sums by the imbalance of its forces, summed anew: the second removes the rounding of the first.
+        for _ in 0..2 {
             let (mut left, mut size) = (Vector::zeros(), 0.0);
             for (contact, local) in self.form.locals.iter().enumerate() {
                 let seen = &local.contact.seen;
@@ -116,7 +109,7 @@ impl Path {
             }
             let square = left.norm_squared();
             y += factors.solve(&(left * self.form.coordinates.weight), 0.0).0;
-            if square <= BALANCED * BALANCED * size {
+            if square <= BALANCED_SOLUTION * BALANCED_SOLUTION * size {
                 break;
             }
         }

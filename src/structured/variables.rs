@@ -4,7 +4,9 @@ use nalgebra::SVector;
 
 use super::basis::StateBasis;
 use super::contact_form::{ContactForm, PairedContact};
-use crate::object::{Facet, MARGIN, Point, slack};
+use super::tolerances::TIE;
+use crate::numerics::tolerances::FEW_ROUNDINGS;
+use crate::object::{Facet, PRICING_MARGIN, Point, slack};
 
 /// The pair outside the basis, both of whose variables are zero, and which of the two enters.
 #[derive(Debug, Clone, Copy)]
@@ -43,16 +45,10 @@ impl Vanishing {
     /// reach zero before the least of these steps count as tied.
     pub(super) fn longest(&self) -> f64 {
         let value = self.value.max(0.0);
-        (value + TIE * value + ROUNDING * self.level) / -self.rate
+        // Variables also tie within the rounding of the terms that a value is made of.
+        (value + TIE * value + 64.0 * f64::EPSILON * self.level) / -self.rate
     }
 }
-
-/// Relative error of a value: variables tie that reach zero within such errors of
-/// each other. Smaller, a symmetric scene leaves a tie to its rounding; larger, a variable
-/// becomes negative.
-pub(super) const TIE: f64 = 1e-12;
-/// Error of a value, as a part of the terms it is made of, for the same reason.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The start of a step, and its direction for a unit change of the entering variable.
 #[derive(Debug, Clone)]
@@ -62,12 +58,6 @@ pub(super) struct PivotStep {
     /// Size of the largest change of a variable.
     pub(super) largest: f64,
 }
-
-/// A rate below this part of its terms is rounding of zero: a path that took it for a rate would
-/// end far away.
-const NOISE: f64 = 1e-11;
-/// A rate below this part of the largest changes is rounding of zero for any terms.
-pub(super) const GREY: f64 = 4.0 * f64::EPSILON;
 
 impl ContactForm {
     /// Calls `visit` with the basic variables of a contact that decrease along a step. A rate much smaller than
@@ -90,13 +80,16 @@ impl ContactForm {
         }
         let level = local.level(&stretch, z0);
         let own_size = if own { 1.0 } else { 0.0 };
-        let zero = -GREY * step.largest;
+        // A rate below this part of the largest changes is rounding of zero for any terms.
+        let zero = -FEW_ROUNDINGS * step.largest;
         let mut consider = |pair: usize, jump: bool, value: f64, rate: f64, size: f64| {
             if rate >= zero || (own && pair == entering.pair) {
                 return;
             }
             let terms = || size * (local.contact.seen.norm() * step.along.y.norm() + dz0.abs() + own_size);
-            if rate > -NOISE * step.largest && rate > -NOISE * terms() {
+            // A rate below this part of its terms is rounding of zero: a path that took it for a rate would end far away.
+            let noise = 1e-11;
+            if rate > -noise * step.largest && rate > -noise * terms() {
                 return;
             }
             let vanishing = Vanishing { value, rate, level: level * size };
@@ -125,7 +118,7 @@ impl ContactForm {
         let local = &self.locals[contact as usize];
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
         let (stretch, change) = (local.stretch(&at.y), -(&local.contact.seen * &e.y));
-        let (margin, width) = (MARGIN * local.level(&stretch, at.s), local.contact.seen.norm());
+        let (margin, width) = (PRICING_MARGIN * local.level(&stretch, at.s), local.contact.seen.norm());
         let mut least = f64::INFINITY;
         // Each variable has the form `felt·u + d z₀`.
         let mut consider = |felt: &SVector<f64, 3>, d: f64, size: f64| {

@@ -17,11 +17,6 @@ use crate::numerics::{Memory, Orthogonal, Vector, without};
 use crate::object::{Problem, spring_rows, stretched_into, worked_on};
 use crate::prelude::*;
 
-/// Number of other covering vectors that are tried after a first path without solution.
-const OTHER_PATHS: usize = 3;
-/// Number of contacts from which Newton's method is tried first.
-const MANY: usize = 32;
-
 /// Memory for equilibria of one grasp after another, by Lemke's method on lists of contact states.
 #[derive(Debug, Clone)]
 pub(crate) struct Workspace {
@@ -81,7 +76,8 @@ impl Workspace {
     }
 
     fn solve(&mut self, grasp: &Engine, load: &Wrench<3>) -> Result<Search<'_, 3>, Error> {
-        let other_paths = if self.asked.one_path { 0 } else { OTHER_PATHS };
+        // Number of other covering vectors that are tried after a first path without solution.
+        let other_paths = if self.asked.one_path { 0 } else { 3 };
         let wrench = grasp.load_alone(load, "load")?;
         self.path.pivots = 0;
         self.laws.clear();
@@ -116,7 +112,8 @@ impl Workspace {
 
     /// Whether an equilibrium was found; `None` if no contact resists the load.
     fn seek(&mut self, problem: &mut Problem, other_paths: usize) -> Option<bool> {
-        let newton_first = other_paths > 0 && problem.len() >= MANY && !self.asked.round;
+        // Number of contacts from which Newton's method is tried first.
+        let newton_first = other_paths > 0 && problem.len() >= 32 && !self.asked.round;
         self.newton_steps = newton_first.then(|| newton(problem, &mut self.solution)).flatten();
         if self.newton_steps.is_some() {
             return Some(true);

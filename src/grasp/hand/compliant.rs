@@ -12,11 +12,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::positive::{NotPositive, checked, least_eigenvalue, squares};
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
-
-/// Least eigenvalue of a compliance, scaled to unit diagonal, below which it is singular up to rounding: the contacts would be rigid along some
-/// direction.
-const REGULAR: f64 = 1e-12;
 
 /// Compliances of the pads, m/N, and the columns of V.
 pub(super) fn split(
@@ -31,7 +28,9 @@ pub(super) fn split(
     let root = whole.map(f64::sqrt);
     let scaled = DMatrix::from_fn(size, size, |i, j| compliance[(i, j)] / (root[i] * root[j]));
     let least = least_eigenvalue(&scaled);
-    if least <= REGULAR {
+    // Least eigenvalue of a compliance, scaled to unit diagonal, below which it is singular up to rounding: the contacts would be rigid along
+    // some direction.
+    if least <= SOLVED_ROUNDING {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(compliance)));
     }
     let pads = whole * (0.5 * least);

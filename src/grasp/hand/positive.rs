@@ -2,15 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::grasp::tolerances::NEGATIVE_REMAINDER;
+use crate::numerics::tolerances::{LINEARLY_DEPENDENT, NEGLIGIBLE};
 use crate::prelude::*;
-
-/// Largest difference of two entries across the diagonal, over the root of the product of their diagonal entries, in a matrix that counts as
-/// symmetric.
-const SYMMETRIC: f64 = 1e-9;
-/// Remainder of a diagonal entry after elimination, over the entry, that counts as zero: rounding of n steps leaves about 1e-15.
-const ELIMINATED: f64 = 1e-13;
-/// Remainder of a diagonal entry, over the entry, that is too far below zero to be rounding. Remainders beside the diagonal have the same bound.
-const NEGATIVE: f64 = 1e-10;
 
 /// Why a matrix is not symmetric positive semidefinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,10 +38,11 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
             .map(|(place, &j)| (place, j))
             .max_by(|a, b| share(a.1).total_cmp(&share(b.1)))
             .unwrap_or((0, left[0]));
-        if left.iter().any(|&j| share(j) < -NEGATIVE) {
+        if left.iter().any(|&j| share(j) < -NEGATIVE_REMAINDER) {
             return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
         }
-        if share(pivot) <= ELIMINATED {
+        // Remainder of a diagonal entry after elimination, over the entry, that counts as zero: rounding of n steps leaves about 1e-15.
+        if share(pivot) <= LINEARLY_DEPENDENT {
             break;
         }
         left.swap_remove(place);
@@ -66,7 +61,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
     }
     // The remaining block has a zero diagonal, so its other entries must be zero, too.
     let beside = |i: usize, j: usize| rest[(i, j)].abs() / (whole[i] * whole[j]).sqrt();
-    if left.iter().any(|&i| left.iter().any(|&j| beside(i, j) > NEGATIVE)) {
+    if left.iter().any(|&i| left.iter().any(|&j| beside(i, j) > NEGATIVE_REMAINDER)) {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
     }
     Ok(columns)
@@ -85,7 +80,9 @@ pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPosit
         for j in 0..i {
             let difference = (matrix[(i, j)] - matrix[(j, i)]).abs();
             let size = (matrix[(i, i)].abs() * matrix[(j, j)].abs()).sqrt();
-            if difference > SYMMETRIC * size {
+            // Largest difference of two entries across the diagonal, over the root of the product of their diagonal entries, in a matrix that counts
+            // as symmetric.
+            if difference > NEGLIGIBLE * size {
                 worst = worst.max(difference);
             }
         }

@@ -10,14 +10,7 @@
 //! The path reports the distance. Where it is not three times the error, directions relax within a step, and it is as large as the error.
 
 use super::one_step::{StepProblem, SteppedState};
-
-/// Growth of the distance in one step beyond which the second path counts as lost. With a factor of only a few it would be lost at every change of
-/// states; errors that are forgotten would then add up.
-const ELSEWHERE: f64 = 10.0;
-
-/// Distance, as a part of the largest force, below which both paths are equal up to Newton's method, and so is their next step made at once. With
-/// more, errors that are forgotten would add up.
-const ONE: f64 = 1e-12;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// The path of steps made at once.
 #[derive(Debug, Clone)]
@@ -46,9 +39,13 @@ impl Coarse {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.apart(&self.standing);
         let near = &to.twist + &self.standing.twist - &from.twist;
-        let by = ELSEWHERE * distance + to.apart(at_once);
+        // Growth of the distance in one step beyond which the second path counts as lost. With a factor of only a few it would be lost at every
+        // change of states; errors that are forgotten would then add up.
+        let by = 10.0 * distance + to.apart(at_once);
         let step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
-        if distance > ONE * largest && step().is_some() && beside.apart(at_once) <= by {
+        // Below this distance, as a part of the largest force, both paths are equal up to Newton's method. So is their next step made at once. With
+        // more, errors that are forgotten would add up.
+        if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.apart(at_once) <= by {
             core::mem::swap(&mut self.standing, beside);
         } else {
             self.lost += distance / largest;

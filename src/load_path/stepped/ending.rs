@@ -9,10 +9,6 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::search::{Doubt, Settled, settle};
 
-/// Forces stay constant if they change by less than this part of the change that sticking springs would feel. At maxima the ratio is some hundredths,
-/// at least a thousandth; towards asymptotes it falls to the root of the rest of the load, 1e-5.
-const STAY: f64 = 2e-4;
-
 impl<'g> Steps<'g> {
     /// The end where no step leads further, from the motion, or from the proof that nothing balances the rates of the contacts on an edge. Otherwise
     /// the path is undecided, for the reason `doubt`.
@@ -23,7 +19,9 @@ impl<'g> Steps<'g> {
         let leaving = (0..edge.rates.len()).filter(leaves).collect();
         if self.pace.speeds.run_to(fraction) {
             // Beyond a maximum forces would continue to change; towards an asymptote they stay while the object moves.
-            let kind = if self.pace.changed < STAY { LossKind::Asymptote } else { LossKind::Fold };
+            // Forces stay constant if they change by less than this part of the change that sticking springs would feel. At maxima the ratio is some
+            // hundredths, at least a thousandth; towards asymptotes it falls to the root of the rest of the load, 1e-5.
+            let kind = if self.pace.changed < 2e-4 { LossKind::Asymptote } else { LossKind::Fold };
             let motion = self.pace.rate.as_ref().map(Vector::normalize);
             return PathEnd::Lost(Box::new(journey.loss(fraction, kind, leaving, motion.as_ref())));
         }

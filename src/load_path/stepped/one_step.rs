@@ -4,18 +4,12 @@ use nalgebra::SVector;
 
 use crate::contact::{ContactResponse, State};
 use crate::load_path::journey::Journey;
+use crate::load_path::tolerances::SHORTEST_STEP;
 use crate::load_path::trajectory::Trajectory;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Vector, cleared_for};
 use crate::object::{Problem, newton_one_by_one};
 use crate::prelude::*;
-
-/// Imbalance that Newton's method may leave, relative to the forces: below the error of any step.
-const SETTLED: f64 = 1e-12;
-
-/// Rounding of spring forces relative to the forces that their displacements would make, divided by [`SETTLED`] to have the same scale.
-const ROUNDED: f64 = 1e-3;
-/// Shortest step, as a part of a leg: a path that needs shorter ones ends there.
-pub(super) const SHORTEST: f64 = 1e-12;
 
 /// The state at a place of the path, in inside coordinates.
 #[derive(Debug, Clone)]
@@ -98,7 +92,8 @@ impl<'g> StepProblem<'g> {
         (length, near): (f64, Vector),
         to: &mut SteppedState,
     ) -> Option<()> {
-        let fraction = if from.fraction + length > 1.0 - SHORTEST { 1.0 } else { from.fraction + length };
+        let fraction =
+            if from.fraction + length > 1.0 - SHORTEST_STEP { 1.0 } else { from.fraction + length };
         let Self { problem, drives: [base, change], course, before, answers } = self;
         cleared_for(before, base.len());
         for (i, site) in problem.sites.iter().enumerate() {
@@ -121,12 +116,15 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.drives);
+    // Rounding of spring forces, relative to the forces that their displacements would make. It is divided by the imbalance that may be left, to
+    // have the same scale.
     let rounded =
-        ROUNDED * springs.map(|(site, drive)| site.springs.stiffest() * site.span(drive, &near)).sum::<f64>();
+        1e-3 * springs.map(|(site, drive)| site.springs.stiffest() * site.span(drive, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
         problem.local(i).answer_after(&before[i], stretch)
     };
-    (to.twist, ..) = newton_one_by_one(problem, (near, SETTLED, rounded), answers, answer)?;
+    // Imbalance that Newton's method may leave, relative to the forces: below the error of any step.
+    (to.twist, ..) = newton_one_by_one(problem, (near, SOLVED_ROUNDING, rounded), answers, answer)?;
     to.slips.clone_from(&from.slips);
     cleared_for(&mut to.forces, answers.len());
     cleared_for(&mut to.states, answers.len());
@@ -140,7 +138,7 @@ fn equilibrium_after(
         to.states.push(answer.state);
     }
     // A contact that is kept closed and has limited friction cannot pull.
-    let least = -SETTLED * to.largest_force();
+    let least = -SOLVED_ROUNDING * to.largest_force();
     let pulls = |(i, force): (usize, &SVector<f64, 3>)| {
         force[0] < least && problem.local(i).may_slide() && !problem.local(i).may_open()
     };

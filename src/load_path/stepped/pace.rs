@@ -6,9 +6,6 @@ use super::speeds::Speeds;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::Vector;
 
-/// The first step of a leg, as a part of it.
-const FIRST_STEP: f64 = 1.0 / 16.0;
-
 /// The steps of a leg so far.
 #[derive(Debug, Clone)]
 pub(super) struct StepPace {
@@ -33,7 +30,8 @@ impl StepPace {
     pub(super) fn along<X>(course: &Trajectory<X>) -> Self {
         let longest = if let Trajectory::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };
         let speeds = Speeds::default();
-        Self { rate: None, speeds, changed: 1.0, step: FIRST_STEP, longest, refused: false, tried: 0 }
+        // The first step of a leg, as a part of it.
+        Self { rate: None, speeds, changed: 1.0, step: 1.0 / 16.0, longest, refused: false, tried: 0 }
     }
 
     /// Restarts the control on the next leg, in the same memory.

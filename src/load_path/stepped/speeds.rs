@@ -11,15 +11,6 @@
 
 use crate::prelude::*;
 
-/// Growth of the speed from which it is recorded anew.
-const GROWN: f64 = 2.0;
-/// Least ratio of the distances at which speeds are compared.
-const APART: f64 = 1e3;
-/// Growth of the speed between them beyond which the path does not end at a corner.
-const RUNS: f64 = 8.0;
-/// Last part of the leg over which a speed must have grown if it grows without bound.
-const TO_THE_END: f64 = 1e-8;
-
 /// Fractions of a leg and the speeds there, each larger than the one before.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Speeds(Vec<[f64; 2]>);
@@ -32,7 +23,8 @@ impl Speeds {
 
     /// Records the speed of a step that has arrived at a fraction.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
-        if self.0.last().is_none_or(|[_, fastest]| speed > GROWN * fastest) {
+        // Growth of the speed from which it is recorded anew.
+        if self.0.last().is_none_or(|[_, fastest]| speed > 2.0 * fastest) {
             self.0.push([fraction, speed]);
         }
     }
@@ -41,7 +33,12 @@ impl Speeds {
     pub(super) fn run_to(&self, end: f64) -> bool {
         let mut before = self.0.iter().rev().filter(|[fraction, _]| *fraction < end);
         let Some([near, fast]) = before.next() else { return false };
-        let far = before.find(|[fraction, _]| end - fraction >= APART * (end - near));
-        end - near < TO_THE_END && far.is_some_and(|[_, slow]| *fast > RUNS * slow)
+        // Least ratio of the distances at which speeds are compared.
+        let far = before.find(|[fraction, _]| end - fraction >= 1e3 * (end - near));
+        // Last part of the leg over which a speed must have grown if it grows without bound.
+        let to_the_end = 1e-8;
+        // Growth of the speed between them beyond which the path does not end at a corner.
+        let runs = 8.0;
+        end - near < to_the_end && far.is_some_and(|[_, slow]| *fast > runs * slow)
     }
 }

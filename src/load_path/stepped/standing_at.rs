@@ -9,10 +9,6 @@ use crate::load_path::follower::StandAtEdge;
 use crate::load_path::journey::Journey;
 use crate::search::Found;
 
-/// Friction reserve, or force to close a gap, below this part of the largest force counts as none, since the last steps are 1e-12 of a leg. With a
-/// smaller part, a contact that such a step would bring to its edge still holds, and the limit is missed.
-const AT_AN_EDGE: f64 = 1e-9;
-
 impl SteppedState {
     /// The whole equilibrium, computed in one pass over all contacts.
     pub(super) fn equilibrium(&self, journey: &Journey<'_>) -> Equilibrium<3> {
@@ -34,7 +30,10 @@ impl SteppedState {
     pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StandAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (drives, largest) = (segment.drives(self.fraction), self.largest_force());
-        let near = largest * (AT_AN_EDGE / ZERO_SLACK);
+        // A friction reserve, or a force to close a gap, below this part of the largest force counts as none. The last steps are 1e-12 of a leg. With
+        // a smaller part, a contact that such a step would bring to its edge still holds, and the limit is missed.
+        let at_an_edge = 1e-9;
+        let near = largest * (at_an_edge / ZERO_SLACK);
         let law = |i: usize| {
             let (local, state) = (segment.problem.local(i), &self.states[i]);
             let line =
@@ -42,7 +41,7 @@ impl SteppedState {
             let mut stand = local.stand(&line);
             if state.is_open() {
                 let gap = -segment.problem.sites[i].stretch(&drives[i], &self.twist)[0];
-                stand.apex = local.springs.force_along(0, gap) <= AT_AN_EDGE * largest;
+                stand.apex = local.springs.force_along(0, gap) <= at_an_edge * largest;
             }
             local.law_of_rates(&stand, state)
         };

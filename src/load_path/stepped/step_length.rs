@@ -1,42 +1,17 @@
 //! Steps as long as the allowed error permits.
 
-use super::one_step::{SHORTEST, SteppedState};
+use super::one_step::SteppedState;
 use super::places::Places;
 use super::stepped_path::{Step, Steps};
 use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
 use crate::load_path::follower::Came;
 use crate::load_path::journey::Journey;
+use crate::load_path::tolerances::SHORTEST_STEP;
 use crate::numerics::Vector;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Doubt;
-
-/// Errors below this part of the largest force are rounding.
-const ROUNDING: f64 = 1e-13;
-/// Least and largest ratio of successive step lengths.
-const SLOWER: f64 = 0.2;
-const FASTER: f64 = 2.0;
-/// The next step aims at this part of the allowed error.
-const CAREFUL: f64 = 0.7;
-/// Ratio of step lengths after a step that found no equilibrium.
-const NOWHERE: f64 = 0.25;
-/// Part of the allowed error for what a step and its halves miss alike in one step: that happens to a contact a few times a leg.
-const UNSEEN: f64 = 0.1;
-/// Part of the error that a step may make in proportion to its way, which is the longest of three: the fraction of the leg, the change of forces over
-/// the largest force, and the change that sticking springs would feel. The error of a direction is forgotten while that last change grows to the
-/// largest force.
-const EVEN: f64 = 0.5;
-/// Part of a contact's remaining error budget that a step may use. With more, a few steps would use it up, and the others would have as little as if
-/// nothing were ever forgotten; with less, steps are shorter than the error requires.
-const OF_WHAT_IS_LEFT: f64 = 0.05;
-/// The error budget of a contact is proportional to the way of the forces over the largest one, up to this multiple of the error: the error is a
-/// third of the distance between the two paths. With more it would exceed the allowed error.
-const ALTOGETHER: f64 = 2.0;
-/// A step is a jump if halfway the object is farther from the middle of the step than this part of it …
-const LEAP: f64 = 0.25;
-/// … and if springs would feel the step by more than this part of the largest force.
-const FELT: f64 = 0.05;
 
 /// Result of a step made twice.
 #[derive(Debug)]
@@ -61,20 +36,23 @@ impl<'g> Steps<'g> {
         let step = self.pace.step.min(self.pace.longest);
         let length = if step > 0.9 * rest { rest } else { step };
         let Some(twice) = self.twice(length) else {
-            self.pace.step = length * NOWHERE;
-            return if self.pace.step < SHORTEST {
+            // Ratio of step lengths after a step that found no equilibrium.
+            self.pace.step = length * 0.25;
+            return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(journey, Doubt::OnTheBoundary))
             } else {
                 Ok(Came::OnTheWay)
             };
         };
         let part = self.part_of_what_is_allowed(&twice);
-        let fastest = if self.pace.refused { 1.0 } else { FASTER };
+        // Largest ratio of successive step lengths.
+        let fastest = if self.pace.refused { 1.0 } else { 2.0 };
         self.pace.refused = part > 1.0;
-        self.pace.step = length * (CAREFUL / part.sqrt()).clamp(SLOWER, fastest);
+        // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of this one.
+        self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
             // Rounding may forbid so small an error.
-            return if self.pace.step < SHORTEST {
+            return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(journey, Doubt::Inaccurate))
             } else {
                 Ok(Came::OnTheWay)
@@ -92,15 +70,25 @@ impl<'g> Steps<'g> {
         let (from, Places { to, at_once, .. }, largest) = (&self.standing, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let way = to.apart(from) / largest;
-        let even = EVEN * self.error * length.max(way).max(twice.felt / largest);
-        let budget = self.error * (self.way + way).min(ALTOGETHER);
+        // Half the error may be made in proportion to the way of a step, which is the longest of three. They are the fraction of the leg, the change
+        // of forces over the largest force, and the change that sticking springs would feel. The error of a direction is forgotten while that last
+        // change grows to the largest force.
+        let even = 0.5 * self.error * length.max(way).max(twice.felt / largest);
+        // The error budget of a contact is proportional to the way of the forces over the largest one, up to twice the error. The error is a third of
+        // the distance between the two paths. With more it would exceed the allowed error.
+        let budget = self.error * (self.way + way).min(2.0);
+        // Errors below this part of the largest force are rounding.
+        let rounding = 1e-13;
         let part = |i: usize| {
             let so_far = (from.forces[i] - self.coarse.standing.forces[i]).norm() / largest;
-            let allowed = even.max(OF_WHAT_IS_LEFT * (budget - so_far)).max(ROUNDING);
+            // Part of a contact's remaining error budget that a step may use. With more, a few steps would use it up, and the others would have as
+            // little as if nothing were ever forgotten. With less, steps are shorter than the error requires.
+            let allowed = even.max(0.05 * (budget - so_far)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let seen = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        seen.max(twice.unseen / (UNSEEN * self.error).max(ROUNDING))
+        // A tenth of the allowed error is for what a step and its halves miss alike. That happens to a contact a few times a leg.
+        seen.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
     /// A step in two halves and at once; `None` where one of them finds no equilibrium, or only a distant one.
@@ -115,7 +103,9 @@ impl<'g> Steps<'g> {
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
         let felt = most_felt(sites, &(&to.twist - &from.twist));
-        if felt > FELT * largest && most_felt(sites, &off) > LEAP * felt {
+        // A step is a jump if halfway the object is farther from the middle of the step than a quarter of it. Springs must also feel the step by more
+        // than a twentieth of the largest force.
+        if felt > 0.05 * largest && most_felt(sites, &off) > 0.25 * felt {
             return None;
         }
         let unseen = along.unseen([from, middle, to]) / largest;

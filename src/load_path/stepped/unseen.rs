@@ -21,11 +21,6 @@ use super::one_step::{StepProblem, SteppedState};
 use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::Vector;
 
-/// Deviation from a straight way in the middle of each half, relative to that in the middle of the step.
-const IN_A_HALF: f64 = 0.25;
-/// The same ratio at a bend somewhere in a half.
-const WHERE_IT_BENDS: f64 = 2.0;
-
 impl StepProblem<'_> {
     /// Largest error of a contact force at the end of a step in two halves, N, that its difference from the step made at once does not show.
     pub(super) fn unseen(&self, at: [&SteppedState; 3]) -> f64 {
@@ -40,7 +35,8 @@ impl StepProblem<'_> {
         }
         let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
-        let off = IN_A_HALF * bend.norm();
+        // Deviation from a straight way in the middle of each half, relative to that in the middle of the step.
+        let off = 0.25 * bend.norm();
         let drawn = |a: &SteppedState, b: &SteppedState| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
         };
@@ -48,7 +44,8 @@ impl StepProblem<'_> {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
             // A force turns no farther than its slip.
-            let most = (WHERE_IT_BENDS * bend.norm()).min(tangential_norm(&began));
+            // The same ratio at a bend somewhere in a half.
+            let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
         let half = |a: &SteppedState, b: &SteppedState| match (&a.states[i], &b.states[i]) {
