@@ -20,13 +20,21 @@ pub(super) fn faulty_field(
     message: &str,
 ) -> Option<String> {
     let (before, last) = text.split_at(read.saturating_sub(1));
-    // The last byte that was read is the first that is no JSON, unless the text ended too early or the value is a wrong one.
-    let json = if error.is_syntax() { before } else { &text[..read] };
+    // The last byte that was read is the first that is no JSON, unless the text ended too early or the value is a wrong one. A name that stands
+    // alone where fields must follow is refused at the byte behind it.
+    let alone = message.starts_with("invalid type: unit variant");
+    let json = if error.is_syntax() || alone { before } else { &text[..read] };
     // A list where none is allowed is refused behind its bracket or just before it.
     let behind = last.starts_with(b"[") && !last[1..].starts_with(b"[");
     let around = (behind && message.starts_with("invalid type: sequence"))
         || OF_A_LIST_OR_OBJECT.iter().any(|of| message.starts_with(of));
-    Some(field_path(json, around)).filter(|path| !path.is_empty())
+    let mut path = field_path(json, around);
+    // An unknown name is one of the object that it stands in.
+    let unknown = message.strip_prefix("unknown variant `").and_then(|rest| rest.split('`').next());
+    if let Some(object) = unknown.and_then(|name| path.strip_suffix(name)?.strip_suffix('.')) {
+        path.truncate(object.len());
+    }
+    Some(path).filter(|path| !path.is_empty())
 }
 
 /// A list or an object that is still open.
