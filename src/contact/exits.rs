@@ -232,7 +232,7 @@ mod tests {
     fn a_line_beside_the_apex_leaves_before_it() {
         let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);
         let polygon = Polygon::shared(
-            crate::grasp::Space::Spatial,
+            crate::numerics::Space::Spatial,
             &PolygonCone::new(8, Fit::Circumscribed).expect("a cone"),
         );
         for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {

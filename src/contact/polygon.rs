@@ -10,8 +10,7 @@ use nalgebra::SVector;
 
 use super::tangential::cross;
 use crate::error::Error;
-use crate::grasp::Space;
-use crate::numerics::Once;
+use crate::numerics::{Once, Space};
 use crate::prelude::*;
 
 /// Position of the polygon of m facets relative to the circle of radius one, the section of the round cone at `μ F_n = 1`.

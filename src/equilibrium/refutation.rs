@@ -3,7 +3,7 @@
 use alloc::sync::Arc;
 
 use crate::error::Error;
-use crate::grasp::{Engine, Face, Wrench};
+use crate::grasp::{Engine, Wrench, face_of_struct, same_on_both_sides};
 use crate::proofs::{self, ProofStep};
 use crate::search::{self, Settings};
 
@@ -19,16 +19,10 @@ pub struct Refutation<const C: usize> {
     cases: usize,
 }
 
-impl<const C: usize> Face for Refutation<C> {
-    type Inside = Refutation<3>;
+same_on_both_sides! { Arc<[ProofStep]> }
 
-    fn enter(self) -> Refutation<3> {
-        Refutation { steps: self.steps, cases: self.cases }
-    }
-
-    fn leave(inside: Refutation<3>) -> Self {
-        Self { steps: inside.steps, cases: inside.cases }
-    }
+face_of_struct! {
+    Refutation { steps, cases }
 }
 
 impl<const C: usize> Refutation<C> {

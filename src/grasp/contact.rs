@@ -5,9 +5,9 @@ use alloc::sync::Arc;
 use nalgebra::SVector;
 
 use super::commands::Axes;
-use super::rotation::Space;
 use super::stiffness::Stiffness;
 use crate::error::ContactLabel;
+use crate::numerics::Space;
 use crate::prelude::*;
 use crate::words::LinkKind;
 

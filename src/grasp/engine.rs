@@ -6,12 +6,12 @@ use super::bodies::{PlacedBodies, refuse_sides};
 use super::contact::Contact;
 use super::hand::{Drive, HandPart, Linkage};
 use super::remembered::Remembered;
-use super::rotation::Space;
 use super::site::Site;
 use super::vacuum::Vacuum;
 use super::wrench::Wrench;
 use crate::error::{Error, LARGEST};
 use crate::numerics::Size;
+use crate::numerics::Space;
 use crate::prelude::*;
 
 /// A checked list of contacts in coordinates: 3 of the object in the plane or 6 in space, then those of joints and other bodies.

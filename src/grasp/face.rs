@@ -13,10 +13,10 @@ use super::bodies::{BodyLoad, BodyMotion};
 use super::commands::Axes;
 use super::contact::{Contact, Hold};
 use super::motion::Motion;
-use super::rotation::Space;
 use super::stiffness::Stiffness;
 use super::wrench::{Twist, Wrench};
 use crate::numerics::Harmonic;
+use crate::numerics::Space;
 use crate::prelude::*;
 use crate::words::LinkKind;
 

@@ -14,8 +14,8 @@ use nalgebra::{AbstractRotation, Isometry, SVector};
 
 use super::commands::Axes;
 use super::contact::Contact;
-use super::rotation::Space;
 use super::wrench::{Twist, Wrench};
+use crate::numerics::Space;
 use crate::numerics::Vector;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;

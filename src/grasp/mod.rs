@@ -55,6 +55,7 @@ mod well_posed;
 mod whole_contact;
 mod wrench;
 
+pub(crate) use crate::numerics::Space;
 #[cfg(feature = "serde")]
 pub(crate) use bodies::LinkPlace;
 pub use bodies::{Bodies, Body, BodyLoad, BodyMotion, Link};
@@ -77,7 +78,7 @@ pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
 #[cfg(feature = "serde")]
 pub(crate) use rotation::of_the_object;
-pub(crate) use rotation::{Space, assert_plane_or_space, of_axes};
+pub(crate) use rotation::{assert_plane_or_space, of_axes};
 pub(crate) use scaled::PressOfPart;
 pub(crate) use site::{Site, size_of};
 pub(crate) use stiffness::Stiffness;

@@ -14,7 +14,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::numerics::{DoubleDouble, Map, Size, Vector};
+use crate::numerics::{DoubleDouble, Map, Size, Space, Vector};
 
 /// Refuses other dimensions at compile time.
 pub(crate) const fn assert_plane_or_space<const C: usize>() {
@@ -25,51 +25,7 @@ pub(crate) const fn assert_plane_or_space<const C: usize>() {
     );
 }
 
-/// The number of axes and of rotations: known at run time, so that code for the plane and for space is compiled once.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Space {
-    /// Two axes and one rotation.
-    Planar,
-    /// Three axes and three rotations.
-    Spatial,
-}
-
 impl Space {
-    /// The space in which a point has `C` coordinates.
-    pub(crate) const fn of<const C: usize>() -> Self {
-        if C == 2 { Self::Planar } else { Self::Spatial }
-    }
-
-    /// Number of axes of a contact.
-    pub(crate) const fn axes(self) -> usize {
-        match self {
-            Self::Planar => 2,
-            Self::Spatial => 3,
-        }
-    }
-
-    /// Number of coordinates of the object: its translations, then its rotations. Those of joints come behind them.
-    pub(crate) const fn of_the_object(self) -> usize {
-        self.axes() + self.planes().len()
-    }
-
-    /// The planes of rotation.
-    pub(crate) const fn planes(self) -> &'static [(usize, usize)] {
-        match self {
-            Self::Planar => &[(0, 1)],
-            Self::Spatial => &[(1, 2), (2, 0), (0, 1)],
-        }
-    }
-
-    /// For each coordinate of the object its place among the components of a `Wrench<C>` or a `Twist<C>`.
-    pub(crate) const fn components<const C: usize>(self) -> &'static [usize] {
-        match self {
-            Self::Planar if C == 3 => &[0, 1, 5],
-            Self::Planar => &[0, 1, 2],
-            Self::Spatial => &[0, 1, 2, 3, 4, 5],
-        }
-    }
-
     /// A vector over all coordinates, with zeros behind the object's.
     pub(crate) fn object_alone(self, v: &Vector) -> Vector {
         let mut alone = v.clone();

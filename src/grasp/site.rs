@@ -7,11 +7,11 @@ use core::ops::Range;
 use nalgebra::{SMatrix, SVector};
 
 use super::contact::{Contact, Hold};
-use super::rotation::Space;
 use super::support::Support;
 use crate::contact::{Compliance, Coulomb, Law, Polygon};
 use crate::error::Error;
 use crate::numerics::DoubleDouble;
+use crate::numerics::Space;
 
 /// Data of one contact or drive, in inside coordinates.
 #[derive(Debug, Clone)]

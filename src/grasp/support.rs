@@ -3,7 +3,7 @@
 use crate::numerics::{Map, Size};
 use core::ops::Range;
 
-use super::rotation::Space;
+use crate::numerics::Space;
 use crate::prelude::*;
 
 /// Coordinates in which a map has entries, as two ranges: those of the object, if any, and some neighbouring joints; or those of two bodies other

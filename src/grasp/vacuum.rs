@@ -2,11 +2,11 @@
 
 use super::contact::Contact;
 use super::engine::Engine;
-use super::rotation::Space;
 use super::site::Site;
 use super::whole_contact::{WholeContact, WholeContacts};
 use super::wrench::Wrench;
 use crate::error::ContactLabel;
+use crate::numerics::Space;
 use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::listed;

@@ -3,9 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::contact::Contact;
-use super::rotation::Space;
 use super::stiffness::Stiffness;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
+use crate::numerics::Space;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 impl<const C: usize> Contact<C> {

@@ -6,8 +6,9 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use nalgebra::{ArrayStorage, Matrix, SVector};
 
-use super::rotation::{Space, of_the_object};
+use super::rotation::of_the_object;
 use crate::error::{Error, is_moderate};
+use crate::numerics::Space;
 
 /// A load on the object: forces first, then moments about the origin of the coordinates, 3
 /// components in the plane and 6 in space.

@@ -71,6 +71,7 @@ mod partial_pivoting;
 mod positive_band;
 mod pseudo_random;
 mod ray_shooting;
+mod space;
 mod square_root;
 mod student_t;
 mod support;
@@ -110,6 +111,7 @@ pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{RayExit, shoot};
+pub(crate) use space::Space;
 pub(crate) use square_root::square_root;
 #[cfg(feature = "std")]
 pub(crate) use std::sync::OnceLock as Once;

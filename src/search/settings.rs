@@ -2,7 +2,7 @@
 
 use super::small_motions::SmallMotions;
 use crate::contact::PolygonCone;
-use crate::grasp::Space;
+use crate::numerics::Space;
 
 /// Limits and tolerances of searches and load paths, with sound defaults.
 ///

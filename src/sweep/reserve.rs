@@ -7,7 +7,7 @@ use super::uncertainty::Uncertainty;
 use crate::contact::{Polygon, State};
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
-use crate::grasp::{Engine, Face, Wrench, inside};
+use crate::grasp::{Engine, Wrench, face_of_struct, inside, same_on_both_sides};
 use crate::numerics::Vector;
 use crate::object::Load;
 use crate::prelude::*;
@@ -28,16 +28,10 @@ enum AtBase {
     NotKnown,
 }
 
-impl<const C: usize> Face for Reserve<C> {
-    type Inside = Reserve<3>;
+same_on_both_sides! { AtBase }
 
-    fn enter(self) -> Reserve<3> {
-        Reserve { rest: self.rest, sigmas: self.sigmas }
-    }
-
-    fn leave(inside: Reserve<3>) -> Self {
-        Self { rest: inside.rest, sigmas: inside.sigmas }
-    }
+face_of_struct! {
+    Reserve { rest, sigmas }
 }
 
 impl<const C: usize> Reserve<C> {

@@ -4,8 +4,8 @@ use nalgebra::SVector;
 
 use crate::contact::{Compliance, Coulomb, Polygon, PolygonCone};
 use crate::grasp::contact::Hold;
-use crate::grasp::rotation::Space;
 use crate::grasp::site::Site;
+use crate::numerics::Space;
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 

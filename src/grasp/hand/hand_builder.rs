@@ -2,7 +2,7 @@
 
 use super::finger::Finger;
 use super::tendon::Tendon;
-use crate::grasp::rotation::Space;
+use crate::numerics::Space;
 use crate::prelude::*;
 
 /// Fingers and tendons that hold an object; [`Hand::grasp`] makes a grasp of them.

@@ -9,7 +9,7 @@ use super::drive::{Drive, Owner};
 use super::joint::{JointKind, Limit};
 use crate::grasp::bodies::PlacedBodies;
 use crate::grasp::contact::Contact;
-use crate::grasp::rotation::Space;
+use crate::numerics::Space;
 use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
