@@ -122,45 +122,36 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("grasp-lcp needs the feature `std`, or `libm` where there is no standard library");
 
-pub mod ask;
-mod contact;
-pub mod energy;
-pub mod equilibrium;
+mod engine;
 mod error;
-pub mod forms;
 pub mod friction;
-pub mod grasp;
 pub mod guide;
-pub mod hold;
-pub mod identify;
-pub mod improve;
+mod io;
 pub mod lcp;
-pub mod load_path;
-pub mod need;
+mod model;
+mod names;
 mod numerics;
-mod object;
-#[cfg(feature = "plot")]
-pub mod picture;
 pub mod planar;
 mod prelude;
-mod proofs;
-#[cfg(feature = "serde")]
-pub mod scene;
-#[cfg(feature = "schema")]
-pub mod schema;
-pub mod screening;
-mod search;
+mod questions;
 #[cfg(feature = "serde")]
 mod serial;
-pub mod shake;
 pub mod spatial;
-pub mod squeeze;
-pub mod statics;
-#[cfg(feature = "json")]
-pub mod stream;
-mod structured;
-pub mod sweep;
 pub mod words;
+
+pub use engine::{equilibrium, forms, load_path};
+pub(crate) use engine::{object, proofs, search, structured};
+#[cfg(feature = "plot")]
+pub use io::picture;
+#[cfg(feature = "serde")]
+pub use io::scene;
+#[cfg(feature = "schema")]
+pub use io::schema;
+#[cfg(feature = "json")]
+pub use io::stream;
+pub(crate) use model::contact;
+pub use model::grasp;
+pub use questions::{ask, energy, hold, identify, improve, need, screening, shake, squeeze, statics, sweep};
 
 pub use contact::{Fit, PolygonCone};
 pub use equilibrium::{Settings, SmallMotions};

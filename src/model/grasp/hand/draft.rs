@@ -13,21 +13,21 @@ use crate::prelude::*;
 use crate::words::printable;
 
 /// Motion of one contact along the coordinate axes: coordinate, counted behind the object's, and displacement per unit of it.
-pub(in crate::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
+pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
 /// The parts of a grasp, collected from a hand.
-pub(in crate::grasp) struct Assembly {
+pub(in crate::model::grasp) struct Assembly {
     /// Plane or space.
-    pub(in crate::grasp) space: Space,
-    pub(in crate::grasp) contacts: Vec<Contact<3>>,
-    pub(in crate::grasp) motions: Vec<Columns>,
+    pub(in crate::model::grasp) space: Space,
+    pub(in crate::model::grasp) contacts: Vec<Contact<3>>,
+    pub(in crate::model::grasp) motions: Vec<Columns>,
     /// Joints of all fingers, then slides of contacts that are held by a force.
     pub(super) joints: Vec<Joint<3>>,
     /// Number of coordinates in use behind those of the object.
-    pub(in crate::grasp) used: usize,
-    pub(in crate::grasp) lengths: Vector,
+    pub(in crate::model::grasp) used: usize,
+    pub(in crate::model::grasp) lengths: Vector,
     pub(super) drives: Vec<Drive>,
-    pub(in crate::grasp) held: Vector,
+    pub(in crate::model::grasp) held: Vector,
     pub(super) bones: Vec<[SVector<f64, 3>; 2]>,
     /// Force of `pressed_with` for each contact, N: its size, and its vector along the coordinate axes.
     pub(super) presses: Vec<(f64, SVector<f64, 3>)>,

@@ -6,7 +6,7 @@ use crate::grasp::hand::Assembly;
 
 impl Assembly {
     /// Reserves coordinates for all bodies but the object, and appends to each contact its motion with them.
-    pub(in crate::grasp) fn add_bodies(&mut self, bodies: &mut PlacedBodies) -> Result<(), Error> {
+    pub(in crate::model::grasp) fn add_bodies(&mut self, bodies: &mut PlacedBodies) -> Result<(), Error> {
         let object = self.space.of_the_object();
         self.used = bodies.place(&self.contacts, object + self.used)? - object;
         for (i, (contact, motions)) in self.contacts.iter().zip(&mut self.motions).enumerate() {

@@ -1,0 +1,9 @@
+//! From a checked question to contact forces: what couples contacts, complementarity problems, searches, proofs, equilibria and load paths.
+
+pub mod equilibrium;
+pub mod forms;
+pub mod load_path;
+pub(crate) mod object;
+pub(crate) mod proofs;
+pub(crate) mod search;
+pub(crate) mod structured;

@@ -1,0 +1,4 @@
+//! The question, checked: contacts with their law of friction and stiffness, hands, bodies, wrenches and twists.
+
+pub(crate) mod contact;
+pub mod grasp;
