@@ -2,6 +2,7 @@
 
 mod agreement;
 mod associated_friction;
+mod first_line;
 mod fixed_points;
 mod onset;
 mod stability;

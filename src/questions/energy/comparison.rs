@@ -12,10 +12,14 @@ use crate::numerics::Vector;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// The equilibrium under Coulomb's law beside the minimum of the paper's quadratic program ([`MinimumEnergy`]). In space both use the same polygonal
 /// cone.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Comparison<const C: usize> {
     /// The outcome of complementarity.
@@ -23,6 +27,7 @@ pub struct Comparison<const C: usize> {
     /// The outcome of the quadratic program, with its binding constraints and its imbalance.
     pub minimum: MinimumOutcome<C>,
     /// The difference between equilibrium and minimum, if both exist.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub difference: Option<Difference>,
     /// The classification of the load.
     pub verdict: ComparisonVerdict,
@@ -30,19 +35,27 @@ pub struct Comparison<const C: usize> {
 
 /// The largest differences between an equilibrium and a minimum of energy, none negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Difference {
     /// Largest difference of displacements of the object at a contact, m. Motions that are free in one of the two are not counted.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Largest difference of contact forces, N.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
     /// Difference of stored energies, J.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy: f64,
     /// The largest displacement of the object or drive (command less clearance) at a contact of the equilibrium, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement_size: f64,
     /// The largest contact force of the equilibrium, N.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force_size: f64,
     /// The stored energy of the equilibrium, J.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_size: f64,
 }
 
@@ -59,6 +72,8 @@ impl Difference {
 
 /// Classification of a load by complementarity and the quadratic program.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum ComparisonVerdict {
     /// Both give the same equilibrium. This is also the verdict if the minimum is an equilibrium and complementarity found no equilibrium.
@@ -69,22 +84,28 @@ pub enum ComparisonVerdict {
     /// An equilibrium exists, but the minimum of the program is out of balance.
     OutOfEquilibrium {
         /// `|Σ F + W|`, N.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
         /// The same for moments about the origin, N m.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
     /// No equilibrium exists, but the program returned a minimum, which is out of balance.
     NoEquilibrium {
         /// `|Σ F + W|` of these numbers, N.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
         /// The same for moments about the origin, N m.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
     /// The minimum is out of balance; it is not known whether an equilibrium exists.
     Unknown {
         /// `|Σ F + W|` of the minimum, N.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
         /// The same for moments about the origin, N m.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
     /// The program has no minimum: its constraints contradict each other, or the load works on a free motion.

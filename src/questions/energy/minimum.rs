@@ -13,9 +13,17 @@ use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench};
 use crate::numerics::Vector;
 use crate::object::Unbalanced;
 use crate::prelude::*;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// How the search for the minimum of the paper's program ends.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "outcome", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum MinimumOutcome<const C: usize> {
     /// A minimum exists.
@@ -27,6 +35,7 @@ pub enum MinimumOutcome<const C: usize> {
         /// The motion, of unit size as in [`Stability::softest`](super::Stability::softest), in the direction in which the load drives it.
         motion: Twist<C>,
         /// Work of the load on the motion, positive, J.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
     /// No answer because of rounding or a limit on pivots or rows. The matrix is dense; more than 10 000 rows (a thousand contacts in space on eight
@@ -56,7 +65,9 @@ impl<const C: usize> MinimumOutcome<C> {
 /// The multiplier λ of a friction constraint acts on the object like a force that no contact exerts, `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A
 /// contact with infinite friction has the constraint F_n >= 0 instead of a gap: with a gap it would carry F_t across it, as in
 /// [`PrintedQp`](super::PrintedQp). [`ReducedQp`](super::ReducedQp) is this program in matrices.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MinimumEnergy<const C: usize> {
     /// The load of the question.
@@ -66,28 +77,35 @@ pub struct MinimumEnergy<const C: usize> {
     /// One entry per contact, in the order of the grasp.
     pub contacts: Vec<MinimumContact<C>>,
     /// Friction constraints that bind, with their multipliers.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub binding: Vec<Binding>,
     /// `Σ G_i F_i + W` about the origin, N and N m: the opposite of the wrench missing for equilibrium. It is computed from the multipliers, so that
     /// it is exactly zero if all of them are zero.
     pub imbalance: Wrench<C>,
     /// Energy stored in the springs, `Σ ½ F²/k`, J.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
     /// The minimum of the energy: stored energy less `W·q`, J.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub potential_energy: f64,
     /// Motions that stretch no active spring: the twist is determined up to them. They have unit size as in
     /// [`Stability::softest`](super::Stability::softest) and are orthogonal to each other.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Pivots of Lemke's method.
     pub pivots: usize,
     /// Size of the largest force, the scale of the imbalance.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) forces_size: f64,
     /// Size of the imbalance, with moments divided by the size of the grasp, N.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) imbalance_size: f64,
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) inside: Inside,
 }
 
 /// Motions of a minimum in inside coordinates, where free motions are orthonormal.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Inside {
     pub(super) twist: Coordinates,
     pub(super) free_motions: Vec<Coordinates>,
@@ -95,28 +113,38 @@ pub(super) struct Inside {
 
 /// One contact of a [`MinimumEnergy`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MinimumContact<const C: usize> {
     /// Force on the object in the contact frame, N; the first entry is F_n >= 0 unless the contact is bonded or kept closed.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force: SVector<f64, C>,
     /// Force on the object along the coordinate axes, N.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force_world: SVector<f64, C>,
     /// Displacement u_c of the body's core, coordinate axes, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub body_core: SVector<f64, C>,
     /// Gap between the surfaces, m, never negative.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
 }
 
 /// A friction constraint on its edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Binding {
     /// The contact, counted from 0.
     pub contact: usize,
     /// The facet of the cone, in the plane 0 for F_t = μ F_n and 1 for F_t = -μ F_n, in space as in
     /// [`ReducedRow::Friction`](super::ReducedRow::Friction); `None` for F_n = 0 at infinite friction.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub facet: Option<usize>,
     /// Multiplier λ >= 0, m: energy per unit of `μ F_n - h·F_t`. Zero if the force only touches the edge.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub multiplier: f64,
 }
 

@@ -29,7 +29,7 @@
 //! | `optimality` | the optimality conditions in energy coordinates, and their solution |
 //! | `minimum`, `agreement` | the minimum under a load, and the range of a ramp in which it is an equilibrium |
 //! | `associated` | the associated friction law |
-//! | `comparison`, `three_laws` | the laws side by side |
+//! | `comparison`, `three_laws`, `words` | the laws side by side, and the first line of a comparison |
 //! | `stability`, `second_order` | effects of second-order displacements |
 
 mod agreement;
@@ -47,6 +47,7 @@ mod second_order;
 mod stability;
 mod three_laws;
 mod tolerances;
+mod words;
 
 pub use agreement::Agreement;
 pub use associated::{AssociatedContact, AssociatedOutcome, AssociatedState};

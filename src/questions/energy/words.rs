@@ -1,0 +1,86 @@
+//! The first line of a comparison with the paper's program.
+
+use core::fmt;
+
+use super::comparison::{Comparison, ComparisonVerdict};
+use crate::equilibrium::{ContactState, Equilibrium, WholeAnswer};
+use crate::prelude::*;
+use crate::words::{Words, listed};
+
+impl<const C: usize> fmt::Display for Comparison<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
+        let apart = || words.number(self.difference.map_or(0.0, |difference| difference.force));
+        match self.verdict {
+            ComparisonVerdict::Agree if self.difference.is_some() => {
+                write!(
+                    f,
+                    "AGREES: the minimum of energy is the equilibrium, with forces within {} N",
+                    apart()
+                )
+            }
+            ComparisonVerdict::Agree => {
+                f.write_str("AGREES: the minimum of energy is an equilibrium; the search found none")
+            }
+            ComparisonVerdict::TwoEquilibria => {
+                write!(
+                    f,
+                    "TWO EQUILIBRIA: the minimum of energy is one, complementarity returned another, with forces up to {} N apart",
+                    apart()
+                )
+            }
+            ComparisonVerdict::OutOfEquilibrium { force, moment } => {
+                f.write_str("DIFFERS: ")?;
+                if let Some(state) = self.equilibrium.equilibrium() {
+                    f.write_str(&slides(state))?;
+                }
+                write!(f, "the minimum of energy misses the load by {}", wrench(words, force, moment))
+            }
+            ComparisonVerdict::NoEquilibrium { force, moment } => {
+                let missed = wrench(words, force, moment);
+                write!(
+                    f,
+                    "DIFFERS: no equilibrium exists, and the minimum of energy misses the load by {missed}"
+                )
+            }
+            ComparisonVerdict::Unknown { force, moment } => {
+                let missed = wrench(words, force, moment);
+                write!(
+                    f,
+                    "UNDECIDED: whether an equilibrium exists; the minimum of energy misses the load by {missed}"
+                )
+            }
+            ComparisonVerdict::NoMinimum => f.write_str("NO MINIMUM: the quadratic program has none"),
+            ComparisonVerdict::Unsolved => f.write_str("UNDECIDED: the quadratic program was not solved"),
+        }
+    }
+}
+
+/// The contacts that slide, as the clause before the miss of the program; empty if none slides.
+fn slides<const C: usize>(state: &Equilibrium<C>) -> String {
+    let mut names = Vec::new();
+    for whole in state.whole_contacts() {
+        let points = match &whole {
+            WholeAnswer::Point(contact) => core::slice::from_ref(*contact),
+            WholeAnswer::Pad(pad) => &state.contacts[pad.range()],
+        };
+        if points.iter().any(|point| matches!(point.state, ContactState::Sliding { .. })) {
+            names.push(whole.text());
+        }
+    }
+    match names.as_slice() {
+        [] => String::new(),
+        [one] => format!("{one} slides, and "),
+        many => format!("{} slide, and ", listed(many)),
+    }
+}
+
+/// A force and, unless it is zero beside it, a moment.
+fn wrench(words: Words, force: f64, moment: f64) -> String {
+    let (force_text, moment_text) = (words.number(force), words.number(moment));
+    match (force == 0.0, moment == 0.0) {
+        (_, true) => format!("{force_text} N"),
+        (true, false) => format!("{moment_text} N m"),
+        _ => format!("{force_text} N and {moment_text} N m"),
+    }
+}
