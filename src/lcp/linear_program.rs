@@ -6,6 +6,7 @@
 use super::farkas::cleaned;
 use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
+use super::quadratic_program::quadratic_program;
 use super::scaling::Scaling;
 use super::settings::Settings;
 use crate::prelude::*;
@@ -92,37 +93,23 @@ pub(super) struct LinearProgram {
     pub(super) y: DVector<f64>,
 }
 
-/// Both solutions from one complementarity problem, whose matrix [0, −Aᵀ; A, 0] (with t as one more
-/// column of A) is copositive-plus.
-///
-/// Lemke's method is guaranteed to solve it, since the program is feasible and bounded.
+/// Both solutions, with t as one more column of A. The program is feasible and bounded.
 fn least_violation(
     a: &DMatrix<f64>,
     b: &DVector<f64>,
     margin: f64,
     settings: &Settings,
 ) -> Option<LinearProgram> {
-    let (rows, columns) = a.shape();
-    let size = columns + 1 + rows;
-    let mut m = DMatrix::zeros(size, size);
-    let mut q = DVector::zeros(size);
-    let a = a.clone().insert_column(columns, 1.0);
-    m.view_mut((columns + 1, 0), a.shape()).copy_from(&a);
-    m.view_mut((0, columns + 1), (columns + 1, rows)).copy_from(&-a.transpose());
+    let columns = a.ncols();
     // For a column of zeros no margin is possible.
-    for (q, column) in q.iter_mut().zip(a.column_iter()).take(columns) {
-        *q = if column.iter().all(|a| *a == 0.0) { 0.0 } else { -margin };
-    }
-    q.rows_mut(columns + 1, rows).copy_from(b);
-    q[columns] = 1.0;
+    let cost = |j: usize| match j {
+        j if j == columns => 1.0,
+        j if a.column(j).iter().all(|a| *a == 0.0) => 0.0,
+        _ => -margin,
+    };
+    let cost = DVector::from_fn(columns + 1, |j, _| cost(j));
     let Settings { pivot_tolerance, tie_tolerance, residual_tolerance, .. } = *settings;
     let settings = Settings { pivot_tolerance, tie_tolerance, residual_tolerance, ..Settings::one_path() };
-    let problem = Lcp::new(m, q).ok()?;
-    let Outcome::Solved(solution) = problem.solve_with(&settings) else {
-        return None;
-    };
-    Some(LinearProgram {
-        x: solution.z.rows(0, columns).into_owned(),
-        y: solution.z.rows(columns + 1, rows).into_owned(),
-    })
+    let [x, y] = quadratic_program(None, &cost, &a.clone().insert_column(columns, 1.0), b, &settings)?;
+    Some(LinearProgram { x: x.rows(0, columns).into_owned(), y })
 }

@@ -93,6 +93,7 @@ mod pattern;
 mod point;
 mod principal;
 mod problem;
+mod quadratic_program;
 mod ratio;
 mod reduction;
 mod refactor;
@@ -117,11 +118,12 @@ pub use mixed::{MixedLcp, MixedSolution};
 pub use outcome::{BreakdownCause, Certificate, Outcome, OutcomeView, Ray};
 pub use parametric::{Breakpoint, Parametric, PathEnd, Trend};
 pub use problem::Lcp;
+#[cfg(feature = "serde")]
+pub(crate) use quadratic_program::quadratic_program;
 pub use residuals::Residuals;
 pub use series::Series;
 pub use settings::Settings;
 pub use solution::{Solution, SolutionView};
 pub use verified::Verified;
 pub use workspace::Workspace;
-#[cfg(feature = "serde")]
 pub(crate) use written::list;

@@ -4,12 +4,11 @@
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! Its optimality conditions are a complementarity problem with the matrix `[B, -Aᵀ; A, 0]`, which is positive semidefinite like B. Lemke's method
-//! therefore ends at a solution, and a solution exists. The multipliers of the box and B d are the residual of stationarity at d = 0.
+//! A minimum exists. The multipliers of the box and B d are the residual of stationarity at d = 0.
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::lcp::{Lcp, Outcome, Settings};
+use crate::lcp::{Settings, quadratic_program};
 use crate::numerics::mapped;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
@@ -82,7 +81,7 @@ impl StepProgram {
         self.factors.iter().zip(&self.gradients).map(|(factor, g)| factor + g.dot(d))
     }
 
-    /// Solves the complementarity problem of the program.
+    /// Solves the program with unknowns that are counted from the lower ends of the box.
     fn solved(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<Solved> {
         let n = self.reach.len();
         let low = DVector::from_fn(n, |j, _| (-radius).max(self.reach[j][0].min(0.0)));
@@ -110,45 +109,32 @@ impl StepProgram {
         // `top` lies above every reachable value. It keeps t positive, so that the multipliers of events add
         // up to one.
         let top = top + 0.5;
+        // The unknowns are d - low and t; the rows are events, bounds, and the upper ends of the box.
         let (m, b) = (near.len(), self.bounds.len());
-        let (first, size) = (n + 1, n + 1 + m + b + n);
-        let mut matrix = DMatrix::zeros(size, size);
-        let mut q = DVector::zeros(size);
-        matrix.view_mut((0, 0), (n, n)).copy_from(curvature);
-        q.rows_mut(0, n).copy_from(&(curvature * &low));
-        q[n] = 1.0;
-        let mut put = |row: usize, g: &DVector<f64>, t: f64, left: f64| {
-            for j in 0..n {
-                (matrix[(row, j)], matrix[(j, row)]) = (g[j], -g[j]);
-            }
-            (matrix[(row, n)], matrix[(n, row)]) = (t, -t);
-            q[row] = left;
-        };
+        let mut rows = DMatrix::zeros(m + b + n, n + 1);
+        let mut left = DVector::zeros(m + b + n);
         for (row, k) in near.iter().enumerate() {
             let g = &self.gradients[*k];
-            put(first + row, g, 1.0, self.factors[*k] + g.dot(&low) - top);
+            rows.view_mut((row, 0), (1, n)).copy_from(&g.transpose());
+            (rows[(row, n)], left[row]) = (1.0, self.factors[*k] + g.dot(&low) - top);
         }
-        for (row, (h, left)) in self.bounds.iter().enumerate() {
-            put(first + m + row, h, 0.0, left.max(0.0) + h.dot(&low));
+        for (row, (h, most)) in (m..).zip(&self.bounds) {
+            rows.view_mut((row, 0), (1, n)).copy_from(&h.transpose());
+            left[row] = most.max(0.0) + h.dot(&low);
         }
         for j in 0..n {
-            let mut one = DVector::zeros(n);
-            one[j] = -1.0;
-            put(first + m + b + j, &one, 0.0, high[j] - low[j]);
+            (rows[(m + b + j, j)], left[m + b + j]) = (-1.0, high[j] - low[j]);
         }
-        let problem = Lcp::new(matrix, q).ok()?;
-        let z = [Settings::one_path(), Settings::default()].into_iter().find_map(|settings| match problem
-            .solve_with(&settings)
-        {
-            Outcome::Solved(solution) => Some(solution.z),
-            _ => None,
-        })?;
+        let bends = curvature.clone().resize(n + 1, n + 1, 0.0);
+        let cost = (curvature * &low).insert_row(n, 1.0);
+        let solve = |settings: Settings| quadratic_program(Some(&bends), &cost, &rows, &left, &settings);
+        let [z, y] = solve(Settings::one_path()).or_else(|| solve(Settings::default()))?;
         let d = DVector::from_fn(n, |j, _| (z[j] + low[j]).clamp(low[j], high[j]));
-        let share: f64 = z.rows(first, m).sum();
+        let share: f64 = y.rows(0, m).sum();
         let share = if share > 0.0 { share } else { 1.0 };
         let mut events = vec![0.0; self.factors.len()];
-        near.iter().enumerate().for_each(|(row, k)| events[*k] = z[first + row] / share);
-        let bounds = mapped(&z.as_slice()[first + m..][..b], &|y| y / share);
+        near.iter().enumerate().for_each(|(row, k)| events[*k] = y[row] / share);
+        let bounds = mapped(&y.as_slice()[m..][..b], &|y| y / share);
         Some(Solved { d, events, bounds })
     }
 }

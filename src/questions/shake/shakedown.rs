@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector, Matrix, SVector};
 use crate::contact::{Edges, Fit, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
-use crate::lcp::{self, Lcp};
+use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::object::Load;
 use crate::prelude::*;
@@ -183,42 +183,33 @@ impl Program {
     }
 
     /// The factor, the slips and the multipliers of the rows; `None` if no slips hold the load at rest, or because of rounding.
-    ///
-    /// The conditions of an optimum form a complementarity problem with a skew-symmetric matrix. Lemke's method therefore ends at a solution if there
-    /// is one.
     fn solved(&self) -> Option<(f64, Vec<f64>, Vec<f64>)> {
         let (rows, slips) = self.s.shape();
-        // Order of the unknowns: λ, slips in either direction, multipliers of the rows, and that of the bound on λ.
-        let (first, n) = (1 + 2 * slips, 2 + 2 * slips + rows);
-        let mut m = DMatrix::zeros(n, n);
-        let mut q = DVector::zeros(n);
-        q[0] = -1.0;
-        for r in 0..rows {
-            let column = |k: usize| match k {
-                0 => self.a[r],
-                k if k <= slips => self.s[(r, k - 1)],
-                k => -self.s[(r, k - 1 - slips)],
-            };
-            for k in 0..first {
-                (m[(first + r, k)], m[(k, first + r)]) = (column(k), -column(k));
-            }
-            q[first + r] = self.b[r];
-        }
         // Loads held up to this multiple count as held at any factor.
         let farthest = 1e6;
-        (m[(n - 1, 0)], m[(0, n - 1)], q[n - 1]) = (-1.0, 1.0, farthest);
-        let lcp::Outcome::Solved(solution) = Lcp::new(m, q).ok()?.solve() else { return None };
-        let z = &solution.z;
+        // The unknowns are λ, and the slips in either direction; the last row bounds λ.
+        let columns = 1 + 2 * slips;
+        let entry = |r: usize, k: usize| match k {
+            0 if r == rows => -1.0,
+            _ if r == rows => 0.0,
+            0 => self.a[r],
+            k if k <= slips => self.s[(r, k - 1)],
+            k => -self.s[(r, k - 1 - slips)],
+        };
+        let matrix = DMatrix::from_fn(rows + 1, columns, entry);
+        let right = DVector::from_fn(rows + 1, |r, _| if r < rows { self.b[r] } else { farthest });
+        let cost = DVector::from_fn(columns, |k, _| if k == 0 { -1.0 } else { 0.0 });
+        let [z, multipliers] = quadratic_program(None, &cost, &matrix, &right, &lcp::Settings::default())?;
         let size = |k: usize| z[1 + k] - z[1 + slips + k];
         let kept = |r: usize| {
             self.b[r] + self.a[r] * z[0] + (0..slips).map(|k| self.s[(r, k)] * size(k)).sum::<f64>()
         };
-        let scale = 1.0 + z.rows(0, first).amax();
+        let scale = 1.0 + z.amax();
         if (0..rows).any(|r| kept(r) < -NEGLIGIBLE * scale) {
             return None;
         }
         let factor = if z[0] >= farthest * (1.0 - NEGLIGIBLE) { f64::INFINITY } else { z[0] * self.units.0 };
         let sizes = self.units.1.iter().enumerate().map(|(k, unit)| size(k) * unit).collect();
-        Some((factor, sizes, z.rows(first, rows).iter().copied().collect()))
+        Some((factor, sizes, multipliers.iter().take(rows).copied().collect()))
     }
 }

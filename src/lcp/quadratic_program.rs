@@ -1,0 +1,36 @@
+//! A convex quadratic program with non-negative unknowns, as the complementarity problem of its optimality conditions.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::outcome::Outcome;
+use super::problem::Lcp;
+use super::settings::Settings;
+
+/// The minimum x and the multipliers y of the rows of
+///
+/// ```text
+/// minimise  gᵀx + ½ xᵀH x     subject to  A x + b >= 0,  x >= 0,
+///
+/// 0 <= x ⟂ H x - Aᵀy + g >= 0,     0 <= y ⟂ A x + b >= 0;
+/// ```
+///
+/// H = 0 if it is `None`. For a positive semidefinite H the matrix `[H, -Aᵀ; A, 0]` is copositive-plus, so that Lemke's method finds a minimum if
+/// there is one. `None` without a minimum, or where rounding prevents it.
+pub(crate) fn quadratic_program(
+    h: Option<&DMatrix<f64>>,
+    g: &DVector<f64>,
+    a: &DMatrix<f64>,
+    b: &DVector<f64>,
+    settings: &Settings,
+) -> Option<[DVector<f64>; 2]> {
+    let (rows, columns) = a.shape();
+    let mut m = DMatrix::zeros(columns + rows, columns + rows);
+    if let Some(h) = h {
+        m.view_mut((0, 0), (columns, columns)).copy_from(h);
+    }
+    m.view_mut((columns, 0), (rows, columns)).copy_from(a);
+    m.view_mut((0, columns), (columns, rows)).copy_from(&-a.transpose());
+    let q = DVector::from_fn(columns + rows, |i, _| if i < columns { g[i] } else { b[i - columns] });
+    let Outcome::Solved(solution) = Lcp::new(m, q).ok()?.solve_with(settings) else { return None };
+    Some([solution.z.rows(0, columns).into_owned(), solution.z.rows(columns, rows).into_owned()])
+}
