@@ -8,16 +8,16 @@
 
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
-use crate::contact::{Edges, Fit, Polygon, PolygonCone};
+use crate::contact::{Edges, Fit, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::object::Load;
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
+use crate::squeeze::StickingResponse;
 
 /// Size of repeated loads up to which some slips could keep all contacts from sliding; see [`Statics::shakedown`](crate::ask::Statics::shakedown).
 #[derive(Debug, Clone, PartialEq)]
@@ -83,32 +83,30 @@ impl Engine {
         // An upper bound for rest needs a polygon outside the round cone.
         let around = PolygonCone::new(settings.cone.facets(), Fit::Circumscribed)?;
         let cone = if settings.is_round(self.space()) { around } else { settings.cone };
-        let problem =
-            self.problem(Polygon::shared(self.space(), &cone), false, self.drives(), &Load::from(&at_rest));
-        let (piece, n) = (problem.trial(), problem.len());
-        let none = vec![SVector::<f64, 3>::zeros(); n];
-        let Ok(rest) = piece.solve(problem.sites, &problem.drives, problem.load()) else { return Ok(None) };
+        let sticking = StickingResponse::new(self, &Settings { cone, ..*settings }.on_the_polygon());
+        let Ok(rest) = sticking.forces(&self.drives(), &at_rest) else { return Ok(None) };
+        let (none, nothing) = (vec![SVector::<f64, 3>::zeros(); rest.of.len()], &at_rest * 0.0);
         let mut under = Vec::new();
         for load in &loads {
-            let Ok(answer) = piece.solve(problem.sites, &none, load) else { return Ok(None) };
-            under.push(answer.forces);
+            let Ok(answer) = sticking.forces(&none, load) else { return Ok(None) };
+            under.push(answer.of);
         }
         let mut slips = Vec::new();
-        for (i, axis) in (0..n)
-            .filter(|i| problem.local(*i).may_slide())
+        for (i, axis) in (0..none.len())
+            .filter(|i| sticking.law(*i).may_slide())
             .flat_map(|i| (1..self.space().axes()).map(move |a| (i, a)))
         {
             let mut drives = none.clone();
             drives[i][axis] = -1.0;
-            let Ok(answer) = piece.solve(problem.sites, &drives, &(&at_rest * 0.0)) else { return Ok(None) };
-            slips.push(((i, axis), answer.forces));
+            let Ok(answer) = sticking.forces(&drives, &nothing) else { return Ok(None) };
+            slips.push(((i, axis), answer.of));
         }
-        let edges: Vec<Vec<SVector<f64, 3>>> = problem.each(|local| match local.edges() {
-            Edges::Rows(rows) => rows,
-            Edges::Round { .. } => Vec::new(),
-        });
-        let program =
-            Program::new(&edges, &rest.forces, &under, &slips.iter().map(|(_, f)| f).collect::<Vec<_>>());
+        let program = Program::new(
+            &sticking.edges,
+            &rest.of,
+            &under,
+            &slips.iter().map(|(_, f)| f).collect::<Vec<_>>(),
+        );
         let Some((factor, sizes, multipliers)) = program.solved() else { return Ok(None) };
         let mut told = none;
         for (((i, axis), _), size) in slips.iter().zip(&sizes) {
@@ -155,7 +153,7 @@ struct Program {
 
 impl Program {
     fn new(
-        edges: &[Vec<SVector<f64, 3>>],
+        edges: &[Edges],
         rest: &[SVector<f64, 3>],
         under: &[Vec<SVector<f64, 3>>],
         slips: &[&Vec<SVector<f64, 3>>],
@@ -167,15 +165,17 @@ impl Program {
         let units: Vec<f64> = slips.iter().map(|forces| force / or_one(size(forces))).collect();
         let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for k in 0..=under.len() {
-            for (i, row) in
-                edges.iter().enumerate().flat_map(|(i, rows)| rows.iter().map(move |row| (i, row)))
-            {
-                of.push((k, i));
-                b.push(row.dot(&rest[i]) / force);
-                a.push(if k == 0 { 0.0 } else { row.dot(&under[k - 1][i]) * unit / force });
-                rows.extend(
-                    slips.iter().zip(&units).map(|(forces, unit)| row.dot(&forces[i]) * unit / force),
-                );
+            // A polygon has rows alone.
+            for (i, edges) in edges.iter().enumerate() {
+                let Edges::Rows(facets) = edges else { continue };
+                for row in facets {
+                    of.push((k, i));
+                    b.push(row.dot(&rest[i]) / force);
+                    a.push(if k == 0 { 0.0 } else { row.dot(&under[k - 1][i]) * unit / force });
+                    rows.extend(
+                        slips.iter().zip(&units).map(|(forces, unit)| row.dot(&forces[i]) * unit / force),
+                    );
+                }
             }
         }
         let s = DMatrix::from_row_slice(b.len(), slips.len(), &rows);

@@ -16,7 +16,7 @@ use core::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::bounds::Bounds;
-use super::sticking::{ContactForces, Sticking, is_broken, round_row};
+use super::sticking_response::{ContactForces, StickingResponse, is_broken, round_row};
 use crate::contact::{Edges, Line};
 use crate::error::Error;
 use crate::grasp::{Contact, Engine, Motion, Wrench};
@@ -83,7 +83,7 @@ impl Engine {
         let base = self.load_alone(&ramp.base, "base load")?;
         ramp.direction.check_in(self.space(), "load direction")?;
         let (direction, changes) = (self.inside_unchecked(&ramp.direction), ramp.drive_changes(self)?);
-        let sticking = Sticking::new(self, settings);
+        let sticking = StickingResponse::new(self, settings);
         let known = || -> Result<_, Motion<3>> {
             let base = sticking.forces(&self.drives(), &base)?;
             Ok((base, sticking.forces(&changes, &direction)?, shares(&sticking, bounds)?))
@@ -138,7 +138,7 @@ impl Engine {
 }
 
 /// Changes of the forces by each datum with a bound.
-fn shares(sticking: &Sticking, bounds: &Bounds<3>) -> Result<Vec<Share>, Motion<3>> {
+fn shares(sticking: &StickingResponse, bounds: &Bounds<3>) -> Result<Vec<Share>, Motion<3>> {
     let (grasp, space) = (sticking.grasp, sticking.grasp.space());
     let (at_rest, nothing) = (vec![SVector::zeros(); grasp.len()], Vector::zeros());
     let mut shares = Vec::new();

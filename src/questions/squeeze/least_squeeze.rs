@@ -2,7 +2,7 @@
 
 use super::loads::Loads;
 use super::parts::{Condition, Parts};
-use super::sticking::Sticking;
+use super::sticking_response::StickingResponse;
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::search::Settings;
@@ -48,7 +48,7 @@ impl Engine {
     ) -> Result<LeastSqueeze<3>, Error> {
         self.refuse_hands("least_squeeze")?;
         loads.check(self)?;
-        let sticking = Sticking::new(self, settings);
+        let sticking = StickingResponse::new(self, settings);
         let parts = match Parts::of(&sticking, loads) {
             Ok(parts) => parts,
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),

@@ -16,7 +16,7 @@
 //! |---|---|
 //! | `loads` | the loads that a grasp must hold |
 //! | `parts` | the conditions that are broken under these loads at a given squeeze |
-//! | `sticking` | forces of every contact while all contacts stick |
+//! | `sticking_response` | forces of every contact while all contacts stick, by source |
 //! | `least_squeeze` | the least factor of the commands |
 //! | `weakest_direction` | the least force, of all directions, at which a contact slides |
 //! | `bounds` | bounds of the errors of commands and loads |
@@ -28,11 +28,12 @@ mod least_onset;
 mod least_squeeze;
 mod loads;
 mod parts;
-mod sticking;
+mod sticking_response;
 mod weakest_direction;
 
 pub use bounds::Bounds;
 pub use least_onset::LeastOnset;
 pub use least_squeeze::LeastSqueeze;
 pub use loads::Loads;
+pub(crate) use sticking_response::StickingResponse;
 pub use weakest_direction::WeakestDirection;

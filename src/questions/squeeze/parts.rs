@@ -5,7 +5,9 @@ use core::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::loads::Loads;
-use super::sticking::{ContactForces, Push, Sticking, is_broken, push, round_parts, round_row};
+use super::sticking_response::{
+    ContactForces, Push, StickingResponse, is_broken, push, round_parts, round_row,
+};
 use crate::contact::{Edges, ZERO_SLACK, tangential};
 use crate::grasp::{Motion, Wrench};
 use crate::load_path::Turn;
@@ -30,7 +32,7 @@ pub(super) struct Parts<'l> {
 }
 
 impl<'l> Parts<'l> {
-    pub(super) fn of(sticking: &Sticking<'_>, loads: &'l Loads<3>) -> Result<Self, Motion<3>> {
+    pub(super) fn of(sticking: &StickingResponse<'_>, loads: &'l Loads<3>) -> Result<Self, Motion<3>> {
         let grasp = sticking.grasp;
         let commands: Vec<_> =
             grasp.contacts().iter().map(|contact| SVector::from(contact.commanded())).collect();
@@ -59,7 +61,7 @@ impl<'l> Parts<'l> {
     }
 
     /// The broken condition at a factor that needs the most additional squeeze, with its contact.
-    pub(super) fn broken(&self, sticking: &Sticking<'_>, factor: f64) -> Option<(usize, Condition)> {
+    pub(super) fn broken(&self, sticking: &StickingResponse<'_>, factor: f64) -> Option<(usize, Condition)> {
         let mut most: Option<(f64, usize, Condition)> = None;
         for (contact, edges) in sticking.edges.iter().enumerate() {
             let conditions = match self.loads {

@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use nalgebra::SVector;
 
 use super::loads::check_point;
-use super::sticking::{Push, Sticking, is_broken, push, round_parts, round_row};
+use super::sticking_response::{Push, StickingResponse, is_broken, push, round_parts, round_row};
 use crate::contact::Edges;
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
@@ -55,7 +55,7 @@ impl Engine {
         let point = point.into();
         check_point(&point)?;
         let load = self.load_alone(base, "base load")?;
-        let sticking = Sticking::new(self, settings);
+        let sticking = StickingResponse::new(self, settings);
         let Ok(forces) = sticking.forces(&self.drives(), &load) else {
             return Ok(WeakestDirection::NotSticking);
         };

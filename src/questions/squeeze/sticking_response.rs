@@ -1,4 +1,6 @@
-//! Forces of every site while all contacts stick, and the conditions of its cone: contacts first, then drives of a hand.
+//! The response of a grasp whose contacts all stick: linear in commands and loads, so that one factorisation serves every source.
+//!
+//! Each source gives forces of all sites, contacts first and then the drives of a hand. [`Edges`] are the conditions of sticking on their sum.
 
 use nalgebra::SVector;
 
@@ -9,18 +11,18 @@ use crate::object::{Load, Piece, Problem};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// A grasp whose contacts all stick.
-pub(super) struct Sticking<'g> {
+/// The linear response of a grasp whose contacts all stick.
+pub(crate) struct StickingResponse<'g> {
     pub(super) grasp: &'g Engine,
     problem: Problem<'g>,
     piece: alloc::sync::Arc<Piece>,
-    pub(super) edges: Vec<Edges>,
+    pub(crate) edges: Vec<Edges>,
 }
 
 /// Forces contact by contact, and the sizes that scale their rounding.
 #[derive(Debug, Clone)]
-pub(super) struct ContactForces {
-    pub(super) of: Vec<SVector<f64, 3>>,
+pub(crate) struct ContactForces {
+    pub(crate) of: Vec<SVector<f64, 3>>,
     pub(super) sizes: Vec<f64>,
 }
 
@@ -50,8 +52,8 @@ pub(super) fn round_parts(limit: f64) -> Harmonic<(f64, usize)> {
     Harmonic { constant: (limit, 0), cosine: (-1.0, 1), sine: (-1.0, 2) }
 }
 
-impl<'g> Sticking<'g> {
-    pub(super) fn new(grasp: &'g Engine, settings: &Settings) -> Self {
+impl<'g> StickingResponse<'g> {
+    pub(crate) fn new(grasp: &'g Engine, settings: &Settings) -> Self {
         let polygon = Polygon::shared(grasp.space(), &settings.cone);
         let nothing = Load::from(&Vector::zeros());
         let problem = grasp.problem(polygon, settings.is_round(grasp.space()), grasp.drives(), &nothing);
@@ -61,12 +63,12 @@ impl<'g> Sticking<'g> {
     }
 
     /// The law of a contact.
-    pub(super) fn law(&self, contact: usize) -> LocalLaw<'_> {
+    pub(crate) fn law(&self, contact: usize) -> LocalLaw<'_> {
         self.problem.local(contact)
     }
 
     /// Forces with these drives under a load in inside coordinates, or a motion on which the load works though nothing resists it.
-    pub(super) fn forces(
+    pub(crate) fn forces(
         &self,
         drives: &[SVector<f64, 3>],
         load: &Vector,
