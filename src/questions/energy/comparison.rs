@@ -9,7 +9,7 @@ use crate::error::Error;
 
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Vector;
-use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
+use crate::numerics::tolerances::NEGLIGIBLE;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -148,7 +148,7 @@ impl<const C: usize> MinimumEnergy<C> {
     /// 1e-12 of the largest force, with moments divided by the size of the grasp.
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
-        self.imbalance_size <= SOLVED_ROUNDING * self.forces_size
+        self.balanced
     }
 
     /// `|Σ F + W|`, N, and the same for moments about the origin, N m.

@@ -21,7 +21,7 @@ face_of_struct! {
     AssociatedContact { force, gap, slip }
     Comparison { equilibrium, minimum, difference, verdict }
     MinimumEnergy {
-        load, twist, contacts, binding, imbalance, stored_energy, potential_energy, free_motions, pivots, forces_size, imbalance_size, inside,
+        load, twist, contacts, binding, imbalance, stored_energy, potential_energy, free_motions, pivots, balanced, inside,
     }
     MinimumContact { force, force_world, body_core, gap }
     ReducedQp { program, gaps, rows, constant }

@@ -11,6 +11,7 @@ use crate::Settings;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench};
 use crate::numerics::Vector;
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::Unbalanced;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -94,12 +95,9 @@ pub struct MinimumEnergy<const C: usize> {
     pub free_motions: Vec<Motion<C>>,
     /// Pivots of Lemke's method.
     pub pivots: usize,
-    /// Size of the largest force, the scale of the imbalance.
-    #[cfg_attr(feature = "serde", serde(skip))]
-    pub(super) forces_size: f64,
-    /// Size of the imbalance, with moments divided by the size of the grasp, N.
-    #[cfg_attr(feature = "serde", serde(skip))]
-    pub(super) imbalance_size: f64,
+    /// Whether no multiplier pushes the object, up to rounding; see [`Self::is_equilibrium`].
+    #[cfg_attr(feature = "serde", serde(rename = "is_equilibrium"))]
+    pub(super) balanced: bool,
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) inside: Inside,
 }
@@ -234,8 +232,7 @@ impl Engine {
                 free_motions: point.free.iter().map(Coordinates::of).collect(),
             },
             pivots,
-            forces_size: most,
-            imbalance_size: pushed.norm(),
+            balanced: pushed.norm() <= SOLVED_ROUNDING * most,
         }
     }
 }
