@@ -34,5 +34,6 @@ mod weakest_direction;
 pub use bounds::Bounds;
 pub use least_onset::LeastOnset;
 pub use least_squeeze::LeastSqueeze;
+pub(crate) use loads::LoadFields;
 pub use loads::Loads;
 pub use weakest_direction::WeakestDirection;
