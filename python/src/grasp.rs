@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use grasp_lcp::Settings;
 use grasp_lcp::grasp::{Contact, Wrench};
-use grasp_lcp::load_path::Turn;
-use grasp_lcp::scene::{Answer, Answers, Commands, Question, RampAsked, Scene, Setup, Space};
+use grasp_lcp::load_path::{Ramp, Turn};
+use grasp_lcp::scene::{Answer, Answers, Question, Scene, Setup, Space};
 use numpy::PyReadonlyArray2;
 use numpy::ndarray::ArrayView1;
 use pyo3::prelude::*;
@@ -42,11 +42,9 @@ pub(crate) struct AskedRamp<'a, 'py> {
 }
 
 impl<const C: usize> Kept<C> {
-    fn ramp(asked: &AskedRamp<'_, '_>) -> PyResult<RampAsked<C>> {
-        let mut ramp = RampAsked::along(wrench("direction", asked.direction)?);
-        if let Some(base) = asked.base {
-            ramp.base = wrench("base", base)?;
-        }
+    fn ramp(asked: &AskedRamp<'_, '_>) -> PyResult<Ramp<C>> {
+        let base = asked.base.map_or(Ok(Wrench::ZERO), |base| wrench("base", base))?;
+        let mut ramp = Ramp::load(base, wrench("direction", asked.direction)?);
         if let Some(change) = asked.command_change {
             let change = change.as_array();
             if change.ncols() != C {
@@ -54,10 +52,12 @@ impl<const C: usize> Kept<C> {
                 return Err(wrong(format_args!("command_change: rows of {given} given, must be of {C}")));
             }
             let row = |i: usize| -> [f64; C] { std::array::from_fn(|k| change[[i, k]]) };
-            ramp.command_change = Some((0..change.nrows()).map(row).collect::<Commands<C>>());
+            ramp = ramp.with_commands((0..change.nrows()).map(row));
         }
-        ramp.joint_change.clone_from(&asked.joint_change);
-        Ok(ramp)
+        Ok(match &asked.joint_change {
+            Some(change) => ramp.with_joint_commands(change.iter().copied()),
+            None => ramp,
+        })
     }
 }
 
@@ -145,9 +145,8 @@ where
     fn onset(self: Arc<Self>, ramp: &AskedRamp<'_, '_>) -> PyResult<Reply> {
         let ramp = Self::ramp(ramp)?;
         let Some(grasp) = &self.grasp else {
-            return asked(&self.setup, Question::Onset(ramp)).map(Reply::Written);
+            return asked(&self.setup, Question::onset(ramp)).map(Reply::Written);
         };
-        let ramp = self.setup.ramp(&ramp).map_err(refused)?;
         let onset = grasp.with(&self.setup.settings).onset(&ramp).map_err(refused)?;
         Ok(Reply::told(self, Raw::Onset(onset)))
     }

@@ -4,6 +4,7 @@
 
 mod fields;
 mod numbers;
+pub(crate) mod object;
 mod rows;
 
 #[cfg(feature = "schema")]

@@ -50,7 +50,10 @@ fn messages_name_contact_field_value_and_what_is_allowed() {
             asked().pressing_at_most(1.0).with_starts(1_000_000),
             "number of starts is 1000000, must be at most 1000",
         ),
-        (Improve::new(Vec::new()).pressing_at_most(1.0), "number of loads is 0, must be at least 1"),
+        (
+            Improve::new(Vec::new()).pressing_at_most(1.0),
+            "improve: load is missing, must be one of load, loads and any_force",
+        ),
     ];
     for (question, message) in cases {
         assert_eq!(refusal(&question), message);

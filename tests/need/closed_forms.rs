@@ -134,7 +134,7 @@ fn what_cannot_be_meant_is_refused() {
         refused(Need::friction_of([2], weight)),
         "number of the contact is 2, must be less than the number of contacts"
     );
-    assert!(refused(Need::load(Loads::Each(Vec::new()))).starts_with("number of loads"));
+    assert!(refused(Need::load(Loads::Each(Vec::new()))).starts_with("need: load is missing"));
 }
 
 /// A steady pull of 1.5 N beside 8 N that tilt by θ: a jaw presses with 10 − 4 sin θ and carries half of 8 cos θ + 1.5, so that `8 cos θ + 4 sin θ = 8.5` where it slides.

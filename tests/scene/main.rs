@@ -19,6 +19,7 @@ mod own_weight;
 mod picture_paper;
 mod planar_page;
 mod planar_still;
+mod questions;
 mod rounding_in_pictures;
 mod said_in_digits;
 mod soft_still;

@@ -1,8 +1,9 @@
 //! Turns that are none are refused with a message that says where, what, and what is allowed.
 
+use grasp_lcp::load_path::Leg;
 use grasp_lcp::planar::Turn;
 use grasp_lcp::scene::Scene;
-use grasp_lcp::scene::{Commands, Goal, LegAsked, Question, Setup};
+use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::{Error, planar, spatial};
 use support::jaws::jaw;
 
@@ -160,8 +161,7 @@ fn turns_that_were_not_read_are_checked_as_well() {
         let error = asked(Question::OnsetOfTurn(turn.up_to(angle)));
         assert!(matches!(error, Error::Argument { what: "angle of the turn", .. }), "{error}");
     }
-    let mut leg = LegAsked::turn(turn);
-    leg.commands = Some(Goal::By(Commands(vec![[0.001, 0.0].into(); 2])));
+    let leg = Leg::turn(&turn).and_commands_by([[0.001, 0.0]; 2]);
     let error = asked(Question::Follow { start: planar::Wrench::ZERO, legs: vec![leg], in_steps: None });
     assert_eq!(error, Error::CommandsWhileTurning);
     assert!(spatial::Turn::tilting([0.0, 0.0, -1.0], [0.0; 3], [0.0; 3]).is_err());

@@ -7,7 +7,7 @@ use grasp_lcp::grasp::{HandPart, Wrench};
 use grasp_lcp::load_path::{EdgeOf, Leg, Touch, Turn};
 use grasp_lcp::planar::hand::{self, Hand, Joint};
 use grasp_lcp::scene::{
-    self, Answer, Answers, Fingertip, OnsetAnswer, PathOutcome, Question, Scene, Setup, TurnAnswer,
+    Answer, Answers, Fingertip, OnsetAnswer, PathOutcome, Question, Scene, Setup, TurnAnswer,
 };
 use grasp_lcp::{Limit, planar, spatial};
 use proptest::prelude::TestCaseError;
@@ -72,7 +72,7 @@ fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<C>, Tur
     )
     .up_to(5.0);
     let setup = Setup::new(drawn.contacts.iter().map(|datum| Fingertip::from(datum.contact())));
-    let legs = vec![scene::LegAsked::turn(turn), scene::LegAsked::turn(turn.reversed())];
+    let legs = vec![Leg::turn(&turn), Leg::turn(&turn.reversed())];
     let follow = Question::Follow { start: turn.load_at(0.0), legs, in_steps: None };
     (setup.ask(Question::OnsetOfTurn(turn)).ask(follow), turn)
 }

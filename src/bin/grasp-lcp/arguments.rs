@@ -11,6 +11,7 @@ use crate::map::Unsure;
 use crate::new::{FIELDS_HELP, Template};
 pub(crate) use crate::numbers::{BodyPush, Numbers};
 use crate::numbers::{acceleration, count, kilograms, newtons, percent, times};
+use crate::shakes::Shakes;
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
 ///
@@ -150,25 +151,8 @@ pub(crate) enum Command {
     ///
     /// Each force is applied and removed in turn, cycle after cycle, beside the constant load. The answer holds for any number of cycles.
     Shake {
-        /// A force that is applied and removed again, N; several forces are applied one after the other.
-        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
-        force: Vec<Numbers>,
-        /// The mass of the object, kg; its weight (9.81 m/s² down along the last axis) acts all the time.
-        #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG")]
-        mass: Option<f64>,
-        /// Accelerations of this size, m/s², to and fro along every axis in turn.
-        /// The inertia of the mass, or of the scene's bodies under gravity, is the load.
-        #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A")]
-        acceleration: Option<f64>,
-        /// The forces repeat in any order: up to which multiple of them could the grasp come to rest (shakedown)?
-        #[arg(long)]
-        any_order: bool,
-        /// A force that acts all the time, N.
-        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
-        base: Option<Numbers>,
-        /// The point where forces and weight act, m; the origin if left out.
-        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
-        at: Option<Numbers>,
+        #[command(flatten)]
+        shakes: Shakes,
         #[command(flatten)]
         ask: Ask,
     },
@@ -290,7 +274,7 @@ pub(crate) struct Ask {
 pub(crate) struct Wanted {
     /// The quantity that is sought; if left out, the scene's own questions are asked.
     #[arg(value_enum)]
-    pub(crate) quantity: Option<QuantityAsked>,
+    pub(crate) quantity: Option<SoughtQuantity>,
     #[command(flatten)]
     pub(crate) load: LoadArguments,
     /// A force that acts beside the load whatever the amount, N, at the same point.
@@ -336,7 +320,7 @@ pub(crate) struct Wanted {
 
 /// A quantity that `need` seeks.
 #[derive(Debug, Clone, Copy, PartialEq, ValueEnum)]
-pub(crate) enum QuantityAsked {
+pub(crate) enum SoughtQuantity {
     /// The clamping force of each contact.
     Squeeze,
     /// The least coefficient of friction.

@@ -8,61 +8,24 @@ use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Holding;
 use grasp_lcp::identify::Ending;
-use grasp_lcp::improve::ImproveGoal;
-use grasp_lcp::load_path::Turn;
+use grasp_lcp::improve::{Improve, ImproveGoal};
+use grasp_lcp::load_path::{Leg, Turn};
 use grasp_lcp::need::Amount;
-use grasp_lcp::scene::{
-    Answer, Answers, Goal, ImproveAsked, LegAsked, OnsetAnswer, PathOutcome, Question, RampAsked, Setup,
-    Space,
-};
+use grasp_lcp::scene::{Answer, Answers, OnsetAnswer, PathOutcome, Question, Setup, Space};
 use grasp_lcp::shake::Repeats;
+use grasp_lcp::squeeze::Loads;
 use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};
 
-use crate::arguments::{Ask, LoadArguments, Numbers, Wanted};
+use crate::arguments::{Ask, Command, LoadArguments, Numbers};
 use crate::failure::{EXIT_UNDECIDED, Failure};
-use crate::identifies::Identifies;
 use crate::loads::{direction, point, pull_of_mass, weight_of};
 use crate::own_masses::{of_own_masses, refuse_mass, tilted};
-use crate::shakes::Shakes;
 use crate::words::Style;
 use crate::{files, report};
 
-/// A question of the command line.
-pub(crate) enum Asked {
-    Everything,
-    Hold {
-        load: LoadArguments,
-        base: Option<Numbers>,
-    },
-    Need(Wanted),
-    Improve {
-        load: LoadArguments,
-        base: Option<Numbers>,
-        any_force: Option<f64>,
-        at_most: Option<f64>,
-        reserve: bool,
-    },
-    Solve(LoadArguments),
-    Onset(LoadArguments),
-    Turn {
-        mass: Option<f64>,
-        weight: Option<Numbers>,
-        at: Option<Numbers>,
-        base: Option<Numbers>,
-        axis: Option<Numbers>,
-    },
-    Follow {
-        to: Vec<Numbers>,
-        from: Option<Numbers>,
-        at: Option<Numbers>,
-    },
-    Shake(Shakes),
-    Identify(Identifies),
-}
-
 /// Answers the question and prints the answer. The exit code says whether every answer is decided.
-pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
+pub(crate) fn ask(ask: &Ask, asked: &Command) -> Result<ExitCode, Failure> {
     let mut scene = files::read(&ask.scene)?;
     match &mut scene.space {
         Space::Planar(setup) => {
@@ -114,35 +77,38 @@ pub(crate) struct Meaning<const C: usize> {
 }
 
 /// Replaces the scene's questions by that of the command line; without a load there, only the scene's questions of the same kind stay.
-fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) -> Result<(), Failure> {
+fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>) -> Result<(), Failure> {
     let question = match asked {
-        Asked::Hold { load, base } => {
+        Command::Hold { load, base, .. } => {
             words.hold(&*of_own_masses(load, base.is_some(), setup)?, base.as_ref())?
         }
-        Asked::Need(wanted) => words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked))),
-        Asked::Improve { load, base, any_force, at_most, reserve } => {
+        Command::Need { wanted, .. } => {
+            words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked)))
+        }
+        Command::Improve { load, base, any_force, at_most, reserve, .. } => {
             let load = &*of_own_masses(load, base.is_some() || any_force.is_some(), setup)?;
             words.improve(load, base.as_ref(), *any_force, *at_most, *reserve)?
         }
-        Asked::Everything => None,
-        Asked::Turn { mass: None, weight: None, at: None, base: None, axis: None }
+        Command::Turn { mass: None, weight: None, at: None, base: None, axis: None, .. }
             if setup.own_mass().is_none()
                 || setup.questions.iter().any(|question| is_of_kind(question, asked)) =>
         {
             None
         }
-        Asked::Solve(load) => {
+        Command::Solve { load, .. } => {
             let asked = &*of_own_masses(load, false, setup)?;
             let together_with = words.together_with(asked)?;
             words.wrench(asked)?.map(|load| Question::Solve { load, together_with })
         }
-        Asked::Onset(load) => {
+        Command::Onset { load, .. } => {
             let asked = &*of_own_masses(load, false, setup)?;
             let together_with = words.together_with(asked)?;
-            let along = |load| RampAsked { together_with, ..RampAsked::along(load) };
-            words.wrench(asked)?.map(|load| Question::Onset(along(load)))
+            let (base, command_change, joint_change) = (Wrench::ZERO, None, None);
+            let along =
+                |direction| Question::Onset { base, direction, command_change, joint_change, together_with };
+            words.wrench(asked)?.map(along)
         }
-        Asked::Turn { mass, weight, at, base, axis } => {
+        Command::Turn { mass, weight, at, base, axis, .. } => {
             refuse_mass(setup, *mass)?;
             let own = if mass.is_none() && weight.is_none() { tilted(setup) } else { None };
             let (weight, centre) = match (weight, mass, own) {
@@ -154,9 +120,10 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
             let turn = (words.turn)(weight, centre.as_ref(), axis.as_ref())?;
             Some(Question::OnsetOfTurn(turn.beside(words.base(base.as_ref(), at.as_ref())?)))
         }
-        Asked::Follow { to, from, at } => words.follow(to, from.as_ref(), at.as_ref())?,
-        Asked::Shake(shakes) => words.shake(shakes, setup)?,
-        Asked::Identify(slips) => words.identify(slips, setup)?,
+        Command::Follow { to, from, at, .. } => words.follow(to, from.as_ref(), at.as_ref())?,
+        Command::Shake { shakes, .. } => words.shake(shakes, setup)?,
+        Command::Identify { slips, .. } => words.identify(slips, setup)?,
+        _ => None,
     };
     match question {
         Some(question) => setup.questions = vec![question],
@@ -164,39 +131,44 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
     }
     if setup.questions.is_empty() {
         let message = match asked {
-            Asked::Everything => {
-                "the scene asks nothing: use `hold`, `need`, `improve`, `onset`, `solve`, `turn`, `follow` or `shake` with a load"
-            }
-            Asked::Hold { .. } | Asked::Solve(_) | Asked::Onset(_) => {
+            Command::Hold { .. } | Command::Solve { .. } | Command::Onset { .. } => {
                 "the scene has no such question: say --mass, --force or --moment"
             }
-            Asked::Need(_) => {
+            Command::Need { .. } => {
                 "the scene has no such question: say what is needed, such as `squeeze --mass 0.4`"
             }
-            Asked::Improve { .. } => "the scene has no such question: say --mass, --force or --any-force",
-            Asked::Turn { .. } => "the scene has no such question: say --mass or --weight",
-            Asked::Follow { .. } => "the scene has no such question: say --to",
-            Asked::Identify(_) => "the scene has no such question: say a table of slips behind the scene",
-            Asked::Shake(_) => "the scene has no such question: say --force, or --mass and --acceleration",
+            Command::Improve { .. } => "the scene has no such question: say --mass, --force or --any-force",
+            Command::Turn { .. } => "the scene has no such question: say --mass or --weight",
+            Command::Follow { .. } => "the scene has no such question: say --to",
+            Command::Identify { .. } => {
+                "the scene has no such question: say a table of slips behind the scene"
+            }
+            Command::Shake { .. } => {
+                "the scene has no such question: say --force, or --mass and --acceleration"
+            }
+            _ => {
+                "the scene asks nothing: use `hold`, `need`, `improve`, `onset`, `solve`, `turn`, `follow` or `shake` with a load"
+            }
         };
         return Err(Failure::Usage(message.to_owned()));
     }
     Ok(())
 }
 
-fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
-    match asked {
-        Asked::Everything => true,
-        Asked::Hold { .. } => matches!(question, Question::Hold { .. }),
-        Asked::Need(_) => matches!(question, Question::Need(_)),
-        Asked::Improve { .. } => matches!(question, Question::Improve(_)),
-        Asked::Solve(_) => matches!(question, Question::Solve { .. }),
-        Asked::Onset(_) => matches!(question, Question::Onset(_)),
-        Asked::Turn { .. } => matches!(question, Question::OnsetOfTurn(_)),
-        Asked::Follow { .. } => matches!(question, Question::Follow { .. }),
-        Asked::Identify(_) => matches!(question, Question::Identify(_)),
-        Asked::Shake(_) => matches!(question, Question::Shake(_) | Question::Shakedown(_)),
-    }
+fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Command) -> bool {
+    matches!(
+        (asked, question),
+        (Command::Ask(_), _)
+            | (Command::Hold { .. }, Question::Hold { .. })
+            | (Command::Need { .. }, Question::Need(_))
+            | (Command::Improve { .. }, Question::Improve(_))
+            | (Command::Solve { .. }, Question::Solve { .. })
+            | (Command::Onset { .. }, Question::Onset { .. })
+            | (Command::Turn { .. }, Question::OnsetOfTurn(_))
+            | (Command::Follow { .. }, Question::Follow { .. })
+            | (Command::Identify { .. }, Question::Identify(_))
+            | (Command::Shake { .. }, Question::Shake { .. } | Question::Shakedown { .. })
+    )
 }
 
 impl<const C: usize> Meaning<C> {
@@ -270,15 +242,29 @@ impl<const C: usize> Meaning<C> {
                 "say which load is to slide late: --mass, --force, --moment or --any-force".to_owned();
             return if given { Err(Failure::Usage(missing)) } else { Ok(None) };
         }
-        let base = base.map(|_| self.base(base, load.at.as_ref())).transpose()?;
-        let at = any_force.map(|_| point(load.at.as_ref())).transpose()?.map(Into::into);
-        Ok(Some(Question::Improve(Box::new(ImproveAsked {
-            any_force,
-            at,
-            at_most,
-            goal: reserve.then_some(ImproveGoal::Reserve),
-            ..ImproveAsked::of(base, wrench)
-        }))))
+        let loads = self.loads(wrench, any_force, load.at.as_ref())?;
+        let mut question = Improve::new(loads).on_top_of(self.base(base, load.at.as_ref())?);
+        if let Some(force) = at_most {
+            question = question.pressing_at_most(force);
+        }
+        if reserve {
+            question = question.with_goal(ImproveGoal::Reserve);
+        }
+        Ok(Some(Question::Improve(Box::new(question))))
+    }
+
+    /// The load of the command line, or a force of any direction beside it.
+    pub(crate) fn loads(
+        &self,
+        load: Option<Wrench<C>>,
+        any_force: Option<f64>,
+        at: Option<&Numbers>,
+    ) -> Result<Loads<C>, Failure> {
+        let base = load.unwrap_or(Wrench::ZERO);
+        Ok(match any_force {
+            Some(size) => Loads::AnyForce { base, size, point: point(at)? },
+            None => base.into(),
+        })
     }
 
     /// A force that acts at a point.
@@ -308,7 +294,7 @@ impl<const C: usize> Meaning<C> {
             return missing;
         }
         let start = from.map_or(Ok(Wrench::ZERO), |from| self.push(from, "from", at))?;
-        let leg = |force| self.push(force, "to", at).map(|load| LegAsked::new(Some(Goal::To(load)), None));
+        let leg = |force| self.push(force, "to", at).map(Leg::load_to);
         let legs = to.iter().map(leg).collect::<Result<_, _>>()?;
         Ok(Some(Question::Follow { start, legs, in_steps: None }))
     }

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use grasp_lcp::identify::{SlipKind, UnknownKind};
-use grasp_lcp::scene::{IdentifyAsked, KnownSum, Question, Setup, SlipAsked, UnknownAsked};
+use grasp_lcp::identify::{Identify, Slip, Unknown, UnknownKind};
+use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::words::printable;
 
 use crate::arguments::Numbers;
@@ -107,24 +107,25 @@ impl<const C: usize> Meaning<C> {
         };
         let mut unknowns = Vec::new();
         for sought in &given.unknown {
-            let mut unknown = UnknownAsked::of(sought.kind);
+            let mut contacts = Vec::new();
             for name in &sought.contacts {
-                unknown.contacts.push(named("unknown", name, setup)?);
+                contacts.push(named("unknown", name, setup)?);
             }
-            unknowns.push(unknown);
+            let unknown = Unknown::of(sought.kind);
+            unknowns.push(if contacts.is_empty() { unknown } else { unknown.of_contacts(contacts) });
         }
         if unknowns.is_empty() {
-            unknowns.push(UnknownAsked::of(UnknownKind::Friction));
+            unknowns.push(Unknown::friction());
         }
-        let mut asked = IdentifyAsked::new(unknowns, self.slips(path, given)?);
-        let known = given.known.iter();
-        asked.known =
-            known.map(|sum| KnownSum::new(sum.unknowns.clone(), sum.value, 0.01 * sum.percent)).collect();
+        let mut asked = Identify::new(unknowns, self.slips(path, given)?);
+        for sum in &given.known {
+            asked = asked.knowing(sum.unknowns.iter().copied(), sum.value, 0.01 * sum.percent);
+        }
         Ok(Some(Question::Identify(Box::new(asked))))
     }
 
     /// The rows of a table.
-    fn slips(&self, path: &Path, given: &Identifies) -> Result<Vec<SlipAsked<C>>, Failure> {
+    fn slips(&self, path: &Path, given: &Identifies) -> Result<Vec<Slip<C>>, Failure> {
         let name = printable(&path.display().to_string()).into_owned();
         let text =
             std::fs::read_to_string(path).map_err(|error| Failure::Files(format!("{name}: {error}")))?;
@@ -168,15 +169,15 @@ impl<const C: usize> Meaning<C> {
         (heads, cells): (&[&str], &[&'a str]),
         groups: &mut Vec<&'a str>,
         given: &Identifies,
-    ) -> Result<SlipAsked<C>, Fault> {
+    ) -> Result<Slip<C>, Fault> {
         let [mut force, mut at, mut moment, mut base] = [[0.0; 3]; 4];
-        let (mut kind, mut squeeze) = (if given.first { SlipKind::First } else { SlipKind::Gross }, None);
+        let (mut first, mut squeeze) = (given.first, None);
         let (mut scatter, mut group) = (given.scatter, None);
         for (head, cell) in heads.iter().zip(cells) {
             if *head == "slip" {
-                kind = match *cell {
-                    "first" => SlipKind::First,
-                    "gross" => SlipKind::Gross,
+                first = match *cell {
+                    "first" => true,
+                    "gross" => false,
                     other => {
                         return Err(Fault::Cell(format!(
                             "slip: `{}` given, must be first or gross",
@@ -214,14 +215,21 @@ impl<const C: usize> Meaning<C> {
             }
         }
         let [force, place] = [force, at].map(|row| std::array::from_fn(|axis| row[axis]));
-        let mut slip = SlipAsked::gross((self.force_at)(force, place) + (self.moment)(&moment));
-        (slip.slip, slip.squeeze) = (kind, squeeze);
-        slip.group = group;
-        slip.scatter = scatter.map(|percent| 0.01 * percent);
+        let load = (self.force_at)(force, place) + (self.moment)(&moment);
+        let mut slip = if first { Slip::first(load) } else { Slip::gross(load) };
+        if let Some(squeeze) = squeeze {
+            slip = slip.squeezed(squeeze);
+        }
+        if let Some(group) = group {
+            slip = slip.in_group(group);
+        }
+        if let Some(percent) = scatter {
+            slip = slip.scattering_by(0.01 * percent);
+        }
         if given.base.is_some() || heads.iter().any(|head| head.starts_with("base")) {
             let [own, at] = [base, at].map(|row| std::array::from_fn(|axis| row[axis]));
             let of_all = self.base(given.base.as_ref(), None).map_err(Fault::Usage)?;
-            slip.base = Some(of_all + (self.force_at)(own, at));
+            slip = slip.on_top_of(of_all + (self.force_at)(own, at));
         }
         Ok(slip)
     }

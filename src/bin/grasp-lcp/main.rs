@@ -32,10 +32,8 @@ use clap::Parser;
 use grasp_lcp::stream::{StreamOptions, answer_lines};
 
 use arguments::{Arguments, Command};
-use asking::Asked;
 use failure::Failure;
 use files::Pictures;
-use shakes::Shakes;
 
 fn main() -> ExitCode {
     match asked().and_then(|code| io::stdout().flush().map(|()| code).map_err(Failure::from)) {
@@ -59,30 +57,22 @@ fn asked() -> Result<ExitCode, Failure> {
 }
 
 fn run(command: Command) -> Result<ExitCode, Failure> {
+    if let Command::Ask(ask)
+    | Command::Hold { ask, .. }
+    | Command::Need { ask, .. }
+    | Command::Improve { ask, .. }
+    | Command::Solve { ask, .. }
+    | Command::Onset { ask, .. }
+    | Command::Turn { ask, .. }
+    | Command::Follow { ask, .. }
+    | Command::Shake { ask, .. }
+    | Command::Identify { ask, .. } = &command
+    {
+        return asking::ask(ask, &command);
+    }
     match command {
         Command::New { of } => io::stdout().write_all(of.text().as_bytes())?,
         Command::Values => values::print(&mut io::stdout().lock())?,
-        Command::Ask(ask) => return asking::ask(&ask, &Asked::Everything),
-        Command::Hold { load, base, ask } => return asking::ask(&ask, &Asked::Hold { load, base }),
-        Command::Need { ask, wanted } => return asking::ask(&ask, &Asked::Need(wanted)),
-        Command::Improve { load, base, any_force, at_most, reserve, ask } => {
-            return asking::ask(&ask, &Asked::Improve { load, base, any_force, at_most, reserve });
-        }
-        Command::Solve { load, ask } => return asking::ask(&ask, &Asked::Solve(load)),
-        Command::Onset { load, ask } => return asking::ask(&ask, &Asked::Onset(load)),
-        Command::Turn { mass, weight, at, base, axis, ask } => {
-            return asking::ask(&ask, &Asked::Turn { mass, weight, at, base, axis });
-        }
-        Command::Follow { to, from, at, ask } => {
-            return asking::ask(&ask, &Asked::Follow { to, from, at });
-        }
-        Command::Shake { force, mass, acceleration, any_order, base, at, ask } => {
-            return asking::ask(
-                &ask,
-                &Asked::Shake(Shakes { force, mass, acceleration, any_order, base, at }),
-            );
-        }
-        Command::Identify { ask, slips } => return asking::ask(&ask, &Asked::Identify(slips)),
         Command::Map { scene, at, unsure, json, progress, output } => {
             let pictures = Pictures::new(&output, &scene);
             let of_map = files::read(&scene)?;
@@ -108,6 +98,7 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Completions { shell } => beside::completions(shell, &mut io::stdout().lock())?,
         #[cfg(feature = "cli-full")]
         Command::Man => beside::manual(&mut io::stdout().lock())?,
+        _ => {}
     }
     Ok(ExitCode::SUCCESS)
 }

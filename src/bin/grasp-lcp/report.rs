@@ -145,11 +145,14 @@ impl Report<'_> {
                     }
                 }
             }
-            (Question::Onset(ramp), Answer::Onset(onset)) => {
-                let commands = ramp.command_change.is_some() || ramp.joint_change.is_some();
-                let base = self.load(&ramp.base);
-                let direction = self.load(&ramp.direction) + &self.and_on_bodies(named(&ramp.together_with));
-                let changes = ramp.direction != Wrench::ZERO;
+            (
+                Question::Onset { base, direction, command_change, joint_change, together_with },
+                Answer::Onset(onset),
+            ) => {
+                let commands = command_change.is_some() || joint_change.is_some();
+                let changes = *direction != Wrench::ZERO;
+                let base = self.load(base);
+                let direction = self.load(direction) + &self.and_on_bodies(named(together_with));
                 let way = match (changes, commands) {
                     (false, _) => format!("under {base} while commands change"),
                     (true, true) => format!("from {base} along {direction}, commands changing along"),

@@ -1,7 +1,7 @@
 //! Repeated loads of the command line.
 
 use grasp_lcp::grasp::Wrench;
-use grasp_lcp::scene::{Question, Setup, ShakeAsked, ShakedownAsked};
+use grasp_lcp::scene::{Question, Setup};
 
 use crate::arguments::Numbers;
 use crate::asking::Meaning;
@@ -10,12 +10,26 @@ use crate::loads::{point, weight_of};
 use crate::own_masses::{accelerated, refuse_mass};
 
 /// The loads that are applied and removed in turn, and the constant load.
+#[derive(Debug, clap::Args)]
 pub(crate) struct Shakes {
+    /// A force that is applied and removed again, N; several forces are applied one after the other.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) force: Vec<Numbers>,
+    /// The mass of the object, kg; its weight (9.81 m/s² down along the last axis) acts all the time.
+    #[arg(long, allow_hyphen_values = true, value_parser = crate::numbers::kilograms, value_name = "KG")]
     pub(crate) mass: Option<f64>,
+    /// Accelerations of this size, m/s², to and fro along every axis in turn.
+    /// The inertia of the mass, or of the scene's bodies under gravity, is the load.
+    #[arg(long, allow_hyphen_values = true, value_parser = crate::numbers::acceleration, value_name = "A")]
     pub(crate) acceleration: Option<f64>,
+    /// The forces repeat in any order: up to which multiple of them could the grasp come to rest (shakedown)?
+    #[arg(long)]
     pub(crate) any_order: bool,
+    /// A force that acts all the time, N.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) base: Option<Numbers>,
+    /// The point where forces and weight act, m; the origin if left out.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) at: Option<Numbers>,
 }
 
@@ -52,9 +66,9 @@ impl<const C: usize> Meaning<C> {
             return if given { Err(Failure::Usage(missing)) } else { Ok(None) };
         }
         Ok(Some(if shakes.any_order {
-            Question::Shakedown(Box::new(ShakedownAsked::in_any_order(base, loads)))
+            Question::Shakedown { base, loads }
         } else {
-            Question::Shake(Box::new(ShakeAsked::in_turn(base, loads)))
+            Question::Shake { base, loads, legs: Vec::new() }
         }))
     }
 

@@ -1,5 +1,6 @@
 //! Load programs: legs along which load and finger commands change linearly.
 
+use alloc::borrow::Cow;
 use core::ops::Add;
 
 use nalgebra::SVector;
@@ -8,7 +9,7 @@ use super::body_loads::BodyGoal;
 use super::ramp::{Ramp, vectors};
 use super::trajectory::Trajectory;
 use super::turn::Turn;
-use crate::error::{Error, Field};
+use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::prelude::*;
 
@@ -16,6 +17,7 @@ use crate::prelude::*;
 ///
 /// A squeeze is a leg of commands, loading and unloading are legs of the load; a quantity that the leg does not mention stays. Loads act on the
 /// object (N, N m about the origin); commands are displacements of the fingers in their contact frames (m), the normal part positive into the object.
+/// All points of a soft fingertip follow one command, unless there is one for each point.
 /// Both change in proportion to the fraction of the leg, from 0 to 1.
 ///
 /// ```
@@ -218,6 +220,20 @@ impl<const C: usize> Leg<C> {
 }
 
 impl Leg<3> {
+    /// This leg with commands for each point of a grasp; links keep their pretension.
+    pub(super) fn of_points(&self, grasp: &Engine) -> Result<Self, Error> {
+        let (what, none) = ("commands of a leg", SVector::zeros());
+        let of_points = |rows: &Vec<_>, at_links: &dyn Fn(usize) -> SVector<f64, 3>| {
+            grasp.commands_of_points(rows, at_links, what).map(Cow::into_owned)
+        };
+        let commands = match &self.commands {
+            LegGoal::Stay => LegGoal::Stay,
+            LegGoal::By(change) => LegGoal::By(of_points(change, &|_| none)?),
+            LegGoal::To(goal) => LegGoal::To(of_points(goal, &|i| grasp.contacts()[i].command)?),
+        };
+        Ok(Self { commands, ..self.clone() })
+    }
+
     pub(super) fn check(&self, grasp: &Engine) -> Result<(), Error> {
         match &self.load {
             LegLoad::Straight(LegGoal::Stay) => {}
@@ -230,9 +246,6 @@ impl Leg<3> {
                     return Err(Error::CommandsWhileTurning);
                 }
             }
-        }
-        if let LegGoal::By(commands) | LegGoal::To(commands) = &self.commands {
-            grasp.check_commands(commands, "commands of a leg", Field::CommandChange)?;
         }
         if let LegGoal::By(commands) | LegGoal::To(commands) = &self.joints {
             grasp.check_joint_commands(commands, "joint commands of a leg")?;

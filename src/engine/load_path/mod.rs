@@ -107,6 +107,8 @@ mod turning_state;
 mod watch;
 mod whole_change;
 mod within_a_step;
+#[cfg(feature = "serde")]
+mod written_leg;
 
 pub use beyond::{Beyond, Continuation};
 pub(crate) use cycles::{CycleRecord, CycleState, Cycles};

@@ -61,11 +61,15 @@ impl Program {
 
     /// Appends legs, all or none of them.
     pub(super) fn extend(&mut self, grasp: &Engine, legs: &[Leg<3>]) -> Result<(), Error> {
-        legs.iter().try_for_each(|leg| leg.check(grasp))?;
+        let mut of_points = Vec::with_capacity(legs.len());
+        for leg in legs {
+            leg.check(grasp)?;
+            of_points.push(leg.of_points(grasp)?);
+        }
         // Programs that go on and on need no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
-        self.legs.extend_from_slice(legs);
+        self.legs.append(&mut of_points);
         Ok(())
     }
 

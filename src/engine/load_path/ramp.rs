@@ -1,8 +1,12 @@
 //! A load, finger commands, or both, that change in proportion to one factor.
 
+use alloc::borrow::Cow;
+
 use nalgebra::SVector;
 
-use crate::error::{Error, Field};
+#[cfg(feature = "serde")]
+use super::written_leg::{check_drives, check_rows};
+use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::prelude::*;
 
@@ -32,7 +36,7 @@ impl<const C: usize> Ramp<C> {
     }
 
     /// The finger commands change while the load stays: one displacement a contact for each unit of the factor, each in its contact frame (m), the
-    /// normal part positive into the object.
+    /// normal part positive into the object. All points of a soft fingertip follow one displacement, unless there is one for each point.
     #[must_use]
     pub fn commands(load: Wrench<C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self::load(load, Wrench::ZERO).with_commands(change)
@@ -82,12 +86,19 @@ impl<const C: usize> Ramp<C> {
         }
     }
 
-    /// Whether all rates of the ramp are zero.
+    /// Refuses changes that are not as many as there are contacts and drives (joints, then tendons), and a ramp along which nothing changes.
     #[cfg(feature = "serde")]
-    pub(crate) fn stands_still(&self) -> bool {
+    pub(crate) fn check_changes(&self, [contacts, drives, _]: [usize; 3]) -> Result<(), Error> {
+        if let Some(change) = &self.command_change {
+            check_rows(change.len(), "command changes", contacts)?;
+        }
+        if let Some(change) = &self.joint_change {
+            check_drives(change.len(), "changes of joint commands", drives)?;
+        }
         let commands = self.command_change.iter().flatten().flat_map(|change| change.iter());
         let joints = self.joint_change.iter().flatten();
-        self.direction.components().iter().chain(commands).chain(joints).all(|x| *x == 0.0)
+        let mut rates = self.direction.components().iter().chain(commands).chain(joints);
+        if rates.all(|x| *x == 0.0) { Err(Error::NothingChanges) } else { Ok(()) }
     }
 }
 
@@ -105,14 +116,14 @@ impl Ramp<3> {
         grasp: &Engine,
         changes: &mut Vec<SVector<f64, 3>>,
     ) -> Result<(), Error> {
+        let mut commands = Cow::Borrowed(&[][..]);
         if let Some(change) = &self.command_change {
-            grasp.check_commands(change, "command changes", Field::CommandChange)?;
+            commands = grasp.commands_of_points(change, &|_| SVector::zeros(), "command changes")?;
         }
         if let Some(change) = &self.joint_change {
             grasp.check_joint_commands(change, "changes of joint commands")?;
         }
-        let commands = self.command_change.iter().flatten().copied();
-        grasp.changed_by(commands, self.joint_change.as_deref(), changes);
+        grasp.changed_by(commands.iter().copied(), self.joint_change.as_deref(), changes);
         Ok(())
     }
 }

@@ -3,11 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::held::{HoldAnswer, NeedAnswer};
-use super::identify_asked::IdentifyAnswer;
-use super::improve_asked::ImproveAnswer;
+use super::identified::IdentifyAnswer;
+use super::improved::ImproveAnswer;
 use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
-use super::shake_asked::{ShakeAnswer, ShakedownAnswer};
+use super::shaken::{ShakeAnswer, ShakedownAnswer};
 use super::solved::SolveAnswer;
 
 /// The answer to a [`Question`](super::Question), under the same name.

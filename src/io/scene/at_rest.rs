@@ -131,18 +131,18 @@ fn jams<const C: usize>(grasp: &Grasp<C>, load: Wrench<C>) -> Result<bool, Error
 /// The load before the loads of a question are put on; zero for a single equilibrium.
 fn at_rest<const C: usize>(question: &Question<C>) -> Wrench<C> {
     match question {
-        Question::Hold { base, .. } => *base,
+        Question::Hold { base, .. }
+        | Question::Onset { base, .. }
+        | Question::Shake { base, .. }
+        | Question::Shakedown { base, .. } => *base,
         Question::Need(asked) => {
             let turned = asked.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0));
-            asked.base.unwrap_or(Wrench::ZERO) + turned
+            asked.base() + turned
         }
-        Question::Improve(asked) => asked.base.unwrap_or(Wrench::ZERO),
+        Question::Improve(asked) => asked.base(),
         Question::Solve { .. } => Wrench::ZERO,
-        Question::Onset(asked) => asked.base,
         Question::OnsetOfTurn(turn) => turn.load_at(0.0),
         Question::Follow { start, .. } => *start,
-        Question::Shake(asked) => asked.base,
-        Question::Shakedown(asked) => asked.base,
         Question::Identify(asked) => asked.at_rest(),
     }
 }

@@ -6,9 +6,9 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::object;
 use crate::grasp::{Body, Wrench};
 use crate::numerics::mapped;
+use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Given};
 
 /// A body of a scene: its name, its mass and constant load, and its outline for pictures; see [`Bodies`](crate::grasp::Bodies).

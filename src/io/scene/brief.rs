@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::identify_asked::ended;
+use super::identified::ended;
 use super::labels::SceneNames;
 use super::question::Question;
 use super::setup::Setup;
@@ -13,7 +13,7 @@ use crate::grasp::WholeContact;
 use crate::hold::{Holding, Verdict};
 use crate::identify::Identified;
 use crate::improve::{Binds, Improved, SearchEnd};
-use crate::load_path::{DriveChange, Onset, PathEnd, Ramp};
+use crate::load_path::{DriveChange, Onset, PathEnd};
 use crate::need::{Amount, Needed, Quantity};
 use crate::numerics::tried;
 use crate::shake::{Repeats, Shakedown, Shaken};
@@ -22,10 +22,10 @@ use crate::shake::{Repeats, Shakedown, Shaken};
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
-/// use grasp_lcp::scene::{Question, RampAsked, Setup};
+/// use grasp_lcp::scene::{Question, Setup};
 ///
 /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
-/// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()]).ask(Question::Onset(RampAsked::along(Wrench::force([0.0, -2.0]))));
+/// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()]).ask(Question::onset(Wrench::force([0.0, -2.0])));
 /// let brief = &setup.brief_answers()?[0];
 /// assert_eq!((brief.outcome, brief.factor, brief.first.as_deref(), brief.does), ("at", Some(5.0), Some("contact 0"), Some("slides")));
 /// # Ok::<(), grasp_lcp::Error>(())
@@ -83,13 +83,14 @@ impl<const C: usize> Setup<C> {
     }
 
     fn brief(&self, grasp: &Grasp<C>, labels: &SceneNames, question: &Question<C>) -> Result<Brief, Error> {
+        self.check(question)?;
         let grasp = &self.grasp_of(grasp, question)?;
         Ok(match &*self.meant(question)? {
-            Question::Hold { base, load, .. } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),
-            Question::Need(asked) => needed_briefly(&grasp.need(&self.need(asked)?)?),
+            Question::Hold { .. } => held_briefly(&grasp.hold(question.ramp()?)?),
+            Question::Need(asked) => needed_briefly(&grasp.need(asked)?),
             Question::Improve(asked) => improved_briefly(&self.improve(asked)?.answered_by(grasp)?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
-            Question::Onset(asked) => labels.onset_briefly("onset", grasp, &grasp.onset(&self.ramp(asked)?)?),
+            Question::Onset { .. } => labels.onset_briefly("onset", grasp, &grasp.onset(&question.ramp()?)?),
             Question::OnsetOfTurn(turn) => {
                 let found = grasp.onset_of_turn(turn)?;
                 let mut brief = labels.onset_briefly("onset_of_turn", grasp, &found.onset);
@@ -97,19 +98,21 @@ impl<const C: usize> Setup<C> {
                 brief
             }
             Question::Follow { start, legs, in_steps: Some(error) } => {
-                let mut path = grasp.follow_in_steps(start, &self.legs(legs)?, *error)?;
+                let mut path = grasp.follow_in_steps(start, legs, *error)?;
                 path.by_ref().for_each(drop);
                 labels.path_briefly(path.end())
             }
             Question::Follow { start, legs, in_steps: None } => {
-                let mut path = grasp.follow(start, &self.legs(legs)?)?;
+                let mut path = grasp.follow(start, legs)?;
                 path.by_ref().for_each(drop);
                 let beyond_small_motions = path.end_of_small_motions().is_some();
                 Brief { beyond_small_motions, ..labels.path_briefly(path.end()) }
             }
-            Question::Shake(asked) => shaken_briefly(&grasp.shake(&asked.base, &self.cycle(asked)?)?),
-            Question::Shakedown(asked) => shakedown_briefly(asked.found(grasp)?.as_ref()),
-            Question::Identify(asked) => identified_briefly(&self.identify(asked)?.answered_by(grasp)?),
+            Question::Shake { base, .. } => shaken_briefly(&grasp.shake(base, &question.legs()?)?),
+            Question::Shakedown { base, loads } => {
+                shakedown_briefly(grasp.statics().shakedown(base, loads)?.as_ref())
+            }
+            Question::Identify(asked) => identified_briefly(&asked.answered_by(grasp)?),
         })
     }
 }

@@ -6,11 +6,11 @@ use serde::ser::{Serialize, Serializer};
 
 use super::fingertip::{Fingertip, MovedBy};
 use super::matrix::Rows;
-use super::object;
 use super::written_contact::LinkedContact;
 use crate::error::Error;
 use crate::grasp::{self, Joint};
 use crate::serial::AsGiven;
+use crate::serial::object;
 
 /// A finger of a scene: joints in a row from the palm on, and contacts on its links; see [`grasp::Finger`].
 ///

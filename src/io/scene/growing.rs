@@ -1,48 +1,34 @@
 //! Loads of several bodies that grow together with the load of a question.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::question::Question;
 use super::setup::Setup;
-use crate::ask::Grasp;
+use crate::ask::{Grasp, check_growing};
 use crate::error::Error;
 use crate::grasp::Wrench;
 
-/// The load of a question and the loads that grow with it.
-struct Growing<'q, const C: usize> {
-    question: &'static str,
-    /// The load that acts before.
-    base: Wrench<C>,
-    /// The load with which the others grow; `None` if the question has several loads or none.
-    load: Option<Wrench<C>>,
-    others: &'q BTreeMap<String, Wrench<C>>,
-}
+/// The name of a question, its load at rest, the load with which others grow, and those.
+type Growing<'q, const C: usize> =
+    (&'static str, Wrench<C>, Option<Wrench<C>>, &'q BTreeMap<String, Wrench<C>>);
 
-impl<'q, const C: usize> Growing<'q, C> {
-    /// `None` if no other load grows in the question.
-    fn of(asked: &'q Question<C>) -> Option<Self> {
-        let (question, base, load, others) = match asked {
-            Question::Hold { base, load, together_with } => ("hold", *base, Some(*load), together_with),
-            Question::Solve { load, together_with } => ("solve", Wrench::ZERO, Some(*load), together_with),
-            Question::Onset(asked) => ("onset", asked.base, Some(asked.direction), &asked.together_with),
-            Question::Need(asked) => {
-                ("need", asked.base.unwrap_or(Wrench::ZERO), asked.only_load(), &asked.together_with)
-            }
-            Question::Improve(_)
-            | Question::OnsetOfTurn(_)
-            | Question::Follow { .. }
-            | Question::Shake(_)
-            | Question::Shakedown(_)
-            | Question::Identify(_) => {
-                return None;
-            }
-        };
-        (!others.is_empty()).then_some(Self { question, base, load, others })
+/// The loads that grow together; `None` for a question without any.
+fn growing<const C: usize>(asked: &Question<C>) -> Option<Growing<'_, C>> {
+    match asked {
+        Question::Hold { base, load, together_with } => Some(("hold", *base, Some(*load), together_with)),
+        Question::Solve { load, together_with } => Some(("solve", Wrench::ZERO, Some(*load), together_with)),
+        Question::Onset { base, direction, together_with, .. } => {
+            Some(("onset", *base, Some(*direction), together_with))
+        }
+        Question::Need(asked) => Some(("need", asked.base(), asked.grows(), &asked.together_with)),
+        _ => None,
     }
 }
 
 impl<const C: usize> Setup<C> {
-    /// The grasp of a question, with the loads that grow together. If gravity turns, the grasp has none beside the turning load.
+    /// The grasp of a question, with the loads that grow together unless the question itself adds them. If gravity turns, the grasp has none beside
+    /// the turning load.
     ///
     /// # Errors
     /// [`Error::Question`] where nothing can grow together, and as for [`Grasp::growing_together`].
@@ -51,9 +37,9 @@ impl<const C: usize> Setup<C> {
         if let Some(tilted) = self.tilted_grasp(question)? {
             return Ok(tilted);
         }
-        match Growing::of(question) {
-            Some(Growing { load: Some(load), others, .. }) => {
-                grasp.growing_together(&load, others.iter().map(|(name, load)| (name, *load)))
+        match growing(question) {
+            Some((name, base, load, others)) if !matches!(question, Question::Need(_)) => {
+                grasp.growing(name, base, load, others).map(Cow::into_owned)
             }
             _ => Ok(grasp.clone()),
         }
@@ -61,21 +47,9 @@ impl<const C: usize> Setup<C> {
 
     /// Refuses loads that cannot grow together.
     pub(super) fn check_growing(&self, question: &Question<C>) -> Result<(), Error> {
-        let Some(Growing { question, base, load, others }) = Growing::of(question) else { return Ok(()) };
+        let Some((name, base, load, others)) = growing(question) else { return Ok(()) };
         others.keys().try_for_each(|name| self.has_body(name))?;
-        let refuse = |fault| Err(Error::Question { question, field: "together_with", fault });
-        match load {
-            None => refuse(
-                "given, must be left out unless the amount is one of squeeze, friction or load, for one load",
-            ),
-            _ if base != Wrench::ZERO => {
-                refuse("given, must be left out beside a base: what is always there is the `load` of a body")
-            }
-            Some(load) if load == Wrench::ZERO => {
-                refuse("given, must be left out without a load to grow with")
-            }
-            Some(_) => Ok(()),
-        }
+        check_growing(name, base, load, others)
     }
 
     /// Refuses the name of a loaded body that the scene does not have.

@@ -22,6 +22,26 @@ pub struct HoldAnswer<const C: usize> {
 }
 
 /// The amount of a quantity that the grasp needs; see [`Needed`].
+///
+/// ```
+/// use grasp_lcp::scene::Scene;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "format": "grasp-lcp/1",
+///     "planar": {
+///         "contacts": [
+///             { "name": "left", "point": [-0.03, 0], "normal": [1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10 },
+///             { "name": "right", "point": [0.03, 0], "normal": [-1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10 }
+///         ],
+///         "questions": [{ "need": { "quantity": "squeeze", "load": { "force": [0, -12] }, "friction_less": 0 } }]
+///     }
+/// }"#)?;
+/// let answers = serde_json::to_value(scene.answers()?)?;
+/// let says = answers[0]["need"]["says"].as_str().unwrap_or_default();
+/// let needs = "NEEDS 12 N at left and right so that it holds and nothing slides, 12.6316 N if the squeeze is 5 % less. With less: SLIPS OUT at 12 N of 12 N";
+/// assert!(says.starts_with(needs), "{says}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]

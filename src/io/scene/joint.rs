@@ -6,8 +6,8 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::object;
 use crate::grasp::{Joint, JointMotion, Limit, Tendon};
+use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Given};
 
 #[derive(serde::Serialize, serde::Deserialize)]

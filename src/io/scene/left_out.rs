@@ -136,9 +136,7 @@ impl<const C: usize> Setup<C> {
                 let lost = lost.map_or(f64::INFINITY, |lost| lost.factor);
                 Ok(vec![known(verdict.holds()), known(verdict.sticks()), first, lost])
             }
-            Question::Need(asked) => {
-                Ok(vec![grasp.need(&self.need(asked)?)?.amount.bound().unwrap_or(f64::INFINITY)])
-            }
+            Question::Need(asked) => Ok(vec![grasp.need(asked)?.amount.bound().unwrap_or(f64::INFINITY)]),
             Question::Improve(asked) => {
                 Ok(vec![self.improve(asked)?.answered_by(grasp)?.after.unwrap_or(f64::INFINITY)])
             }
@@ -147,14 +145,14 @@ impl<const C: usize> Setup<C> {
                 _ => Vec::new(),
             }),
             Question::Identify(asked) => {
-                let found = self.identify(asked)?.answered_by(grasp)?;
+                let found = asked.answered_by(grasp)?;
                 Ok(mapped(&found.estimates, &|estimate| estimate.value))
             }
-            Question::Onset(_)
+            Question::Onset { .. }
             | Question::OnsetOfTurn(_)
             | Question::Follow { .. }
-            | Question::Shake(_)
-            | Question::Shakedown(_) => {
+            | Question::Shake { .. }
+            | Question::Shakedown { .. } => {
                 let brief = self.brief_answer(whole, question)?;
                 let place = [brief.factor, brief.angle, brief.fraction, brief.leg.map(|leg| leg as f64)];
                 Ok(mapped(&place, &|number| number.unwrap_or(f64::INFINITY)))

@@ -6,10 +6,10 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::object;
 use super::setup::Setup;
 use crate::error::Error;
 use crate::grasp::{Contact, Link, LinkPlace};
+use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Given};
 
 /// A link of a scene with its comment; see [`Link`].

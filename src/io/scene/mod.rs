@@ -139,14 +139,14 @@
 //! | field | with | asks for |
 //! |---|---|---|
 //! | `hold` | `base`, `load` (wrenches), `together_with` | whether the grasp holds the load as it grows from zero, and its first slip and loss |
-//! | `need` | `quantity`, loads, `together_with` | the amount that the grasp needs, see [`NeedAsked`] |
-//! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`ImproveAsked`] |
+//! | `need` | `quantity`, loads, `together_with` | the amount that the grasp needs, see [`Need`](crate::need::Need) |
+//! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`Improve`](crate::improve::Improve) |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under it |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; of hundreds of contacts and more in steps, with the error that a leg may add to forces |
-//! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly put on and taken off, or a repeated cycle of legs, see [`ShakeAsked`] |
-//! | `identify` | `unknowns`, `slips` (with a `group` where they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`IdentifyAsked`] |
+//! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly put on and taken off, or a repeated cycle of legs |
+//! | `identify` | `unknowns`, `slips` (with a `group` where they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`Identify`](crate::identify::Identify) |
 //! | `shakedown` | `base` (a wrench), `loads` | the multiple of the loads up to which the grasp could come to rest, in any order of them |
 //!
 //! With several bodies `together_with` has loads by name, `{"upper": {"force": [-5, 0]}}`, which grow with the load; then without a `base`.
@@ -335,16 +335,14 @@ mod fingertip;
 mod given_answers;
 mod growing;
 mod held;
-mod identify_asked;
-mod improve_asked;
+mod identified;
+mod improved;
 mod joint;
 mod labels;
 mod left_out;
 mod link;
 mod matrix;
 mod motion;
-mod need_asked;
-mod object;
 mod odd;
 mod onset;
 mod own_weight;
@@ -355,7 +353,7 @@ mod plain_words;
 mod question;
 mod settings;
 mod setup;
-mod shake_asked;
+mod shaken;
 mod solved;
 mod springs;
 mod surface;
@@ -377,16 +375,17 @@ pub use fault::{Fault, FaultKind, TextPosition};
 pub use finger::FingerSetup;
 pub use fingertip::{Fingertip, MovedBy};
 pub use held::{HoldAnswer, NeedAnswer};
-pub use identify_asked::{ContactPoints, IdentifyAnswer, IdentifyAsked, KnownSum, SlipAsked, UnknownAsked};
-pub use improve_asked::{ImproveAnswer, ImproveAsked};
+pub use identified::IdentifyAnswer;
+pub use improved::ImproveAnswer;
 pub use link::LinkSetup;
-pub use need_asked::NeedAsked;
 pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
-pub use question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
+pub use question::Question;
+#[cfg(feature = "schema")]
+pub(crate) use schema::schema_as_written;
 pub use setup::Setup;
-pub use shake_asked::{ShakeAnswer, ShakeAsked, ShakedownAnswer, ShakedownAsked};
+pub use shaken::{ShakeAnswer, ShakedownAnswer};
 pub use solved::SolveAnswer;
 pub use warning::Warning;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

@@ -3,12 +3,13 @@
 use nalgebra::SVector;
 
 use super::fingertip::Fingertip;
-use super::question::{LegAsked, Question};
+use super::question::Question;
 use super::setup::Setup;
 use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
+use crate::load_path::Leg;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{largest, mapped};
 use crate::statics::Closure;
@@ -83,7 +84,7 @@ impl<const C: usize> Setup<C> {
         let mut heaviest = 0.0_f64;
         for question in &self.questions {
             // Onsets are left out: the size of their direction has no meaning.
-            if !matches!(question, Question::Onset(_)) {
+            if !matches!(question, Question::Onset { .. }) {
                 for load in put_on(question) {
                     heaviest = heaviest.max(force(&load).norm());
                 }
@@ -167,13 +168,12 @@ impl<const C: usize> Setup<C> {
 pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
     match question {
         Question::Hold { load, .. } | Question::Solve { load, .. } => vec![*load],
-        Question::Need(asked) => asked.put_on().copied().collect(),
+        Question::Need(asked) => asked.wrenches().copied().collect(),
         Question::Improve(asked) => asked.load.iter().chain(&asked.loads).copied().collect(),
-        Question::Onset(asked) => vec![asked.direction],
+        Question::Onset { direction, .. } => vec![*direction],
         Question::OnsetOfTurn(_) => Vec::new(),
-        Question::Follow { legs, .. } => legs.iter().filter_map(LegAsked::straight_load).collect(),
-        Question::Shake(asked) => asked.loads.clone(),
-        Question::Shakedown(asked) => asked.loads.clone(),
+        Question::Follow { legs, .. } => legs.iter().filter_map(Leg::straight_load).collect(),
+        Question::Shake { loads, .. } | Question::Shakedown { loads, .. } => loads.clone(),
         Question::Identify(asked) => asked.slips.iter().filter_map(|slip| slip.load).collect(),
     }
 }

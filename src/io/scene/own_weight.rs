@@ -74,7 +74,7 @@ impl<const C: usize> Setup<C> {
             Question::Need(asked) => {
                 let own = asked.turn.as_ref().map(|turn| self.own_turn(turn)).transpose()?.flatten();
                 let Some(turn) = own else { return Ok(Cow::Borrowed(question)) };
-                if asked.base.is_some_and(|base| base != Wrench::ZERO) && !self.shared_by_mass {
+                if asked.base() != Wrench::ZERO && !self.shared_by_mass {
                     let fault = "given, must be left out where gravity turns: what is always there is the `load` of a body";
                     return Err(Error::Question { question: "need", field: "base", fault });
                 }

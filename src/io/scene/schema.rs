@@ -28,6 +28,7 @@ macro_rules! schema_as_written {
         }
     };
 }
+pub(crate) use schema_as_written;
 
 /// Bounds of a kind of number beside its words.
 trait Bounded: Kind + 'static {

@@ -3,10 +3,10 @@
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::object;
 use crate::contact::{Fit, PolygonCone};
 use crate::equilibrium::{Settings, SmallMotions};
 use crate::error::is_moderate;
+use crate::serial::object;
 
 /// `{"facets": 8, "fit": "inscribed"}` (feature `serde`), see [`crate::scene`].
 impl Serialize for PolygonCone {

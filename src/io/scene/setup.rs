@@ -7,13 +7,13 @@ use super::body::BodySetup;
 use super::finger::FingerSetup;
 use super::fingertip::Fingertip;
 use super::link::LinkSetup;
-use super::object;
 use super::question::Question;
 use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{self, Bodies, Hand, Tendon};
 use crate::numerics::mapped;
+use crate::serial::object;
 use crate::serial::{AsComputed, AxisRow, Given};
 
 /// Contacts, questions and settings: 3 degrees of freedom of the object and `C` = 2 axes of a contact in the plane, 6 and 3 in space.
@@ -21,7 +21,7 @@ use crate::serial::{AsComputed, AxisRow, Given};
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
 /// use grasp_lcp::equilibrium::Outcome;
-/// use grasp_lcp::scene::{Answer, OnsetAnswer, Question, RampAsked, Setup, SolveAnswer};
+/// use grasp_lcp::scene::{Answer, OnsetAnswer, Question, Setup, SolveAnswer};
 ///
 /// // Two jaws press with 1000 N/m · 0.01 m = 10 N each; μ = 0.5, so that they hold 10 N.
 /// let jaw = |side: f64| {
@@ -30,7 +30,7 @@ use crate::serial::{AsComputed, AxisRow, Given};
 /// let down = Wrench::force([0.0, -1.0]);
 /// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()])
 ///     .ask(Question::solve(down * 4.0))
-///     .ask(Question::Onset(RampAsked::along(down)));
+///     .ask(Question::onset(down));
 ///
 /// let [Answer::Solve(SolveAnswer { outcome: Outcome::Equilibrium(state), .. }), Answer::Onset(OnsetAnswer::At(onset))] = &setup.answers()?[..] else {
 ///     panic!("it holds 4 N, and slides at some load")

@@ -3,9 +3,9 @@
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::object;
 use crate::improve::{Shape, Surface};
 use crate::numerics::mapped;
+use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Given};
 
 /// A curve in the plane or a surface in space, all lengths in m.

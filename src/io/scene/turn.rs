@@ -9,12 +9,12 @@ use std::f64::consts::TAU;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-use super::object;
 use super::wrench::part;
 use crate::grasp::{Wrench, of_the_object};
 use crate::load_path::Turn;
 #[cfg(feature = "schema")]
 use crate::serial::AxisRow;
+use crate::serial::object;
 use crate::serial::{Computed, Few, Given, Number};
 
 #[derive(serde::Deserialize)]

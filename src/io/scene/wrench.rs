@@ -9,8 +9,8 @@ use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::carried::{WrittenMass, WrittenTurning};
-use super::object;
 use crate::grasp::{Space, Twist, Wrench, of_the_object};
+use crate::serial::object;
 use crate::serial::{Computed, Few, Given, Number};
 
 fn write<S: Serializer, const C: usize>(

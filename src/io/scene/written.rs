@@ -6,9 +6,9 @@ use serde::de::{Deserialize, Deserializer, Error as _, Unexpected, Visitor};
 use serde::ser::{Serialize, Serializer};
 
 use super::answer::Answer;
-use super::object;
 use super::setup::Setup;
 use crate::error::Error;
+use crate::serial::object;
 use crate::words::Words;
 use crate::{planar, spatial};
 

@@ -9,12 +9,12 @@ use serde::ser::{Serialize, Serializer};
 use super::cup::WrittenSuction;
 use super::fingertip::{Fingertip, MovedBy};
 use super::matrix::Rows;
-use super::object;
 use super::patch::Tip;
 use super::springs::Springs;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{Axes, Contact, Hold, Stiffness};
 use crate::improve::Surface;
+use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Friction, Given, Number};
 
 /// A contact in the file.

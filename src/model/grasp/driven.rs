@@ -1,5 +1,7 @@
 //! Commands and torques of a grasp, and the same grasp with other ones.
 
+use alloc::borrow::Cow;
+
 use nalgebra::SVector;
 
 use super::engine::Engine;
@@ -85,6 +87,35 @@ impl Engine {
             linkage.squeeze(grasp.space, factor);
         }
         Ok(grasp)
+    }
+
+    /// Commands of all points from rows for each point, or for each contact: all points of a soft fingertip then have its row, and points of links
+    /// have that of `links`.
+    ///
+    /// # Errors
+    /// [`Error::Size`] for another number of rows; [`Error::Contact`] for a number that is not finite.
+    pub(crate) fn commands_of_points<'c>(
+        &self,
+        rows: &'c [SVector<f64, 3>],
+        links: &dyn Fn(usize) -> SVector<f64, 3>,
+        what: &'static str,
+    ) -> Result<Cow<'c, [SVector<f64, 3>]>, Error> {
+        let mut all = Cow::Borrowed(rows);
+        if rows.len() != self.len() {
+            let (mut points, mut count) = (Vec::with_capacity(self.len()), 0);
+            for (i, contact) in self.contacts.iter().enumerate() {
+                let is_link = contact.link.is_some();
+                count += usize::from(!is_link && (count == 0 || contact.begins_a_whole()));
+                let row = if is_link { Some(links(i)) } else { rows.get(count - 1).copied() };
+                points.push(row.unwrap_or_default());
+            }
+            if rows.len() != count {
+                return Err(Error::Size { what, given: rows.len(), expected: count });
+            }
+            all = Cow::Owned(points);
+        }
+        self.check_commands(&all, what, Field::CommandChange)?;
+        Ok(all)
     }
 
     pub(crate) fn check_commands(

@@ -130,6 +130,17 @@ impl<const C: usize> Grasp<C> {
         WholeContacts::of(self.contacts()).with(&is_meant)
     }
 
+    /// Indices of the points of contacts, counted as users do.
+    pub(crate) fn points_of(&self, contacts: &[usize]) -> Result<Vec<usize>, Error> {
+        let parts = WholeContacts::of(self.contacts());
+        let mut points = Vec::new();
+        for contact in contacts {
+            check_contact(*contact, parts.ranges().len())?;
+            points.extend(parts.ranges()[*contact].clone());
+        }
+        Ok(points)
+    }
+
     /// The settings of its questions.
     #[must_use]
     pub fn settings(&self) -> &Settings {
@@ -338,4 +349,13 @@ fn engine_of_contacts(contacts: Vec<Contact<3>>) -> Result<Engine, Error> {
         return Hand::new(contacts.into_iter().map(Finger::fixed)).engine(None);
     }
     Engine::new(contacts)
+}
+
+/// Refuses the index of a contact beyond their number.
+pub(crate) fn check_contact(contact: usize, count: usize) -> Result<(), Error> {
+    if contact < count {
+        return Ok(());
+    }
+    let (what, allowed) = ("number of the contact", "less than the number of contacts");
+    Err(Error::Argument { what, value: contact as f64, allowed })
 }

@@ -10,6 +10,7 @@ mod installed;
 mod changed;
 mod closer_look;
 mod energy;
+mod growing;
 mod many;
 mod onsets;
 mod paths;
@@ -21,6 +22,9 @@ mod workspace;
 pub use crate::structured::{EquilibriumView, Search};
 pub use energy::Energy;
 pub use grasp::Grasp;
+pub(crate) use grasp::check_contact;
+#[cfg(feature = "serde")]
+pub(crate) use growing::check_growing;
 pub use many::onset_of_each;
 pub use sensitivity::Sensitivity;
 pub use statics::Statics;

@@ -1,6 +1,6 @@
 //! Refuses questions that no search can answer, and names their fault.
 
-use super::question::{Identify, Known};
+use super::question::{Identify, KnownSum};
 use super::slip::Slip;
 use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
@@ -13,9 +13,8 @@ fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -
 }
 
 impl<const C: usize> Identify<C> {
-    /// Refuses numbers out of range, and contacts that these grasps do not have.
+    /// Refuses contacts that these grasps do not have.
     pub(super) fn check(&self, layouts: &[Grasp<C>]) -> Result<(), Error> {
-        self.check_numbers(layouts.len())?;
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
         for (k, unknown) in self.unknowns.iter().enumerate() {
             let meets = |other: &Unknown| {
@@ -61,25 +60,25 @@ impl<const C: usize> Identify<C> {
             return wrong("slips".to_owned(), "number of groups", 1.0, allowed);
         }
         let carries = |slip: &Slip<C>, unknown: &Unknown| {
-            unknown.kind == UnknownKind::Carried && unknown.is_in(slip.layout)
+            unknown.kind == UnknownKind::Carried && unknown.is_in(slip.layout())
         };
         let squeezed = |slip: &Slip<C>| {
-            slip.squeeze != 1.0 && self.unknowns.iter().any(|unknown| carries(slip, unknown))
+            slip.squeeze() != 1.0 && self.unknowns.iter().any(|unknown| carries(slip, unknown))
         };
         if let Some(slip) = self.slips.iter().position(squeezed) {
-            let (given, allowed) = (self.slips[slip].squeeze, "1 where what contacts carry is sought");
+            let (given, allowed) = (self.slips[slip].squeeze(), "1 where what contacts carry is sought");
             return wrong(format!("slip {slip}"), "squeeze", given, allowed);
         }
         self.known.iter().enumerate().try_for_each(|(k, known)| known.check(k, self.unknowns.len()))?;
-        if self.outliers.is_nan() || self.outliers < 1.0 {
+        if self.outliers().is_nan() || self.outliers() < 1.0 {
             let allowed = "at least 1 standard deviation, or infinite";
-            return wrong("identify".to_owned(), "bound of outliers", self.outliers, allowed);
+            return wrong("identify".to_owned(), "bound of outliers", self.outliers(), allowed);
         }
         Ok(())
     }
 }
 
-impl Known {
+impl KnownSum {
     fn check(&self, number: usize, unknowns: usize) -> Result<(), Error> {
         let what = format!("known sum {number}");
         if self.unknowns.is_empty() {

@@ -38,7 +38,7 @@ pub(super) struct Scatter {
 
 impl<const C: usize> Model<'_, C> {
     pub(super) fn huber(&self) -> Huber {
-        Huber(self.asked.outliers)
+        Huber(self.asked.outliers())
     }
 
     /// Standard deviations: the given ones, or a common one of all slips from their residuals.
@@ -136,7 +136,7 @@ pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Err
             fit.end = FitEnd::Converged;
             break;
         }
-        if fit.iterations == model.asked.iterations {
+        if fit.iterations == model.asked.iterations() {
             break;
         }
         fit.iterations += 1;

@@ -20,10 +20,10 @@ use crate::prelude::*;
 pub(super) fn predicted<const C: usize>(
     seen: &SlipToPredict<'_, C>,
 ) -> Result<Result<Predicted, NoSlip>, Error> {
-    let (start, leg, most) = match &seen.slip.grown {
+    let (start, leg, most) = match seen.slip.grown() {
         Grown::Load(load) => {
             let most = seen.grasp.settings().most_load.max(1.0);
-            (seen.base, Leg::load_by(*load * most), most)
+            (seen.base, Leg::load_by(load * most), most)
         }
         Grown::Turn(turn) => {
             let most = turn.angle().max(TAU);

@@ -70,5 +70,7 @@ mod words;
 pub use answer::{Ending, Estimate, Identified};
 pub use combination::FreeCombination;
 pub use question::Identify;
+#[cfg(feature = "serde")]
+pub(crate) use question::LAYOUTS_OF_HANDS;
 pub use slip::{Slip, SlipKind};
 pub use unknown::{Unknown, UnknownKind};

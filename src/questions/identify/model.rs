@@ -192,16 +192,16 @@ impl<const C: usize> Model<'_, C> {
         logs: &[f64],
     ) -> Result<Result<Predicted, NoSlip>, Error> {
         let slip = &self.asked.slips[number];
-        let LayoutGuess { grasp, base } = &layouts[slip.layout];
+        let LayoutGuess { grasp, base } = &layouts[slip.layout()];
         let squeezed;
-        let grasp = if slip.squeeze == 1.0 {
+        let grasp = if slip.squeeze() == 1.0 {
             grasp
         } else {
-            squeezed = grasp.squeezed(slip.squeeze)?;
+            squeezed = grasp.squeezed(slip.squeeze())?;
             &squeezed
         };
         let seen =
-            SlipToPredict { grasp, base: *base + slip.base, slip, asked: self.asked, logs, derivatives };
+            SlipToPredict { grasp, base: *base + slip.base(), slip, asked: self.asked, logs, derivatives };
         let told = match slip.kind {
             SlipKind::First => first::predicted(&seen)?,
             SlipKind::Gross => gross::predicted(&seen)?,
@@ -231,16 +231,16 @@ pub(super) struct SlipToPredict<'a, const C: usize> {
 impl<const C: usize> SlipToPredict<'_, C> {
     /// The total load at a factor, or an angle.
     pub(super) fn load_at(&self, at: f64) -> Wrench<C> {
-        match &self.slip.grown {
-            Grown::Load(load) => self.base + *load * at,
+        match self.slip.grown() {
+            Grown::Load(load) => self.base + load * at,
             Grown::Turn(turn) => self.base + turn.load_at(at),
         }
     }
 
     /// The derivative of the total load by the factor, or the angle.
     pub(super) fn load_rate(&self, at: f64) -> Wrench<C> {
-        match &self.slip.grown {
-            Grown::Load(load) => *load,
+        match self.slip.grown() {
+            Grown::Load(load) => load,
             Grown::Turn(turn) => {
                 let ([_, cosine, sine], (sin, cos)) = (turn.parts(), at.sin_cos());
                 sine * cos - cosine * sin
@@ -250,7 +250,7 @@ impl<const C: usize> SlipToPredict<'_, C> {
 
     /// The contacts of an unknown.
     pub(super) fn contacts_of(&self, unknown: usize) -> impl Iterator<Item = usize> {
-        let (unknown, layout) = (&self.asked.unknowns[unknown], self.slip.layout);
+        let (unknown, layout) = (&self.asked.unknowns[unknown], self.slip.layout());
         (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
     }
 
@@ -262,7 +262,7 @@ impl<const C: usize> SlipToPredict<'_, C> {
         let mut all = Vec::with_capacity(self.logs.len());
         for (j, log) in self.logs.iter().enumerate() {
             let unknown = &self.asked.unknowns[j];
-            let is_in = unknown.is_in(self.slip.layout);
+            let is_in = unknown.is_in(self.slip.layout());
             let value = if is_in { by(unknown.kind, j, log.exp())? } else { 0.0 };
             if !value.is_finite() {
                 return None;

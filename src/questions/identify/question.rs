@@ -1,5 +1,7 @@
 //! The unknowns, and the observed slips.
 
+use nalgebra::SVector;
+
 use super::answer::Identified;
 use super::fit::fitted;
 use super::model::Model;
@@ -8,27 +10,74 @@ use super::spread::told;
 use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
 use crate::error::Error;
+use crate::grasp::WholeContacts;
+#[cfg(feature = "serde")]
+use crate::grasp::Wrench;
 use crate::numerics::mapped;
 use crate::prelude::*;
+#[cfg(feature = "serde")]
+use crate::serial::AsGiven;
 
 /// Unknown numbers of a grasp, and the observed slips. The question is checked when it is answered.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Identify<const C: usize> {
-    pub(super) unknowns: Vec<Unknown>,
-    pub(super) slips: Vec<Slip<C>>,
+    /// The unknowns.
+    pub(crate) unknowns: Vec<Unknown>,
+    /// The observed slips.
+    pub(crate) slips: Vec<Slip<C>>,
+    /// Other places of the scene's contacts at which slips were observed: layout 1, and so on.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "AsGiven::<Vec<Vec<SVector<f64, C>>>>", skip_serializing_if = "Vec::is_empty")
+    )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
+    pub(crate) layouts: Vec<Vec<SVector<f64, C>>>,
     /// Sums of unknowns that are known from elsewhere.
-    pub(super) known: Vec<Known>,
-    /// Grasps of other slips, beside the one that is asked.
-    pub(super) others: Vec<Grasp<C>>,
-    pub(super) outliers: f64,
-    pub(super) iterations: usize,
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub(super) known: Vec<KnownSum>,
+    /// Slips that are off by more than this number of standard deviations count less; 2 if left out.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")
+    )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
+    outliers: Option<f64>,
+    /// Largest number of steps of the search; 100 if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    iterations: Option<usize>,
+    /// Grasps of further layouts.
+    #[cfg_attr(feature = "serde", serde(skip, default = "no_others"))]
+    others: Others<C>,
 }
 
-/// A known number, or a known sum of several.
+/// Grasps, which are equal if their contacts are.
+#[derive(Debug, Clone)]
+struct Others<const C: usize>(Vec<Grasp<C>>);
+
+impl<const C: usize> PartialEq for Others<C> {
+    fn eq(&self, other: &Self) -> bool {
+        let contacts = |others: &Self| mapped(&others.0, &|grasp| grasp.contacts().to_vec());
+        contacts(self) == contacts(other)
+    }
+}
+
+#[cfg(feature = "serde")]
+fn no_others<const C: usize>() -> Others<C> {
+    Others(Vec::new())
+}
+
+/// A sum of unknowns that is known from elsewhere.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Known {
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct KnownSum {
+    /// The unknowns of the sum, from 0.
     pub(super) unknowns: Vec<usize>,
+    /// The value of the sum.
     pub(super) value: f64,
+    /// The relative standard deviation of the sum.
     pub(super) scatter: f64,
 }
 
@@ -41,20 +90,26 @@ impl<const C: usize> Identify<C> {
         Self {
             unknowns: unknowns.into_iter().collect(),
             slips: slips.into_iter().collect(),
+            layouts: Vec::new(),
             known: Vec::new(),
-            others: Vec::new(),
-            // One in twenty normally distributed residuals is beyond two standard deviations, and estimates
-            // scatter by 1 % more than those of least squares.
-            outliers: 2.0,
-            // A longer search creeps along combinations that slips hardly determine.
-            iterations: 100,
+            outliers: None,
+            iterations: None,
+            others: Others(Vec::new()),
         }
     }
 
-    /// Grasps of other layouts in which slips were observed, for instance the same contacts at other places. The grasp that is asked is layout 0.
+    /// Points of the contacts in another layout in which slips were observed, m, one for each contact. The grasp that is asked is layout 0.
+    #[must_use]
+    pub fn with_points(mut self, points: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
+        self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).collect());
+        self
+    }
+
+    /// Grasps of other layouts in which slips were observed, for instance pressed otherwise. They come after those
+    /// of [`Self::with_points`].
     #[must_use]
     pub fn and_layouts(mut self, others: impl IntoIterator<Item = Grasp<C>>) -> Self {
-        self.others.extend(others);
+        self.others.0.extend(others);
         self
     }
 
@@ -62,7 +117,7 @@ impl<const C: usize> Identify<C> {
     /// supports, or one unknown from another measurement.
     #[must_use]
     pub fn knowing(mut self, unknowns: impl IntoIterator<Item = usize>, value: f64, scatter: f64) -> Self {
-        self.known.push(Known { unknowns: unknowns.into_iter().collect(), value, scatter });
+        self.known.push(KnownSum { unknowns: unknowns.into_iter().collect(), value, scatter });
         self
     }
 
@@ -71,14 +126,14 @@ impl<const C: usize> Identify<C> {
     #[doc(alias = "Huber")]
     #[must_use]
     pub fn with_outliers_beyond(mut self, deviations: f64) -> Self {
-        self.outliers = deviations;
+        self.outliers = Some(deviations);
         self
     }
 
     /// The limit of steps of the search (default 100).
     #[must_use]
     pub fn with_iterations(mut self, most: usize) -> Self {
-        self.iterations = most;
+        self.iterations = Some(most);
         self
     }
 
@@ -88,10 +143,10 @@ impl<const C: usize> Identify<C> {
     /// # Errors
     /// As for [`Self::answered_by`].
     pub fn grasp_with(&self, grasp: &Grasp<C>, found: &Identified) -> Result<Grasp<C>, Error> {
-        let layouts = self.layouts(grasp);
-        self.check(&layouts)?;
+        let layouts = self.layouts(grasp)?;
+        let asked = &self.of_points(&layouts)?;
         let logs: Vec<_> = mapped(&found.estimates, &|estimate| estimate.value.ln());
-        let model = Model { layouts: &layouts, asked: self };
+        let model = Model { layouts: &layouts, asked };
         Ok(model.at(&logs)?.swap_remove(0).grasp)
     }
 
@@ -101,17 +156,93 @@ impl<const C: usize> Identify<C> {
         let is_carried =
             |unknown: &Unknown, layout| unknown.kind == UnknownKind::Carried && unknown.is_in(layout);
         for slip in &mut asked.slips {
-            if !self.unknowns.iter().any(|unknown| is_carried(unknown, slip.layout)) {
-                *slip = slip.clone().with_weight_at_rest(&layouts[slip.layout]);
+            if !self.unknowns.iter().any(|unknown| is_carried(unknown, slip.layout())) {
+                *slip = slip.clone().with_weight_at_rest(&layouts[slip.layout()]);
             }
         }
         asked
     }
 
-    fn layouts(&self, grasp: &Grasp<C>) -> Vec<Grasp<C>> {
-        core::iter::once(grasp).chain(&self.others).cloned().collect()
+    /// The number of standard deviations beyond which slips count less. One in twenty normally distributed residuals is beyond two of them, and
+    /// estimates scatter by 1 % more than those of least squares.
+    pub(super) fn outliers(&self) -> f64 {
+        self.outliers.unwrap_or(2.0)
+    }
+
+    /// The limit of steps. A longer search creeps along combinations that slips hardly determine.
+    pub(super) fn iterations(&self) -> usize {
+        self.iterations.unwrap_or(100)
+    }
+
+    /// The grasp that is asked, with its contacts at other points, and further grasps.
+    fn layouts(&self, grasp: &Grasp<C>) -> Result<Vec<Grasp<C>>, Error> {
+        let mut all = vec![grasp.clone()];
+        for points in &self.layouts {
+            all.push(grasp.moved_to(points)?);
+        }
+        all.extend(self.others.0.iter().cloned());
+        Ok(all)
+    }
+
+    /// The checked question with the points of soft fingertips in place of contacts.
+    fn of_points(&self, layouts: &[Grasp<C>]) -> Result<Self, Error> {
+        self.check_numbers(layouts.len())?;
+        let mut asked = self.clone();
+        for (k, unknown) in asked.unknowns.iter_mut().enumerate() {
+            *unknown = unknown.of_points(k, layouts)?;
+        }
+        asked.check(layouts)?;
+        Ok(asked)
+    }
+
+    /// Whether forces that contacts carry at rest are unknown, so that a scene need not state what presses.
+    #[cfg(feature = "serde")]
+    pub(crate) fn seeks_carried(&self) -> bool {
+        self.unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Carried)
+    }
+
+    /// The load before a slip's own load, for the check of contacts at rest: zero if some slip has none and no carried force is sought, else that of
+    /// the first slip.
+    #[cfg(feature = "serde")]
+    pub(crate) fn at_rest(&self) -> Wrench<C> {
+        let mut all = self.slips.iter().map(Slip::at_rest);
+        let first = all.next().unwrap_or(Wrench::ZERO);
+        if self.seeks_carried() || all.all(|acts| acts != Wrench::ZERO) { first } else { Wrench::ZERO }
     }
 }
+
+impl<const C: usize> Grasp<C> {
+    /// This grasp with each contact, or the middle of a soft fingertip, at another point.
+    fn moved_to(&self, points: &[SVector<f64, C>]) -> Result<Self, Error> {
+        if self.refuse_hands("identify").is_err() {
+            return Err(LAYOUTS_OF_HANDS);
+        }
+        let parts = WholeContacts::of(self.contacts());
+        let middles = parts.mean(&|i| self.contacts()[i].point);
+        let (mut contacts, mut count) = (self.contacts().to_vec(), 0);
+        for (range, middle) in parts.ranges().iter().zip(middles) {
+            if contacts[range.start].link.is_none() {
+                let point = points.get(count).copied().unwrap_or(middle);
+                for contact in &mut contacts[range.clone()] {
+                    // The middle of a contact that is a point is that point, which comes first so that no digit is lost.
+                    contact.point = point + (contact.point - middle);
+                }
+                count += 1;
+            }
+        }
+        if points.len() != count {
+            return Err(Error::Size { what: "points of a layout", given: points.len(), expected: count });
+        }
+        Ok(Self::new(contacts)?.with(self.settings()))
+    }
+}
+
+/// The fault of layouts by points where contacts cannot be moved alone.
+pub(crate) const LAYOUTS_OF_HANDS: Error = Error::Question {
+    question: "identify",
+    field: "layouts",
+    fault: "are given, must be left out of a grasp with joints or of several bodies",
+};
 
 impl<const C: usize> Identify<C> {
     /// The unknowns of this grasp by the slips. See [the room](crate::identify).
@@ -142,9 +273,8 @@ impl<const C: usize> Identify<C> {
     #[doc(alias = "estimate")]
     #[doc(alias = "fit")]
     pub fn answered_by(&self, grasp: &Grasp<C>) -> Result<Identified, Error> {
-        let layouts = self.layouts(grasp);
-        self.check(&layouts)?;
-        let asked = &self.with_weights_at_rest(&layouts);
+        let layouts = self.layouts(grasp)?;
+        let asked = &self.of_points(&layouts)?.with_weights_at_rest(&layouts);
         let model = Model { layouts: &layouts, asked };
         let fit = fitted(&model)?;
         Ok(told(&model, &fit))

@@ -40,54 +40,68 @@ pub(super) enum Grown<const C: usize> {
 /// # let _ = (dragged, tilted);
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Slip<const C: usize> {
+    /// First or gross slip; gross if left out.
+    #[cfg_attr(feature = "serde", serde(default, rename = "slip"))]
     pub(super) kind: SlipKind,
-    pub(super) grown: Grown<C>,
-    /// The load that acted before.
-    pub(super) base: Wrench<C>,
-    /// The factor on the squeeze of the grasp.
-    pub(super) squeeze: f64,
-    /// The layout, 0 for the grasp that is asked.
-    pub(super) layout: usize,
-    /// The relative standard deviation of the load or the angle.
+    /// The load at the slip, grown from zero.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub(crate) load: Option<Wrench<C>>,
+    /// A turn up to the angle at the slip, instead of a load.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    turn: Option<Turn<C>>,
+    /// The constant load beside it; zero if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    base: Option<Wrench<C>>,
+    /// Factor on the squeeze of the scene; 1 if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    squeeze: Option<f64>,
+    /// The layout in which the slip was observed; 0, the scene itself, if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    layout: Option<usize>,
+    /// Relative standard deviation of load or angle; for every slip, or for none.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) scatter: Option<f64>,
-    /// The group of slips that share errors.
+    /// A number that is the same for slips that may share an error, of one direction or one specimen; for every slip, or for none.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) group: Option<usize>,
 }
 
 impl<const C: usize> Slip<C> {
-    fn of(kind: SlipKind, grown: Grown<C>) -> Self {
-        Self { kind, grown, base: Wrench::ZERO, squeeze: 1.0, layout: 0, scatter: None, group: None }
+    fn of(kind: SlipKind, load: Option<Wrench<C>>, turn: Option<Turn<C>>) -> Self {
+        Self { kind, load, turn, base: None, squeeze: None, layout: None, scatter: None, group: None }
     }
 
     /// First slip under this load, which had grown from zero.
     #[must_use]
     pub fn first(load: Wrench<C>) -> Self {
-        Self::of(SlipKind::First, Grown::Load(load))
+        Self::of(SlipKind::First, Some(load), None)
     }
 
     /// Gross slip under this load, which had grown from zero.
     #[must_use]
     pub fn gross(load: Wrench<C>) -> Self {
-        Self::of(SlipKind::Gross, Grown::Load(load))
+        Self::of(SlipKind::Gross, Some(load), None)
     }
 
     /// First slip at the [end](Turn::up_to) of this turn.
     #[must_use]
     pub fn first_on_turn(turn: Turn<C>) -> Self {
-        Self::of(SlipKind::First, Grown::Turn(turn))
+        Self::of(SlipKind::First, None, Some(turn))
     }
 
     /// Gross slip at the end of this turn.
     #[must_use]
     pub fn gross_on_turn(turn: Turn<C>) -> Self {
-        Self::of(SlipKind::Gross, Grown::Turn(turn))
+        Self::of(SlipKind::Gross, None, Some(turn))
     }
 
     /// This slip beside a load that acted before, for instance a weight.
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
-        self.base = base;
+        self.base = Some(base);
         self
     }
 
@@ -95,14 +109,14 @@ impl<const C: usize> Slip<C> {
     /// that of the load.
     #[must_use]
     pub fn squeezed(mut self, factor: f64) -> Self {
-        self.squeeze = factor;
+        self.squeeze = Some(factor);
         self
     }
 
     /// This slip in another layout: 1 for the first of the [other layouts](super::Identify::and_layouts), and so on.
     #[must_use]
     pub fn in_layout(mut self, layout: usize) -> Self {
-        self.layout = layout;
+        self.layout = Some(layout);
         self
     }
 
@@ -124,9 +138,9 @@ impl<const C: usize> Slip<C> {
     /// This slip with the part of its load that presses on the contacts at rest, if nothing else presses. It is the part along the mean of the
     /// contact normals, as a rule a weight. If both parts grew together, the object would slide at once, or never.
     pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<C>) -> Self {
-        let Grown::Load(load) = self.grown else { return self };
+        let Grown::Load(load) = self.grown() else { return self };
         let is_plain = |contact: &Contact<C>| contact.hold == Hold::Unilateral;
-        if self.base != Wrench::ZERO || grasp.presses() || !grasp.contacts().iter().all(is_plain) {
+        if self.base() != Wrench::ZERO || grasp.presses() || !grasp.contacts().iter().all(is_plain) {
             return self;
         }
         let count = grasp.len() as f64;
@@ -154,13 +168,39 @@ impl<const C: usize> Slip<C> {
         if pulling.components()[..C].iter().all(|x| x.abs() <= NEGLIGIBLE * force.norm()) {
             return self;
         }
-        (self.base, self.grown) = (pressing, Grown::Load(pulling));
+        (self.base, self.load) = (Some(pressing), Some(pulling));
         self
+    }
+
+    /// The load or the turn that grew until the slip.
+    pub(super) fn grown(&self) -> Grown<C> {
+        self.turn.map_or_else(|| Grown::Load(self.load.unwrap_or(Wrench::ZERO)), Grown::Turn)
+    }
+
+    /// The load that acted before.
+    pub(super) fn base(&self) -> Wrench<C> {
+        self.base.unwrap_or(Wrench::ZERO)
+    }
+
+    /// The load before the slip's own load: the constant one, and that of a turn at its beginning.
+    #[cfg(feature = "serde")]
+    pub(super) fn at_rest(&self) -> Wrench<C> {
+        self.base() + self.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0))
+    }
+
+    /// The factor on the squeeze of the grasp.
+    pub(super) fn squeeze(&self) -> f64 {
+        self.squeeze.unwrap_or(1.0)
+    }
+
+    /// The layout, 0 for the grasp that is asked.
+    pub(super) fn layout(&self) -> usize {
+        self.layout.unwrap_or(0)
     }
 
     /// The observed value on the scale of the prediction: 1 for the load, or the angle in rad.
     pub(super) fn seen_at(&self) -> f64 {
-        match &self.grown {
+        match self.grown() {
             Grown::Load(_) => 1.0,
             Grown::Turn(turn) => turn.angle(),
         }
@@ -171,19 +211,27 @@ impl<const C: usize> Slip<C> {
         let wrong = |field, value, allowed| {
             Err(Error::Identify { what: format!("slip {number}"), field, value, allowed })
         };
-        self.base.check("base load of a slip")?;
-        match &self.grown {
+        let fault = match (self.load, self.turn) {
+            (None, None) => Some("have one without load and turn, each must have one of them"),
+            (Some(_), Some(_)) => Some("have one with load and turn, each must have one of them"),
+            _ => None,
+        };
+        if let Some(fault) = fault {
+            return Err(Error::Question { question: "identify", field: "slips", fault });
+        }
+        self.base().check("base load of a slip")?;
+        match self.grown() {
+            Grown::Load(load) if load == Wrench::ZERO => {
+                return wrong("size of the load", 0.0, "more than 0");
+            }
             Grown::Load(load) => load.check("load of a slip")?,
             Grown::Turn(turn) => turn.check()?,
         }
-        if matches!(self.grown, Grown::Load(load) if load == Wrench::ZERO) {
-            return wrong("size of the load", 0.0, "more than 0");
+        if !(self.squeeze() > 0.0 && self.squeeze() <= 1e6) {
+            return wrong("squeeze", self.squeeze(), "more than 0 and at most 1e6 times the one given");
         }
-        if !(self.squeeze > 0.0 && self.squeeze <= 1e6) {
-            return wrong("squeeze", self.squeeze, "more than 0 and at most 1e6 times the one given");
-        }
-        if self.layout >= layouts {
-            return wrong("layout", self.layout as f64, "less than the number of layouts");
+        if self.layout() >= layouts {
+            return wrong("layout", self.layout() as f64, "less than the number of layouts");
         }
         match self.scatter {
             Some(part) if !(part > 0.0 && part <= 10.0) => {

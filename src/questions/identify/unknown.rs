@@ -1,6 +1,7 @@
 //! An unknown number of the grasp.
 
 use crate::ask::Grasp;
+use crate::error::Error;
 use crate::grasp::{Contact, Wrench};
 use crate::numerics::mapped;
 use crate::prelude::*;
@@ -24,17 +25,41 @@ pub enum UnknownKind {
 
 /// An unknown number of the grasp, the same for all its contacts, in all layouts or in one.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Unknown {
+    /// The kind of the unknown.
+    #[cfg_attr(feature = "serde", serde(rename = "quantity"))]
     pub(super) kind: UnknownKind,
-    /// The contacts; `None` for all.
-    pub(super) contacts: Option<Vec<usize>>,
+    /// The contacts of the unknown, from 0, a soft fingertip as one; all if left out.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, deserialize_with = "some_contacts", skip_serializing_if = "Option::is_none")
+    )]
+    #[cfg_attr(feature = "schema", schemars(!default, with = "Vec<usize>"))]
+    pub(crate) contacts: Option<Vec<usize>>,
+    /// The layout of the unknown, 0 for the scene itself; all if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) layout: Option<usize>,
+    /// The name of the unknown in answers.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) name: Option<String>,
+    /// Start of the search; the value of the scene if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) start: Option<f64>,
 }
 
+/// Reads the contacts of an unknown; an empty list stands for all.
+#[cfg(feature = "serde")]
+fn some_contacts<'de, S: serde::Deserializer<'de>>(deserializer: S) -> Result<Option<Vec<usize>>, S::Error> {
+    let contacts: Vec<usize> = serde::Deserialize::deserialize(deserializer)?;
+    Ok(Some(contacts).filter(|contacts| !contacts.is_empty()))
+}
+
 impl Unknown {
-    fn of(kind: UnknownKind) -> Self {
+    /// An unknown of this kind, of all contacts.
+    #[must_use]
+    pub fn of(kind: UnknownKind) -> Self {
         Self { kind, contacts: None, layout: None, name: None, start: None }
     }
 
@@ -63,7 +88,7 @@ impl Unknown {
         Self::of(UnknownKind::Stiffness)
     }
 
-    /// This unknown for some contacts of the grasp, from 0, instead of all.
+    /// This unknown for some contacts of the grasp, from 0, instead of all. A soft fingertip counts as one contact.
     #[must_use]
     pub fn of_contacts(mut self, contacts: impl IntoIterator<Item = usize>) -> Self {
         self.contacts = Some(contacts.into_iter().collect());
@@ -91,7 +116,26 @@ impl Unknown {
         self
     }
 
-    /// Whether this contact in this layout belongs to the unknown.
+    /// This unknown for the points of its contacts in one of these grasps.
+    pub(super) fn of_points<const C: usize>(
+        &self,
+        number: usize,
+        layouts: &[Grasp<C>],
+    ) -> Result<Self, Error> {
+        let mut points = self.clone();
+        if let Some(contacts) = &self.contacts {
+            let of_points = layouts[self.layout.unwrap_or(0)].points_of(contacts);
+            points.contacts = Some(of_points.map_err(|error| match error {
+                Error::Argument { what: field, value, allowed } => {
+                    Error::Identify { what: format!("unknown {number}"), field, value, allowed }
+                }
+                other => other,
+            })?);
+        }
+        Ok(points)
+    }
+
+    /// Whether this point in this layout belongs to the unknown.
     pub(super) fn is_of(&self, layout: usize, contact: usize) -> bool {
         self.is_in(layout) && self.contacts.as_ref().is_none_or(|those| those.contains(&contact))
     }

@@ -162,7 +162,7 @@ impl<const C: usize> Climb<'_, C> {
                 };
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
-                if arrived || steps >= self.choice.question.steps {
+                if arrived || steps >= self.choice.question.steps() {
                     // Curvature learnt elsewhere may hide an ascent direction, so that it is reset before the ascent may end.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));

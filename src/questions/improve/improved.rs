@@ -52,15 +52,16 @@ impl<const C: usize> Improve<C> {
         let mut settings = *grasp.settings();
         settings.round = true;
         let grasp = grasp.with(&settings);
-        let loaded = Loaded::of(self);
+        let loads = self.given_loads()?;
+        let loaded = Loaded::of(self, &loads);
         let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
         // The best of 24 random placings for each start become starts.
-        let numbers: Vec<u64> = (0..(self.starts * 24) as u64).collect();
+        let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             // A stream apart from the random numbers of other questions.
-            let drawn = choice.drawn(&given, &mut Draw::new([self.seed, *number, 48]));
+            let drawn = choice.drawn(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
             // Only places are kept here: the forces of thousands of them would take much memory.
             Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.value, held.placing)))
         });
@@ -72,7 +73,7 @@ impl<const C: usize> Improve<C> {
             }
         }
         let mut placings = vec![given.clone()];
-        for k in increasing(&values).into_iter().take(self.starts) {
+        for k in increasing(&values).into_iter().take(self.starts()) {
             placings.push(places[k].clone());
         }
         let ascents = in_order(&placings, &|placing| {
@@ -95,7 +96,7 @@ impl<const C: usize> Improve<C> {
                 best = Some(next);
             }
         }
-        let force = match &self.loads {
+        let force = match &loads {
             Loads::Each(list) if list.len() == 1 => {
                 list[0].measure().filter(|(_, unit)| *unit == "N").map(|(size, _)| size)
             }
@@ -103,7 +104,7 @@ impl<const C: usize> Improve<C> {
             _ => None,
         };
         let mut answer = Improved {
-            goal: self.goal,
+            goal: self.goal(),
             before,
             after: None,
             force,
@@ -183,7 +184,7 @@ fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &Las
         }
     }
     for (contact, load, share) in shares {
-        let binds = match choice.question.goal {
+        let binds = match choice.question.goal() {
             ImproveGoal::FirstSlip => Binds::FirstSlip { load, share },
             ImproveGoal::Reserve => Binds::Reserve { load, share },
         };

@@ -19,22 +19,20 @@ pub(super) struct Loaded<const C: usize> {
 }
 
 impl<const C: usize> Loaded<C> {
-    pub(super) fn of(question: &Improve<C>) -> Self {
-        let Improve { loads, base, goal, .. } = question;
-        let asked = |acts| AskedOfForces { goal: *goal, acts };
+    pub(super) fn of(question: &Improve<C>, loads: &Loads<C>) -> Self {
+        let base = question.base();
+        let asked = |acts| AskedOfForces { goal: question.goal(), acts };
         match loads {
-            Loads::Each(list) => {
-                Self { base: *base, loads: list.clone(), asked: asked(Acts::Each), any: None }
-            }
+            Loads::Each(list) => Self { base, loads: list.clone(), asked: asked(Acts::Each), any: None },
             Loads::AnyForce { base: beside, size, point } => {
                 let axis = |axis: usize| {
                     let force = core::array::from_fn(|k| if k == axis { *size } else { 0.0 });
                     Wrench::force_through(&(*point).into(), &force.into())
                 };
                 let (loads, asked) = (numbered(C, &axis), asked(Acts::AnyForce));
-                Self { base: *base + *beside, loads, asked, any: Some((*point, *size)) }
+                Self { base: base + *beside, loads, asked, any: Some((*point, *size)) }
             }
-            Loads::Turn(_) => Self { base: *base, loads: Vec::new(), asked: asked(Acts::Each), any: None },
+            Loads::Turn(_) => Self { base, loads: Vec::new(), asked: asked(Acts::Each), any: None },
         }
     }
 

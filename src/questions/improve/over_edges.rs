@@ -25,7 +25,7 @@ impl<const C: usize> Climb<'_, C> {
     fn beyond(&self, ended: &Ascent<C>, steps: &mut usize) -> Result<Option<Ascent<C>>, Error> {
         let here = &ended.held;
         for placing in self.beside(&here.placing) {
-            if *steps >= self.choice.question.steps {
+            if *steps >= self.choice.question.steps() {
                 break;
             }
             let Some(held) = self.held(placing)? else { continue };

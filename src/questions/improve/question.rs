@@ -2,52 +2,118 @@
 
 use alloc::collections::BTreeMap;
 
+use nalgebra::SVector;
+
 use super::goal::ImproveGoal;
 use super::surface::Surface;
 use crate::ask::Grasp;
 use crate::error::{Error, Field, MODERATE, is_moderate};
 use crate::grasp::{Hold, Wrench};
-use crate::squeeze::Loads;
+use crate::load_path::Turn;
+use crate::prelude::*;
+#[cfg(feature = "serde")]
+use crate::serial::AsGiven;
+use crate::squeeze::{LoadFields, Loads};
 
 /// The question where fingers should be: the loads, the goal, the contacts that may move along a surface, and the limits of forces. It is checked
-/// when it is asked.
+/// when it is asked. In a scene, contacts have their surfaces themselves.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Improve<const C: usize> {
-    pub(super) loads: Loads<C>,
-    /// A load that acts in addition and does not grow.
-    pub(super) base: Wrench<C>,
-    pub(super) goal: ImproveGoal,
+    /// The load that acts before the other loads and stays.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub(crate) base: Option<Wrench<C>>,
+    /// A load that grows.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub(crate) load: Option<Wrench<C>>,
+    /// Loads that grow, one at a time.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub(crate) loads: Vec<Wrench<C>>,
+    /// A force of any direction beside the load, N, that acts at `at`; this size counts as load factor 1.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub(crate) any_force: Option<f64>,
+    /// The point where the force of any direction acts, m; the origin if left out.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")
+    )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
+    at: Option<SVector<f64, C>>,
+    /// The largest force with which a contact may press, N; if left out, commands stay.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")
+    )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
+    pub(super) at_most: Option<f64>,
+    /// The quantity to maximise; the load at first slip if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    goal: Option<ImproveGoal>,
+    /// Number of random starts beside the grasp of the scene; 8 if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    starts: Option<usize>,
+    /// Largest number of steps from each start; 200 if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    steps: Option<usize>,
+    /// The seed of the random starts; 0 if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub(super) seed: Option<u64>,
+    /// A load that turns, which is refused.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    turn: Option<Turn<C>>,
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) surfaces: BTreeMap<usize, Surface<C>>,
     /// The greatest allowed force of contacts with a limit of their own.
-    pub(super) most: BTreeMap<usize, f64>,
-    /// The greatest allowed force of all other contacts.
-    pub(super) most_of_all: Option<f64>,
-    pub(super) starts: usize,
-    pub(super) steps: usize,
-    pub(super) seed: u64,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    most: BTreeMap<usize, f64>,
 }
 
 impl<const C: usize> Improve<C> {
     /// Asks for the latest first slip under these loads: each grows in proportion, one at a time, or a force of any direction grows.
     #[must_use]
     pub fn new(loads: impl Into<Loads<C>>) -> Self {
-        Self {
-            loads: loads.into(),
-            base: Wrench::ZERO,
-            goal: ImproveGoal::default(),
-            surfaces: BTreeMap::new(),
-            most: BTreeMap::new(),
-            most_of_all: None,
-            starts: 8,
-            steps: 200,
-            seed: 0,
-        }
+        let LoadFields { load, loads, any_force, at, turn } = loads.into().into();
+        let (base, at_most, goal, starts, steps, seed) = (None, None, None, None, None, None);
+        let (surfaces, most) = (BTreeMap::new(), BTreeMap::new());
+        Self { base, load, loads, any_force, at, at_most, goal, starts, steps, seed, turn, surfaces, most }
+    }
+
+    /// The loads, or an error unless they are given in exactly one way.
+    pub(crate) fn given_loads(&self) -> Result<Loads<C>, Error> {
+        Loads::of_fields("improve", (self.load, &self.loads), (self.any_force, self.at))
+    }
+
+    /// The load that acts before the others.
+    #[must_use]
+    pub fn base(&self) -> Wrench<C> {
+        self.base.unwrap_or(Wrench::ZERO)
+    }
+
+    /// The load that grows alone, if it is the only one.
+    #[must_use]
+    pub fn load(&self) -> Option<Wrench<C>> {
+        self.load.filter(|_| self.any_force.is_none())
+    }
+
+    /// The quantity to maximise.
+    #[must_use]
+    pub fn goal(&self) -> ImproveGoal {
+        self.goal.unwrap_or_default()
+    }
+
+    pub(super) fn starts(&self) -> usize {
+        self.starts.unwrap_or(8)
+    }
+
+    pub(super) fn steps(&self) -> usize {
+        self.steps.unwrap_or(200)
     }
 
     /// Adds a load that acts at rest, such as the weight of the object where a push is to slide late.
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
-        self.base = base;
+        self.base = Some(base);
         self
     }
 
@@ -70,7 +136,7 @@ impl<const C: usize> Improve<C> {
     /// ```
     #[must_use]
     pub fn with_goal(mut self, goal: ImproveGoal) -> Self {
-        self.goal = goal;
+        self.goal = Some(goal);
         self
     }
 
@@ -85,7 +151,7 @@ impl<const C: usize> Improve<C> {
     /// with](crate::grasp::Contact::pressed_with) and to the normal force at rest that results. Without it commands stay as given.
     #[must_use]
     pub fn pressing_at_most(mut self, force: f64) -> Self {
-        self.most_of_all = Some(force);
+        self.at_most = Some(force);
         self
     }
 
@@ -99,41 +165,45 @@ impl<const C: usize> Improve<C> {
     /// Sets the number of starts beside the given grasp (default 8). They are the best of many random placings on the surfaces.
     #[must_use]
     pub fn with_starts(mut self, starts: usize) -> Self {
-        self.starts = starts;
+        self.starts = Some(starts);
         self
     }
 
     /// Sets the largest number of steps from each start, including refused ones (default 200).
     #[must_use]
     pub fn with_steps(mut self, steps: usize) -> Self {
-        self.steps = steps;
+        self.steps = Some(steps);
         self
     }
 
     /// Sets the seed (default 0). Random starts depend on nothing else.
     #[must_use]
     pub fn with_seed(mut self, seed: u64) -> Self {
-        self.seed = seed;
+        self.seed = Some(seed);
         self
     }
 
     /// The greatest allowed force of a contact, if its squeeze may change.
     pub(super) fn most_of(&self, contact: usize) -> Option<f64> {
-        self.most.get(&contact).copied().or(self.most_of_all)
+        self.most.get(&contact).copied().or(self.at_most)
     }
 
     /// Refuses numbers out of range, loads that turn, soft fingertips as variables, suction and questions without variables.
     pub(crate) fn check(&self, grasp: &Grasp<C>) -> Result<(), Error> {
         grasp.refuse_hands("improve")?;
-        self.base.check("base load")?;
+        self.base().check("base load")?;
         // More starts would take minutes and hardly find anything better.
-        if self.starts > 1_000 {
+        if self.starts() > 1_000 {
             let (what, allowed) = ("number of starts", "at most 1000");
-            return Err(Error::Argument { what, value: self.starts as f64, allowed });
+            return Err(Error::Argument { what, value: self.starts() as f64, allowed });
         }
-        self.loads.check_size()?;
         let wrong = |field, fault| Err(Error::Question { question: "improve", field, fault });
-        match &self.loads {
+        if self.turn.is_some() {
+            return wrong("turn", "is given, must be loads that grow or a force of any direction");
+        }
+        let loads = self.given_loads()?;
+        loads.check_size()?;
+        match &loads {
             Loads::Each(list) => list.iter().try_for_each(|load| load.check("load"))?,
             Loads::AnyForce { base, size, point } => {
                 base.check("base load")?;
@@ -147,9 +217,7 @@ impl<const C: usize> Improve<C> {
                     return Err(Error::Argument { what: "point of the force", value, allowed: MODERATE });
                 }
             }
-            Loads::Turn(_) => {
-                return wrong("turn", "is given, must be loads that grow or a force of any direction");
-            }
+            Loads::Turn(_) => {}
         }
         let contacts = grasp.contacts();
         for contact in self.surfaces.keys().chain(self.most.keys()) {
@@ -158,7 +226,7 @@ impl<const C: usize> Improve<C> {
                 return Err(Error::Argument { what, value: *contact as f64, allowed });
             }
         }
-        if self.surfaces.is_empty() && self.most.is_empty() && self.most_of_all.is_none() {
+        if self.surfaces.is_empty() && self.most.is_empty() && self.at_most.is_none() {
             return wrong(
                 "surface",
                 "is given of no contact and no greatest force, must be one: nothing may change",

@@ -1,6 +1,7 @@
 //! A grasp with an amount set, under the load that leaves the least friction in reserve.
 
-use super::question::{Need, Safety, Sought};
+use super::posed::{Safety, Sought};
+use super::question::Need;
 use super::trial::{Loading, force_at};
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactState, Equilibrium};
@@ -32,7 +33,9 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// As for [`Self::need`].
     pub fn with_amount(&self, need: &Need<C>, amount: f64) -> Result<Option<(Self, Equilibrium<C>)>, Error> {
-        let loading = Loading::of(self, &need.instead(self), amount, Safety::NONE)?;
+        let grown = need.growing(self)?;
+        let posed = need.posed()?.on(&grown)?;
+        let loading = Loading::of(&grown, &posed, amount, Safety::NONE)?;
         let Loading { loads, times, grasp, base: besides, .. } = &loading;
         let put_on = |ramp: Ramp<C>| Ok::<_, Error>(grasp.hold(ramp)?.state.map(|state| *state));
         let states: Vec<Option<Equilibrium<C>>> = match loads {
@@ -54,7 +57,7 @@ impl<const C: usize> Grasp<C> {
                 let mut path = grasp.follow(&turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
                 // A sought angle is the end of the turn.
-                if matches!(need.sought, Sought::Angle { .. }) {
+                if matches!(posed.sought, Sought::Angle { .. }) {
                     return Ok(path.state().map(|state| (grasp.with(self.settings()), state)));
                 }
                 // Fewer parts of a turn can miss the angle that uses most friction; each costs an

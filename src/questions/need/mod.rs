@@ -32,6 +32,7 @@ mod answer;
 mod around;
 mod at_amount;
 mod needed;
+mod posed;
 mod question;
 mod range;
 mod repeated;

@@ -2,9 +2,10 @@
 
 use core::cell::{Cell, RefCell};
 
-use super::answer::{Amount, FarEnd, Needed, Press, PressedBy, Quantity, check_part};
+use super::answer::{Amount, FarEnd, Needed, Press, Quantity};
 use super::around::Around;
-use super::question::{Demand, Need, Safety, Sought};
+use super::posed::{Posed, Safety, Sought};
+use super::question::{Demand, Need};
 use super::range::Range;
 use super::search::{Guess, SearchPlan, Searched, search};
 use super::threshold::Threshold;
@@ -12,11 +13,10 @@ use super::tolerances::{EXACT, MOST_LOADS, SECOND};
 use super::trial::{Loading, Trial, Trials};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
-use crate::error::{Error, is_moderate};
+use crate::error::Error;
 use crate::grasp::{WholeContacts, Wrench};
 use crate::numerics::largest;
 use crate::prelude::*;
-use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {
     /// How much does it need? The least squeeze, friction or force, the greatest load, arm or angle; see [`Need`].
@@ -41,15 +41,16 @@ impl<const C: usize> Grasp<C> {
     #[doc(alias = "grip force")]
     #[doc(alias = "required")]
     pub fn need(&self, need: &Need<C>) -> Result<Needed, Error> {
-        need.check()?;
-        let asked = need.instead(self);
-        let is_in_place = asked != *need;
-        let is_squeezed = self.is_squeezed();
+        let grasp = &need.growing(self)?;
+        let posed = need.posed()?;
+        let quantity = posed.quantity();
+        let asked = posed.on(grasp)?;
+        let is_squeezed = grasp.is_squeezed();
         let mut safety = asked.safety;
         if !is_squeezed {
             safety.lower[1] = 0.0;
         }
-        let trials = Tried::new(self, &asked, Safety::NONE, start(self, &asked));
+        let trials = Tried::new(grasp, &asked, Safety::NONE, start(grasp, &asked));
         let amount = amount(&trials, asked.demand, Look::Around)?;
         let sticks = match asked.demand {
             Demand::Held => Some(self::amount(&trials, Demand::Sticks, Look::Towards)?),
@@ -62,7 +63,7 @@ impl<const C: usize> Grasp<C> {
             _ => does * worse,
         });
         let safe = (safety != Safety::NONE)
-            .then(|| self::amount(&Tried::new(self, &asked, safety, begin), asked.demand, Look::Everywhere));
+            .then(|| self::amount(&Tried::new(grasp, &asked, safety, begin), asked.demand, Look::Everywhere));
         Ok(Needed {
             quantity: asked.quantity(),
             demand: asked.demand,
@@ -72,100 +73,15 @@ impl<const C: usize> Grasp<C> {
             lower: safety.lower,
             safety: safety.load,
             force: asked.force_of_load(),
-            of: asked.pressed_by(self)?,
-            in_place_of_squeeze: is_in_place || need.quantity() == Quantity::Squeeze && !is_squeezed,
+            of: asked.pressed_by(grasp)?,
+            in_place_of_squeeze: quantity == Quantity::Squeeze && !is_squeezed,
         })
-    }
-}
-
-impl<const C: usize> Need<C> {
-    /// Refuses numbers out of range, and loads that do not suit the demand, whatever the grasp.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        self.base.check("base load")?;
-        check_part("part by which friction is less", self.safety.lower[0])?;
-        check_part("part by which the squeeze is less", self.safety.lower[1])?;
-        if !(self.safety.load > 0.0 && is_moderate(self.safety.load)) {
-            let (what, allowed) = ("factor of safety", "more than 0 and at most 1e50");
-            return Err(Error::Argument { what, value: self.safety.load, allowed });
-        }
-        if let (true, Some(Loads::AnyForce { .. })) = (self.demand.repeats(), self.loads()) {
-            let fault = "is one of loads that repeat, must be another for a force of any direction";
-            return Err(Error::Question { question: "need", field: "demand", fault });
-        }
-        if let Sought::Force { of: None, .. } = self.sought
-            && self.base == Wrench::ZERO
-        {
-            let fault =
-                "is missing, must be the load at rest whose force is sought, or `of` the part whose force is";
-            return Err(Error::Question { question: "need", field: "base", fault });
-        }
-        self.loads().map_or(Ok(()), Loads::check_size)
-    }
-
-    fn loads(&self) -> Option<&Loads<C>> {
-        match &self.sought {
-            Sought::Squeeze { loads }
-            | Sought::Friction { loads, .. }
-            | Sought::Load { loads }
-            | Sought::Force { loads, .. } => Some(loads),
-            Sought::Arm { .. } | Sought::Angle { .. } => None,
-        }
-    }
-
-    /// The need with a force sought in place of a squeeze where no command presses: the load of the only loaded body, or the load at rest where no
-    /// body is loaded.
-    pub(super) fn instead(&self, grasp: &Grasp<C>) -> Self {
-        let Sought::Squeeze { loads } = &self.sought else { return self.clone() };
-        let bodies = grasp.loaded_bodies();
-        let of = match (grasp.is_squeezed(), &bodies[..]) {
-            (true, _) | (false, [_, _, ..]) => return self.clone(),
-            (false, [body]) => Some(body.clone()),
-            (false, []) if self.base == Wrench::ZERO => return self.clone(),
-            (false, []) => None,
-        };
-        Self { sought: Sought::Force { of, loads: loads.clone() }, ..self.clone() }
-    }
-
-    /// The size of the force whose multiple is sought, N; `None` unless the loads are one single force.
-    fn force_of_load(&self) -> Option<f64> {
-        match &self.sought {
-            Sought::Load { loads: Loads::Each(list) } if list.len() == 1 => {
-                list[0].measure().filter(|(_, unit)| *unit == "N").map(|(size, _)| size)
-            }
-            _ => None,
-        }
-    }
-
-    /// The part whose force is sought, with its size; `None` for other quantities.
-    fn pressed_by(&self, grasp: &Grasp<C>) -> Result<Option<PressedBy>, Error> {
-        let Sought::Force { of, .. } = &self.sought else { return Ok(None) };
-        let (part, is_body, size) = match of {
-            Some(part) => {
-                let pressing = grasp.scaled(part, 1.0)?.0;
-                (Some(pressing.name), pressing.is_body, pressing.size)
-            }
-            None => (None, false, self.base.measure()),
-        };
-        let (size, unit) =
-            size.filter(|(size, _)| *size > 0.0).map(|(size, unit)| (size, unit.to_owned())).unzip();
-        Ok(Some(PressedBy { part, is_body, size, unit }))
-    }
-
-    fn quantity(&self) -> Quantity {
-        match self.sought {
-            Sought::Squeeze { .. } => Quantity::Squeeze,
-            Sought::Friction { .. } => Quantity::Friction,
-            Sought::Load { .. } => Quantity::Load,
-            Sought::Arm { .. } => Quantity::Arm,
-            Sought::Angle { .. } => Quantity::Angle,
-            Sought::Force { .. } => Quantity::Force,
-        }
     }
 }
 
 /// The first amount of a search. Multiples begin at 1, friction at the largest coefficient given (0.5 without one). An arm begins at the largest
 /// distance of a contact from the first one (1 m without one), an angle at the whole turn.
-fn start<const C: usize>(grasp: &Grasp<C>, need: &Need<C>) -> f64 {
+fn start<const C: usize>(grasp: &Grasp<C>, need: &Posed<C>) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
         Sought::Squeeze { .. } | Sought::Load { .. } | Sought::Force { .. } => 1.0,
@@ -201,7 +117,7 @@ enum Look {
 /// The amounts tried, each once, with their trials.
 struct Tried<'q, const C: usize> {
     grasp: &'q Grasp<C>,
-    need: &'q Need<C>,
+    need: &'q Posed<C>,
     safety: Safety,
     /// The first amount.
     start: f64,
@@ -211,7 +127,7 @@ struct Tried<'q, const C: usize> {
 }
 
 impl<'q, const C: usize> Tried<'q, C> {
-    const fn new(grasp: &'q Grasp<C>, need: &'q Need<C>, safety: Safety, start: f64) -> Self {
+    const fn new(grasp: &'q Grasp<C>, need: &'q Posed<C>, safety: Safety, start: f64) -> Self {
         Self { grasp, need, safety, start, known: RefCell::new(Vec::new()), first: Cell::new(0) }
     }
 
@@ -269,12 +185,6 @@ impl<'q, const C: usize> Tried<'q, C> {
 
 fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> Result<Amount, Error> {
     let (grasp, need) = (tried.grasp, tried.need);
-    if let Sought::Friction { contacts: Some(contacts), .. } = &need.sought
-        && let Some(contact) = contacts.iter().find(|contact| **contact >= grasp.len())
-    {
-        let (what, allowed) = ("number of the contact", "less than the number of contacts");
-        return Err(Error::Argument { what, value: *contact as f64, allowed });
-    }
     let tries = |amount: f64| tried.at(amount, demand);
     let mut plan = tried.plan(look)?;
     if plan.range.is_empty {

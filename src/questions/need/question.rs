@@ -1,9 +1,22 @@
 //! The question for an amount: the sought quantity, the loads and the demand.
 
+use alloc::borrow::Cow;
+use alloc::collections::BTreeMap;
+
+use nalgebra::SVector;
+
+use super::answer::Quantity;
+use super::posed::{Posed, Safety, Sought};
+use crate::ask::Grasp;
+#[cfg(feature = "serde")]
+use crate::ask::check_contact;
+use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::prelude::*;
-use crate::squeeze::Loads;
+#[cfg(feature = "serde")]
+use crate::serial::AsGiven;
+use crate::squeeze::{LoadFields, Loads};
 use crate::words::Words;
 
 /// The condition that an amount must meet.
@@ -30,66 +43,98 @@ impl Demand {
     }
 }
 
-/// A sought quantity with its loads, demand and safety. [`Grasp::need`](crate::ask::Grasp::need) checks the numbers.
+/// A sought quantity with its loads, demand and safety. [`Grasp::need`](crate::ask::Grasp::need) checks the question.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Need<const C: usize> {
-    pub(super) sought: Sought<C>,
-    /// The load at rest; constant unless its own multiple is sought.
-    pub(super) base: Wrench<C>,
-    pub(super) demand: Demand,
-    /// Deviations from the data that the safe amount covers.
-    pub(super) safety: Safety,
+    /// The sought quantity.
+    quantity: Quantity,
+    /// The demand on it: by default that the object is held. Then the answer adds the amount with which nothing slides.
+    #[cfg_attr(feature = "serde", serde(default))]
+    demand: Demand,
+    /// The load at rest; none if left out. It is constant, except where a force without `of` is sought: then amounts multiply it.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub(crate) base: Option<Wrench<C>>,
+    /// One load. For an arm: the wrench of the force at displacement 0.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    load: Option<Wrench<C>>,
+    /// Several loads, one at a time.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    loads: Vec<Wrench<C>>,
+    /// Size of a force of any direction, N, which acts at the point `at` beside `load`.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    any_force: Option<f64>,
+    /// Point at which the force of any direction acts, m; the origin if left out.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")
+    )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
+    at: Option<SVector<f64, C>>,
+    /// A load that turns.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub(crate) turn: Option<Turn<C>>,
+    /// For an arm: the change of the load per metre of displacement.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    per_metre: Option<Wrench<C>>,
+    /// For friction: the index, from 0, of the contact whose coefficient is sought; that of all contacts if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    contact: Option<usize>,
+    /// For friction: indices of several contacts with one coefficient, instead of `contact`.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    contacts: Option<Vec<usize>>,
+    /// For a force: the name of the body whose load is sought, or of the contact, link or joint whose command or force is. The load at rest, `base`,
+    /// if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    of: Option<String>,
+    /// Loads of further bodies, by name, which grow together with `load`; without `base` then.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "BTreeMap::is_empty"))]
+    pub(crate) together_with: BTreeMap<String, Wrench<C>>,
+    /// For the safe amount: factor on the loads; 1 if left out.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    safety: Option<f64>,
+    /// For the safe amount: relative reduction of friction, from 0 to less than 1. The default is 0.1, or 0 if `safety` is given.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    friction_less: Option<f64>,
+    /// For the safe amount: relative reduction of the squeeze, from 0 to less than 1. The default is 0.05, or 0 if `safety` is given.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    squeeze_less: Option<f64>,
     /// Number of amounts tried around the bound.
-    pub(super) scan: usize,
+    #[cfg_attr(feature = "serde", serde(skip, default = "default_scan"))]
+    scan: usize,
     /// Digits of numbers in the sentences for other amounts.
-    pub(super) words: Words,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    words: Words,
 }
 
-/// The sought quantity with the data of its own.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Sought<const C: usize> {
-    Squeeze {
-        loads: Loads<C>,
-    },
-    Friction {
-        loads: Loads<C>,
-        contacts: Option<Vec<usize>>,
-    },
-    Load {
-        loads: Loads<C>,
-    },
-    Arm {
-        at: Wrench<C>,
-        per_metre: Wrench<C>,
-    },
-    Angle {
-        turn: Turn<C>,
-    },
-    /// The force of the part `of`, or the load at rest if that is `None`.
-    Force {
-        of: Option<String>,
-        loads: Loads<C>,
-    },
-}
-
-/// Deviations from the data to the worse, for a safe amount.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Safety {
-    /// Relative reductions of friction and of the squeeze, from 0 to less than 1.
-    pub(super) lower: [f64; 2],
-    /// Factor on the loads.
-    pub(super) load: f64,
-}
-
-impl Safety {
-    /// No deviation.
-    pub(super) const NONE: Self = Self { lower: [0.0; 2], load: 1.0 };
+const fn default_scan() -> usize {
+    6
 }
 
 impl<const C: usize> Need<C> {
-    fn of(sought: Sought<C>) -> Self {
-        let (words, safety) = (Words::default(), Safety { lower: [0.1, 0.05], load: 1.0 });
-        Self { sought, base: Wrench::ZERO, demand: Demand::default(), safety, scan: 6, words }
+    fn of(quantity: Quantity, loads: impl Into<Loads<C>>) -> Self {
+        let LoadFields { load, loads, any_force, at, turn } = loads.into().into();
+        Self {
+            quantity,
+            demand: Demand::default(),
+            base: None,
+            load,
+            loads,
+            any_force,
+            at,
+            turn,
+            per_metre: None,
+            contact: None,
+            contacts: None,
+            of: None,
+            together_with: BTreeMap::new(),
+            safety: None,
+            friction_less: None,
+            squeeze_less: None,
+            scan: default_scan(),
+            words: Words::default(),
+        }
     }
 
     /// The least squeeze for these loads, as a multiple of the one given.
@@ -100,27 +145,31 @@ impl<const C: usize> Need<C> {
     #[doc(alias = "clamping force")]
     #[must_use]
     pub fn squeeze(loads: impl Into<Loads<C>>) -> Self {
-        Self::of(Sought::Squeeze { loads: loads.into() })
+        Self::of(Quantity::Squeeze, loads)
     }
 
     /// The least coefficient of friction for these loads: the same μ for all contacts with friction. [Kinetic](crate::grasp::Contact::kinetic)
     /// coefficients keep their proportion to it.
     #[must_use]
     pub fn friction(loads: impl Into<Loads<C>>) -> Self {
-        Self::of(Sought::Friction { loads: loads.into(), contacts: None })
+        Self::of(Quantity::Friction, loads)
     }
 
-    /// The least coefficient of friction for these loads, the same for some contacts (indices from 0), while the others keep theirs.
+    /// The least coefficient of friction for these loads, the same for some contacts (indices from 0, a soft fingertip counts as one), while the
+    /// others keep theirs.
     #[must_use]
     pub fn friction_of(contacts: impl IntoIterator<Item = usize>, loads: impl Into<Loads<C>>) -> Self {
-        Self::of(Sought::Friction { loads: loads.into(), contacts: Some(contacts.into_iter().collect()) })
+        let contacts: Vec<_> = contacts.into_iter().collect();
+        let (contact, contacts) =
+            if contacts.len() == 1 { (Some(contacts[0]), None) } else { (None, Some(contacts)) };
+        Self { contact, contacts, ..Self::friction(loads) }
     }
 
     /// The greatest multiple x of these loads, `base + x load`: the greatest mass, or acceleration. [`Self::on_top_of`] sets the base.
     #[doc(alias = "payload")]
     #[must_use]
     pub fn load(loads: impl Into<Loads<C>>) -> Self {
-        Self::of(Sought::Load { loads: loads.into() })
+        Self::of(Quantity::Load, loads)
     }
 
     /// The greatest displacement x of a force, m: the load is `at + x per_metre`, with its wrench at 0 and the change of that per metre (N, N m, each
@@ -139,7 +188,7 @@ impl<const C: usize> Need<C> {
     #[doc(alias = "lever")]
     #[must_use]
     pub fn arm(at: Wrench<C>, per_metre: Wrench<C>) -> Self {
-        Self::of(Sought::Arm { at, per_metre })
+        Self { per_metre: Some(per_metre), ..Self::of(Quantity::Arm, at) }
     }
 
     /// The least force of the named part for these loads, as a multiple of the one it has.
@@ -165,20 +214,20 @@ impl<const C: usize> Need<C> {
     #[doc(alias = "screw force", alias = "clamping force")]
     #[must_use]
     pub fn force(part: impl Into<String>, loads: impl Into<Loads<C>>) -> Self {
-        Self::of(Sought::Force { of: Some(part.into()), loads: loads.into() })
+        Self { of: Some(part.into()), ..Self::of(Quantity::Force, loads) }
     }
 
     /// The least load at rest for these loads, as a multiple of the base that [`Self::on_top_of`] sets: a weight that presses an object on.
     #[must_use]
     pub fn load_at_rest(loads: impl Into<Loads<C>>) -> Self {
-        Self::of(Sought::Force { of: None, loads: loads.into() })
+        Self::of(Quantity::Force, loads)
     }
 
     /// The greatest angle by which a load may turn, rad, up to the last angle of the turn.
     #[doc(alias = "tilt")]
     #[must_use]
     pub fn angle(turn: Turn<C>) -> Self {
-        Self::of(Sought::Angle { turn })
+        Self::of(Quantity::Angle, Loads::Turn(turn))
     }
 
     /// This need on top of a load at rest (N, N m), for instance the weight of the object where a push is sought. Neither amounts nor factors of
@@ -198,7 +247,7 @@ impl<const C: usize> Need<C> {
     /// ```
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
-        self.base = base;
+        self.base = Some(base);
         self
     }
 
@@ -266,8 +315,21 @@ impl<const C: usize> Need<C> {
     ///
     /// The default is 0.1 and 0.05. With two zeros, and loads not enlarged, there is no safe amount.
     #[must_use]
-    pub fn if_lower_by(mut self, friction: f64, squeeze: f64) -> Self {
-        self.safety.lower = [friction, squeeze];
+    pub fn if_lower_by(self, friction: f64, squeeze: f64) -> Self {
+        self.if_friction_lower_by(friction).if_squeeze_lower_by(squeeze)
+    }
+
+    /// This need with a safe amount for friction that is lower by this part, as for [`Self::if_lower_by`].
+    #[must_use]
+    pub fn if_friction_lower_by(mut self, part: f64) -> Self {
+        self.friction_less = Some(part);
+        self
+    }
+
+    /// This need with a safe amount for a squeeze that is lower by this part, as for [`Self::if_lower_by`].
+    #[must_use]
+    pub fn if_squeeze_lower_by(mut self, part: f64) -> Self {
+        self.squeeze_less = Some(part);
         self
     }
 
@@ -276,7 +338,15 @@ impl<const C: usize> Need<C> {
     #[doc(alias = "factor of safety")]
     #[must_use]
     pub fn with_safety(mut self, factor: f64) -> Self {
-        self.safety = Safety { lower: [0.0; 2], load: factor };
+        (self.safety, self.friction_less, self.squeeze_less) = (Some(factor), None, None);
+        self
+    }
+
+    /// This need with a load on another of several bodies, which grows together with its only load, see
+    /// [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
+    #[must_use]
+    pub fn together_with(mut self, body: impl Into<String>, load: Wrench<C>) -> Self {
+        self.together_with.insert(body.into(), load);
         self
     }
 
@@ -293,4 +363,139 @@ impl<const C: usize> Need<C> {
         self.scan = amounts;
         self
     }
+
+    /// The load, if it is given as a single one.
+    #[must_use]
+    pub fn load_alone(&self) -> Option<Wrench<C>> {
+        self.load.filter(|_| self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none())
+    }
+
+    /// The loads given as wrenches.
+    #[cfg(feature = "serde")]
+    pub(crate) fn wrenches(&self) -> impl Iterator<Item = &Wrench<C>> {
+        self.load.iter().chain(&self.loads)
+    }
+
+    /// The load of which others are multiples that [grow together](Self::together_with) with it.
+    pub(crate) fn grows(&self) -> Option<Wrench<C>> {
+        self.load_alone().filter(|_| !matches!(self.quantity, Quantity::Arm | Quantity::Angle))
+    }
+
+    /// The grasp with the loads that grow together.
+    pub(super) fn growing<'g>(&self, grasp: &'g Grasp<C>) -> Result<Cow<'g, Grasp<C>>, Error> {
+        grasp.growing("need", self.base(), self.grows(), &self.together_with)
+    }
+
+    /// The load at rest.
+    pub(crate) fn base(&self) -> Wrench<C> {
+        self.base.unwrap_or(Wrench::ZERO)
+    }
+
+    /// Refuses fields that are missing or belong to another quantity, numbers out of range, and contacts beyond this number of them.
+    #[cfg(feature = "serde")]
+    pub(crate) fn check(&self, contacts: usize) -> Result<(), Error> {
+        match self.posed()?.sought {
+            Sought::Friction { contacts: Some(list) } => {
+                list.iter().try_for_each(|contact| check_contact(*contact, contacts))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The checked question as a search poses it.
+    pub(super) fn posed(&self) -> Result<Posed<C>, Error> {
+        let of_its_own = [
+            (
+                self.per_metre.is_some(),
+                Quantity::Arm,
+                "per_metre",
+                "is given, must be left out unless an arm is sought",
+            ),
+            (
+                self.contact.is_some(),
+                Quantity::Friction,
+                "contact",
+                "is given, must be left out unless friction is sought",
+            ),
+            (
+                self.contacts.is_some(),
+                Quantity::Friction,
+                "contacts",
+                "is given, must be left out unless friction is sought",
+            ),
+            (self.of.is_some(), Quantity::Force, "of", "is given, must be left out unless a force is sought"),
+        ];
+        for (given, of, field, fault) in of_its_own {
+            if given && of != self.quantity {
+                return Err(wrong(field, fault));
+            }
+        }
+        if self.at.is_some() && self.any_force.is_none() {
+            return Err(wrong(
+                "at",
+                "is given, must be left out unless there is any_force (a load has its own)",
+            ));
+        }
+        let sought = match self.quantity {
+            Quantity::Squeeze => Sought::Squeeze,
+            Quantity::Load => Sought::Load,
+            Quantity::Force => Sought::Force { of: self.of.clone() },
+            Quantity::Friction => Sought::Friction { contacts: self.meant()? },
+            Quantity::Arm => {
+                let fault = "is missing, must be given where an arm is sought";
+                let at = self.load.ok_or_else(|| wrong("load", fault))?;
+                let fault = "is missing, must be what a metre adds to the load where an arm is sought";
+                Sought::Arm { at, per_metre: self.per_metre.ok_or_else(|| wrong("per_metre", fault))? }
+            }
+            Quantity::Angle => {
+                let fault = "is missing, must be given where an angle is sought";
+                Sought::Angle { turn: self.turn.ok_or_else(|| wrong("turn", fault))? }
+            }
+        };
+        let loads = match &sought {
+            Sought::Arm { at, .. } => (*at).into(),
+            Sought::Angle { turn } => Loads::Turn(*turn),
+            _ => self.given_loads()?,
+        };
+        let [friction, squeeze] = if self.safety.is_some() { [0.0; 2] } else { [0.1, 0.05] };
+        let lower = [self.friction_less.unwrap_or(friction), self.squeeze_less.unwrap_or(squeeze)];
+        let safety = Safety { lower, load: self.safety.unwrap_or(1.0) };
+        let posed = Posed {
+            sought,
+            loads,
+            base: self.base(),
+            demand: self.demand,
+            safety,
+            scan: self.scan,
+            words: self.words,
+        };
+        posed.check()?;
+        Ok(posed)
+    }
+
+    /// The contacts whose friction is sought; `None` for all.
+    fn meant(&self) -> Result<Option<Vec<usize>>, Error> {
+        match (self.contact, &self.contacts) {
+            (Some(_), Some(_)) => Err(wrong("contacts", "are given beside a contact, must be one of them")),
+            (None, Some(list)) if list.is_empty() => {
+                Err(Error::Argument { what: "number of contacts", value: 0.0, allowed: "at least 1" })
+            }
+            (contact, list) => Ok(contact.map(|contact| vec![contact]).or_else(|| list.clone())),
+        }
+    }
+
+    /// The loads, or an error unless they are given in exactly one way.
+    fn given_loads(&self) -> Result<Loads<C>, Error> {
+        let others = self.load.is_some() || !self.loads.is_empty() || self.any_force.is_some();
+        match self.turn {
+            Some(turn) if !others => Ok(Loads::Turn(turn)),
+            Some(_) => Err(wrong("load", "is given twice, must be one of load, loads, any_force and turn")),
+            None if others => Loads::of_fields("need", (self.load, &self.loads), (self.any_force, self.at)),
+            None => Err(wrong("load", "is missing, must be one of load, loads, any_force and turn")),
+        }
+    }
+}
+
+fn wrong(field: &'static str, fault: &'static str) -> Error {
+    Error::Question { question: "need", field, fault }
 }

@@ -4,7 +4,7 @@
 //! W(x) to be unbalanced proves it for every amount with W(x)·v > 0. The interval is cut where this work vanishes. Friction widens the cones:
 //! coefficients have a least value.
 
-use super::question::{Need, Safety, Sought};
+use super::posed::{Posed, Safety, Sought};
 use super::tolerances::{LAST_DIGITS, SAME_COEFFICIENT};
 use super::trial::Loading;
 use crate::ask::Grasp;
@@ -26,7 +26,7 @@ impl Range {
     /// The range between the least and the greatest amount that the search would try.
     pub(super) fn of<const C: usize>(
         grasp: &Grasp<C>,
-        need: &Need<C>,
+        need: &Posed<C>,
         safety: Safety,
         [least, most]: [f64; 2],
     ) -> Result<Self, Error> {

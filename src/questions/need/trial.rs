@@ -4,7 +4,8 @@ use core::cell::Cell;
 use core::f64::consts::{PI, TAU};
 use core::fmt;
 
-use super::question::{Demand, Need, Safety, Sought};
+use super::posed::{Posed, Safety, Sought};
+use super::question::Demand;
 use super::tolerances::MOST_LOADS;
 use crate::ask::Grasp;
 use crate::error::Error;
@@ -105,33 +106,24 @@ pub(super) struct Loading<const C: usize> {
 
 impl<const C: usize> Loading<C> {
     /// The grasp and its loads with an amount of the sought quantity, friction and squeeze reduced and loads enlarged by `safety`.
-    pub(super) fn of(grasp: &Grasp<C>, need: &Need<C>, amount: f64, safety: Safety) -> Result<Self, Error> {
+    pub(super) fn of(grasp: &Grasp<C>, need: &Posed<C>, amount: f64, safety: Safety) -> Result<Self, Error> {
         let (friction, squeeze) = (1.0 - safety.lower[0], 1.0 - safety.lower[1]);
-        let changed =
-            |squeezed: f64| if squeezed == 1.0 { Ok(grasp.clone()) } else { grasp.squeezed(squeezed) };
-        let (mut times, mut base) = (safety.load, need.base);
-        let (grasp, loads) = match &need.sought {
-            Sought::Squeeze { loads } => (changed(squeeze * amount)?, loads.clone()),
-            Sought::Friction { loads, contacts } => {
+        let (mut times, mut base, mut loads) = (safety.load, need.base, need.loads.clone());
+        let squeeze = if need.sought == Sought::Squeeze { squeeze * amount } else { squeeze };
+        let mut grasp = if squeeze == 1.0 { grasp.clone() } else { grasp.squeezed(squeeze)? };
+        match &need.sought {
+            Sought::Squeeze => {}
+            Sought::Friction { contacts } => {
                 let is_meant =
                     |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));
-                let with = |i: usize, mu: f64| if is_meant(i, mu) { amount } else { mu };
-                (changed(squeeze)?.with_friction(with)?, loads.clone())
+                grasp = grasp.with_friction(|i, mu| if is_meant(i, mu) { amount } else { mu })?;
             }
-            Sought::Load { loads } => {
-                times *= amount;
-                (changed(squeeze)?, loads.clone())
-            }
-            Sought::Arm { at, per_metre } => (changed(squeeze)?, Loads::from(*at + *per_metre * amount)),
-            Sought::Angle { turn } => (changed(squeeze)?, Loads::Turn(turn.up_to(amount))),
-            Sought::Force { of: Some(part), loads } => {
-                (changed(squeeze)?.scaled(part, amount)?.1, loads.clone())
-            }
-            Sought::Force { of: None, loads } => {
-                base = base * amount;
-                (changed(squeeze)?, loads.clone())
-            }
-        };
+            Sought::Load => times *= amount,
+            Sought::Arm { at, per_metre } => loads = (*at + *per_metre * amount).into(),
+            Sought::Angle { turn } => loads = Loads::Turn(turn.up_to(amount)),
+            Sought::Force { of: Some(part) } => grasp = grasp.scaled(part, amount)?.1,
+            Sought::Force { of: None } => base = base * amount,
+        }
         let grasp = if friction == 1.0 { grasp } else { grasp.with_friction(|_, mu| friction * mu)? };
         let followed =
             // The carried part of a sufficient amount shows its distance from the bound up to this multiple;

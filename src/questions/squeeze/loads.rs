@@ -1,5 +1,7 @@
 //! The loads that a grasp must hold.
 
+use nalgebra::SVector;
+
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::Turn;
@@ -51,6 +53,57 @@ impl<const C: usize> Loads<C> {
                 Err(Error::Argument { what: "size of the force", value: *size, allowed })
             }
             _ => Ok(()),
+        }
+    }
+}
+
+/// Loads as the fields of a question: `load`, `loads` and `turn`, or `any_force` that acts at the point `at` beside `load`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct LoadFields<const C: usize> {
+    pub(crate) load: Option<Wrench<C>>,
+    pub(crate) loads: Vec<Wrench<C>>,
+    pub(crate) any_force: Option<f64>,
+    pub(crate) at: Option<SVector<f64, C>>,
+    pub(crate) turn: Option<Turn<C>>,
+}
+
+impl<const C: usize> From<Loads<C>> for LoadFields<C> {
+    fn from(given: Loads<C>) -> Self {
+        let mut fields = Self { load: None, loads: Vec::new(), any_force: None, at: None, turn: None };
+        match given {
+            Loads::Each(list) if list.len() == 1 => fields.load = Some(list[0]),
+            Loads::Each(list) => fields.loads = list,
+            Loads::AnyForce { base, size, point } => {
+                fields.load = Some(base).filter(|base| *base != Wrench::ZERO);
+                (fields.any_force, fields.at) = (Some(size), Some(point.into()));
+            }
+            Loads::Turn(turn) => fields.turn = Some(turn),
+        }
+        fields
+    }
+}
+
+impl<const C: usize> Loads<C> {
+    /// The loads of a question whose fields give them in exactly one way.
+    ///
+    /// # Errors
+    /// [`Error::Question`] with a field that is missing or given beside another one.
+    pub(crate) fn of_fields(
+        question: &'static str,
+        (load, loads): (Option<Wrench<C>>, &[Wrench<C>]),
+        (any_force, at): (Option<f64>, Option<SVector<f64, C>>),
+    ) -> Result<Self, Error> {
+        let wrong = |field, fault| Err(Error::Question { question, field, fault });
+        if at.is_some() && any_force.is_none() {
+            return wrong("at", "is given, must be left out unless there is any_force (a load has its own)");
+        }
+        let (base, point) = (load.unwrap_or(Wrench::ZERO), at.map_or([0.0; C], Into::into));
+        match (load, loads, any_force) {
+            (Some(load), [], None) => Ok(load.into()),
+            (None, [_, ..], None) => Ok(Self::Each(loads.to_vec())),
+            (_, [], Some(size)) => Ok(Self::AnyForce { base, size, point }),
+            (None, [], None) => wrong("load", "is missing, must be one of load, loads and any_force"),
+            _ => wrong("load", "is given twice, must be one of load, loads and any_force"),
         }
     }
 }

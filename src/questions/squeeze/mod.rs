@@ -34,6 +34,7 @@ mod weakest_direction;
 pub use bounds::Bounds;
 pub use least_onset::LeastOnset;
 pub use least_squeeze::LeastSqueeze;
+pub(crate) use loads::LoadFields;
 pub use loads::Loads;
 pub(crate) use sticking_response::StickingResponse;
 pub use weakest_direction::WeakestDirection;

@@ -1,7 +1,7 @@
 //! Charts of the friction that is used along a load path.
 
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::load_path::{Onset, Ramp};
+use grasp_lcp::load_path::Onset;
 use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, charts_of_cycles};
 use grasp_lcp::scene::{Question, Setup};
 
@@ -19,8 +19,8 @@ pub(super) fn chart<const C: usize>(
 ) -> Result<Option<Chart>, Failure> {
     let grasp = &setup.grasp_of(grasp, question)?;
     Ok(match &*setup.meant(question)? {
-        Question::Hold { base, load, .. } => {
-            let ramp = Ramp::load(*base, *load);
+        Question::Hold { .. } => {
+            let ramp = question.ramp()?;
             let verdict = grasp.hold(ramp.clone())?;
             let marks = [verdict.first_slip.map(|first| first.factor), verdict.lost.map(|lost| lost.factor)];
             // The path beyond this load factor would fill the chart.
@@ -29,8 +29,8 @@ pub(super) fn chart<const C: usize>(
             let reaches = verdict.held_to >= 1.0;
             Some(if reaches { chart.mark(1.0, "this load") } else { chart })
         }
-        Question::Onset(ramp) => {
-            let ramp = setup.ramp(ramp)?;
+        Question::Onset { .. } => {
+            let ramp = question.ramp()?;
             match grasp.onset(&ramp)? {
                 Onset::At(event) if event.factor > 0.0 => {
                     Some(chart_of_load(grasp, &ramp, CHART_END * event.factor, title)?)
@@ -44,7 +44,7 @@ pub(super) fn chart<const C: usize>(
         }
         Question::OnsetOfTurn(turn) => Some(chart_of_turn(grasp, turn, title)?),
         Question::Follow { start, legs, in_steps: None } if !legs.is_empty() => {
-            Some(chart_of_program(grasp, *start, &setup.legs(legs)?, title)?)
+            Some(chart_of_program(grasp, *start, legs, title)?)
         }
         _ => None,
     })
@@ -57,8 +57,8 @@ pub(super) fn cycles<const C: usize>(
     question: &Question<C>,
     title: &str,
 ) -> Result<Vec<Chart>, Failure> {
-    let Question::Shake(asked) = question else { return Ok(Vec::new()) };
-    let (grasp, cycle) = (&setup.grasp_of(grasp, question)?, setup.cycle(asked)?);
-    let until = grasp.shake(&asked.base, &cycle)?.cycles;
-    Ok(charts_of_cycles(grasp, &asked.base, &cycle, until.clamp(4, 12), title)?)
+    let Question::Shake { base, .. } = question else { return Ok(Vec::new()) };
+    let (grasp, cycle) = (&setup.grasp_of(grasp, question)?, question.legs()?);
+    let until = grasp.shake(base, &cycle)?.cycles;
+    Ok(charts_of_cycles(grasp, base, &cycle, until.clamp(4, 12), title)?)
 }

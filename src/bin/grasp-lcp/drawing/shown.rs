@@ -4,10 +4,10 @@ use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
 use grasp_lcp::grasp::{Motion, Wrench};
 use grasp_lcp::hold::Verdict;
-use grasp_lcp::improve::ImproveGoal;
-use grasp_lcp::load_path::{Event, Leg, Onset, PathEnd, Ramp};
-use grasp_lcp::need::Amount;
-use grasp_lcp::scene::{ImproveAsked, NeedAsked, Question, Setup};
+use grasp_lcp::improve::{Improve, ImproveGoal};
+use grasp_lcp::load_path::{Event, Leg, Onset, PathEnd};
+use grasp_lcp::need::{Amount, Need};
+use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::shake::Shaken;
 use grasp_lcp::words::Words;
 
@@ -58,15 +58,15 @@ pub(super) fn shown<const C: usize>(
 ) -> Result<ShownAnswers<C>, Failure> {
     let grasp = &setup.grasp_of(grasp, question)?;
     Ok(ShownAnswers(match &*setup.meant(question)? {
-        Question::Hold { base, load, .. } => {
-            let ramp = Ramp::load(*base, *load);
+        Question::Hold { .. } => {
+            let ramp = question.ramp()?;
             held(grasp.hold(ramp.clone())?, ramp.load_at(1.0))
         }
-        Question::Need(asked) => vec![needed(setup, grasp, asked)?],
+        Question::Need(asked) => vec![needed(grasp, asked)?],
         Question::Improve(asked) => improved(setup, grasp, asked)?,
         Question::Solve { load, .. } => vec![solved(grasp, load)?],
-        Question::Onset(ramp) => {
-            let ramp = setup.ramp(ramp)?;
+        Question::Onset { .. } => {
+            let ramp = question.ramp()?;
             let at = |factor: f64| format!("factor {}", Words::default().number(factor));
             vec![onset(grasp, grasp.onset(&ramp)?, &ramp.load_at(0.0), Leg::along(&ramp), &at)?]
         }
@@ -75,17 +75,17 @@ pub(super) fn shown<const C: usize>(
             let onset_of_turn = grasp.onset_of_turn(turn)?.onset;
             vec![onset(grasp, onset_of_turn, &turn.load_at(0.0), Leg::turn(turn), &at)?]
         }
-        Question::Follow { start, legs, in_steps: None } => followed(grasp, start, &setup.legs(legs)?)?,
+        Question::Follow { start, legs, in_steps: None } => followed(grasp, start, legs)?,
         Question::Follow { start, legs, in_steps: Some(error) } => {
-            let mut path = grasp.follow_in_steps(start, &setup.legs(legs)?, *error)?;
+            let mut path = grasp.follow_in_steps(start, legs, *error)?;
             path.by_ref().for_each(drop);
             vec![last(path.state(), path.place(), path.end(), start)]
         }
-        Question::Shake(asked) => shaken(grasp.shake(&asked.base, &setup.cycle(asked)?)?),
-        Question::Shakedown(asked) => {
-            let found = grasp.statics().shakedown(&asked.base, &asked.loads)?;
+        Question::Shake { base, .. } => shaken(grasp.shake(base, &question.legs()?)?),
+        Question::Shakedown { base, loads } => {
+            let found = grasp.statics().shakedown(base, loads)?;
             let says = found.map_or_else(|| NO_WORDS.to_owned(), |found| found.to_string());
-            let mut at_rest = solved(grasp, &asked.base)?;
+            let mut at_rest = solved(grasp, base)?;
             "at rest".clone_into(&mut at_rest.label);
             at_rest.says.push(says);
             vec![at_rest]
@@ -135,23 +135,18 @@ fn shaken<const C: usize>(shaken: Shaken<C>) -> Vec<Shown<C>> {
 }
 
 /// The grasp with the needed amount, under the load that uses most of it.
-fn needed<const C: usize>(
-    setup: &Setup<C>,
-    grasp: &Grasp<C>,
-    asked: &NeedAsked<C>,
-) -> Result<Shown<C>, Failure> {
-    let need = setup.need(asked)?;
-    let needed = grasp.need(&need)?;
+fn needed<const C: usize>(grasp: &Grasp<C>, need: &Need<C>) -> Result<Shown<C>, Failure> {
+    let needed = grasp.need(need)?;
     let says = needed.to_string();
     let (amount, label) = match &needed.amount {
         Amount::Bound { does, .. } => (Some(*does), "with what it needs"),
         Amount::Any { to, .. } => (Some(*to), "with an amount that does"),
         _ => (None, "what does it need?"),
     };
-    let found = amount.map(|amount| grasp.with_amount(&need, amount)).transpose()?.flatten();
+    let found = amount.map(|amount| grasp.with_amount(need, amount)).transpose()?.flatten();
     Ok(match found {
         Some((other, found)) => Shown { grasp: Some(other), says: vec![says], ..state(label, found) },
-        None => nothing(label, says, asked.load),
+        None => nothing(label, says, need.load_alone()),
     })
 }
 
@@ -159,20 +154,21 @@ fn needed<const C: usize>(
 fn improved<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,
-    asked: &ImproveAsked<C>,
+    asked: &Improve<C>,
 ) -> Result<Vec<Shown<C>>, Failure> {
     let improved = setup.improve(asked)?.answered_by(grasp)?;
     let says = improved.to_string();
-    let base = asked.base.unwrap_or(Wrench::ZERO);
+    let base = asked.base();
     let (times, when): (fn(f64) -> f64, _) = match improved.goal {
         ImproveGoal::Reserve => (|_| 1.0, "under the load"),
         // At first slip itself, rounding would decide whether a contact slides.
         _ => (|factor| factor * (1.0 - 1e-9), "at first slip"),
     };
     let seen = |grasp: &Grasp<C>, label: &str, value: Option<f64>| {
-        let load = asked.load.filter(|_| asked.any_force.is_none());
-        let at =
-            load.zip(value.filter(|value| value.is_finite())).map(|(load, value)| base + load * times(value));
+        let at = asked
+            .load()
+            .zip(value.filter(|value| value.is_finite()))
+            .map(|(load, value)| base + load * times(value));
         let mut shown = solved(grasp, &at.unwrap_or(base))?;
         shown.label = format!("{label}, {}", if at.is_some() { when } else { "at rest" });
         Ok::<_, Failure>(shown)

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 /// The constant load beside the force.
 pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
     let asked = setup.questions.iter().find_map(|question| match question {
-        Question::Onset(ramp) => Some(ramp.base),
+        Question::Onset { base, .. } => Some(*base),
         _ => None,
     });
     asked.unwrap_or(Wrench::ZERO)

@@ -8,7 +8,7 @@ use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
 /// Reads an object as `W` and makes a `T` of it. A fault is reported before the object is left, so that a format with lines and columns adds
 /// those of the object's end. Reported later, it would get those of the text behind the object.
-pub(super) fn read<'de, W, T, D>(
+pub(crate) fn read<'de, W, T, D>(
     deserializer: D,
     what: &'static str,
     make: impl FnOnce(W) -> Result<T, String>,

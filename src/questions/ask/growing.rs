@@ -1,0 +1,52 @@
+//! Loads of several bodies that grow together with the load of a question.
+
+use alloc::borrow::Cow;
+use alloc::collections::BTreeMap;
+
+use super::grasp::Grasp;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::prelude::*;
+
+impl<const C: usize> Grasp<C> {
+    /// This grasp with the loads of a question that grow together with its `load`. The load is `None` if the question has several loads or none.
+    ///
+    /// # Errors
+    /// As for [`check_growing`] and [`Self::growing_together`].
+    pub(crate) fn growing(
+        &self,
+        question: &'static str,
+        base: Wrench<C>,
+        load: Option<Wrench<C>>,
+        others: &BTreeMap<String, Wrench<C>>,
+    ) -> Result<Cow<'_, Self>, Error> {
+        check_growing(question, base, load, others)?;
+        match load {
+            Some(load) if !others.is_empty() => {
+                self.growing_together(&load, others.iter().map(|(name, load)| (name, *load))).map(Cow::Owned)
+            }
+            _ => Ok(Cow::Borrowed(self)),
+        }
+    }
+}
+
+/// Refuses loads that cannot grow together.
+pub(crate) fn check_growing<const C: usize>(
+    question: &'static str,
+    base: Wrench<C>,
+    load: Option<Wrench<C>>,
+    others: &BTreeMap<String, Wrench<C>>,
+) -> Result<(), Error> {
+    let refuse = |fault| Err(Error::Question { question, field: "together_with", fault });
+    match load {
+        _ if others.is_empty() => Ok(()),
+        None => refuse(
+            "given, must be left out unless the amount is one of squeeze, friction or load, for one load",
+        ),
+        _ if base != Wrench::ZERO => {
+            refuse("given, must be left out beside a base: what is always there is the `load` of a body")
+        }
+        Some(load) if load == Wrench::ZERO => refuse("given, must be left out without a load to grow with"),
+        Some(_) => Ok(()),
+    }
+}
