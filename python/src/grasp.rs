@@ -105,6 +105,7 @@ where
         Some(Answer::Need(answer)) => json(&answer),
         Some(Answer::Improve(answer)) => json(&answer),
         Some(Answer::Solve(answer)) => json(&answer),
+        Some(Answer::Compare(answer)) => json(&answer),
         Some(Answer::Onset(answer)) => json(&answer),
         Some(Answer::OnsetOfTurn(answer)) => json(&answer),
         Some(Answer::Follow(answer)) => json(&answer),

@@ -189,3 +189,20 @@ def test_what_slips_do_not_fix() -> None:
     assert moved.estimates[0].value == pytest.approx(0.3, abs=0.01)
     with pytest.raises(TypeError, match="give one of loads and turns"):
         grasp.identify(["friction"])
+
+
+def test_the_minimum_of_energy_is_compared():
+    # A block of 20 N on two points, pushed along the floor: the left one, twice as stiff, slides from 7.5 N on.
+    block = Grasp.planar(
+        [[-0.1, 0], [0.1, 0]],
+        [[0, 1], [0, 1]],
+        series_stiffness=[[1000, 800], [1000, 400]],
+        friction=0.5,
+        pressed_with=10.0,
+        names=["left", "right"],
+    )
+    found = block.compare([9, 0], base=[0, -20])
+    assert found.outcome == "out_of_equilibrium"
+    assert found.agrees_up_to * 9 == pytest.approx(7.5)
+    assert str(found).startswith("DIFFERS: left slides")
+    assert block.compare([6, 0], base=[0, -20]).outcome == "agree"

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod carried;
+mod compared;
 mod direction_pictures;
 mod field_paths;
 mod followed_in_steps;

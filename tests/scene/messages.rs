@@ -149,7 +149,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"solve\"",
             "\"slove\"",
-            "unknown name `slove` (`solve`?), must be one of `hold`, `need`, `improve`, `solve`, `onset`, `onset_of_turn`, `follow`, `shake`, `shakedown`, `identify`",
+            "unknown name `slove` (`solve`?), must be one of `hold`, `need`, `improve`, `solve`, `compare`, `onset`, `onset_of_turn`, `follow`, `shake`, `shakedown`, `identify`",
         ),
         ("\"load\"", "\"lode\"", "unknown field `lode`, must be `load`"),
         (

@@ -17,6 +17,7 @@ from . import friction, lcp
 from .answers import (
     Answer,
     Beyond,
+    Comparison,
     Event,
     Identified,
     Improved,
@@ -42,6 +43,7 @@ __all__ = [
     "Answer",
     "Beyond",
     "Closure",
+    "Comparison",
     "Contact",
     "ContactState",
     "Drive",

@@ -292,6 +292,22 @@ class Shakedown(Sentence):
         return self._tree.get("slips_change_normal_forces")
 
 
+class Comparison(Sentence):
+    """The equilibrium beside the minimum of energy of the paper's quadratic program. It prints as a sentence."""
+
+    @property
+    def outcome(self) -> str:
+        """``"agree"``, ``"two_equilibria"``, ``"out_of_equilibrium"``, ``"no_equilibrium"``, ``"unknown"``, ``"no_minimum"`` or ``"unsolved"``."""
+        verdict = self._tree["verdict"]
+        return str(verdict if isinstance(verdict, str) else next(iter(verdict)))
+
+    @property
+    def agrees_up_to(self) -> float | None:
+        """Multiple of the load up to which the minimum is the equilibrium; ``inf`` without a limit, None if they differ at rest or it is not known."""
+        found = self._tree.get("agrees_up_to")
+        return None if found is None else number(found)
+
+
 class Needed(Sentence):
     """The amount of a quantity that a grasp needs: ``"bound"``, ``"any"``, ``"none"`` or ``"undecided"``. It prints as a sentence."""
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from . import _grasp_lcp
 from ._bodies import bodies_in_scene
 from ._columns import as_written, columns, dumped, finite, floats, listed, one_each, plain, wrench_json
-from .answers import Answer, Identified, Improved, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
+from .answers import Answer, Comparison, Identified, Improved, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 from .watch import Watch
@@ -368,6 +368,17 @@ class Grasp:
         if base is not None:
             asked["base"] = wrench_json("base", base, self.axes)
         return Shakedown(self._held.ask(dumped({"shakedown": asked})))
+
+    def compare(self, load: ArrayLike | Mapping[str, Any], *, base: ArrayLike | Mapping[str, Any] | None = None) -> Comparison:
+        """Is the equilibrium the minimum of energy that the paper's quadratic program finds, and up to which part of the load?
+
+        :param load: the load that grows, N and N m, of shape (c,) or (d,).
+        :param base: the load at rest; zero unless given.
+        """
+        asked: dict[str, Any] = {"load": wrench_json("load", load, self.axes)}
+        if base is not None:
+            asked["base"] = wrench_json("base", base, self.axes)
+        return Comparison(self._held.ask(dumped({"compare": asked})))
 
     def need(
         self,
@@ -807,6 +818,7 @@ _KINDS: dict[str, type[Answer]] = {
     "hold": Verdict,
     "shake": Shaken,
     "shakedown": Shakedown,
+    "compare": Comparison,
     "identify": Identified,
     "need": Needed,
     "improve": Improved,

@@ -102,6 +102,16 @@ pub(crate) enum Command {
         #[command(flatten)]
         ask: Ask,
     },
+    /// Is the equilibrium the minimum of energy that the paper's quadratic program finds, and up to which part of the load?
+    Compare {
+        #[command(flatten)]
+        load: LoadArguments,
+        /// A force that acts before the load and stays, N, at the same point.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        base: Option<Numbers>,
+        #[command(flatten)]
+        ask: Ask,
+    },
     /// At which load does the first contact start to slide?
     ///
     /// The load grows from zero in proportion to a force and a moment; the answer is the load factor at first slip.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use grasp_lcp::energy::ComparisonVerdict;
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Holding;
@@ -100,6 +101,15 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
             let together_with = words.together_with(asked)?;
             words.wrench(asked)?.map(|load| Question::Solve { load, together_with })
         }
+        Command::Compare { load, base, .. } => {
+            let asked = &*of_own_masses(load, base.is_some(), setup)?;
+            if !asked.together_with.is_empty() {
+                let message = "--together-with: given, must be left out of a comparison";
+                return Err(Failure::Usage(message.to_owned()));
+            }
+            let base = words.base(base.as_ref(), asked.at.as_ref())?;
+            words.wrench(asked)?.map(|load| Question::Compare { base, load })
+        }
         Command::Onset { load, .. } => {
             let asked = &*of_own_masses(load, false, setup)?;
             let together_with = words.together_with(asked)?;
@@ -131,9 +141,10 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
     }
     if setup.questions.is_empty() {
         let message = match asked {
-            Command::Hold { .. } | Command::Solve { .. } | Command::Onset { .. } => {
-                "the scene has no such question: say --mass, --force or --moment"
-            }
+            Command::Hold { .. }
+            | Command::Solve { .. }
+            | Command::Compare { .. }
+            | Command::Onset { .. } => "the scene has no such question: say --mass, --force or --moment",
             Command::Need { .. } => {
                 "the scene has no such question: say what is needed, such as `squeeze --mass 0.4`"
             }
@@ -147,7 +158,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
                 "the scene has no such question: say --force, or --mass and --acceleration"
             }
             _ => {
-                "the scene asks nothing: use `hold`, `need`, `improve`, `onset`, `solve`, `turn`, `follow` or `shake` with a load"
+                "the scene asks nothing: use `hold`, `need`, `improve`, `onset`, `solve`, `compare`, `turn`, `follow` or `shake` with a load"
             }
         };
         return Err(Failure::Usage(message.to_owned()));
@@ -163,6 +174,7 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Command) -> bool {
             | (Command::Need { .. }, Question::Need(_))
             | (Command::Improve { .. }, Question::Improve(_))
             | (Command::Solve { .. }, Question::Solve { .. })
+            | (Command::Compare { .. }, Question::Compare { .. })
             | (Command::Onset { .. }, Question::Onset { .. })
             | (Command::Turn { .. }, Question::OnsetOfTurn(_))
             | (Command::Follow { .. }, Question::Follow { .. })
@@ -320,6 +332,7 @@ fn is_undecided<const C: usize>(answer: &Answer<C>) -> bool {
         Answer::Hold(answer) => matches!(answer.verdict.holding, Holding::Undecided { .. }),
         Answer::Need(answer) => matches!(answer.needed.amount, Amount::Undecided { .. }),
         Answer::Solve(answer) => matches!(answer.outcome, Outcome::Undecided(_)),
+        Answer::Compare(answer) => matches!(answer.comparison.verdict, ComparisonVerdict::Unsolved),
         Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided(_)),
         Answer::OnsetOfTurn(answer) => matches!(answer.onset, OnsetAnswer::Undecided(_)),
         Answer::Shakedown(answer) => answer.found.is_none(),

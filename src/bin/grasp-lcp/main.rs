@@ -62,6 +62,7 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
     | Command::Need { ask, .. }
     | Command::Improve { ask, .. }
     | Command::Solve { ask, .. }
+    | Command::Compare { ask, .. }
     | Command::Onset { ask, .. }
     | Command::Turn { ask, .. }
     | Command::Follow { ask, .. }

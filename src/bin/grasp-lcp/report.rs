@@ -12,7 +12,7 @@ use grasp_lcp::load_path::{Beyond, Departure, EdgeOf, Leaving, PartChange};
 use grasp_lcp::scene::{Answer, OnsetAnswer, OnsetAt, Question, Setup, TurnAnswer};
 use grasp_lcp::words::printable;
 
-use crate::table::table;
+use crate::table::{compared, table};
 use crate::words::{NO_WORDS, Style};
 
 /// Prints the answers to the questions of a scene.
@@ -29,6 +29,7 @@ pub(crate) fn print<const C: usize>(
             Answer::Hold(_)
                 | Answer::Need(_)
                 | Answer::Improve(_)
+                | Answer::Compare(_)
                 | Answer::Shake(_)
                 | Answer::Shakedown(_)
                 | Answer::Identify(_)
@@ -121,6 +122,10 @@ impl Report<'_> {
             (_, Answer::Shake(answer)) => {
                 writeln!(self.out, "{:.digits$}", answer.shaken)?;
                 answer.shaken.state.as_ref().map_or(Ok(()), |state| self.table(state))
+            }
+            (_, Answer::Compare(answer)) => {
+                writeln!(self.out, "{}", answer.says)?;
+                compared(self.out, self.style, &answer.comparison)
             }
             (_, Answer::Shakedown(answer)) => writeln!(self.out, "{}", answer.says),
             (_, Answer::Identify(answer)) => writeln!(self.out, "{}", answer.says),

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use grasp_lcp::energy::Comparison;
 use grasp_lcp::equilibrium::{Equilibrium, PadAnswer, WholeAnswer};
 use grasp_lcp::words::Words;
 
@@ -39,6 +40,35 @@ pub(crate) fn table<const C: usize>(
     state.told_free_motions(style.words).iter().try_for_each(|free| writeln!(out, "  {free}"))?;
     let caution = state.caution();
     state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))
+}
+
+/// Forces of both answers side by side, contact by contact; points of soft fingertips only if `--points` asks for each.
+pub(crate) fn compared<const C: usize>(
+    out: &mut dyn Write,
+    style: Style,
+    comparison: &Comparison<C>,
+) -> io::Result<()> {
+    let (Some(state), Some(minimum)) = (comparison.equilibrium.equilibrium(), comparison.minimum.minimum())
+    else {
+        return Ok(());
+    };
+    if !state.pads.is_empty() && !style.points {
+        return Ok(());
+    }
+    let numbers = Cleaned { words: style.words, largest: state.largest_force() };
+    let heads =
+        ["contact", "F_n (N)", "|F_t| (N)", "F_n of least energy (N)", "|F_t| of least energy (N)", "state"];
+    let mut lines = vec![heads.map(str::to_owned).to_vec()];
+    for (contact, least) in state.contacts.iter().zip(&minimum.contacts) {
+        let forces = [contact.force, least.force].map(|force| {
+            [force[0], force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))].map(|x| numbers.force(x))
+        });
+        let mut cells = vec![contact.contact.text()];
+        cells.extend(forces.concat());
+        cells.push(contact.doing().to_owned());
+        lines.push(cells);
+    }
+    print(out, &lines)
 }
 
 fn heads<const C: usize>(pads: bool) -> Vec<String> {

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::compared::CompareAnswer;
 use super::held::{HoldAnswer, NeedAnswer};
 use super::identified::IdentifyAnswer;
 use super::improved::ImproveAnswer;
@@ -24,6 +25,8 @@ pub enum Answer<const C: usize> {
     Improve(ImproveAnswer<C>),
     /// To `solve`.
     Solve(SolveAnswer<C>),
+    /// To `compare`.
+    Compare(CompareAnswer<C>),
     /// To `onset`.
     Onset(OnsetAnswer<C>),
     /// To `onset_of_turn`.

@@ -22,7 +22,10 @@ impl<const C: usize> Setup<C> {
     pub(super) fn check(&self, question: &Question<C>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
-            Question::Hold { .. } | Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
+            Question::Hold { .. }
+            | Question::Solve { .. }
+            | Question::Compare { .. }
+            | Question::OnsetOfTurn(_) => Ok(()),
             Question::Need(asked) => asked.check(self.entries().count()),
             Question::Improve(asked) => asked.given_loads().map(drop),
             Question::Onset { .. } => question.ramp()?.check_changes(self.lengths()),
@@ -116,6 +119,7 @@ impl<const C: usize> Setup<C> {
             Question::Solve { load, .. } => {
                 Answer::Solve(labels.solve(grasp, load, grasp.solve(load)?, words)?)
             }
+            Question::Compare { base, load } => Answer::Compare(labels.compared(grasp, base, load, words)?),
             Question::Onset { .. } => {
                 let onset = grasp.onset(&question.ramp()?)?;
                 Answer::Onset(labels.onset(grasp, &onset, |factor| Factor { factor }))

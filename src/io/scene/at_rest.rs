@@ -132,6 +132,7 @@ fn jams<const C: usize>(grasp: &Grasp<C>, load: Wrench<C>) -> Result<bool, Error
 fn at_rest<const C: usize>(question: &Question<C>) -> Wrench<C> {
     match question {
         Question::Hold { base, .. }
+        | Question::Compare { base, .. }
         | Question::Onset { base, .. }
         | Question::Shake { base, .. }
         | Question::Shakedown { base, .. } => *base,

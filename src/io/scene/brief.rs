@@ -2,11 +2,13 @@
 
 use serde::Serialize;
 
+use super::compared::CompareAnswer;
 use super::identified::ended;
 use super::labels::SceneNames;
 use super::question::Question;
 use super::setup::Setup;
 use crate::ask::Grasp;
+use crate::energy::ComparisonVerdict;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::WholeContact;
@@ -17,6 +19,7 @@ use crate::load_path::{DriveChange, Onset, PathEnd};
 use crate::need::{Amount, Needed, Quantity};
 use crate::numerics::tried;
 use crate::shake::{Repeats, Shakedown, Shaken};
+use crate::words::Words;
 
 /// A short answer. It omits the behaviour beyond an onset or the end of a path, which a full answer computes.
 ///
@@ -90,6 +93,9 @@ impl<const C: usize> Setup<C> {
             Question::Need(asked) => needed_briefly(&grasp.need(asked)?),
             Question::Improve(asked) => improved_briefly(&self.improve(asked)?.answered_by(grasp)?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
+            Question::Compare { base, load } => {
+                compared_briefly(&labels.compared(grasp, base, load, Words::default())?)
+            }
             Question::Onset { .. } => labels.onset_briefly("onset", grasp, &grasp.onset(&question.ramp()?)?),
             Question::OnsetOfTurn(turn) => {
                 let found = grasp.onset_of_turn(turn)?;
@@ -283,6 +289,20 @@ fn shakedown_briefly<const C: usize>(found: Option<&Shakedown<C>>) -> Brief {
     };
     let first = found.binding.first().map(|binding| binding.contact.label.clone());
     Brief { factor: Some(found.factor), first, ..Brief::new("shakedown", outcome) }
+}
+
+/// The kind of the comparison, with the multiple of the load up to which both agree.
+fn compared_briefly<const C: usize>(answer: &CompareAnswer<C>) -> Brief {
+    let outcome = match answer.comparison.verdict {
+        ComparisonVerdict::Agree => "agree",
+        ComparisonVerdict::TwoEquilibria => "two_equilibria",
+        ComparisonVerdict::OutOfEquilibrium { .. } => "out_of_equilibrium",
+        ComparisonVerdict::NoEquilibrium { .. } => "no_equilibrium",
+        ComparisonVerdict::Unknown { .. } => "unknown",
+        ComparisonVerdict::NoMinimum => "no_minimum",
+        ComparisonVerdict::Unsolved => "unsolved",
+    };
+    Brief { factor: answer.agrees_up_to, ..Brief::new("compare", outcome) }
 }
 
 /// The end of the search, with the value of the first unknown if the slips determine it.

@@ -149,6 +149,7 @@ impl<const C: usize> Setup<C> {
                 Ok(mapped(&found.estimates, &|estimate| estimate.value))
             }
             Question::Onset { .. }
+            | Question::Compare { .. }
             | Question::OnsetOfTurn(_)
             | Question::Follow { .. }
             | Question::Shake { .. }

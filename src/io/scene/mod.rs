@@ -142,6 +142,7 @@
 //! | `need` | `quantity`, loads, `together_with` | the amount that the grasp needs, see [`Need`](crate::need::Need) |
 //! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`Improve`](crate::improve::Improve) |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under it |
+//! | `compare` | `base`, `load` (wrenches) | whether the minimum of the paper's quadratic program is the equilibrium, and up to which part of the load, see [`energy`](crate::energy) |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; of hundreds of contacts and more in steps, with the error that a leg may add to forces |
@@ -293,6 +294,7 @@
 //! | `need` | the sentence `says`, and as `amount` one of `bound`, `any`, `none`, `undecided` | [`NeedAnswer`] |
 //! | `improve` | the sentence `says`, and as `search` one of `optimum`, `stalled`, `out_of_steps`, `unbalanced`, `nothing_slides`, `no_start` | [`ImproveAnswer`] |
 //! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` ; if that does not decide whether the load is held, `from_rest` has the answer of `hold` | [`SolveAnswer`] |
+//! | `compare` | the sentence `says`, `agrees_up_to`, and as `verdict` one of `agree`, `two_equilibria`, `out_of_equilibrium`, `no_equilibrium`, `unknown`, `no_minimum`, `unsolved` | [`CompareAnswer`] |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
 //! | `onset_of_turn` | the same, with `angle_rad` for the factor, and the edges that are touched | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
@@ -325,6 +327,7 @@ mod at_rest;
 mod body;
 mod brief;
 mod carried;
+mod compared;
 mod cup;
 #[cfg(feature = "json")]
 mod fault;
@@ -369,6 +372,7 @@ mod written_contact;
 pub use answer::Answer;
 pub use body::BodySetup;
 pub use brief::Brief;
+pub use compared::CompareAnswer;
 pub use cup::Cup;
 #[cfg(feature = "json")]
 pub use fault::{Fault, FaultKind, TextPosition};

@@ -167,7 +167,9 @@ impl<const C: usize> Setup<C> {
 /// The loads that a question puts on.
 pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
     match question {
-        Question::Hold { load, .. } | Question::Solve { load, .. } => vec![*load],
+        Question::Hold { load, .. } | Question::Solve { load, .. } | Question::Compare { load, .. } => {
+            vec![*load]
+        }
         Question::Need(asked) => asked.wrenches().copied().collect(),
         Question::Improve(asked) => asked.load.iter().chain(&asked.loads).copied().collect(),
         Question::Onset { direction, .. } => vec![*direction],

@@ -14,7 +14,7 @@ use crate::load_path::{Leg, Ramp, Turn};
 use crate::need::Need;
 use crate::serial::{AsGiven, object};
 
-/// One question, `{"hold": …}`, `{"need": …}`, `{"improve": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}`, `{"shake": …}`, `{"shakedown": …}` or `{"identify": …}`.
+/// One question, `{"hold": …}`, `{"need": …}`, `{"improve": …}`, `{"solve": …}`, `{"compare": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}`, `{"shake": …}`, `{"shakedown": …}` or `{"identify": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
@@ -43,6 +43,14 @@ pub enum Question<const C: usize> {
         /// With several bodies: loads on other bodies, by name.
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
+    },
+    /// Is the equilibrium under a load the minimum of the paper's quadratic program? See [`Energy::compare`](crate::ask::Energy::compare).
+    Compare {
+        /// The load that acts before and stays; zero if left out.
+        #[serde(default = "no_load::<C>")]
+        base: Wrench<C>,
+        /// The load that grows from zero beside it.
+        load: Wrench<C>,
     },
     /// The onset of sliding along a ramp: the load is `base + τ direction` at the factor τ, and commands change by τ times their change.
     /// See [`Grasp::onset`](crate::ask::Grasp::onset).
@@ -144,13 +152,13 @@ impl<const C: usize> Question<C> {
         Self::Onset { base, direction, command_change, joint_change, together_with: BTreeMap::new() }
     }
 
-    /// The ramp of [`Self::Hold`] and [`Self::Onset`], without loads that grow together with it.
+    /// The ramp of [`Self::Hold`], [`Self::Compare`] and [`Self::Onset`], without loads that grow together with it.
     ///
     /// # Errors
     /// [`Error::NothingChanges`] for other questions, along whose loads there is no ramp.
     pub fn ramp(&self) -> Result<Ramp<C>, Error> {
         match self {
-            Self::Hold { base, load, .. } => Ok(Ramp::load(*base, *load)),
+            Self::Hold { base, load, .. } | Self::Compare { base, load } => Ok(Ramp::load(*base, *load)),
             Self::Onset { base, direction, command_change, joint_change, .. } => Ok(Ramp {
                 base: *base,
                 direction: *direction,

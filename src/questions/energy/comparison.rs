@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+#[cfg(feature = "serde")]
+use super::minimum::Inside;
 use super::minimum::{MinimumEnergy, MinimumOutcome};
 use crate::Settings;
 use crate::equilibrium::{Equilibrium, Outcome};
@@ -57,6 +59,17 @@ pub struct Difference {
     /// The stored energy of the equilibrium, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_size: f64,
+}
+
+#[cfg(feature = "serde")]
+impl<const C: usize> Comparison<C> {
+    /// This comparison after serialisation and reading back: without the motions in inside coordinates.
+    pub(crate) fn written(mut self) -> Self {
+        if let MinimumOutcome::Minimum(minimum) = &mut self.minimum {
+            minimum.inside = Inside::default();
+        }
+        self
+    }
 }
 
 impl Difference {

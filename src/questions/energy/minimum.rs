@@ -4,7 +4,7 @@
 //! The remaining springs then determine the minimum. The multipliers of the constraints are forces on the **object** that no contact exerts: the
 //! minimum is an equilibrium exactly if their sum is zero.
 
-use nalgebra::SVector;
+use nalgebra::{Matrix, SVector};
 
 use super::optimality::{EnergyProgram, Faces, NotOptimal, ProgramPoint};
 use crate::Settings;
@@ -195,7 +195,10 @@ impl Engine {
             .filter(|(row, l)| row.contact < self.len() && (**l != 0.0 || row.binds(&point.forces, most)))
             .map(|(row, l)| Binding { contact: row.contact, facet: row.facet, multiplier: l / row.length });
         let held = program.held_from_outside(&point.multipliers);
-        let pushed: Vector = self.sites().iter().zip(&held).map(|(site, f)| &site.map * f).sum();
+        let mut pushed: Vector = self.sites().iter().zip(&held).map(|(site, f)| &site.map * f).sum();
+        let balanced = pushed.norm() <= SOLVED_ROUNDING * most;
+        let rounding = SOLVED_ROUNDING * held.iter().map(Matrix::norm).sum::<f64>();
+        pushed.iter_mut().filter(|x| x.abs() <= rounding).for_each(|x| *x = 0.0);
         let object = self.space().object_alone(&point.twist);
         let contact = |i: usize| {
             let site = &self.sites()[i];
@@ -232,7 +235,7 @@ impl Engine {
                 free_motions: point.free.iter().map(Coordinates::of).collect(),
             },
             pivots,
-            balanced: pushed.norm() <= SOLVED_ROUNDING * most,
+            balanced,
         }
     }
 }

@@ -10,23 +10,24 @@ use crate::words::{Words, listed};
 impl<const C: usize> fmt::Display for Comparison<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
-        let apart = || words.number(self.difference.map_or(0.0, |difference| difference.force));
+        let apart = || {
+            let (off, largest) = self.difference.map_or((0.0, 0.0), |d| (d.force, d.force_size));
+            words.beside(off, largest)
+        };
         match self.verdict {
             ComparisonVerdict::Agree if self.difference.is_some() => {
-                write!(
-                    f,
-                    "AGREES: the minimum of energy is the equilibrium, with forces within {} N",
-                    apart()
-                )
+                f.write_str("AGREES: the minimum of energy is the equilibrium, with the same forces")?;
+                let off = apart();
+                if off > 0.0 { write!(f, " within {} N", words.number(off)) } else { Ok(()) }
             }
             ComparisonVerdict::Agree => {
                 f.write_str("AGREES: the minimum of energy is an equilibrium; the search found none")
             }
             ComparisonVerdict::TwoEquilibria => {
+                let off = words.number(apart());
                 write!(
                     f,
-                    "TWO EQUILIBRIA: the minimum of energy is one, complementarity returned another, with forces up to {} N apart",
-                    apart()
+                    "TWO EQUILIBRIA: the minimum of energy is one, complementarity returned another, with forces up to {off} N apart"
                 )
             }
             ComparisonVerdict::OutOfEquilibrium { force, moment } => {
@@ -47,7 +48,7 @@ impl<const C: usize> fmt::Display for Comparison<C> {
                 let missed = wrench(words, force, moment);
                 write!(
                     f,
-                    "UNDECIDED: whether an equilibrium exists; the minimum of energy misses the load by {missed}"
+                    "DIFFERS: the minimum of energy misses the load by {missed}; whether an equilibrium exists is undecided"
                 )
             }
             ComparisonVerdict::NoMinimum => f.write_str("NO MINIMUM: the quadratic program has none"),

@@ -65,6 +65,11 @@ pub(super) fn shown<const C: usize>(
         Question::Need(asked) => vec![needed(grasp, asked)?],
         Question::Improve(asked) => improved(setup, grasp, asked)?,
         Question::Solve { load, .. } => vec![solved(grasp, load)?],
+        Question::Compare { base, load } => {
+            let mut shown = solved(grasp, &(*base + *load))?;
+            shown.says.push(grasp.energy().compare(&(*base + *load))?.to_string());
+            vec![shown]
+        }
         Question::Onset { .. } => {
             let ramp = question.ramp()?;
             let at = |factor: f64| format!("factor {}", Words::default().number(factor));

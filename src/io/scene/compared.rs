@@ -1,0 +1,59 @@
+//! The answer to `compare`: the equilibrium beside the minimum of the paper's quadratic program.
+
+use serde::{Deserialize, Serialize};
+
+use super::held::said;
+use super::labels::SceneNames;
+use crate::ask::Grasp;
+use crate::energy::{Agreement, Comparison};
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::Ramp;
+use crate::serial::AsComputed;
+use crate::words::Words;
+
+/// The equilibrium under a load beside the minimum of energy; see [`Energy::compare`](crate::ask::Energy::compare).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct CompareAnswer<const C: usize> {
+    /// The answer in a sentence.
+    pub says: String,
+    /// Multiple of the load up to which the minimum of energy is the equilibrium, infinite if it always is; see
+    /// [`Energy::agreement`](crate::ask::Energy::agreement). Left out if they do not agree at rest, or if it is not known.
+    #[serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    pub agrees_up_to: Option<f64>,
+    /// The comparison under the whole load.
+    #[serde(flatten)]
+    pub comparison: Comparison<C>,
+}
+
+impl SceneNames {
+    /// The comparison under a load beside one at rest, and the range of the load in which both agree.
+    pub(super) fn compared<const C: usize>(
+        &self,
+        grasp: &Grasp<C>,
+        base: &Wrench<C>,
+        load: &Wrench<C>,
+        words: Words,
+    ) -> Result<CompareAnswer<C>, Error> {
+        let energy = grasp.energy();
+        let mut comparison = energy.compare(&(*base + *load))?;
+        let agreement = if *load == Wrench::ZERO {
+            Agreement::Unsolved
+        } else {
+            energy.agreement(&Ramp::load(*base, *load))?
+        };
+        let agrees_up_to = agreement.factor();
+        let mut says = said(&comparison, words);
+        if let Some(factor) = agrees_up_to.filter(|factor| factor.is_finite() && *factor > 0.0) {
+            let amount = match load.measure() {
+                Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),
+                None => format!("{} times the load", words.number(factor)),
+            };
+            says += &format!(". Both agree up to {amount}");
+        }
+        comparison.equilibrium = self.outcome(comparison.equilibrium);
+        Ok(CompareAnswer { says, agrees_up_to, comparison: comparison.written() })
+    }
+}
