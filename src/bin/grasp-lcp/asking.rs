@@ -14,13 +14,12 @@ use grasp_lcp::load_path::{Leg, Turn};
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{Answer, Answers, OnsetAnswer, PathOutcome, Question, Setup, Space};
 use grasp_lcp::shake::Repeats;
-use grasp_lcp::squeeze::Loads;
 use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, Command, LoadArguments, Numbers};
 use crate::failure::{EXIT_UNDECIDED, Failure};
-use crate::loads::{direction, point, pull_of_mass, weight_of};
+use crate::loads::{direction, loads, point, pull_of_mass, weight_of};
 use crate::own_masses::{of_own_masses, refuse_mass, tilted};
 use crate::words::Style;
 use crate::{files, report};
@@ -254,7 +253,7 @@ impl<const C: usize> Meaning<C> {
                 "say which load is to slide late: --mass, --force, --moment or --any-force".to_owned();
             return if given { Err(Failure::Usage(missing)) } else { Ok(None) };
         }
-        let loads = self.loads(wrench, any_force, load.at.as_ref())?;
+        let loads = loads(wrench, any_force, load.at.as_ref())?;
         let mut question = Improve::new(loads).on_top_of(self.base(base, load.at.as_ref())?);
         if let Some(force) = at_most {
             question = question.pressing_at_most(force);
@@ -263,20 +262,6 @@ impl<const C: usize> Meaning<C> {
             question = question.with_goal(ImproveGoal::Reserve);
         }
         Ok(Some(Question::Improve(Box::new(question))))
-    }
-
-    /// The load of the command line, or a force of any direction beside it.
-    pub(crate) fn loads(
-        &self,
-        load: Option<Wrench<C>>,
-        any_force: Option<f64>,
-        at: Option<&Numbers>,
-    ) -> Result<Loads<C>, Failure> {
-        let base = load.unwrap_or(Wrench::ZERO);
-        Ok(match any_force {
-            Some(size) => Loads::AnyForce { base, size, point: point(at)? },
-            None => base.into(),
-        })
     }
 
     /// A force that acts at a point.

@@ -2,6 +2,7 @@
 
 use grasp_lcp::Error;
 use grasp_lcp::grasp::{ArmMotion, Payload, Wrench};
+use grasp_lcp::squeeze::Loads;
 
 use crate::arguments::{LoadArguments, Numbers};
 use crate::failure::Failure;
@@ -88,4 +89,17 @@ pub(crate) fn direction<const C: usize>(numbers: &Numbers, option: &str) -> Resu
         return Err(Failure::Usage(format!("--{option}: all zeros given, must be a direction")));
     }
     Ok(direction)
+}
+
+/// A load, or a force of any direction beside it.
+pub(crate) fn loads<const C: usize>(
+    load: Option<Wrench<C>>,
+    any_force: Option<f64>,
+    at: Option<&Numbers>,
+) -> Result<Loads<C>, Failure> {
+    let base = load.unwrap_or(Wrench::ZERO);
+    Ok(match any_force {
+        Some(size) => Loads::AnyForce { base, size, point: point(at)? },
+        None => base.into(),
+    })
 }

@@ -8,7 +8,7 @@ use grasp_lcp::words::printable;
 use crate::arguments::{SoughtQuantity, Wanted};
 use crate::asking::Meaning;
 use crate::failure::Failure;
-use crate::loads::{direction, point, total_force};
+use crate::loads::{direction, loads, point, total_force};
 use crate::own_masses::{accelerated, of_own_masses, tilted};
 
 impl<const C: usize> Meaning<C> {
@@ -87,7 +87,7 @@ impl<const C: usize> Meaning<C> {
                 (self.accelerated(mass, acceleration, at).into(), load)
             }
             (_, None) if load.is_none() && wanted.any_force.is_none() => return Err(missing()),
-            (_, None) => (self.loads(load, wanted.any_force, given.at.as_ref())?, None),
+            (_, None) => (loads(load, wanted.any_force, given.at.as_ref())?, None),
         };
         let need = match (sought, &wanted.contact, &wanted.of) {
             (SoughtQuantity::Friction, Some(name), _) => {

@@ -3,12 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::compared::CompareAnswer;
-use super::held::{HoldAnswer, NeedAnswer};
-use super::identified::IdentifyAnswer;
-use super::improved::ImproveAnswer;
+use super::held::{HoldAnswer, IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakeAnswer, ShakedownAnswer};
 use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
-use super::shaken::{ShakeAnswer, ShakedownAnswer};
 use super::solved::SolveAnswer;
 
 /// The answer to a [`Question`](super::Question), under the same name.

@@ -3,16 +3,15 @@
 use std::sync::Arc;
 
 use super::answer::Answer;
-use super::held::NeedAnswer;
-use super::identified::IdentifyAnswer;
-use super::improved::ImproveAnswer;
+use super::held::{IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakedownAnswer};
 use super::labels::SceneNames;
 use super::onset::Factor;
 use super::question::Question;
 use super::setup::Setup;
-use super::shaken::ShakedownAnswer;
-use crate::ask::Grasp;
+use crate::ask::{Grasp, check_contact};
 use crate::error::{ContactLabel, Error};
+use crate::identify::{Identify, LAYOUTS_OF_HANDS};
+use crate::improve::Improve;
 use crate::load_path::{self, Leg};
 use crate::numerics::tried;
 use crate::words::Words;
@@ -44,6 +43,39 @@ impl<const C: usize> Setup<C> {
             },
             Question::Identify(asked) => self.check_identify(asked),
         }
+    }
+
+    /// The question for the grasp, with the surfaces of the scene's contacts.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] for a patch that cannot be built.
+    pub fn improve(&self, asked: &Improve<C>) -> Result<Improve<C>, Error> {
+        let (mut question, mut first) = (asked.clone(), 0);
+        for entry in self.entries() {
+            if let Some(surface) = &entry.surface {
+                question = question.along(first, surface.clone());
+            }
+            first += entry.count()?;
+        }
+        Ok(question)
+    }
+
+    /// Refuses faults that show without building the layouts.
+    pub(super) fn check_identify(&self, asked: &Identify<C>) -> Result<(), Error> {
+        if !asked.layouts.is_empty() && (self.is_held_by_a_hand() || !self.bodies.is_empty()) {
+            return Err(LAYOUTS_OF_HANDS);
+        }
+        let expected = self.entries().count();
+        for points in &asked.layouts {
+            let given = points.len();
+            if given != expected {
+                return Err(Error::Size { what: "points of a layout", given, expected });
+            }
+        }
+        for contact in asked.unknowns.iter().flat_map(|unknown| &unknown.contacts).flatten() {
+            check_contact(*contact, expected)?;
+        }
+        asked.check_numbers(1 + asked.layouts.len())
     }
 
     fn check_legs(&self, legs: &[Leg<C>]) -> Result<(), Error> {

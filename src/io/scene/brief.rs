@@ -3,7 +3,6 @@
 use serde::Serialize;
 
 use super::compared::CompareAnswer;
-use super::identified::ended;
 use super::labels::SceneNames;
 use super::question::Question;
 use super::setup::Setup;
@@ -13,7 +12,7 @@ use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::WholeContact;
 use crate::hold::{Holding, Verdict};
-use crate::identify::Identified;
+use crate::identify::{Ending, Identified};
 use crate::improve::{Binds, Improved, SearchEnd};
 use crate::load_path::{DriveChange, Onset, PathEnd};
 use crate::need::{Amount, Needed, Quantity};
@@ -326,5 +325,14 @@ fn drive(change: DriveChange) -> &'static str {
         DriveChange::Holds => "holds",
         DriveChange::Slackens => "slackens",
         DriveChange::Tightens => "tightens",
+    }
+}
+
+/// The name of the search's end in the format.
+fn ended(ending: &Ending) -> &'static str {
+    match ending {
+        Ending::Converged => "converged",
+        Ending::NotConverged { .. } => "not_converged",
+        Ending::NotPredicted { .. } => "not_predicted",
     }
 }

@@ -1,4 +1,4 @@
-//! Answers to `hold` and `need`.
+//! Answers that begin with a sentence: to `hold`, `need`, `improve`, `identify` and about repeated loads.
 
 use std::fmt;
 
@@ -6,7 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::labels::SceneNames;
 use crate::hold::Verdict;
+use crate::identify::Identified;
+use crate::improve::Improved;
 use crate::need::Needed;
+use crate::shake::{Shakedown, Shaken};
 use crate::words::Words;
 
 /// The fate of a load that is put on from rest; see [`Verdict`].
@@ -67,6 +70,168 @@ impl SceneNames {
 impl NeedAnswer {
     pub(super) fn of(needed: Needed, words: Words) -> Self {
         Self { says: said(&needed, words), needed }
+    }
+}
+
+/// The improved places of the fingers; see [`Improved`].
+///
+/// ```
+/// use grasp_lcp::scene::Scene;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "format": "grasp-lcp/1",
+///     "planar": {
+///         "contacts": [
+///             { "name": "left", "point": [-0.03, 0], "normal": [1, 0], "stiffness": 1e3, "friction": 0.5, "pressed_with": 8,
+///               "surface": { "segment": [[-0.03, -0.02], [-0.03, 0.02]] } },
+///             { "name": "right", "point": [0.03, 0.01], "normal": [-1, 0], "stiffness": 1e3, "friction": 0.5, "pressed_with": 8 }
+///         ],
+///         "questions": [{ "improve": { "load": { "force": [0, -1], "at": [0, 0] }, "at_most": 10 } }]
+///     }
+/// }"#)?;
+/// let answers = serde_json::to_value(scene.answers()?)?;
+/// let says = answers[0]["improve"]["says"].as_str().expect("a sentence");
+/// assert!(says.starts_with("FIRST SLIP at 10 N instead of"), "{says}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct ImproveAnswer<const C: usize> {
+    /// The answer in a sentence.
+    pub says: String,
+    /// The answer.
+    #[serde(flatten)]
+    pub improved: Improved<C>,
+}
+
+impl<const C: usize> ImproveAnswer<C> {
+    pub(super) fn of(improved: Improved<C>, words: Words) -> Self {
+        Self { says: said(&improved, words), improved }
+    }
+}
+
+/// The unknowns with their errors; see [`Identified`].
+///
+/// ```
+/// use grasp_lcp::scene::Scene;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "format": "grasp-lcp/1",
+///     "planar": {
+///         "contacts": [
+///             { "name": "left", "point": [-0.03, 0], "normal": [1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10 },
+///             { "name": "right", "point": [0.03, 0], "normal": [-1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10 }
+///         ],
+///         "questions": [{ "identify": {
+///             "unknowns": [{ "quantity": "friction" }],
+///             "slips": [{ "load": { "force": [0, -6.1] } }, { "load": { "force": [0, -5.8] } }, { "load": { "force": [0, -6.4] } }]
+///         } }]
+///     }
+/// }"#)?;
+/// let answers = serde_json::to_value(scene.answers()?)?;
+/// let says = "friction 0.3048 ± 0.0087 (95 %: 0.2697 to 0.3444) from 3 slips, which scatter by 5.1 %";
+/// assert_eq!(answers[0]["identify"]["says"], says);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct IdentifyAnswer {
+    /// The answer in a sentence.
+    pub says: String,
+    /// The answer.
+    #[serde(flatten)]
+    pub identified: Identified,
+}
+
+impl IdentifyAnswer {
+    pub(super) fn of(identified: Identified, words: Words) -> Self {
+        Self { says: said(&identified, words), identified }
+    }
+}
+
+/// The fate of a repeated load; see [`Shaken`].
+///
+/// ```
+/// use grasp_lcp::scene::Scene;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "format": "grasp-lcp/1",
+///     "planar": {
+///         "contacts": [
+///             { "name": "left foot", "point": [-1, 0], "normal": [0, 1], "stiffness": 1e3, "friction": 0.5 },
+///             { "name": "right foot", "point": [1, 0], "normal": [0, 1], "stiffness": 1e3, "friction": 0.5 }
+///         ],
+///         "questions": [{ "shake": { "base": { "force": [1.5, -10] }, "loads": [{ "moment": 3 }, { "moment": -3 }] } }]
+///     }
+/// }"#)?;
+/// let answers = serde_json::to_value(scene.answers()?)?;
+/// assert_eq!(answers[0]["shake"]["repeats"], "rests");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct ShakeAnswer<const C: usize> {
+    /// The answer in a sentence.
+    pub says: String,
+    /// The answer.
+    #[serde(flatten)]
+    pub shaken: Shaken<C>,
+}
+
+/// Whether the grasp comes to rest in any order of the loads; see [`Shakedown`].
+///
+/// ```
+/// use grasp_lcp::scene::Scene;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "format": "grasp-lcp/1",
+///     "planar": {
+///         "contacts": [
+///             { "name": "left foot", "point": [-1, 0], "normal": [0, 1], "stiffness": 1e3, "friction": 0.5 },
+///             { "name": "right foot", "point": [1, 0], "normal": [0, 1], "stiffness": 1e3, "friction": 0.5 }
+///         ],
+///         "questions": [{ "shakedown": { "base": { "force": [1.5, -10] }, "loads": [{ "moment": 3.5 }, { "moment": -3.5 }] } }]
+///     }
+/// }"#)?;
+/// let answers = serde_json::to_value(scene.answers()?)?;
+/// assert_eq!(answers[0]["shakedown"]["rests"], true);
+/// assert_eq!(answers[0]["shakedown"]["says"], "RESTS in whichever order they come, up to 2 times these loads. With more, left foot and right foot slide");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct ShakedownAnswer<const C: usize> {
+    /// The answer in a sentence.
+    pub says: String,
+    /// Whether the grasp comes to rest under these loads; left out if the order decides, or if it is unknown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rests: Option<bool>,
+    /// The answer, if there is one.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub found: Option<Shakedown<C>>,
+}
+
+/// The sentence without an answer.
+const NO_SHAKEDOWN: &str = "UNDECIDED: with all contacts closed no slips keep what is there at rest, or nothing resists one of the loads";
+
+impl<const C: usize> ShakedownAnswer<C> {
+    pub(super) fn of(found: Option<Shakedown<C>>, words: Words) -> Self {
+        let says = found.as_ref().map_or_else(|| NO_SHAKEDOWN.to_owned(), |found| said(found, words));
+        Self { says, rests: found.as_ref().and_then(|found| found.rests(1.0)), found }
+    }
+}
+
+impl SceneNames {
+    pub(super) fn shaken<const C: usize>(&self, mut shaken: Shaken<C>, words: Words) -> ShakeAnswer<C> {
+        let says = said(&shaken, words);
+        if let Some(state) = shaken.state.as_mut() {
+            **state = self.equilibrium(state.as_ref().clone());
+        }
+        ShakeAnswer { says, shaken }
     }
 }
 

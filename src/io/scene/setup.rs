@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
+use serde::ser::{Serialize, Serializer};
 
 use super::body::BodySetup;
 use super::finger::FingerSetup;
@@ -12,9 +13,8 @@ use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{self, Bodies, Hand, Tendon};
-use crate::numerics::mapped;
+use crate::serial::AsGiven;
 use crate::serial::object;
-use crate::serial::{AsComputed, AxisRow, Given};
 
 /// Contacts, questions and settings: 3 degrees of freedom of the object and `C` = 2 axes of a contact in the plane, 6 and 3 in space.
 ///
@@ -39,41 +39,45 @@ use crate::serial::{AsComputed, AxisRow, Given};
 /// assert!((onset.at.factor - 10.0).abs() < 1e-13);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(remote = "Self", deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Setup<const C: usize> {
     /// Contacts whose fingers have no joints. Together with those of fingers there must be at least one, else [`Setup::grasp`] is an error.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<Fingertip<C>>,
     /// Fingers with joints; their contacts have the numbers behind those above.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fingers: Vec<FingerSetup<C>>,
     /// Tendons over the joints of all fingers.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tendons: Vec<Tendon>,
     /// Several bodies; contacts then name the bodies they touch. Empty for one object.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<BodySetup<C>>,
     /// Links between bodies, or between a body and the ground; one object may be linked to the ground.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub links: Vec<LinkSetup<C>>,
     /// Acceleration of gravity on the masses of bodies, m/s², beside the loads of questions.
-    #[serde(with = "AsComputed::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
+    #[serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(!default))]
     pub gravity: Option<SVector<f64, C>>,
     /// The body on which the loads of questions act; the first if left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<String>,
     /// Whether loads of questions act on all bodies, on each with the share of its mass.
-    #[serde(skip_serializing_if = "is_false")]
+    #[serde(default, skip_serializing_if = "is_false")]
     pub shared_by_mass: bool,
     /// Corners of the object in order, m, for pictures by the caller.
-    #[serde(with = "AsComputed::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, with = "AsGiven::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "schema", schemars(!default))]
     pub outline: Vec<SVector<f64, C>>,
     /// The questions, in the order of their answers.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub questions: Vec<Question<C>>,
     /// The settings for all questions. With the polygonal cone, onsets are those of the polygon ([`Grasp::onset`]).
-    #[serde(skip_serializing_if = "is_default")]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub settings: Settings,
 }
 
@@ -86,62 +90,24 @@ fn is_default(settings: &Settings) -> bool {
     *settings == Settings::default()
 }
 
-#[derive(serde::Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-struct Written<const C: usize> {
-    /// Contacts whose fingers have no joints.
-    #[serde(default)]
-    contacts: Vec<Fingertip<C>>,
-    /// Fingers with joints; their contacts have the numbers behind those above.
-    #[serde(default)]
-    fingers: Vec<FingerSetup<C>>,
-    /// Tendons over the joints of all fingers.
-    #[serde(default)]
-    tendons: Vec<Tendon>,
-    /// Several bodies; empty for one object.
-    #[serde(default)]
-    bodies: Vec<BodySetup<C>>,
-    /// Links between bodies, or between a body and the ground.
-    #[serde(default)]
-    links: Vec<LinkSetup<C>>,
-    /// Acceleration of gravity on the masses of bodies, m/s².
-    #[serde(default)]
-    gravity: Option<AxisRow<Given, C>>,
-    /// The body on which the loads of questions act; the first if left out.
-    #[serde(default)]
-    loaded: Option<String>,
-    /// Whether loads of questions act on all bodies, on each with the share of its mass.
-    #[serde(default)]
-    shared_by_mass: bool,
-    /// Corners of the object in order, m; only drawn.
-    #[serde(default)]
-    outline: Vec<AxisRow<Given, C>>,
-    /// The questions, in order.
-    #[serde(default)]
-    questions: Vec<Question<C>>,
-    /// The settings for all questions.
-    #[serde(default)]
-    settings: Settings,
+/// A setup that is read from its fields, before its check.
+struct Fields<const C: usize>(Setup<C>);
+
+impl<'de, const C: usize> Deserialize<'de> for Fields<C> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        Setup::deserialize(deserializer).map(Self)
+    }
+}
+
+impl<const C: usize> Serialize for Setup<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Setup::serialize(self, serializer)
+    }
 }
 
 impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a setup", |written: Written<C>| {
-            let outline = mapped(&written.outline, &|row| row.0);
-            let setup = Self {
-                contacts: written.contacts,
-                fingers: written.fingers,
-                tendons: written.tendons,
-                bodies: written.bodies,
-                links: written.links,
-                gravity: written.gravity.map(|row| row.0),
-                loaded: written.loaded,
-                shared_by_mass: written.shared_by_mass,
-                outline,
-                questions: written.questions,
-                settings: written.settings,
-            };
+        object::read(deserializer, "a setup", |Fields(setup): Fields<C>| {
             setup.check_bodies()?;
             if setup.entries().next().is_none() && setup.links.is_empty() {
                 return Err(Error::EmptyGrasp.to_string());
@@ -328,6 +294,3 @@ impl<const C: usize> Setup<C> {
         Error::Contact { contact, field, value, allowed }
     }
 }
-
-#[cfg(feature = "schema")]
-schema_as_written!("Setup", Setup<C>, Written<C>, C);

@@ -22,6 +22,7 @@ mod workspace;
 pub use crate::structured::{EquilibriumView, Search};
 pub use energy::Energy;
 pub use grasp::Grasp;
+#[cfg(feature = "serde")]
 pub(crate) use grasp::check_contact;
 #[cfg(feature = "serde")]
 pub(crate) use growing::check_growing;

@@ -84,7 +84,7 @@ impl<const C: usize> Grasp<C> {
 fn start<const C: usize>(grasp: &Grasp<C>, need: &Posed<C>) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
-        Sought::Squeeze { .. } | Sought::Load { .. } | Sought::Force { .. } => 1.0,
+        Sought::Squeeze | Sought::Load | Sought::Force { .. } => 1.0,
         Sought::Friction { contacts: those, .. } => {
             let is_meant = |i: &usize| those.as_ref().is_none_or(|those| those.contains(i));
             let all = contacts.iter().enumerate().filter(|(i, _)| is_meant(i));
@@ -153,18 +153,18 @@ impl<'q, const C: usize> Tried<'q, C> {
         let (start, repeats) = (self.start, need.demand.repeats());
         let limits = match need.sought {
             Sought::Angle { .. } => [start / MOST_LOADS, start],
-            Sought::Squeeze { .. } if !grasp.is_squeezed() => [start; 2],
+            Sought::Squeeze if !grasp.is_squeezed() => [start; 2],
             _ => [start / MOST_LOADS, start * MOST_LOADS],
         };
         let is_monotone = match need.sought {
             // A load put on from rest has passed all smaller ones.
-            Sought::Load { .. } | Sought::Angle { .. } => true,
-            Sought::Squeeze { .. } => grasp.is_proportional() && need.base == Wrench::ZERO,
+            Sought::Load | Sought::Angle { .. } => true,
+            Sought::Squeeze => grasp.is_proportional() && need.base == Wrench::ZERO,
             Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } => false,
         };
         let guess = match need.sought {
-            Sought::Load { .. } | Sought::Angle { .. } => Guess::Times,
-            Sought::Squeeze { .. } | Sought::Friction { .. } | Sought::Force { .. } => Guess::Divided,
+            Sought::Load | Sought::Angle { .. } => Guess::Times,
+            Sought::Squeeze | Sought::Friction { .. } | Sought::Force { .. } => Guess::Divided,
             Sought::Arm { .. } => Guess::Nothing,
         };
         let range = Range::of(grasp, need, self.safety, limits)?;
@@ -195,7 +195,7 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
     if matches!(need.sought, Sought::Angle { .. }) && tries(plan.start)?.does() {
         return Ok(Amount::Any { to: plan.start, until: None });
     }
-    let is_squeeze = matches!(need.sought, Sought::Squeeze { .. });
+    let is_squeeze = matches!(need.sought, Sought::Squeeze);
     let at_rest = |does: f64| if is_squeeze { presses(grasp, does) } else { Ok(Default::default()) };
     let far_end = |edge: Threshold| {
         let Threshold { does, does_not: (does_not, trial), .. } = edge;

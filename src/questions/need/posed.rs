@@ -131,9 +131,9 @@ impl<const C: usize> Posed<C> {
 
     pub(super) fn quantity(&self) -> Quantity {
         match self.sought {
-            Sought::Squeeze { .. } => Quantity::Squeeze,
+            Sought::Squeeze => Quantity::Squeeze,
             Sought::Friction { .. } => Quantity::Friction,
-            Sought::Load { .. } => Quantity::Load,
+            Sought::Load => Quantity::Load,
             Sought::Arm { .. } => Quantity::Arm,
             Sought::Angle { .. } => Quantity::Angle,
             Sought::Force { .. } => Quantity::Force,

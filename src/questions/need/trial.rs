@@ -128,7 +128,7 @@ impl<const C: usize> Loading<C> {
         let followed =
             // The carried part of a sufficient amount shows its distance from the bound up to this multiple;
             // a larger one costs longer paths.
-            if matches!(need.sought, Sought::Load { .. }) { MOST_LOADS / amount.max(1.0) } else { 32.0 };
+            if matches!(need.sought, Sought::Load) { MOST_LOADS / amount.max(1.0) } else { 32.0 };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
         Ok(Self { grasp, loads, base, times, words: need.words, followed })
     }
