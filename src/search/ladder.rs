@@ -17,9 +17,10 @@ use super::tolerances::{MANY_CONTACTS, MOST_WORK};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::forms;
-use crate::object::{Problem, twist_by_given_limits};
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::object::{Problem, newton_on_cones, twist_by_given_limits};
+use crate::prelude::*;
 use crate::proofs;
-use crate::structured::propose_by_newton;
 
 /// A rung: its name, when it is tried, and what its equilibria are found by.
 pub(super) struct Rung {
@@ -39,16 +40,11 @@ pub(super) const LADDER: [Rung; 8] = [
     },
     Rung {
         name: "Newton's method",
-        applies: |scene| has_round_cones(scene.problem) || has_many_contacts(scene),
+        applies: |scene| has_round_cones(scene.problem) || has_many_contacts(scene) && !is_on_an_edge(scene),
         climb: newton,
         finds: Some(FoundBy::Newton),
     },
-    Rung {
-        name: "everything yields",
-        applies: |scene| scene.problem.locals().any(|local| local.is_on_an_edge()),
-        climb: everything_yields,
-        finds: None,
-    },
+    Rung { name: "everything yields", applies: is_on_an_edge, climb: everything_yields, finds: None },
     Rung {
         // Of many contacts or coordinates a separating motion is cheaper than any path, and its absence is soon known.
         name: "separating motion of many",
@@ -115,6 +111,11 @@ fn has_many_contacts(scene: &TrialScene<'_, '_>) -> bool {
     scene.problem.len() >= MANY_CONTACTS
 }
 
+/// Whether contacts are on an edge, in rates.
+fn is_on_an_edge(scene: &TrialScene<'_, '_>) -> bool {
+    scene.problem.locals().any(|local| local.is_on_an_edge())
+}
+
 /// Whether contacts or coordinates are many.
 fn is_large(scene: &TrialScene<'_, '_>) -> bool {
     has_many_contacts(scene) || scene.trial.is_banded()
@@ -133,7 +134,12 @@ fn touching_contacts_stick(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
 /// Newton's method on the forces with which contacts respond to a motion of the object, from the elastic trial.
 fn newton(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
     if !has_round_cones(scene.problem) {
-        return Attempt::of(climb(scene.proposing(), &|problem, _| propose_by_newton(problem), log));
+        let propose = |problem: &Problem, _: &mut Log| {
+            let mut contacts = Vec::new();
+            newton_on_cones(problem, (scene.state.twist.clone(), NEGLIGIBLE), &mut contacts)?;
+            Some(contacts.iter().map(|contact| contact.state).collect())
+        };
+        return Attempt::of(climb(scene.proposing(), &propose, log));
     }
     let from = |twist| polish_from(scene.problem, twist);
     let found = from(scene.state.twist.clone());
