@@ -16,8 +16,7 @@
 //! | `sums` | balance there, as sums that change by a few terms |
 //! | `lazy_pricing` | the contacts that can reach the end of their state within a step |
 //! | `tangent` | the tangent stiffness, and balance by steps on it |
-//! | `newton` | Newton's method for balance with any response of the contacts |
-//! | `one_by_one` | contacts that respond to it one by one |
+//! | `newton` | Newton's method for balance, with contacts that respond one by one |
 //! | `correction` | the distance of forces and a twist from the solution of their piece |
 //! | `precise`, `load` | twist, balance and load in twice the working precision |
 //! | `sizes` | sizes that scale rounding |

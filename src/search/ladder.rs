@@ -90,13 +90,12 @@ pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort
     };
     let scene = TrialScene::new(problem, settings, unjumped, trial, state);
     for (number, rung) in LADDER.iter().enumerate().filter(|(_, rung)| (rung.applies)(&scene)) {
-        let settled = match (rung.climb)(&scene, &mut log) {
-            Attempt::Found(found) => {
-                let found_by = rung.finds.unwrap_or(FoundBy::Enumeration);
+        let settled = match ((rung.climb)(&scene, &mut log), rung.finds) {
+            (Attempt::Found(found), Some(found_by)) => {
                 Settled::Found(at_the_least_motion(problem, found), found_by)
             }
-            Attempt::Proof(proof) => proof,
-            Attempt::Nothing => continue,
+            (Attempt::Proof(proof), _) => proof,
+            _ => continue,
         };
         #[cfg(feature = "std")]
         record(&scene, Some(number));

@@ -19,7 +19,7 @@ type Failure = Box<dyn std::error::Error>;
 type Ask<'a> = dyn FnMut(&'static str, &dyn Fn() -> Result<String, Failure>) -> Result<(), Failure> + 'a;
 
 /// Asks about `each` scenes of each family, and about fewer of those with many contacts.
-pub fn ask_all(each: usize, ask: &mut Ask<'_>) -> Result<(), Failure> {
+pub(crate) fn ask_all(each: usize, ask: &mut Ask<'_>) -> Result<(), Failure> {
     for spread in [Spread::Narrow, Spread::Wide, Spread::Stiff] {
         for drawn in drawn(each, &scene::<3, 2>(1..9, spread, 1.0)) {
             in_units("planar contacts", &drawn, ask)?;
