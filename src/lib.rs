@@ -159,6 +159,9 @@ pub use error::{ContactLabel, Error, Field};
 pub use grasp::Limit;
 /// The library of vectors and matrices in questions and answers, in the matching version.
 pub use nalgebra;
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub use search::record;
 
 /// The programs in the README are doctests.
 #[cfg(doctest)]

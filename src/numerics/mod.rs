@@ -19,6 +19,7 @@
 //! | `harmonic` | numbers, vectors and wrenches that turn with an angle |
 //! | `trigonometric` | first sign change of a trigonometric polynomial |
 //! | `on_a_circle` | the angles at which a number is smaller than a vector, while both turn |
+//! | `least_distance` | the shortest vector that meets linear inequalities |
 //! | `nearest_point` | the nearest point of a polyhedral cone |
 //! | `band` | LU of a band matrix |
 //! | `positive_band` | Cholesky factors of a symmetric positive definite band matrix |
@@ -57,6 +58,7 @@ mod gram_schmidt;
 mod harmonic;
 mod increasing;
 mod largest_ball;
+mod least_distance;
 mod linearly_implicit;
 mod mapped;
 mod memory;
@@ -97,6 +99,7 @@ pub(crate) use factors::Factors;
 pub(crate) use harmonic::Harmonic;
 pub(crate) use increasing::increasing;
 pub(crate) use largest_ball::largest_ball;
+pub(crate) use least_distance::least_distance;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use mapped::{largest, mapped, numbered, tried};
 pub(crate) use memory::Memory;

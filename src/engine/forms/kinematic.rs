@@ -152,7 +152,7 @@ pub(crate) fn kinematic_states(problem: &Problem, form: &Form, basis: &Basis) ->
         } else if slipping[contact].is_empty() {
             local.unjumped()
         } else {
-            local.slipping_state(&slipping[contact]).into()
+            local.slipping_state(&slipping[contact])
         }
     };
     problem.locals().enumerate().map(state).collect()

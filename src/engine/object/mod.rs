@@ -16,8 +16,7 @@
 //! | `sums` | balance there, as sums that change by a few terms |
 //! | `lazy_pricing` | the contacts that can reach the end of their state within a step |
 //! | `tangent` | the tangent stiffness, and balance by steps on it |
-//! | `newton` | Newton's method for balance with any response of the contacts |
-//! | `one_by_one` | contacts that respond to it one by one |
+//! | `newton` | Newton's method for balance, with contacts that respond one by one |
 //! | `correction` | the distance of forces and a twist from the solution of their piece |
 //! | `precise`, `load` | twist, balance and load in twice the working precision |
 //! | `sizes` | sizes that scale rounding |
@@ -32,7 +31,6 @@ mod limited;
 mod load;
 mod newton;
 mod null_motions;
-mod one_by_one;
 mod piece;
 mod precise;
 mod problem;
@@ -51,13 +49,12 @@ pub(crate) use free_motions::worked_on;
 pub(crate) use given_limits::{states_by_given_limits, twist_by_given_limits};
 pub(crate) use lazy_pricing::{LazyPricing, Point, slack};
 pub(crate) use load::Load;
-pub(crate) use newton::{Imbalance, StretchAnswers, newton};
-pub(crate) use one_by_one::{newton_on_cones, newton_one_by_one};
+pub(crate) use newton::{Imbalance, newton, newton_on_cones, twist_if_all_stick};
 pub(crate) use piece::{Piece, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::{Lists, Problem};
 pub(crate) use sizes::{largest_force, least_spring_force};
 pub(crate) use solution::{PieceState, SolutionMemory, Unbalanced};
 pub(crate) use sums::{Sums, are_stale};
-pub(crate) use tangent::{TangentFactors, balance, tangent_stiffness};
+pub(crate) use tangent::{balance, tangent_stiffness};
 pub(crate) use tolerances::{NO_FORCE, PRICING_MARGIN};

@@ -1,4 +1,4 @@
-//! Newton's method for balance, with any response of the contacts to a motion of the object.
+//! Newton's method for balance, with contacts that respond to a motion of the object one by one, each to its own stretch.
 //!
 //! Given the twist q each contact's force is explicit, its state with it, so equilibrium is d equations, piecewise smooth:
 //!
@@ -9,12 +9,16 @@
 //! with the tangent stiffness C_i of each contact. A few steps suffice for any number of contacts. But the method may cycle, most often
 //! with few contacts, where Lemke's method does not.
 
+use core::ops::Range;
+
 use nalgebra::SVector;
 
-use super::tangent::TangentFactors;
+use super::problem::Problem;
+use crate::contact::ContactResponse;
 use crate::grasp::Site;
-use crate::numerics::Vector;
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
+use crate::numerics::{Vector, in_halves};
+use crate::prelude::*;
 
 /// R and the sizes of its terms.
 #[derive(Debug, Clone, Default)]
@@ -32,37 +36,47 @@ impl Imbalance {
     }
 
     /// Adds the terms of a contact.
-    pub(crate) fn add(&mut self, site: &Site, force: &SVector<f64, 3>) {
+    fn add(&mut self, site: &Site, force: &SVector<f64, 3>) {
         site.map.push(force, &mut self.left);
         self.size += force.norm();
     }
 
     /// The sum of both.
-    pub(crate) fn plus(self, other: Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         Self { left: self.left + other.left, size: self.size + other.size }
     }
 }
 
-/// Contacts that respond to a motion of the object with forces.
-pub(crate) trait StretchAnswers {
-    /// The imbalance of their forces at a twist.
-    fn answer(&mut self, twist: &Vector) -> Imbalance;
+/// The response of a contact, by number, to a stretch, from its last response.
+type Response<'r> = dyn Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync + 'r;
 
-    /// T at the last twist; `None` where Newton's method should stop.
-    fn tangent(&mut self) -> Option<TangentFactors>;
+/// Newton's method on the cones of a problem: each contact responds with its return map (`contact/answer`), free to change its state.
+pub(crate) fn newton_on_cones(
+    problem: &Problem,
+    (twist, settled): (Vector, f64),
+    contacts: &mut Vec<ContactResponse>,
+) -> Option<(Vector, usize, Imbalance)> {
+    newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &|i, stretch, last| {
+        let near = last.state.slide().map_or(0.0, |slide| slide.lambda);
+        problem.local(i).response(stretch, near)
+    })
 }
 
 /// Newton's method from a twist until forces are out of balance by a part `settled` of their sizes. Returns the twist, the number of steps, and the
-/// remaining imbalance. The contacts then hold their responses at that twist.
+/// remaining imbalance. The responses at that twist are left in `contacts`, a reused list; all are open at first. `beside` is a size of forces below
+/// which the method cannot resolve, such as rounding.
 ///
 /// A step that does not reduce the imbalance enough is halved: otherwise the method jumps
 /// to and fro between two states of a contact. Where no shorter step is better, the whole step is taken.
 pub(crate) fn newton(
-    contacts: &mut impl StretchAnswers,
-    mut twist: Vector,
-    settled: f64,
+    problem: &Problem,
+    (mut twist, settled, beside): (Vector, f64, f64),
+    contacts: &mut Vec<ContactResponse>,
+    response: &Response<'_>,
 ) -> Option<(Vector, usize, Imbalance)> {
-    let mut here = contacts.answer(&twist);
+    contacts.clear();
+    contacts.resize(problem.len(), ContactResponse::open());
+    let mut here = respond(problem, (&twist, beside), contacts, response);
     // Most Newton steps: the method converges in a few.
     for steps in 0..20 {
         let norm = here.left.norm();
@@ -72,22 +86,56 @@ pub(crate) fn newton(
         if !norm.is_finite() {
             break;
         }
-        let step = contacts.tangent()?.solve(&here.left);
-        let mut next = contacts.answer(&(&twist + &step));
-        let mut part = 1.0;
+        let step = problem.tangent_factors(&|i| contacts[i].state).solve(&here.left);
+        let mut at = |part: f64| respond(problem, (&(&twist + &step * part), beside), contacts, response);
+        let (mut part, mut next) = (1.0, at(1.0));
         // Sufficient decrease: a part of a step must reduce the imbalance by at least that part times this.
         // Least part of a step that is tried.
         let shortest = 1e-3;
         while next.left.norm() > (1.0 - SUFFICIENT_DECREASE * part) * norm && part > shortest {
             part *= 0.5;
-            next = contacts.answer(&(&twist + &step * part));
+            next = at(part);
         }
         if part <= shortest {
             part = 1.0;
-            next = contacts.answer(&(&twist + &step));
+            next = at(part);
         }
         twist += step * part;
         here = next;
     }
     None
+}
+
+/// The responses of the contacts to a twist, and the imbalance of their forces.
+fn respond(
+    problem: &Problem,
+    (twist, beside): (&Vector, f64),
+    contacts: &mut [ContactResponse],
+    response: &Response<'_>,
+) -> Imbalance {
+    let part = |(range, contacts): (Range<usize>, &mut [ContactResponse])| {
+        let mut sum = Imbalance::default();
+        for (i, contact) in range.zip(contacts) {
+            *contact = response(i, &problem.stretch(i, twist), contact);
+            if !contact.state.is_open() {
+                sum.add(&problem.sites[i], &contact.force);
+            }
+        }
+        sum
+    };
+    in_halves((0..contacts.len(), contacts), &part, &Imbalance::plus)
+        .plus(Imbalance { left: problem.wrench.clone(), size: problem.wrench.norm() + beside })
+}
+
+/// The twist at which the load is balanced if every contact sticks; `None` where a motion is free.
+pub(crate) fn twist_if_all_stick(problem: &Problem) -> Option<Vector> {
+    let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());
+    let pushed = |contact: usize| {
+        let local = problem.local(contact);
+        local.tangent(&local.unjumped()).force(&problem.drives[contact])
+    };
+    let forces: Vec<_> = (0..problem.len()).map(pushed).collect();
+    factors
+        .is_regular()
+        .then(|| factors.solve(&Imbalance::of(problem.sites, &forces, &problem.wrench, 0.0).left))
 }

@@ -55,7 +55,15 @@ impl TangentFactors {
 }
 
 impl Problem<'_> {
-    /// Factors of T in a band with these states of the contacts, where there are many coordinates.
+    /// Factors of T with these states of the contacts.
+    pub(crate) fn tangent_factors(&self, state: &(dyn Fn(usize) -> State + Sync)) -> TangentFactors {
+        self.tangent_in_a_band(state).unwrap_or_else(|| {
+            let tangent = |i: usize| self.local(i).tangent(&state(i)).matrix();
+            TangentFactors::Whole(Factors::new(&tangent_stiffness(self.sites, tangent)))
+        })
+    }
+
+    /// Factors of T in a band, where there are many coordinates.
     pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State) -> Option<TangentFactors> {
         if !are_many(self.size()) {
             return None;

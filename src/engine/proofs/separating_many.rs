@@ -21,7 +21,7 @@ use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{PositiveBand, Vector, narrow_order, unit, widest};
-use crate::object::{Problem, are_many};
+use crate::object::Problem;
 use crate::prelude::*;
 
 /// The cone of one contact that responds to motions by forces.
@@ -78,13 +78,13 @@ pub(super) enum Left {
     Proof(Vector),
     /// The residual proves nothing.
     Unclear,
-    /// No residual: the load is balanced. Also where coordinates are few, or a law is not a cone.
+    /// No residual: the load is balanced. Also where a law is not a cone.
     Nothing,
 }
 
 /// The residual of a load of length one after rounds of the augmented Lagrangian; `judged` decides whether a residual is a proof.
 pub(super) fn left_of_many(problem: &Problem, judged: &dyn Fn(&Vector) -> bool) -> Left {
-    let Some(mut pushed) = are_many(problem.size()).then(|| PushedBack::of(problem)).flatten() else {
+    let Some(mut pushed) = PushedBack::of(problem) else {
         return Left::Nothing;
     };
     let mut v = pushed.load.clone();

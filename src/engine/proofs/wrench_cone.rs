@@ -21,7 +21,7 @@ use super::tolerances::{CLEAR_RESIDUAL, ESCAPE, LEAST_WORK, MOST_COORDINATES};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::{NearestPoint, Size, Vector, unit};
-use crate::object::Problem;
+use crate::object::{Problem, are_many};
 use crate::prelude::*;
 
 /// A force of one contact whose wrench is one unit long.
@@ -139,14 +139,14 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
 }
 
 /// The unit separating motion in inside coordinates, if there is a clear one.
-pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
-    LoadAndCones::of(problem)?.separating_motion()
-}
-
-/// [`separating_motion`] for many coordinates, by the augmented Lagrangian. Where its residual proves nothing, the nearest forces decide, for at most
+///
+/// With many coordinates the augmented Lagrangian looks for it. Where its residual proves nothing, the nearest forces decide, for at most
 /// [`MOST_COORDINATES`] coordinates.
-pub(crate) fn separating_motion_in_a_band(problem: &Problem) -> Option<Vector> {
+pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     let all = LoadAndCones::of(problem)?;
+    if !are_many(problem.size()) {
+        return all.separating_motion();
+    }
     match left_of_many(problem, &|v| all.is_proof(v)) {
         Left::Proof(v) => Some(v.normalize()),
         Left::Unclear if problem.size().count() <= MOST_COORDINATES => all.separating_motion(),

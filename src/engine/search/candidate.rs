@@ -2,13 +2,12 @@
 
 use core::cell::OnceCell;
 
-use nalgebra::{DMatrix, DVector, Matrix, SVector};
+use nalgebra::{Matrix, SVector};
 
 use super::answer::Found;
 use crate::contact::{At, MOST_SLACK, State, ZERO_SLACK};
-use crate::lcp::{self, Lcp, Outcome};
-use crate::numerics::Vector;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{Vector, least_distance};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
@@ -170,70 +169,35 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The smallest combination τ of motions (orthonormal, inside coordinates; each with its change of forces) that makes
-/// every inequality hold:
-///
-/// ```text
-/// min ½|τ|²  with  b + A τ >= 0      ⟺      0 <= λ ⟂ A Aᵀ λ + b >= 0,   τ = Aᵀλ
-/// ```
-///
-/// AAᵀ is positive semidefinite, so Lemke finds λ whenever the inequalities can be met.
+/// The smallest combination τ of motions (orthonormal, inside coordinates; each with its change of forces) that makes every inequality hold.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],
     values: &[f64],
     sizes: &[f64],
     motions: &[(Vector, Vec<SVector<f64, 3>>)],
-) -> Option<DVector<f64>> {
-    let b = DVector::from_iterator(values.len(), values.iter().zip(sizes).map(|(value, size)| value / size));
-    let mut a = DMatrix::zeros(b.len(), motions.len());
+) -> Option<Vec<f64>> {
+    let mut rows: Vec<_> =
+        values.iter().zip(sizes).map(|(value, size)| (value / size, vec![0.0; motions.len()])).collect();
+    let at_rest = vec![SVector::zeros(); problem.len()];
     for (k, (motion, along)) in motions.iter().enumerate() {
-        let at_rest = vec![SVector::zeros(); problem.len()];
-        let largest = largest_force(
-            problem.sites,
-            &at_rest,
-            motion,
-            problem.wrench.norm(),
-            along.iter().map(Matrix::norm),
-        );
+        let forces = along.iter().map(Matrix::norm);
+        let largest = largest_force(problem.sites, &at_rest, motion, problem.wrench.norm(), forces);
         let mut i = 0;
         for (contact, (state, force)) in states.iter().zip(along).enumerate() {
             let site = &problem.sites[contact];
             let stretch = -site.map.tr_mul(motion);
             let at = At { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, |rate, rate_size| {
-                // The rate is rounding of zero. A very long motion must not satisfy this inequality with it.
-                // A rate of an inequality along a unit motion below this part of its size is rounding of zero.
+                // A rate of an inequality along a unit motion below this part of its size is rounding of zero: a very long motion must not satisfy
+                // the inequality with it.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {
-                    a[(i, k)] = rate / sizes[i];
+                    rows[i].1[k] = rate / sizes[i];
                 }
                 i += 1;
             });
         }
     }
-    let least = |rows: &[usize]| {
-        let (a, b) = (a.select_rows(rows), b.select_rows(rows));
-        let lcp = Lcp::new(&a * a.transpose(), b).ok()?;
-        let Outcome::Solved(solution) = lcp.solve_with(&lcp::Settings::one_path()) else { return None };
-        Some(a.tr_mul(&solution.z))
-    };
-    // With more inequalities than these, the least shift is found by an active set of violated rows instead of from all rows at once.
-    let all_at_once = 200;
-    if b.len() <= all_at_once {
-        return least(&(0..b.len()).collect::<Vec<_>>());
-    }
-    // Few of many inequalities are active: in each round the most violated ones join the active set.
-    let mut rows = Vec::new();
-    let mut left = b.clone();
-    loop {
-        let joins = (0..b.len()).filter(|&i| left[i] < 0.0 && !rows.contains(&i));
-        let mut joins: Vec<usize> = joins.collect();
-        joins.sort_by(|&i, &j| left[i].total_cmp(&left[j]));
-        joins.truncate(problem.size().count());
-        if joins.is_empty() || rows.len() > all_at_once {
-            return least(&rows);
-        }
-        rows.extend(joins);
-        left = &b + &a * least(&rows)?;
-    }
+    rows.retain(|(_, rates)| rates.iter().any(|rate| *rate != 0.0));
+    least_distance(rows)
 }

@@ -1,37 +1,75 @@
-//! The ladder: a list of rungs, the cheapest first, and a loop that climbs it until one rung finds an equilibrium or proves that none exists.
+//! The ladder: ways to find an equilibrium or to prove that none exists. It is climbed until one rung decides.
+//!
+//! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than those below it, or decides less often.
 
-use super::answer::{Doubt, Effort, Rung, Settled};
+use super::answer::{Doubt, Effort, Rung as FoundBy, Settled};
 use super::candidate::{Refused, admit};
+use super::enumerate::search;
 use super::least_motion::at_the_least_motion;
-use super::rungs::{
-    every_case, every_combination, everything_yields, force_form, kinematic_form, kinematic_form_of_a_few,
-    kinematic_form_on_states, kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone,
-    separating_motion, separating_motion_in_a_band, separating_motion_of_many, touching_contacts_stick,
-};
+use super::leaving::propose_of_the_leaving;
+use super::polish::polish_from;
+use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense, propose_structured};
+#[cfg(feature = "std")]
+use super::record::record;
 use super::scene::{Attempt, Log, TrialScene};
 use super::settings::Settings;
-use crate::object::Problem;
+use super::tolerances::{MANY_CONTACTS, MOST_WORK};
+use super::touching::touching_contacts;
+use super::tree::{Tree, has_round_cones, most_cases, search_tree};
+use crate::forms;
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::object::{Problem, newton_on_cones, twist_by_given_limits};
+use crate::prelude::*;
+use crate::proofs;
 
-type TryRung = fn(&TrialScene<'_, '_>, &mut Log) -> Attempt;
+/// A rung: its name, when it is tried, and what its equilibria are found by.
+pub(super) struct Rung {
+    pub(super) name: &'static str,
+    pub(super) applies: fn(&TrialScene<'_, '_>) -> bool,
+    pub(super) climb: fn(&TrialScene<'_, '_>, &mut Log) -> Attempt,
+    /// `None` where the rung proves that no equilibrium exists.
+    finds: Option<FoundBy>,
+}
 
-/// Tries the elastic trial, then rung by rung until a solution or a proof is found.
+pub(super) const LADDER: [Rung; 8] = [
+    Rung {
+        name: "touching contacts",
+        applies: |_| true,
+        climb: touching_contacts_stick,
+        finds: Some(FoundBy::EverythingTouchingSticks),
+    },
+    Rung {
+        name: "Newton's method",
+        applies: |scene| has_round_cones(scene.problem) || has_many_contacts(scene) && !is_on_an_edge(scene),
+        climb: newton,
+        finds: Some(FoundBy::Newton),
+    },
+    Rung { name: "everything yields", applies: is_on_an_edge, climb: everything_yields, finds: None },
+    Rung {
+        // Of many contacts or coordinates a separating motion is cheaper than any path, and its absence is soon known.
+        name: "separating motion of many",
+        applies: is_large,
+        climb: separating_motion,
+        finds: None,
+    },
+    Rung {
+        name: "kinematic form",
+        applies: |_| true,
+        climb: kinematic_form,
+        finds: Some(FoundBy::KinematicForm),
+    },
+    Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
+    Rung {
+        name: "separating motion of few",
+        applies: |scene| !is_large(scene),
+        climb: separating_motion,
+        finds: None,
+    },
+    Rung { name: "every case", applies: |_| true, climb: every_case, finds: Some(FoundBy::Enumeration) },
+];
+
+/// Climbs the ladder from the elastic trial until an equilibrium or a proof is found.
 pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
-    let ladder: [TryRung; 14] = [
-        touching_contacts_stick,
-        newton_on_answers,
-        newton_on_the_round_cone,
-        everything_yields,
-        separating_motion_in_a_band,
-        kinematic_form_of_a_few,
-        separating_motion_of_many,
-        kinematic_form_on_states,
-        kinematic_form,
-        kinematic_form_with_edges,
-        force_form,
-        separating_motion,
-        every_case,
-        every_combination,
-    ];
     let effort = Effort { facets: problem.polygon.normals.len(), ..Effort::default() };
     let mut log = Log { effort, doubt: Doubt::RayWithoutProof };
     let unjumped = problem.unjumped();
@@ -43,24 +81,134 @@ pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort
             return (unbalanced.motion.map_or(on_the_boundary, Settled::FreeMotion), log.effort);
         }
     };
-    // The lowest rung: everything sticks.
     let (unjumped, state) = match admit(problem, unjumped, &trial, state) {
         Ok(found) => {
             let found = at_the_least_motion(problem, found);
-            return (Settled::Found(found, Rung::EverythingSticks), log.effort);
+            return (Settled::Found(found, FoundBy::EverythingSticks), log.effort);
         }
         Err(Refused { states, at, .. }) => (states, at),
     };
     let scene = TrialScene::new(problem, settings, unjumped, trial, state);
-    for attempt in ladder {
-        match attempt(&scene, &mut log) {
-            Attempt::Found(found, rung) => {
-                return (Settled::Found(at_the_least_motion(problem, found), rung), log.effort);
+    for (number, rung) in LADDER.iter().enumerate().filter(|(_, rung)| (rung.applies)(&scene)) {
+        let settled = match ((rung.climb)(&scene, &mut log), rung.finds) {
+            (Attempt::Found(found), Some(found_by)) => {
+                Settled::Found(at_the_least_motion(problem, found), found_by)
             }
-            Attempt::Proof(settled) => return (settled, log.effort),
-            Attempt::Nothing => {}
-            Attempt::Stop => break,
-        }
+            (Attempt::Proof(proof), _) => proof,
+            _ => continue,
+        };
+        #[cfg(feature = "std")]
+        record(&scene, Some(number));
+        return (settled, log.effort);
     }
+    #[cfg(feature = "std")]
+    record(&scene, None);
     (Settled::Undecided(log.doubt), log.effort)
+}
+
+fn has_many_contacts(scene: &TrialScene<'_, '_>) -> bool {
+    scene.problem.len() >= MANY_CONTACTS
+}
+
+/// Whether contacts are on an edge, in rates.
+fn is_on_an_edge(scene: &TrialScene<'_, '_>) -> bool {
+    scene.problem.locals().any(|local| local.is_on_an_edge())
+}
+
+/// Whether contacts or coordinates are many.
+fn is_large(scene: &TrialScene<'_, '_>) -> bool {
+    has_many_contacts(scene) || scene.trial.is_banded()
+}
+
+/// Whether a form is solved with a dense matrix: of many contacts it must be affordable.
+fn may_be_dense(scene: &TrialScene<'_, '_>) -> bool {
+    !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
+}
+
+/// Contacts that would pull are open; all others stick.
+fn touching_contacts_stick(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
+    Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
+}
+
+/// Newton's method on the forces with which contacts respond to a motion of the object, from the elastic trial.
+fn newton(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+    if !has_round_cones(scene.problem) {
+        let propose = |problem: &Problem, _: &mut Log| {
+            let mut contacts = Vec::new();
+            newton_on_cones(problem, (scene.state.twist.clone(), NEGLIGIBLE), &mut contacts)?;
+            Some(contacts.iter().map(|contact| contact.state).collect())
+        };
+        return Attempt::of(climb(scene.proposing(), &propose, log));
+    }
+    let from = |twist| polish_from(scene.problem, twist);
+    let found = from(scene.state.twist.clone());
+    // With many coordinates Tresca friction leads to a nearer twist.
+    Attempt::of(found.or_else(|| twist_by_given_limits(scene.problem).and_then(from)))
+}
+
+/// In rates at a limit load: all contacts on an edge slide, and nothing resists a motion on which the load works.
+fn everything_yields(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
+    let proof = proofs::yields(scene.problem);
+    proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
+}
+
+/// A motion that separates the load from all admissible contact forces.
+fn separating_motion(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
+    let motion = proofs::separating_motion(scene.proposing());
+    motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
+}
+
+/// Lemke's method on the kinematic form. Of many coordinates it pivots on the contacts that leave the trial; else, and where these find nothing, on lists
+/// of contact states, on which a pivot costs a few numbers a contact. Facets for infinite friction come last.
+fn kinematic_form(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+    let on_states = |problem: &Problem, log: &mut Log| propose_structured(scene, problem, log);
+    let mut found = None;
+    if scene.trial.is_banded() {
+        found = climb(
+            scene.proposing(),
+            &|problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log),
+            log,
+        );
+    }
+    let found = found.or_else(|| climb(scene.proposing(), &on_states, log));
+    Attempt::of(found.or_else(|| climb(scene.with_edges()?, &on_states, log)))
+}
+
+/// Lemke's method on the force form.
+fn force_form(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+    let propose = |problem: &Problem, log: &mut Log| {
+        let form = forms::force_form(problem);
+        propose_dense(problem, scene.settings, (form, MOST_WORK), forms::force_states, log)
+    };
+    Attempt::of(climb(scene.proposing(), &propose, log))
+}
+
+/// Every case, where they are few. On the round cone branch and bound divides contact states and directions of friction; elsewhere cases are
+/// combinations of contact states.
+fn every_case(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+    let (most, problem) = (most_cases(scene.problem, scene.settings), scene.proposing());
+    if most > 0 {
+        return match search_tree(scene.problem, &scene.trial, &scene.state, most, None) {
+            Tree::Found(found) => Attempt::Found(found),
+            Tree::Contradicted { cases, escape } => Attempt::Proof(Settled::Contradicted { cases, escape }),
+            Tree::Unresolved(doubt) => {
+                log.doubt = doubt;
+                Attempt::Nothing
+            }
+        };
+    }
+    // A proof on the polygon says nothing about the round cone.
+    if has_round_cones(problem) || !enumerable(problem, scene.settings) {
+        return Attempt::Nothing;
+    }
+    let search = search(problem, true);
+    log.effort.combinations = search.tried;
+    if let Some(found) = search.found.into_iter().next() {
+        return Attempt::Found(found);
+    }
+    if search.doubtful {
+        log.doubt = Doubt::OnTheBoundary;
+        return Attempt::Nothing;
+    }
+    Attempt::Proof(Settled::NoneOf(search.tried))
 }

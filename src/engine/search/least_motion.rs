@@ -2,21 +2,15 @@
 //!
 //! Forces do not depend on free motions V. Any place `q = q₀ + V z` is a solution as long as gaps and slips keep their signs, which are
 //! conditions `c + g·z >= 0`. The place q₀ closes the gaps of contacts that touched before anything moved, in the sense of least squares.
-//! From q₀ the place of least |z| is unique. It depends neither on the rung that found the states nor on the frame:
-//!
-//! ```text
-//! min |z|,    g_i·z >= -c_i       by the nearest point of the cone of (g_i, -c_i) to (0, 1)
-//! ```
-//!
-//! Source: least-distance programming, Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23, section 4.
+//! From q₀ the place of least |z| is unique. It depends neither on the rung that found the states nor on the frame.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::answer::Found;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
-use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{NearestPoint, Vector};
+use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{Vector, least_distance};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -49,7 +43,7 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
             rows.push((*value, changes.map(|(change, _)| change).collect()));
         }
     }
-    if let Some(parts) = least(rows) {
+    if let Some(parts) = least_distance(rows) {
         let moved = found.free_motions.iter().zip(&parts).map(|(v, part)| v * *part);
         found.twist = moved.fold(base, |sum, v| sum + v);
     }
@@ -76,40 +70,4 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
         |_| Vector::zeros(),
         |parts| free.iter().zip(parts.iter()).fold(Vector::zeros(), |sum, (v, part)| sum + v * *part),
     )
-}
-
-/// The least z with `c + g·z >= 0` for all rows (c, g).
-fn least(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
-    let largest = rows.iter().map(|(value, _)| value.abs()).fold(0.0, f64::max);
-    let count = rows.first()?.1.len();
-    let generator = |(value, mut row): (f64, Vec<f64>)| {
-        row.push(if largest > 0.0 { -value / largest } else { 0.0 });
-        let length = row.iter().map(|x| x * x).sum::<f64>().sqrt();
-        for x in &mut row {
-            *x /= length;
-        }
-        row
-    };
-    let generators: Vec<Vec<f64>> = rows.into_iter().map(generator).collect();
-    let mut target = vec![0.0; count + 1];
-    target[count] = 1.0;
-    let mut nearest = NearestPoint::new(&target);
-    for _ in 0..4 * generators.len() + 4 {
-        let works = |k: &usize| {
-            let work: f64 = generators[*k].iter().zip(nearest.residual()).map(|(a, r)| a * r).sum();
-            if nearest.has(*k) { f64::NEG_INFINITY } else { work }
-        };
-        let most = (0..generators.len()).max_by(|a, b| works(a).total_cmp(&works(b)))?;
-        // Tolerance of the nearest point, relative to the largest condition: below it no generator violates its condition.
-        if works(&most) <= SOLVED_ROUNDING {
-            let (parts, last) = nearest.residual().split_at(count);
-            // If the last component of the residual is below this, no place keeps all conditions.
-            return (last[0] > NEGLIGIBLE).then(|| parts.iter().map(|r| -r / last[0] * largest).collect());
-        }
-        if !nearest.take_in(most, &generators[most], &target) {
-            return None;
-        }
-        nearest.settle(&target);
-    }
-    None
 }

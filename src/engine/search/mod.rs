@@ -4,10 +4,10 @@
 //! |---|---|
 //! | `answer` | the end of a search, and its effort |
 //! | `settings` | limits and tolerances that the caller may set |
+//! | `record` | what every rung makes of each search, for a report |
 //! | `scene` | input and result of a rung |
-//! | `ladder` | the list of rungs and the loop over them |
-//! | `rungs` | each way to find an equilibrium or a proof |
-//! | `a_few` | Lemke's method on the few of many contacts that leave the trial |
+//! | `ladder` | each way to find an equilibrium or a proof, in the order in which they are tried |
+//! | `leaving` | Lemke's method on the few of many contacts that leave the trial |
 //! | `touching` | all contacts that touch stick |
 //! | `proposals` | Lemke's method proposes states |
 //! | `candidate` | a proposal solved and checked |
@@ -17,18 +17,18 @@
 //! | `without_force` | what touches without force is open |
 //! | `tree`, `relaxed` | on the round cone: branch and bound over what contacts do |
 
-mod a_few;
 mod answer;
 mod candidate;
 mod enumerate;
 mod ladder;
 mod least_motion;
-mod near_states;
+mod leaving;
 mod polish;
 mod proposals;
+#[cfg(feature = "std")]
+pub mod record;
 mod relaxed;
 mod round_pieces;
-mod rungs;
 mod scene;
 mod settings;
 mod small_motions;

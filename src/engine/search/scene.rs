@@ -5,7 +5,7 @@ use core::cell::OnceCell;
 
 use nalgebra::SVector;
 
-use super::answer::{Doubt, Effort, Found, Rung, Settled};
+use super::answer::{Doubt, Effort, Found, Settled};
 use super::settings::Settings;
 use crate::contact::{Polygon, PolygonCone, State, tangential_norm};
 use crate::object::{Piece, PieceState, Problem};
@@ -55,18 +55,16 @@ impl<'s, 'g> TrialScene<'s, 'g> {
 
 /// Result of one rung.
 pub(super) enum Attempt {
-    Found(Found, Rung),
+    Found(Found),
     /// A proof that no equilibrium exists.
     Proof(Settled),
     /// Neither; the next rung follows.
     Nothing,
-    /// Neither, and the rungs above cost more than the answer is worth.
-    Stop,
 }
 
 impl Attempt {
-    pub(super) fn by(rung: Rung, found: Option<Found>) -> Self {
-        found.map_or(Self::Nothing, |found| Self::Found(found, rung))
+    pub(super) fn of(found: Option<Found>) -> Self {
+        found.map_or(Self::Nothing, Self::Found)
     }
 }
 

@@ -12,7 +12,7 @@ use super::basis::{COVER, PERTURBED, StateBasis, TRIAL};
 use super::contact_form::ContactForm;
 use super::tolerances::TIE;
 use super::variables::{Candidate, Entering, PivotStep, Vanishing};
-use crate::contact::{LocalLaw, Mode, PolygonState};
+use crate::contact::{LocalLaw, Mode, State};
 use crate::lcp::tolerances::DOUBTFUL_PIVOT;
 use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::numerics::{Bordered, Vector};
@@ -102,7 +102,7 @@ impl Path {
     }
 
     /// The present state of a contact with this law.
-    pub(super) fn state(&self, contact: usize, law: &LocalLaw<'_>) -> PolygonState {
+    pub(super) fn state(&self, contact: usize, law: &LocalLaw<'_>) -> State {
         let (active, gap) = (&self.basis.active[contact], self.form.locals[contact].contact.gap);
         if law.is_absent() || (gap && active.has(0)) {
             return Mode::Open;

@@ -1,8 +1,6 @@
 //! Contact states proposed to the ladder of `search`, which solves and checks them.
 
-use super::newton::newton;
 use super::path::{Path, PivotEnd};
-use super::solution::Solution;
 use crate::contact::State;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
@@ -16,13 +14,6 @@ pub(crate) struct Proposal {
     pub(crate) pairs: usize,
     /// Whether a path ended at a limit or a breakdown, not on a ray.
     pub(crate) cut_short: bool,
-}
-
-/// Contact states by Newton's method on the return maps, if it converges.
-pub(crate) fn propose_by_newton(problem: &Problem) -> Option<Vec<State>> {
-    let mut solution = Solution::default();
-    newton(problem, &mut solution)?;
-    Some(solution.states.into_iter().map(State::from).collect())
 }
 
 /// Follows Lemke's path on the kinematic form from the trial state. After each failure it follows the path of another
@@ -52,7 +43,7 @@ pub(crate) fn propose(
         proposal.pivots = path.pivots;
         match end {
             PivotEnd::Complementary => {
-                let states = problem.locals().enumerate().map(|(i, law)| path.state(i, &law).into());
+                let states = problem.locals().enumerate().map(|(i, law)| path.state(i, &law));
                 proposal.states = Some(states.collect());
                 return proposal;
             }

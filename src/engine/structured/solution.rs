@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::basis::TRIAL;
 use super::path::Path;
 use super::tolerances::{ACCURATE_SOLUTION, BALANCED_SOLUTION, TRIAL_ROUNDING};
-use crate::contact::{PolygonState, SMALLEST};
+use crate::contact::SMALLEST;
 use crate::numerics::{Bordered, Vector};
 use crate::object::{Facet, Problem};
 use crate::prelude::*;
@@ -16,15 +16,13 @@ pub(super) struct Solution {
     /// The least motion of the object, in inside coordinates.
     pub(super) twist: Vector,
     pub(super) forces: Vec<SVector<f64, 3>>,
-    /// The states of the contacts, if Newton's method found it.
-    pub(super) states: Vec<PolygonState>,
     /// The largest violation of a condition, over the sizes of its terms.
     pub(super) residual: f64,
 }
 
 impl Default for Solution {
     fn default() -> Self {
-        Self { twist: Vector::zeros(), forces: Vec::new(), states: Vec::new(), residual: f64::INFINITY }
+        Self { twist: Vector::zeros(), forces: Vec::new(), residual: f64::INFINITY }
     }
 }
 

@@ -4,9 +4,8 @@ use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::newton::newton;
+use super::newton::{newton, trial_holds};
 use super::path::{Path, PivotEnd};
-use super::round_cone;
 use super::solution::Solution;
 use super::view::{EquilibriumView, Search, Viewed};
 use crate::contact::{ContactResponse, Law, Polygon, PolygonCone};
@@ -14,7 +13,7 @@ use crate::error::Error;
 use crate::forms::Row;
 use crate::grasp::{Engine, Site, Space, Twist, Wrench};
 use crate::numerics::{Memory, Orthogonal, Vector, without};
-use crate::object::{Problem, spring_rows, stretched_into, worked_on};
+use crate::object::{Problem, spring_rows, stretched_into, twist_if_all_stick, worked_on};
 use crate::prelude::*;
 
 /// Memory for equilibria of one grasp after another, by Lemke's method on lists of contact states.
@@ -114,7 +113,12 @@ impl Workspace {
     fn seek(&mut self, problem: &mut Problem, other_paths: usize) -> Option<bool> {
         // Number of contacts from which Newton's method is tried first.
         let newton_first = other_paths > 0 && problem.len() >= 32 && !self.asked.round;
-        self.newton_steps = newton_first.then(|| newton(problem, &mut self.solution)).flatten();
+        self.newton_steps = None;
+        if newton_first && let Some(from) = twist_if_all_stick(problem) {
+            // The start is a step, too.
+            let steps = newton(problem, from, &mut self.answers, &mut self.solution);
+            self.newton_steps = steps.map(|steps| steps + 1);
+        }
         if self.newton_steps.is_some() {
             return Some(true);
         }
@@ -135,7 +139,7 @@ impl Workspace {
             problem.round = true;
             let trial = self.least_motion(&self.travelled);
             let Self { x, answers, solution, .. } = self;
-            if round_cone::trial_holds(problem, (x, &trial), answers, solution) {
+            if trial_holds(problem, (x, &trial), answers, solution) {
                 return true;
             }
             if self.newton_on_the_round_cone(problem, trial) {
@@ -151,7 +155,7 @@ impl Workspace {
     }
 
     fn newton_on_the_round_cone(&mut self, problem: &Problem, from: Vector) -> bool {
-        self.newton_steps = round_cone::newton(problem, from, &mut self.answers, &mut self.solution);
+        self.newton_steps = newton(problem, from, &mut self.answers, &mut self.solution);
         let twist = core::mem::take(&mut self.solution.twist);
         self.solution.twist = without(twist, &self.free);
         self.newton_steps.is_some()
@@ -166,7 +170,7 @@ impl Workspace {
             return [state.is_open().then_some(gap), state.slides().then_some(slip(0)), None];
         }
         if self.newton_steps.is_some() {
-            let state = &self.solution.states[contact];
+            let state = &self.answers[contact].state;
             let [first, second] = state.own_facets(self.polygon.normals.len());
             return [state.is_open().then_some(gap), first.map(slip), second.map(slip)];
         }

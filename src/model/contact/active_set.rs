@@ -104,7 +104,7 @@ impl LocalLaw<'_> {
             return Some(State::sliding_along(&facets[0]));
         }
         let numbers = (0_u16..).zip(self.facets()).filter(|(_, h)| facets.contains(h)).map(|(j, _)| j);
-        Some(self.slipping_state(&numbers.collect::<Vec<_>>()).into())
+        Some(self.slipping_state(&numbers.collect::<Vec<_>>()))
     }
 
     /// Removes the facets, or the apex, from which the contact moves away.
@@ -198,7 +198,7 @@ impl LocalLaw<'_> {
             facets.push(number(second)?);
         }
         facets.sort_unstable();
-        Some(self.slipping_state(&facets).into())
+        Some(self.slipping_state(&facets))
     }
 
     /// The inverse of [`Self::of_the_rates`]: a state among the facets of the whole law as a state of the rates, with facets numbered among those of

@@ -17,8 +17,7 @@ use super::compliance::Compliance;
 use super::law::{Law, LocalLaw};
 use super::polygon::corner;
 use super::slide::Slide;
-use super::state::{Mode, PolygonState, State};
-use super::tangent::Tangent;
+use super::state::{Mode, State};
 use super::tangential::{cross, tangential_norm};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -79,35 +78,36 @@ impl LocalLaw<'_> {
         slide
     }
 
-    /// State, force and tangent at a stretch on the polygon: the nearest force of the cone in the metric K⁻¹.
+    /// The force at a stretch on the cone of the question: round, or a polygon.
     #[inline]
-    pub(crate) fn answer_on_polygon(
-        &self,
-        stretch: &SVector<f64, 3>,
-    ) -> (PolygonState, SVector<f64, 3>, Tangent) {
+    pub(crate) fn response(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
+        if self.on_round_cone { self.answer(stretch, near) } else { self.answer_on_polygon(stretch) }
+    }
+
+    /// The force at a stretch on the polygon: the nearest one of the cone in the metric K⁻¹.
+    #[inline]
+    fn answer_on_polygon(&self, stretch: &SVector<f64, 3>) -> ContactResponse {
+        if self.is_absent() {
+            return ContactResponse::open();
+        }
         let trial = self.springs.force(stretch);
         let facets = self.facets();
         let state = self.state_on_polygon(facets, &trial);
-        match state {
-            Mode::Open => (state, SVector::zeros(), Tangent::Open),
-            Mode::Sticking => (state, trial, Tangent::Sticking(self.springs.diagonal())),
+        let force = match state {
+            Mode::Open => SVector::zeros(),
+            Mode::Sticking | Mode::Round(_) => trial,
             Mode::Facet(j) => {
-                let h = facets[usize::from(j)];
-                let edge = Slide { direction: h, lambda: 0.0 }.edge(self.springs);
-                let excess = -self.cone().facet_margin(&trial, &h);
-                (state, trial - edge.pull * excess, self.sliding_tangent(&edge))
+                let excess = -self.cone().facet_margin(&trial, &facets[usize::from(j)]);
+                trial - self.edge(&state).pull * excess
             }
-            Mode::Corner(_) => {
-                let edge = self.edge(&State::from(state));
-                (state, self.cone().generator(&edge.pull) * trial[0], self.sliding_tangent(&edge))
-            }
-            Mode::Round(never) => match never {},
-        }
+            Mode::Corner(_) => self.cone().generator(&self.edge(&state).pull) * trial[0],
+        };
+        ContactResponse { state, force }
     }
 
     /// The state at a trial force `K v`, the force of springs without opening or slip.
     #[inline]
-    fn state_on_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>) -> PolygonState {
+    fn state_on_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>) -> State {
         if trial[0] <= 0.0 && self.may_open() {
             return Mode::Open;
         }
@@ -125,12 +125,7 @@ impl LocalLaw<'_> {
     }
 
     /// The state on the polygon `h·F_t <= r` at the point nearest to a trial force.
-    fn nearest_of_polygon(
-        &self,
-        facets: &[SVector<f64, 3>],
-        trial: &SVector<f64, 3>,
-        r: f64,
-    ) -> PolygonState {
+    fn nearest_of_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>, r: f64) -> State {
         let after = |j: u16| if usize::from(j) + 1 == facets.len() { 0 } else { j + 1 };
         let (mut facet, mut last, mut most) = (0_u16, 0, f64::NEG_INFINITY);
         for (j, h) in (0_u16..).zip(facets) {

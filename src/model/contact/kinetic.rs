@@ -17,12 +17,7 @@ impl LocalLaw<'_> {
     /// State and force on the sliding cone of a contact that has just begun to slide, at the stretch at which it left the cone of rest. `None`
     /// where its force does not change: from an apex it starts without force.
     pub(crate) fn relaxed(&self, stretch: &SVector<f64, 3>) -> Option<ContactResponse> {
-        let answer = if self.on_round_cone {
-            self.answer(stretch, 0.0)
-        } else {
-            let (state, force, _) = self.answer_on_polygon(stretch);
-            ContactResponse { state: state.into(), force }
-        };
+        let answer = self.response(stretch, 0.0);
         answer.state.slides().then_some(answer)
     }
 }

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use super::compliance::Compliance;
 use super::coulomb::Coulomb;
 use super::polygon::Polygon;
-use super::state::{Mode, PolygonState, State};
+use super::state::{Mode, State};
 use crate::prelude::*;
 
 /// The conditions that a contact has.
@@ -176,7 +176,7 @@ impl<'c> LocalLaw<'c> {
 
     /// The state in which these facets slip, in ascending order. Facets beyond one edge or corner of the cone can slip together only at its
     /// apex, F = 0.
-    pub(crate) fn slipping_state(&self, facets: &[u16]) -> PolygonState {
+    pub(crate) fn slipping_state(&self, facets: &[u16]) -> State {
         let count = self.facets().len();
         match *facets {
             [] => Mode::Sticking,

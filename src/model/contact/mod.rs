@@ -65,7 +65,7 @@ pub(crate) use polygon::Polygon;
 pub(crate) use resistance::Resistance;
 pub(crate) use slide::Slide;
 pub(crate) use springs::Spring;
-pub(crate) use state::{Mode, PolygonState, State};
+pub(crate) use state::{Mode, State};
 pub(crate) use tangent::Tangent;
 pub(crate) use tangential::{cross, tangential, tangential_norm};
 pub(crate) use tolerances::{MOST_SLACK, SMALLEST, WEIGHTLESS, ZERO_SLACK};

@@ -1,7 +1,5 @@
 //! The states of a contact, with their data.
 
-use core::convert::Infallible;
-
 use nalgebra::SVector;
 
 use super::slide::Slide;
@@ -28,9 +26,6 @@ pub(crate) enum Mode<R> {
 
 /// A state on any cone.
 pub(crate) type State = Mode<Slide>;
-
-/// A state on a polygon, in few bytes: memory limits passes over many contacts.
-pub(crate) type PolygonState = Mode<Infallible>;
 
 impl<R> Mode<R> {
     pub(crate) fn slides(&self) -> bool {
@@ -75,17 +70,5 @@ impl State {
     /// A slide on the round cone with a friction force along a tangent, whose slip so far is part of the drive.
     pub(crate) fn sliding_along(friction: &SVector<f64, 3>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
-    }
-}
-
-impl From<PolygonState> for State {
-    fn from(state: PolygonState) -> Self {
-        match state {
-            Mode::Open => Self::Open,
-            Mode::Sticking => Self::Sticking,
-            Mode::Facet(j) => Self::Facet(j),
-            Mode::Corner(j) => Self::Corner(j),
-            Mode::Round(never) => match never {},
-        }
     }
 }

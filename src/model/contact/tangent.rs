@@ -68,14 +68,11 @@ impl LocalLaw<'_> {
         match state {
             Mode::Open => Tangent::Open,
             Mode::Sticking => Tangent::Sticking(self.springs.diagonal()),
-            Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => self.sliding_tangent(&self.edge(state)),
+            Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => {
+                let Edge { pull, across, stiffness } = self.edge(state);
+                let drag = self.cone().generator(&pull) * self.springs.force_along(0, 1.0);
+                Tangent::Sliding { drag, across, stiffness }
+            }
         }
-    }
-
-    /// C of a contact that slides on this edge.
-    #[inline]
-    pub(super) fn sliding_tangent(&self, edge: &Edge) -> Tangent {
-        let drag = self.cone().generator(&edge.pull) * self.springs.force_along(0, 1.0);
-        Tangent::Sliding { drag, across: edge.across, stiffness: edge.stiffness }
     }
 }

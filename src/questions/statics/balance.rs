@@ -4,9 +4,9 @@ use crate::contact::Polygon;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Vector;
-use crate::object::{Load, are_many};
+use crate::object::Load;
 use crate::prelude::*;
-use crate::proofs::{separating_motion, separating_motion_in_a_band};
+use crate::proofs::separating_motion;
 use crate::search::Settings;
 
 impl Engine {
@@ -20,12 +20,7 @@ impl Engine {
         let load = Load::from(&self.load_alone(load, "load")?);
         let polygon = Polygon::shared(self.space(), &settings.cone);
         let problem = self.problem(polygon, settings.is_round(self.space()), self.drives(), &load);
-        let motion = if are_many(self.size()) {
-            separating_motion_in_a_band(&problem)
-        } else {
-            separating_motion(&problem)
-        };
-        Ok(motion.map(|v| v.as_slice().to_vec()))
+        Ok(separating_motion(&problem).map(|v| v.as_slice().to_vec()))
     }
 
     /// The work of this load and of the constant loads along such a motion.

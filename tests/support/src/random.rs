@@ -2,9 +2,10 @@
 
 use nalgebra::SVector;
 use proptest::prelude::*;
+use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, FileFailurePersistence};
 
-use super::samples::{config, runner};
+use super::samples::{config, runner, samples};
 use super::scene::{Datum, Scene, displacement, wrench};
 
 /// How stiffnesses and friction coefficients are drawn.
@@ -111,6 +112,13 @@ pub fn scene<const D: usize, const C: usize>(
         let load = balancing_load(&contacts, &(twist * motion)) * factor;
         Scene { contacts, load }
     })
+}
+
+/// This many scenes of a strategy by default, the same in every run.
+pub fn drawn<S: Strategy>(default: usize, strategy: &S) -> Vec<S::Value> {
+    let mut runner = runner(config(default));
+    let draw = |_| strategy.new_tree(&mut runner).expect("a scene").current();
+    (0..samples(default)).map(draw).collect()
 }
 
 /// Tests a property on random scenes, by default on this many, the same in every run.

@@ -8,7 +8,7 @@ use crate::load_path::tolerances::SHORTEST_STEP;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Vector, cleared_for};
-use crate::object::{Problem, newton_one_by_one};
+use crate::object::{Problem, newton};
 use crate::prelude::*;
 
 /// The state at a place of the path, in inside coordinates.
@@ -124,7 +124,7 @@ fn equilibrium_after(
         problem.local(i).answer_after(&before[i], stretch)
     };
     // Imbalance that Newton's method may leave, relative to the forces: below the error of any step.
-    (to.twist, ..) = newton_one_by_one(problem, (near, SOLVED_ROUNDING, rounded), answers, answer)?;
+    (to.twist, ..) = newton(problem, (near, SOLVED_ROUNDING, rounded), answers, &answer)?;
     to.slips.clone_from(&from.slips);
     cleared_for(&mut to.forces, answers.len());
     cleared_for(&mut to.states, answers.len());

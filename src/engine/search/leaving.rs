@@ -6,12 +6,11 @@
 use alloc::sync::Arc;
 
 use super::candidate::breaking;
-use super::near_states::{beside, regular};
 use super::proposals::propose_dense;
 use super::scene::{Log, TrialScene};
 use super::settings::Settings;
 use super::tolerances::MOST_WORK;
-use crate::contact::State;
+use crate::contact::{Mode, State};
 use crate::forms::{Moved, kinematic_form_among, kinematic_states};
 use crate::object::{Piece, PieceState, Problem, states_by_given_limits};
 use crate::prelude::*;
@@ -46,7 +45,7 @@ impl Base {
 }
 
 /// States in which no contact breaks a condition, or `None` if the paths find none.
-pub(super) fn propose_of_a_few(
+pub(super) fn propose_of_the_leaving(
     scene: &TrialScene<'_, '_>,
     problem: &Problem,
     log: &mut Log,
@@ -106,6 +105,36 @@ fn pivoted(
             return Some(states);
         }
         among.extend(joins);
+    }
+    None
+}
+
+/// The contacts that share a coordinate with one of `among`, these included, in order.
+fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
+    let felt = |i: usize| problem.sites[i].support.ranges().into_iter().flatten();
+    let mut is_near = vec![false; problem.size().count()];
+    among.iter().flat_map(|i| felt(*i)).for_each(|k| is_near[k] = true);
+    (0..problem.len()).filter(|i| felt(*i).any(|k| is_near[k])).collect()
+}
+
+/// The states, with further contacts sticking until no motion is loose. For each loose motion the contact with the largest displacement sticks,
+/// among the contacts that do not. `None` if motions are still loose after all rounds.
+fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
+    // Most rounds of sticking further contacts before the states are given up.
+    for _ in 0..8 {
+        let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
+        if loose.is_empty() {
+            return Some(states);
+        }
+        for motion in &loose {
+            let moved = |i: usize| {
+                let moved = problem.sites[i].map.tr_mul(motion);
+                if states[i].is_open() { moved.norm() } else { moved.rows(1, 2).norm() }
+            };
+            let may_stick = |i: &usize| !states[*i].is_sticking() && !problem.local(*i).is_absent();
+            let most = (0..states.len()).filter(may_stick).max_by(|a, b| moved(*a).total_cmp(&moved(*b)))?;
+            states[most] = Mode::Sticking;
+        }
     }
     None
 }

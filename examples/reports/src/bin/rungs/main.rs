@@ -1,0 +1,89 @@
+//! How often each rung of the search for an equilibrium decides, in what time, and which of its searches another rung decides, too.
+//!
+//! Everyday and odd scenes, load paths, bodies, from the generators of the tests. After each decision all rungs are climbed alone.
+//!
+//! `cargo run --release -p reports --bin rungs [scenes of each family]` (40 by default)
+
+mod families;
+
+use std::collections::BTreeMap;
+
+use grasp_lcp::record::{Climb, Made, names, recorded};
+
+type Failure = Box<dyn std::error::Error>;
+
+fn main() -> Result<(), Failure> {
+    let each = std::env::args().nth(1).map_or(Ok(40), |text| text.parse::<usize>())?;
+    let mut climbs: BTreeMap<&str, Vec<Climb>> = BTreeMap::new();
+    families::ask_all(each, &mut |family, question| {
+        let (answer, mut recorded) = recorded(question);
+        climbs.entry(family).or_default().append(&mut recorded);
+        answer.map(drop)
+    })?;
+    by_family(&climbs);
+    let all: Vec<_> = climbs.into_values().flatten().collect();
+    by_rung(&all);
+    instead(&all);
+    Ok(())
+}
+
+/// For each family, how many searches each rung decides.
+fn by_family(climbs: &BTreeMap<&str, Vec<Climb>>) {
+    println!("Searches that go beyond the elastic trial, by the rung that decides:\n");
+    let heads: String = names().iter().map(|name| format!("{:>12}", short(name))).collect();
+    println!("{:<28}{heads}{:>12}", "", "undecided");
+    for (family, climbs) in climbs {
+        let count = |rung: Option<usize>| climbs.iter().filter(|climb| climb.decided == rung).count();
+        let counts: String = (0..names().len()).map(|rung| format!("{:>12}", count(Some(rung)))).collect();
+        println!("{family:<28}{counts}{:>12}", count(None));
+    }
+}
+
+/// For each rung, how often it decides, how often it could alone, and its times.
+fn by_rung(climbs: &[Climb]) {
+    println!(
+        "\n{:<28}{:>9}{:>9}{:>9}{:>9}{:>9}{:>12}{:>12}",
+        "", "decides", "finds", "proves", "could", "tried", "median µs", "longest µs"
+    );
+    for (rung, name) in names().into_iter().enumerate() {
+        let decided = climbs.iter().filter(|climb| climb.decided == Some(rung));
+        let made = |made: Made| climbs.iter().filter(|climb| climb.rungs[rung].0 == made).count();
+        let of = |kind: Made| decided.clone().filter(|climb| climb.rungs[rung].0 == kind).count();
+        let [found, proved] = [of(Made::Found), of(Made::Proved)];
+        let tried = climbs.len() - made(Made::Untried);
+        let mut times: Vec<_> = decided.map(|climb| 1e6 * climb.rungs[rung].1).collect();
+        times.sort_by(f64::total_cmp);
+        let median = times.get(times.len() / 2).copied().unwrap_or(f64::NAN);
+        let longest = times.last().copied().unwrap_or(f64::NAN);
+        let could = made(Made::Found) + made(Made::Proved);
+        println!(
+            "{name:<28}{:>9}{found:>9}{proved:>9}{could:>9}{tried:>9}{median:>12.1}{longest:>12.1}",
+            found + proved
+        );
+    }
+}
+
+/// For each rung, what becomes of its searches without it: the next rung that decides, and how much longer that takes.
+fn instead(climbs: &[Climb]) {
+    println!("\nWithout a rung, its searches are decided by others, in more time by this factor (median):\n");
+    for (rung, name) in names().into_iter().enumerate() {
+        let mut others: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
+        for climb in climbs.iter().filter(|climb| climb.decided == Some(rung)) {
+            let decides = |other: &usize| matches!(climb.rungs[*other].0, Made::Found | Made::Proved);
+            let other = (rung + 1..climb.rungs.len()).find(decides);
+            let time = |to: usize| climb.rungs[rung + 1..=to].iter().map(|(_, time)| time).sum::<f64>();
+            let factor = other.map_or(f64::NAN, |other| time(other) / climb.rungs[rung].1);
+            others.entry(other.map_or("none", |other| names()[other])).or_default().push(factor);
+        }
+        let said = others.into_iter().map(|(other, mut factors)| {
+            factors.sort_by(f64::total_cmp);
+            format!("{other} {} (×{:.2})", factors.len(), factors[factors.len() / 2])
+        });
+        println!("{name:<28}{}", said.collect::<Vec<_>>().join(", "));
+    }
+}
+
+/// The head of a column.
+fn short(name: &str) -> String {
+    name.split(' ').map(|word| word.chars().take(5).collect::<String>()).take(2).collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,68 @@
+//! A record of what every rung of the ladder makes of each search, for the report `rungs`.
+
+use std::cell::RefCell;
+use std::time::Instant;
+
+use super::answer::{Doubt, Effort};
+use super::ladder::LADDER;
+use super::scene::{Attempt, Log, TrialScene};
+
+/// The result of one rung in one search.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Made {
+    /// The rung does not apply to the search.
+    Untried,
+    /// Neither an equilibrium nor a proof.
+    Nothing,
+    /// An equilibrium.
+    Found,
+    /// A proof that no equilibrium exists.
+    Proved,
+}
+
+/// One search: what each rung makes of it alone.
+#[derive(Debug, Clone)]
+pub struct Climb {
+    /// The number of the rung that decided; `None` where the search stayed undecided.
+    pub decided: Option<usize>,
+    /// The result of each rung, and its time, s.
+    pub rungs: Vec<(Made, f64)>,
+}
+
+std::thread_local! {
+    static RECORD: RefCell<Option<Vec<Climb>>> = const { RefCell::new(None) };
+}
+
+/// The names of the rungs, from below.
+pub fn names() -> Vec<&'static str> {
+    LADDER.iter().map(|rung| rung.name).collect()
+}
+
+/// Asks a question, and returns with its answer all of its searches that went beyond the elastic trial.
+pub fn recorded<T>(ask: impl FnOnce() -> T) -> (T, Vec<Climb>) {
+    RECORD.set(Some(Vec::new()));
+    let answer = ask();
+    (answer, RECORD.take().unwrap_or_default())
+}
+
+/// Records a search that this rung has decided, if the thread records any: each rung is climbed once more, alone.
+pub(super) fn record(scene: &TrialScene<'_, '_>, decided: Option<usize>) {
+    if RECORD.with_borrow(Option::is_none) {
+        return;
+    }
+    let mut log = Log { effort: Effort::default(), doubt: Doubt::RayWithoutProof };
+    let mut rungs = Vec::with_capacity(LADDER.len());
+    for rung in &LADDER {
+        let start = Instant::now();
+        let made = match (rung.applies)(scene).then(|| (rung.climb)(scene, &mut log)) {
+            None => Made::Untried,
+            Some(Attempt::Nothing) => Made::Nothing,
+            Some(Attempt::Found(_)) => Made::Found,
+            Some(Attempt::Proof(_)) => Made::Proved,
+        };
+        rungs.push((made, start.elapsed().as_secs_f64()));
+    }
+    RECORD.with_borrow_mut(|record| {
+        record.iter_mut().for_each(|list| list.push(Climb { decided, rungs: rungs.clone() }))
+    });
+}
