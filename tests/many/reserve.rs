@@ -105,7 +105,7 @@ fn reserves_come_near_to_quantiles() {
             finger.series_stiffness(*normal, *tangential).friction(*mu).pressed_with(*newtons)
         });
         let grasp = planar::Grasp::new(fingers).unwrap();
-        for k in 0..2 {
+        for k in 0..5 {
             let (y, x) = (TAU * (shift + 0.37 * f64::from(k))).sin_cos();
             plane.add(
                 &grasp,
@@ -126,7 +126,7 @@ fn reserves_come_near_to_quantiles() {
         let top = spatial::Contact::new([0.0, 0.0, 0.03], [0.0, 0.0, -1.0]);
         let top = top.series_stiffness(1e3, 8e2).friction(0.5).pressed_with(6.0);
         let grasp = spatial::Grasp::new(tips.chain([top])).unwrap();
-        for _ in 0..2 {
+        for _ in 0..5 {
             let force = [(); 3].map(|()| random.between(-1.0, 1.0));
             space.add(
                 &grasp,
