@@ -49,8 +49,9 @@ struct Compared {
     unsafe_ones: usize,
     /// Less than four fifths of the quantile.
     far_below: usize,
-    /// No reserve at all where the quantile is above zero.
-    none: usize,
+    /// Less than that where more than a fifth of the samples below the quantile slide at rest already: there a small error of that probability decides
+    /// how much load is left.
+    near_sliding_at_rest: usize,
 }
 
 impl Compared {
@@ -70,9 +71,10 @@ impl Compared {
             self.unsafe_ones += usize::from(below > expected + 4.0 * expected.sqrt());
             if held < 0.8 * quantile {
                 println!("{held} of {quantile} with {sigmas} deviations, {off:?}");
-                // What all but slides at rest is told no reserve.
-                self.far_below += usize::from(held > 0.0);
-                self.none += usize::from(held == 0.0);
+                let at_rest = onsets.iter().filter(|onset| **onset == 0.0).count() as f64;
+                let is_near = at_rest > 0.2 * expected;
+                self.far_below += usize::from(!is_near);
+                self.near_sliding_at_rest += usize::from(is_near);
             }
         }
     }
@@ -105,7 +107,7 @@ fn reserves_come_near_to_quantiles() {
             finger.series_stiffness(*normal, *tangential).friction(*mu).pressed_with(*newtons)
         });
         let grasp = planar::Grasp::new(fingers).unwrap();
-        for k in 0..2 {
+        for k in 0..5 {
             let (y, x) = (TAU * (shift + 0.37 * f64::from(k))).sin_cos();
             plane.add(
                 &grasp,
@@ -126,7 +128,7 @@ fn reserves_come_near_to_quantiles() {
         let top = spatial::Contact::new([0.0, 0.0, 0.03], [0.0, 0.0, -1.0]);
         let top = top.series_stiffness(1e3, 8e2).friction(0.5).pressed_with(6.0);
         let grasp = spatial::Grasp::new(tips.chain([top])).unwrap();
-        for _ in 0..2 {
+        for _ in 0..5 {
             let force = [(); 3].map(|()| random.between(-1.0, 1.0));
             space.add(
                 &grasp,
@@ -135,8 +137,9 @@ fn reserves_come_near_to_quantiles() {
             );
         }
     }
-    for (compared, place) in [(plane, "in the plane"), (space, "in space")] {
-        println!("{place}: {compared:?}");
+    let both = [(plane, "in the plane"), (space, "in space")];
+    both.iter().for_each(|(compared, place)| println!("{place}: {compared:?}"));
+    for (compared, place) in both {
         assert_eq!(compared.unsafe_ones, 0, "{place}: {compared:?}");
         assert!(compared.far_below * 20 <= compared.asked.max(20), "{place}: {compared:?}");
     }

@@ -11,8 +11,12 @@ type Tested = Result<(), grasp_lcp::Error>;
 
 /// Scenes that are drawn for each quantity.
 const SCENES: usize = 2;
-/// Amounts that are tried in each scene, at a random place in equal parts of the reach.
-const AMOUNTS: i32 = 12;
+/// Amounts that are tried in each scene, at a random place in equal parts of the reach: by default, and where more scenes are drawn.
+const AMOUNTS: [i32; 2] = [12, 200];
+/// What an answer that rests on trials may have missed in a narrow window between two of them.
+const UNSEEN: &str = "no amount, but one holds";
+const UNSEEN_BELOW: &str = "less would do";
+const UNSEEN_ABOVE: &str = "any does, but one fails";
 /// How far below and above an answer they reach.
 const REACH: f64 = 16.0;
 
@@ -141,15 +145,26 @@ fn is_met<const C: usize>(
     draw: &dyn Fn(&mut Random) -> Result<Scene<C>, grasp_lcp::Error>,
     (need, tried): Quantity<C>,
 ) -> Tested {
-    let mut wrong = Vec::new();
+    let (mut wrong, mut unseen): (Vec<String>, Vec<String>) = (Vec::new(), Vec::new());
+    // Scenes with a window of other verdicts between the amounts that the answer says were tried.
+    let mut with_windows = 0;
+    let amounts = AMOUNTS[usize::from(samples(SCENES) > SCENES)];
     for number in 0..samples(SCENES) {
+        let before = unseen.len();
         let mut random = seeded(number as u64);
         let scene = draw(&mut random)?;
         let needed = scene.grasp.need(&need(&scene).if_lower_by(0.0, 0.0))?;
         let is_least = needed.quantity.is_least();
+        let is_tried = match &needed.amount {
+            Amount::Bound { tried, .. } | Amount::Any { tried, .. } => tried.is_some(),
+            Amount::None { is_proved, .. } => !is_proved,
+            _ => false,
+        };
         let mut claim = |is_right: bool, what: &str, amount: f64| {
             if !is_right {
-                wrong.push(format!("{name} {number}: {what} at {amount}: {needed}"));
+                let is_unseen = is_tried && [UNSEEN_ABOVE, UNSEEN, UNSEEN_BELOW].contains(&what);
+                let list = if is_unseen { &mut unseen } else { &mut wrong };
+                list.push(format!("{name} {number}: {what} at {amount}: {needed}"));
             }
         };
         let middle = match &needed.amount {
@@ -164,24 +179,38 @@ fn is_met<const C: usize>(
             Amount::None { best, .. } => *best,
             _ => 1.0,
         };
-        for k in 0..AMOUNTS {
-            let part = (f64::from(k) + random.uniform()) / f64::from(AMOUNTS);
+        for k in 0..amounts {
+            let part = (f64::from(k) + random.uniform()) / f64::from(amounts);
             let amount = middle * REACH.powf(2.0 * part - 1.0);
             let holds = tried(&scene, amount)?;
             match &needed.amount {
-                Amount::None { .. } => claim(holds != Some(true), "no amount, but one holds", amount),
+                Amount::None { .. } => claim(holds != Some(true), UNSEEN, amount),
                 Amount::Bound { does, elsewhere, .. } => {
                     let is_beyond = if is_least { amount < *does } else { amount > *does };
                     let is_told = elsewhere.iter().any(|window| {
                         window.from.is_none_or(|from| from <= amount * 1.001)
                             && window.to.is_none_or(|to| amount <= to * 1.001)
                     });
-                    claim(!(is_beyond && holds == Some(true)) || is_told, "less would do", amount);
+                    claim(!(is_beyond && holds == Some(true)) || is_told, UNSEEN_BELOW, amount);
+                }
+                Amount::Any { to, until, .. } => {
+                    let far =
+                        until.as_ref().map_or(if is_least { f64::INFINITY } else { 0.0 }, |end| end.does);
+                    let is_inside = (amount - to) * (amount - far) < 0.0;
+                    claim(!is_inside || holds != Some(false), UNSEEN_ABOVE, amount);
                 }
                 _ => {}
             }
         }
+        with_windows += usize::from(unseen.len() > before);
     }
+    let scenes = samples(SCENES);
+    println!(
+        "{name}: {} claims wrong in {scenes} scenes of {amounts} amounts, {with_windows} with unseen windows",
+        wrong.len()
+    );
+    unseen.iter().for_each(|window| println!("{window}"));
+    assert!(20 * with_windows <= scenes, "{with_windows} of {scenes} scenes have windows that no trial met");
     assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong[..wrong.len().min(20)].join("\n"));
     Ok(())
 }

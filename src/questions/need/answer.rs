@@ -137,8 +137,11 @@ pub enum Amount {
         /// quantities.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         at_their_limit: Vec<String>,
+        /// The amounts that were tried; `None` where no other amount can meet the demand, by a proof or since more load is never easier to carry.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+        tried: Option<TriedAmounts>,
     },
-    /// All amounts suffice as far as `to`: down to it where the least is sought, up to it where the greatest is.
+    /// All amounts that were tried suffice as far as `to`: down to it where the least is sought, up to it where the greatest is.
     #[non_exhaustive]
     Any {
         /// The last sufficient amount that was tried.
@@ -146,6 +149,9 @@ pub enum Amount {
         /// Far end of the sufficient amounts on the other side, as of an arm that has to be long enough to jam. `None` if all tried there suffice.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
+        /// The amounts that were tried; `None` where no other amount can meet the demand, by a proof or since more load is never easier to carry.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+        tried: Option<TriedAmounts>,
     },
     /// No amount suffices: by a proof for all between `from` and `to`, or among those that were tried.
     #[non_exhaustive]
@@ -181,6 +187,20 @@ impl Amount {
     pub fn bound(&self) -> Option<f64> {
         if let Self::Bound { does, .. } = self { Some(*does) } else { None }
     }
+}
+
+/// The amounts whose trials an answer rests on. A window of other verdicts may lie between two of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct TriedAmounts {
+    /// Number of amounts.
+    pub count: usize,
+    /// The least of them.
+    pub from: f64,
+    /// The greatest of them.
+    pub to: f64,
 }
 
 /// The far end of the sufficient amounts: where more is too much, or less too little.

@@ -20,6 +20,16 @@ pub(super) struct Around {
 }
 
 impl SearchPlan {
+    /// So many amounts beyond one in a direction, inside the range that forces can balance; with `coarse` also one at 16 times as much.
+    fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
+        // The k-th of n amounts is at the ratio 4^((k/n)³). A larger ratio scans more coarsely near the start.
+        let fine = (1..=count).map(|k| 4.0_f64.powf((k as f64 / count as f64).powi(3)));
+        // Drives reach their limits at one further squeeze or force, which a smaller ratio would miss.
+        let coarse = (coarse && count > 0).then_some(16.0);
+        let parts = fine.chain(coarse).map(|part| if up { from * part } else { from / part });
+        parts.filter(|amount| self.contains(*amount)).collect()
+    }
+
     /// Amounts just inside and outside an end of the statics range; none without that end.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
@@ -32,12 +42,13 @@ impl SearchPlan {
 }
 
 impl Around {
-    /// Tries `scan` amounts on both sides of a bound, with `far` also one at 16 times as much, all inside the range that forces can balance.
+    /// Tries `scan` amounts on both sides of a bound beside those `known`, with `far` also one at 16 times as much, all inside the range that forces can balance.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
         far: bool,
         plan: &SearchPlan,
+        known: &[(f64, Trial)],
         tries: Tries<'_>,
     ) -> Result<Self, Error> {
         let mut around = Self { changes: 1, until: None, elsewhere: Vec::new() };
@@ -47,15 +58,12 @@ impl Around {
         let half = scan / 2;
         for (up, count) in [(false, half), (true, scan - half)] {
             let is_beyond = up == plan.is_least;
-            // The k-th of n amounts is at the ratio 4^((k/n)³) to the bound. A larger ratio scans more
-            // coarsely near the bound.
-            let fine = (1..=count).map(|k| 4.0_f64.powf((k as f64 / count as f64).powi(3)));
-            // One further squeeze or force: drives reach their limits there, which a smaller ratio would
-            // miss.
-            let coarse = (far && is_beyond && count > 0).then_some(16.0);
-            let parts = fine.chain(coarse).map(|part| if up { bound.does * part } else { bound.does / part });
-            let mut amounts: Vec<f64> = parts.filter(|amount| plan.contains(*amount)).collect();
+            let mut amounts = plan.scanned(bound.does, up, count, far && is_beyond);
             amounts.extend(plan.at_the_end(up).into_iter().filter(|_| is_beyond));
+            if scan > 0 {
+                amounts.extend(mapped(known, &|(at, _)| *at));
+            }
+            in_order(&mut amounts, up);
             let from = if is_beyond {
                 (bound.does, None)
             } else {
@@ -68,9 +76,11 @@ impl Around {
         Ok(around)
     }
 
-    /// The far end where all amounts as far as `to` suffice: from there back through the amounts already known.
+    /// The far end where all amounts as far as `to` suffice: from there back through the amounts already known, and through `scan` ones beyond the
+    /// first of the search.
     pub(super) fn far_end(
         to: f64,
+        scan: usize,
         plan: &SearchPlan,
         known: &[(f64, Trial)],
         tries: Tries<'_>,
@@ -79,10 +89,10 @@ impl Around {
         let up = plan.is_least;
         let mut amounts: Vec<f64> = mapped(known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
-        amounts.sort_by(f64::total_cmp);
-        if !up {
-            amounts.reverse();
+        if !plan.is_monotone {
+            amounts.extend(plan.scanned(plan.begin(), up, scan, true));
         }
+        in_order(&mut amounts, up);
         around.side((to, None), up, true, &amounts, tries)?;
         Ok(around.until)
     }
@@ -130,6 +140,14 @@ impl Around {
         }
         self.elsewhere.extend(window.map(|near| between(near, None, up)));
         Ok(())
+    }
+}
+
+/// Sorts amounts in a direction.
+fn in_order(amounts: &mut [f64], up: bool) {
+    amounts.sort_by(f64::total_cmp);
+    if !up {
+        amounts.reverse();
     }
 }
 

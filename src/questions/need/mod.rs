@@ -22,7 +22,8 @@
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. No
 //! theorem says that more is better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes
 //! both ways from the start, and between trials towards the largest carried part. Then a few amounts around the bound show up to where amounts
-//! suffice ([`FarEnd`]), and which others do ([`AmountWindow`]). Where only loads and squeeze act, twice the squeeze carries twice the load, and this
+//! suffice ([`FarEnd`]), and which others do ([`AmountWindow`]). A narrow window between two of them stays unseen, so that the answer says how many
+//! amounts were tried ([`TriedAmounts`]), unless a proof excludes all others. Where only loads and squeeze act, twice the squeeze carries twice the load, and this
 //! scan is omitted.
 //!
 //! Where no command presses there is no squeeze. Then the force of the only loaded body is sought in its place, or the load at rest, and the answer
@@ -42,5 +43,5 @@ mod tolerances;
 mod trial;
 mod words;
 
-pub use answer::{Amount, AmountWindow, FarEnd, Needed, Press, PressedBy, Quantity};
+pub use answer::{Amount, AmountWindow, FarEnd, Needed, Press, PressedBy, Quantity, TriedAmounts};
 pub use question::{Demand, Need};

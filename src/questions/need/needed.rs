@@ -2,20 +2,20 @@
 
 use core::cell::{Cell, RefCell};
 
-use super::answer::{Amount, FarEnd, Needed, Press, Quantity};
+use super::answer::{Amount, FarEnd, Needed, Press, Quantity, TriedAmounts};
 use super::around::Around;
 use super::posed::{Posed, Safety, Sought};
 use super::question::{Demand, Need};
 use super::range::Range;
 use super::search::{Guess, SearchPlan, Searched, search};
 use super::threshold::Threshold;
-use super::tolerances::{EXACT, MOST_LOADS, SECOND};
+use super::tolerances::{APART_IN_A_SCAN, EXACT, MOST_LOADS, SECOND};
 use super::trial::{Loading, Trial, Trials};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
 use crate::grasp::{WholeContacts, Wrench};
-use crate::numerics::largest;
+use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
@@ -148,6 +148,19 @@ impl<'q, const C: usize> Tried<'q, C> {
         known.iter().filter_map(|(at, trials)| Some((*at, trials.of(demand)?.clone()))).collect()
     }
 
+    /// The amounts tried; those that narrow a bracket count once.
+    fn amounts(&self, demand: Demand) -> TriedAmounts {
+        let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
+        amounts.sort_by(f64::total_cmp);
+        let mut all = TriedAmounts { count: 0, from: f64::INFINITY, to: 0.0 };
+        for at in amounts {
+            if all.count == 0 || at - all.to > APART_IN_A_SCAN * at.abs() {
+                all = TriedAmounts { count: all.count + 1, from: all.from.min(at), to: at };
+            }
+        }
+        all
+    }
+
     fn plan(&self, look: Look) -> Result<SearchPlan, Error> {
         let (grasp, need) = (self.grasp, self.need);
         let (start, repeats) = (self.start, need.demand.repeats());
@@ -193,7 +206,7 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
     }
     // Angles beyond the given turn are not tried.
     if matches!(need.sought, Sought::Angle { .. }) && tries(plan.start)?.does() {
-        return Ok(Amount::Any { to: plan.start, until: None });
+        return Ok(Amount::Any { to: plan.start, until: None, tried: None });
     }
     let is_squeeze = matches!(need.sought, Sought::Squeeze);
     let at_rest = |does: f64| if is_squeeze { presses(grasp, does) } else { Ok(Default::default()) };
@@ -205,11 +218,13 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
         let (presses, at_their_limit) = at_rest(does)?;
         Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
     };
+    let scan = if look == Look::Around { need.scan } else { 0 };
     let bound = match search(&tries, &plan, &tried.known(demand))? {
         Searched::Threshold(edge) => edge,
         Searched::All(to) => {
-            let until = Around::far_end(to, &plan, &tried.known(demand), &tries)?;
-            return Ok(Amount::Any { to, until: until.map(far_end).transpose()?.flatten() });
+            let until = Around::far_end(to, scan, &plan, &tried.known(demand), &tries)?;
+            let until = until.map(far_end).transpose()?.flatten();
+            return Ok(Amount::Any { to, until, tried: (!plan.is_monotone).then(|| tried.amounts(demand)) });
         }
         Searched::Nothing(mut vain) => {
             // The amount that holds is known already: undecided trials for sticking are dropped if others are decided.
@@ -229,11 +244,13 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
         Trial::Does { .. } => String::new(),
     };
     let is_far = is_squeeze || matches!(need.sought, Sought::Force { .. });
-    let scan = if look == Look::Around { need.scan } else { 0 };
-    let Around { changes, until, elsewhere } = Around::of(&bound, scan, is_far, &plan, &tries)?;
+    let Around { changes, until, elsewhere } =
+        Around::of(&bound, scan, is_far, &plan, &tried.known(demand), &tries)?;
     let until = until.map(far_end).transpose()?.flatten();
     let (presses, at_their_limit) = at_rest(does)?;
     let unknown = bound.unknown.map(|(at, _)| at);
+    let is_last = plan.is_monotone || plan.is_the_end(does_not, !plan.is_least);
+    let tried = (!is_last).then(|| tried.amounts(demand));
     Ok(Amount::Bound {
         does,
         does_not,
@@ -244,6 +261,7 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
         elsewhere,
         presses,
         at_their_limit,
+        tried,
     })
 }
 

@@ -5,7 +5,7 @@
 
 use super::range::Range;
 use super::threshold::{Enough, Threshold};
-use super::tolerances::{FAR_APART, LAST_DIGITS, NEAR_AN_END};
+use super::tolerances::{FAR_APART, FAR_FROM_START, LAST_DIGITS, NEAR_AN_END, NEAR_DOUBLINGS};
 use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::numerics::increasing;
@@ -70,6 +70,12 @@ impl SearchPlan {
         if up { self.range.high } else { self.range.low }
     }
 
+    /// Whether the proof of an end excludes all amounts beyond this one.
+    pub(super) fn is_the_end(&self, amount: f64, up: bool) -> bool {
+        let [.., nearby] = NEAR_AN_END;
+        self.end(up).is_some_and(|end| (amount - end).abs() <= nearby * end.abs())
+    }
+
     fn guessed(&self, at: f64, trial: &Trial) -> Option<f64> {
         let carried = trial.carried().filter(|carried| *carried > 0.0 && carried.is_finite())?;
         let guess = match self.guess {
@@ -81,7 +87,7 @@ impl SearchPlan {
     }
 
     /// The first amount tried: the start if forces can balance it, or else one inside the range. Between two ends that is the middle.
-    fn begin(&self) -> f64 {
+    pub(super) fn begin(&self) -> f64 {
         match (self.range.low, self.range.high) {
             _ if self.contains(self.start) => self.start,
             (Some(low), Some(high)) => 0.5 * (low + high),
@@ -138,7 +144,7 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     }
     if plan.everywhere
         && !plan.is_monotone
-        && let Some(does) = refined(tries, &mut vain)?
+        && let Some(does) = refined(tries, plan, begin, &mut vain)?
     {
         return edge_from(tries, plan, does, &vain);
     }
@@ -199,6 +205,9 @@ fn walk(
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut at = begin;
     loop {
+        // Windows far from the start are wide, as a rule, beside their distance from it.
+        let is_far = at > FAR_FROM_START * begin || at * FAR_FROM_START < begin;
+        let factor = if is_far { factor.max(FAR_FROM_START) } else { factor };
         at *= if up { factor } else { factor.recip() };
         if !plan.contains(at) {
             return Ok(None);
@@ -282,9 +291,40 @@ fn edge_from(
     }
 }
 
-/// A sufficient amount between insufficient ones. While contacts and drives keep their states, the carried part is a concave function of the squeeze.
-/// A golden section around the best trial therefore finds its maximum.
-fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64, Trial)>, Error> {
+/// A sufficient amount between insufficient ones, first where the largest part is carried, then in the middle of the widest gaps near the start.
+fn refined(
+    tries: Tries<'_>,
+    plan: &SearchPlan,
+    begin: f64,
+    vain: &mut Vec<(f64, Trial)>,
+) -> Result<Option<(f64, Trial)>, Error> {
+    if let Some(does) = where_most_is_carried(tries, vain)? {
+        return Ok(Some(does));
+    }
+    let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
+    // Two halves of each gap: fewer leave windows of sufficient amounts in them unseen.
+    for _ in 0..4 * NEAR_DOUBLINGS {
+        let mut amounts: Vec<f64> = Vec::new();
+        vain.iter().for_each(|(at, _)| amounts.extend(near(*at).then_some(*at)));
+        amounts.sort_by(f64::total_cmp);
+        let ratio = |pair: &[f64]| pair[1] / pair[0];
+        let Some(widest) = amounts.windows(2).max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { break };
+        let at = (widest[0] * widest[1]).sqrt();
+        let trial = tries(at)?;
+        if trial.does() {
+            return Ok(Some((at, trial)));
+        }
+        vain.push((at, trial));
+    }
+    Ok(None)
+}
+
+/// While contacts and drives keep their states, the carried part is a concave function of the squeeze. A golden section around the best trial finds
+/// its maximum, or ends where chords of such a function stay below 1.
+fn where_most_is_carried(
+    tries: Tries<'_>,
+    vain: &mut Vec<(f64, Trial)>,
+) -> Result<Option<(f64, Trial)>, Error> {
     let known = vain.iter().filter_map(|(at, trial)| Some((*at, trial.carried()?)));
     let (amounts, carried): (Vec<f64>, Vec<f64>) = known.unzip();
     let in_order: Vec<_> = increasing(&amounts).into_iter().map(|i| (amounts[i], carried[i])).collect();
@@ -294,10 +334,10 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
     if in_order.iter().all(|(_, carried)| *carried == in_order[best].1) {
         return Ok(None);
     }
-    let [mut low, mut high] =
-        [best.saturating_sub(1), (best + 1).min(in_order.len() - 1)].map(|k| in_order[k].0);
+    let mut ends = [best.saturating_sub(1), (best + 1).min(in_order.len() - 1)].map(|k| in_order[k]);
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
     let between = |from: f64, to: f64| from * (to / from).powf(golden);
+    let [low, high] = ends.map(|(at, _)| at);
     let mut inner = [between(high, low), between(low, high)];
     let mut parts = [None; 2];
     // Each section leaves 0.618 of the logarithmic width, 40 leave 4e-9 of it; fewer miss narrow windows.
@@ -312,15 +352,25 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
                 vain.push((inner[k], trial));
             }
         }
-        if high - low <= LAST_DIGITS * high {
+        let [(low, at_low), (high, at_high)] = ends;
+        let [one, other] = parts.map(|part| part.unwrap_or(f64::NEG_INFINITY));
+        // A concave function lies below its chords, continued.
+        let gap = inner[1] - inner[0];
+        let slope = (other - one) / gap;
+        let before = one + (-slope).max(0.0) * (inner[0] - low);
+        let beyond = other + slope.max(0.0) * (high - inner[1]);
+        let rising = one + (one - at_low) / (inner[0] - low) * gap;
+        let falling = other + (other - at_high) / (high - inner[1]) * gap;
+        let most = before.max(beyond).max(rising.min(falling));
+        if high - low <= LAST_DIGITS * high || slope.is_finite() && most < 1.0 {
             break;
         }
-        if parts[0] < parts[1] {
-            low = inner[0];
-            (inner, parts) = ([inner[1], between(low, high)], [parts[1], None]);
+        if one < other {
+            ends[0] = (inner[0], one);
+            (inner, parts) = ([inner[1], between(inner[0], high)], [parts[1], None]);
         } else {
-            high = inner[1];
-            (inner, parts) = ([between(high, low), inner[0]], [None, parts[0]]);
+            ends[1] = (inner[1], other);
+            (inner, parts) = ([between(inner[1], low), inner[0]], [None, parts[0]]);
         }
     }
     Ok(None)

@@ -26,6 +26,19 @@ pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 /// A bracket beyond it is halved in logarithms, since means of amounts that far apart approach the smaller one slowly.
 pub(super) const FAR_APART: f64 = 4.0;
 
+/// Ratio to the start up to which the search looks closely, and of successive amounts beyond it.
+///
+/// Smaller, windows of sufficient amounts a little away from the start are passed over. Larger, a search of an insufficient grasp takes longer.
+pub(super) const FAR_FROM_START: f64 = (1u32 << NEAR_DOUBLINGS) as f64;
+
+/// Doublings up to [`FAR_FROM_START`].
+pub(super) const NEAR_DOUBLINGS: u32 = 4;
+
+/// Relative distance from which two amounts count as two in an answer that says how many were tried.
+///
+/// Smaller, amounts that only narrow a bracket count as well, and a scan seems closer than it is.
+pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
+
 /// Widths for the amount itself: the last digits that rounding leaves.
 ///
 /// Narrower ones cost steps that only rounding decides; wider ones show in the answer.

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::answer::{Amount, AmountWindow, FarEnd, Needed, Press, PressedBy, Quantity};
+use super::answer::{Amount, AmountWindow, FarEnd, Needed, Press, PressedBy, Quantity, TriedAmounts};
 use super::question::Demand;
 use crate::numerics::mapped;
 use crate::prelude::*;
@@ -46,6 +46,7 @@ impl Needed {
                 elsewhere,
                 presses,
                 at_their_limit,
+                tried,
                 ..
             } => {
                 let much = self.much(words, *does, presses);
@@ -79,14 +80,16 @@ impl Needed {
                 if *changes > told {
                     write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
                 }
+                self.amounts_tried(f, *tried)?;
             }
             Amount::Any { .. } if self.has_no_squeeze() => write!(f, "NEEDS no squeeze: {aim}")?,
-            Amount::Any { to, until } if is_least => {
+            Amount::Any { to, until, tried } if is_least => {
                 write!(f, "NEEDS none: {aim} down to {}", self.much(words, roughly(*to, true), &[]))?;
                 self.beside(f, *to)?;
                 self.far_end(f, until.as_ref())?;
+                self.amounts_tried(f, *tried)?;
             }
-            Amount::Any { to, until: Some(end) } => {
+            Amount::Any { to, until: Some(end), tried } => {
                 let much = self.much(words, end.does, &[]);
                 write!(
                     f,
@@ -95,12 +98,14 @@ impl Needed {
                 )?;
                 self.beside(f, *to)?;
                 self.far_end(f, Some(end))?;
+                self.amounts_tried(f, *tried)?;
             }
-            Amount::Any { to, .. } => {
+            Amount::Any { to, tried, .. } => {
                 let amount = if self.quantity == Quantity::Angle { *to } else { roughly(*to, false) };
                 let aim = if how == Demand::Held { "it holds" } else { aim };
                 write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]))?;
                 self.beside(f, *to)?;
+                self.amounts_tried(f, *tried)?;
             }
             Amount::None { otherwise, .. } if self.has_no_squeeze() => {
                 write!(f, "NO squeeze does: {otherwise}")?;
@@ -132,6 +137,15 @@ impl Needed {
     /// Whether a squeeze is sought although no command presses.
     fn has_no_squeeze(&self) -> bool {
         self.in_place_of_squeeze && self.quantity == Quantity::Squeeze
+    }
+
+    /// The sentence about the amounts that the answer rests on.
+    fn amounts_tried(&self, f: &mut fmt::Formatter<'_>, tried: Option<TriedAmounts>) -> fmt::Result {
+        let Some(TriedAmounts { count, from, to }) = tried.filter(|tried| tried.count > 1) else {
+            return Ok(());
+        };
+        let range = self.range(Words::of(f), roughly(from, true), roughly(to, false));
+        write!(f, ". Tried were {count} amounts from {range}")
     }
 
     /// The sentence about the far end: more is too much, or less too little.
