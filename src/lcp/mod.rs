@@ -118,8 +118,8 @@ pub use mixed::{MixedLcp, MixedSolution};
 pub use outcome::{BreakdownCause, Certificate, Outcome, OutcomeView, Ray};
 pub use parametric::{Breakpoint, Parametric, PathEnd, Trend};
 pub use problem::Lcp;
-#[cfg(feature = "serde")]
 pub(crate) use quadratic_program::quadratic_program;
+#[cfg(feature = "serde")]
 pub use residuals::Residuals;
 pub use series::Series;
 pub use settings::Settings;
