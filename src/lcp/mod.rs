@@ -119,11 +119,11 @@ pub use outcome::{BreakdownCause, Certificate, Outcome, OutcomeView, Ray};
 pub use parametric::{Breakpoint, Parametric, PathEnd, Trend};
 pub use problem::Lcp;
 pub(crate) use quadratic_program::quadratic_program;
-#[cfg(feature = "serde")]
 pub use residuals::Residuals;
 pub use series::Series;
 pub use settings::Settings;
 pub use solution::{Solution, SolutionView};
 pub use verified::Verified;
 pub use workspace::Workspace;
+#[cfg(feature = "serde")]
 pub(crate) use written::list;
