@@ -135,6 +135,11 @@ where
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         T::Written::json_schema(generator)
     }
+
+    // The derive asks here whether a field may be left out where the default of a generic field cannot be written.
+    fn _schemars_private_is_option() -> bool {
+        T::Written::_schemars_private_is_option()
+    }
 }
 
 /// A number or a list of one number, such as the moment in the plane; in space a list of three.

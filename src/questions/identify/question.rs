@@ -21,7 +21,11 @@ use crate::serial::AsGiven;
 /// Unknown numbers of a grasp, and the observed slips. The question is checked when it is answered.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(extend("required" = ["unknowns", "slips"]))
+)]
 pub struct Identify<const C: usize> {
     /// The unknowns.
     pub(crate) unknowns: Vec<Unknown>,

@@ -36,7 +36,7 @@ pub struct Unknown {
         feature = "serde",
         serde(default, deserialize_with = "some_contacts", skip_serializing_if = "Option::is_none")
     )]
-    #[cfg_attr(feature = "schema", schemars(!default, with = "Vec<usize>"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<usize>"))]
     pub(crate) contacts: Option<Vec<usize>>,
     /// The layout of the unknown, 0 for the scene itself; all if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]

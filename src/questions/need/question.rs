@@ -364,10 +364,10 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// The load, if it is given as a single one.
+    /// The load that is given as a single one, or beside a force of any direction.
     #[must_use]
-    pub fn load_alone(&self) -> Option<Wrench<C>> {
-        self.load.filter(|_| self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none())
+    pub fn given_load(&self) -> Option<Wrench<C>> {
+        self.load
     }
 
     /// The loads given as wrenches.
@@ -378,7 +378,8 @@ impl<const C: usize> Need<C> {
 
     /// The load of which others are multiples that [grow together](Self::together_with) with it.
     pub(crate) fn grows(&self) -> Option<Wrench<C>> {
-        self.load_alone().filter(|_| !matches!(self.quantity, Quantity::Arm | Quantity::Angle))
+        let is_alone = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
+        self.load.filter(|_| is_alone && !matches!(self.quantity, Quantity::Arm | Quantity::Angle))
     }
 
     /// The grasp with the loads that grow together.

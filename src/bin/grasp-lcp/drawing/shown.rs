@@ -151,7 +151,7 @@ fn needed<const C: usize>(grasp: &Grasp<C>, need: &Need<C>) -> Result<Shown<C>, 
     let found = amount.map(|amount| grasp.with_amount(need, amount)).transpose()?.flatten();
     Ok(match found {
         Some((other, found)) => Shown { grasp: Some(other), says: vec![says], ..state(label, found) },
-        None => nothing(label, says, need.load_alone()),
+        None => nothing(label, says, need.given_load()),
     })
 }
 
