@@ -2,7 +2,7 @@
 //!
 //! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than those below it, or decides less often.
 
-use super::answer::{Doubt, Effort, Rung as FoundBy, Settled};
+use super::answer::{Doubt, Effort, FoundBy, Settled};
 use super::candidate::{Refused, admit};
 use super::enumerate::search;
 use super::least_motion::at_the_least_motion;
