@@ -85,7 +85,7 @@
 //!
 //! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof, never an error and never numbers. Malformed input
 //! is an [`Error`] with the contact, the field, its value and the allowed values. Every equilibrium carries [residuals](equilibrium::Residuals)
-//! recomputed from the question. With friction several equilibria are common: [`equilibrium::Rung`] is the rule by which the returned one was found.
+//! recomputed from the question. With friction several equilibria are common: [`equilibrium::FoundBy`] is the rule by which the returned one was found.
 //! [`ask::Grasp::equilibria`] lists all of them (on the round cone those that a polygon leads to).
 //!
 //! A point contact carries no moment: a two-finger pinch in space turns freely about its line, which is one of the answer's

@@ -13,7 +13,7 @@
 //! Under the load (2.5, -1) the body may hang free, lifted by (K⁻¹W)_n = 1/6, or rest on the floor, whose friction keeps it from being lifted:
 //!
 //! ```
-//! use grasp_lcp::equilibrium::{ContactState, Rung};
+//! use grasp_lcp::equilibrium::{ContactState, FoundBy};
 //! use grasp_lcp::load_path::Leg;
 //! use grasp_lcp::planar::{Contact, Grasp, Wrench};
 //!
@@ -32,7 +32,7 @@
 //!
 //! // The one in which everything sticks comes first.
 //! let outcome = grasp.solve(&load)?;
-//! assert_eq!(outcome.equilibrium().map(|e| e.rule), Some(Rung::EverythingSticks));
+//! assert_eq!(outcome.equilibrium().map(|e| e.rule), Some(FoundBy::EverythingSticks));
 //!
 //! // Which one comes about depends on what was before: first pressed down and then pulled, the body stays on the floor;
 //! // first pulled and then pressed down, it hangs free.
@@ -48,7 +48,7 @@
 //!
 //! # Which one is returned
 //!
-//! [`Grasp::solve`](crate::ask::Grasp::solve) returns the first equilibrium that the ladder of [`Rung`](crate::equilibrium::Rung) finds, in this
+//! [`Grasp::solve`](crate::ask::Grasp::solve) returns the first equilibrium that the ladder of [`FoundBy`](crate::equilibrium::FoundBy) finds, in this
 //! order:
 //!
 //! * everything sticks;

@@ -27,7 +27,7 @@
 //! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions that nothing resists. The forces are right, and the twist is one of
 //!   many.
 //! * [`rule`](crate::equilibrium::Equilibrium::rule): the method that found the equilibrium. With any other rule than
-//!   [`EverythingSticks`](crate::equilibrium::Rung::EverythingSticks) it may be one of several: see
+//!   [`EverythingSticks`](crate::equilibrium::FoundBy::EverythingSticks) it may be one of several: see
 //!   [`several_equilibria`](super::several_equilibria).
 //!
 //! # Questions and methods

@@ -8,7 +8,7 @@
 use std::cell::Cell;
 use std::f64::consts::TAU;
 
-use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Rung};
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, FoundBy, Outcome};
 use grasp_lcp::{Fit, PolygonCone, Settings};
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -59,7 +59,7 @@ fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibri
     let grasp = scene.grasp();
     let outcome = grasp.with(&settings()).solve(&scene.wrench()).expect("a finite load");
     let e = outcome.equilibrium()?;
-    if e.rule != Rung::EverythingSticks {
+    if e.rule != FoundBy::EverythingSticks {
         let all = grasp.with(&settings()).equilibria(&scene.wrench()).ok()?;
         if all.len() != 1 || !all[0].neutral_motions.is_empty() || all[0].free_motions != e.free_motions {
             return None;
@@ -203,7 +203,7 @@ fn not_felt<const D: usize, const C: usize>(
         prop_assert!(all.iter().any(|other| off(other) <= AGREEMENT), "lost\n{e:?}\n{all:?}");
         alone = all.len() == 1;
     }
-    if alone || e.rule == Rung::EverythingSticks {
+    if alone || e.rule == FoundBy::EverythingSticks {
         let returned = solve(changed)?;
         prop_assert!(off(&returned) <= AGREEMENT, "off by {:e}\n{e:?}\n{returned:?}", off(&returned));
         tally.count(e);

@@ -10,7 +10,7 @@ use std::cell::{Cell, RefCell};
 use std::f64::consts::PI;
 
 use grasp_lcp::Settings;
-use grasp_lcp::equilibrium::{ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Rung};
+use grasp_lcp::equilibrium::{ContactState, Equilibrium, FoundBy, NoEquilibrium, Outcome, Proof};
 use nalgebra::SVector;
 use proptest::prelude::*;
 use support::random::{Spread, for_all, scene};
@@ -44,7 +44,7 @@ impl Tally {
         let size = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
         let any = |what: &dyn Fn(usize) -> bool| usize::from((0..e.contacts.len()).any(what));
         self.equilibria += 1;
-        self.everything_sticks += usize::from(e.rule == Rung::EverythingSticks);
+        self.everything_sticks += usize::from(e.rule == FoundBy::EverythingSticks);
         self.sliding += any(&|i| matches!(e.contacts[i].state, ContactState::Sliding { .. }));
         self.separated += any(&|i| e.contacts[i].state == ContactState::Separated);
         self.tied += any(&|i| {
@@ -155,14 +155,14 @@ fn check_minimum<const D: usize, const C: usize>(
     };
     let e = outcome.equilibrium();
     if slack(1.0) < -1e-9 * size {
-        prop_assert!(e.is_none_or(|e| e.rule != Rung::EverythingSticks), "not all contacts can stick");
+        prop_assert!(e.is_none_or(|e| e.rule != FoundBy::EverythingSticks), "not all contacts can stick");
     }
     if slack(narrower) < 1e-9 * size {
         return Ok(());
     }
     prop_assert!(e.is_some(), "everything could stick: {outcome:?}");
     let e = e.expect("just checked");
-    prop_assert_eq!(e.rule, Rung::EverythingSticks);
+    prop_assert_eq!(e.rule, FoundBy::EverythingSticks);
     sticking_scenes.set(sticking_scenes.get() + 1);
     let mut energy = 0.0;
     for ((c, f), datum) in e.contacts.iter().zip(&expected).zip(&scene.contacts) {

@@ -9,7 +9,7 @@
 use std::cell::Cell;
 
 use grasp_lcp::Settings;
-use grasp_lcp::equilibrium::{Cone, ContactState, Equilibrium, Outcome, Rung};
+use grasp_lcp::equilibrium::{Cone, ContactState, Equilibrium, FoundBy, Outcome};
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -92,7 +92,7 @@ fn solvable_scenes_are_solved() {
                 worst.set(worst.get().max(violation));
                 sliding.set(sliding.get() + usize::from(slides(&e)));
                 // Only what Lemke's method proposes comes from a polygon.
-                let proposed = matches!(e.rule, Rung::KinematicForm | Rung::ForceForm);
+                let proposed = matches!(e.rule, FoundBy::KinematicForm | FoundBy::ForceForm);
                 prop_assert!(e.change_from_polygon.is_some() || !proposed || !slides(&e));
             }
             Outcome::NoEquilibrium(proof) => prop_assert!(false, "wrong proof: {proof:?}"),

@@ -8,7 +8,7 @@
 //! friction (μ to 2) are where the kinematic form alone fails; loads that balance a random motion make sure that there
 //! is something to find.
 
-use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::planar::{ContactState, Equilibrium, Outcome, Proof};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -213,9 +213,9 @@ impl Tally {
 
     fn count(&mut self, returned: &Equilibrium) {
         *match returned.rule {
-            Rung::EverythingSticks | Rung::EverythingTouchingSticks => &mut self.everything_sticks,
-            Rung::KinematicForm => &mut self.kinematic_form,
-            Rung::ForceForm => &mut self.force_form,
+            FoundBy::EverythingSticks | FoundBy::EverythingTouchingSticks => &mut self.everything_sticks,
+            FoundBy::KinematicForm => &mut self.kinematic_form,
+            FoundBy::ForceForm => &mut self.force_form,
             _ => &mut self.enumeration,
         } += 1;
         let any = |wanted: fn(&ContactState) -> bool| returned.contacts.iter().any(|c| wanted(&c.state));
@@ -256,14 +256,14 @@ impl Tally {
             ("sliding", self.sliding, 20),
             ("separated", self.separated, 20),
         ]);
-        // The lower rungs are for the few scenes in which all paths on the kinematic form end on rays.
-        assert_met(&[(self.force_form + self.enumeration, 1)]);
+        // The lower rungs are for the few scenes in which the kinematic form ends on a ray.
+        assert_met(&[(self.force_form, 5), (self.enumeration, 1)]);
     }
 }
 
 fn needs_a_lower_rung(scene: &Scene) -> bool {
     let outcome = scene.plain().grasp().solve(&scene.plain().wrench()).expect("a finite load");
-    let upper = [Rung::EverythingSticks, Rung::EverythingTouchingSticks, Rung::KinematicForm];
+    let upper = [FoundBy::EverythingSticks, FoundBy::EverythingTouchingSticks, FoundBy::KinematicForm];
     outcome.equilibrium().is_some_and(|e| !upper.contains(&e.rule))
 }
 

@@ -1,6 +1,6 @@
 //! Spatial hands against a system for twist and joints in arithmetic of a hundred digits.
 
-use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::nalgebra::{DMatrix, Vector3};
 use grasp_lcp::spatial::Contact;
 use grasp_lcp::spatial::hand::{Finger, Hand, Joint};
@@ -170,7 +170,9 @@ fn onsets_and_forces_are_right_to_the_last_digits() {
         let grasp = grasp(&tips);
         let load = Wrench::new(numbers.vector(), numbers.vector().map(|m| 0.02 * m));
         let outcome = grasp.solve(&Wrench::ZERO).expect("a load");
-        let Some(rest) = outcome.equilibrium().filter(|e| e.rule == Rung::EverythingSticks) else { continue };
+        let Some(rest) = outcome.equilibrium().filter(|e| e.rule == FoundBy::EverythingSticks) else {
+            continue;
+        };
         let sticking = Sticking::new(&tips, &grasp);
         let base = sticking.forces(&tips, &Wrench::ZERO, true);
         let largest = rest.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);

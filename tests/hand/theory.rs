@@ -1,7 +1,7 @@
 //! What theory promises of coupled compliance, and what it does not.
 
 use grasp_lcp::PolygonCone;
-use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::nalgebra::{DMatrix, DVector};
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{Finger, Hand};
@@ -69,7 +69,7 @@ fn on_a_free_body_several_answers_but_one_that_sticks() {
         assert!(sticking <= 1);
         stuck += sticking;
         let first = grasp.solve(&load).expect("a load").equilibrium().map(|e| e.rule);
-        assert!(sticking == 0 || first == Some(Rung::EverythingSticks), "{first:?}");
+        assert!(sticking == 0 || first == Some(FoundBy::EverythingSticks), "{first:?}");
     }
     assert_met(&[(several, 5), (stuck, 20)]);
 }

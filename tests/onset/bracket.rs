@@ -4,7 +4,7 @@
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
-use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::spatial::{Contact, Grasp, Onset, Outcome, Wrench};
 use grasp_lcp::{Fit, PolygonCone, Settings, planar};
 use proptest::prelude::*;
@@ -23,7 +23,7 @@ fn polygon(facets: usize, fit: Fit) -> Settings {
 /// smaller cone may come to rest on fewer contacts, which then stick for longer.
 fn sticks(outcome: &Outcome) -> bool {
     let rule = outcome.equilibrium().map(|e| e.rule);
-    matches!(rule, Some(Rung::EverythingSticks | Rung::EverythingTouchingSticks))
+    matches!(rule, Some(FoundBy::EverythingSticks | FoundBy::EverythingTouchingSticks))
 }
 
 /// Factors of a bracket are in order up to rounding, each from a base that sticks on the smaller cone. An onset may stay undecided

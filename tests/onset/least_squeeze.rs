@@ -1,6 +1,6 @@
 //! The least squeeze and the weakest direction against dense sampling from both sides.
 
-use grasp_lcp::equilibrium::{Outcome, Rung};
+use grasp_lcp::equilibrium::{FoundBy, Outcome};
 use grasp_lcp::load_path::Leaver;
 use grasp_lcp::squeeze::{LeastSqueeze, Loads, WeakestDirection};
 use grasp_lcp::{Error, planar, spatial};
@@ -40,7 +40,7 @@ impl Ball {
 /// Whether everything touches and sticks under a load.
 fn sticks(grasp: &spatial::Grasp, load: &spatial::Wrench) -> bool {
     match grasp.solve(load).expect("a load") {
-        Outcome::Equilibrium(e) => e.rule == Rung::EverythingSticks,
+        Outcome::Equilibrium(e) => e.rule == FoundBy::EverythingSticks,
         _ => false,
     }
 }

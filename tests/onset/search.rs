@@ -6,7 +6,7 @@
 //! everything sticks, just above it must not.
 
 use grasp_lcp::Settings;
-use grasp_lcp::equilibrium::{ContactState, Outcome, Rung};
+use grasp_lcp::equilibrium::{ContactState, FoundBy, Outcome};
 use grasp_lcp::load_path::{Onset, OnsetEvent};
 use proptest::prelude::*;
 use support::ramps::{Change, Friction, Tally, close, for_both, slack};
@@ -101,7 +101,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
         there.grasp().with(&settings).solve(&there.wrench()).expect("a finite load")
     };
     let below = solve(1.0 - 1e-9);
-    let sticks = below.equilibrium().is_some_and(|e| e.rule == Rung::EverythingSticks);
+    let sticks = below.equilibrium().is_some_and(|e| e.rule == FoundBy::EverythingSticks);
     prop_assert!(sticks, "below the onset {event:?}\n{below:?}");
     let above = solve(1.0 + 1e-9);
     let leaves = match &above {

@@ -1,7 +1,7 @@
 //! The onset of sliding while a load turns against roots counted and isolated in exact arithmetic.
 
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::load_path::{Onset, Turn};
 use grasp_lcp::nalgebra::SMatrix;
 use grasp_lcp::{Error, planar, spatial};
@@ -214,7 +214,7 @@ impl Tally {
         turn: &Turn<C>,
     ) -> Result<(), Error> {
         let rest = grasp.solve(&turn.load_at(0.0))?;
-        if rest.equilibrium().is_none_or(|rest| rest.rule != Rung::EverythingSticks) {
+        if rest.equilibrium().is_none_or(|rest| rest.rule != FoundBy::EverythingSticks) {
             return Ok(());
         }
         let spring =

@@ -1,7 +1,7 @@
 //! The paper's two grasps: its tables to the digits printed, and the exact onset of the second.
 
 use grasp_lcp::Settings;
-use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::planar::{Beyond, ContactState, Departure, Onset, Outcome, Proof, Ramp, Wrench};
 use support::paper::{
     DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
@@ -22,7 +22,7 @@ fn second_table_to_the_digits_printed() {
             continue;
         }
         let state = outcome.equilibrium().expect("holds");
-        assert_eq!(state.rule, Rung::EverythingSticks);
+        assert_eq!(state.rule, FoundBy::EverythingSticks);
         assert_eq!(state.work.pivots, 0);
         let ours: Vec<f64> =
             state.contacts.iter().flat_map(|c| [c.normal_force(), c.tangential_force()]).collect();
@@ -68,7 +68,7 @@ fn w_star_is_the_limit_load_to_one_part_in_a_thousand_million() {
     }
     let below = grasp.solve(&(down() * (exact * (1.0 - 1e-9)))).unwrap();
     let state = below.equilibrium().expect("holds");
-    assert_eq!((state.rule, state.work.pivots), (Rung::EverythingSticks, 0));
+    assert_eq!((state.rule, state.work.pivots), (FoundBy::EverythingSticks, 0));
 }
 
 /// Below W* there are four equilibria: both fingers sticking, either one sliding, both sliding. They meet at W*.

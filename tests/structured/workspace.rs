@@ -4,7 +4,7 @@
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::ask::{Search, Workspace};
-use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
@@ -144,7 +144,7 @@ fn newton_and_lemke<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) {
     assert!(difference(&view.forces().collect::<Vec<_>>(), &newton) < AGREEMENT);
     let outcome = grasp.with(&Settings::default().on_the_polygon()).solve(load).expect("finite");
     let equilibrium = outcome.equilibrium().expect("holds");
-    assert_eq!(equilibrium.rule, Rung::Newton);
+    assert_eq!(equilibrium.rule, FoundBy::Newton);
     assert!(equilibrium.residuals.worst() < 1e-10);
     let forces: Vec<_> = equilibrium.contacts.iter().map(|c| c.force).collect();
     assert!(difference(&forces, &newton) < AGREEMENT);

@@ -9,7 +9,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Draw, Vector};
 use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
 use crate::prelude::*;
-use crate::search::Rung;
+use crate::search::FoundBy;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
@@ -41,7 +41,7 @@ impl Engine {
         let problem = self.problem_of(equilibrium)?;
         // Slips along a path on the round cone are integrated: its law is not that of a single state.
         let slides = equilibrium.local.states.iter().any(State::slides);
-        if equilibrium.rule == Rung::LoadPath && equilibrium.cone == Cone::Round && slides {
+        if equilibrium.rule == FoundBy::LoadPath && equilibrium.cone == Cone::Round && slides {
             return None;
         }
         let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };

@@ -14,7 +14,7 @@ use crate::contact::{Coulomb, State};
 use crate::forms::LeftOut;
 use crate::grasp::{BodyLoad, BodyMotion, Coordinates, Motion, Twist, WholeContact, Wrench};
 use crate::prelude::*;
-use crate::search::{Doubt, Rung};
+use crate::search::{Doubt, FoundBy};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
@@ -99,7 +99,7 @@ pub struct Equilibrium<const C: usize> {
     pub cone: Cone,
     /// The rule that found this equilibrium; there may be others, see
     /// [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
-    pub rule: Rung,
+    pub rule: FoundBy,
     /// Energy stored in the springs, those of joints included, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,

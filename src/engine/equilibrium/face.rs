@@ -12,10 +12,10 @@ use super::pad_answer::PadAnswer;
 use super::residuals::Residuals;
 use super::too_far::TooFar;
 use crate::grasp::{face_of_enum, face_of_struct, same_on_both_sides};
-use crate::search::{Doubt, Rung};
+use crate::search::{Doubt, FoundBy};
 
 same_on_both_sides! {
-    Accuracy, Cone, Doubt, JointAnswer, LocalAnswer, Residuals, Rung, Spread, TendonAnswer, TooFar, Undecided, WorkDone,
+    Accuracy, Cone, Doubt, JointAnswer, LocalAnswer, Residuals, FoundBy, Spread, TendonAnswer, TooFar, Undecided, WorkDone,
 }
 
 face_of_struct! {

@@ -13,7 +13,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{
-    Doubt, Effort, Found, Rung, Settings, Settled, combinations, on_the_whole_line, search, settle,
+    Doubt, Effort, Found, FoundBy, Settings, Settled, combinations, on_the_whole_line, search, settle,
     settle_at_rest,
 };
 
@@ -65,7 +65,7 @@ impl Engine {
             }
         };
         for found in search.found {
-            add(found, Rung::Enumeration, &effort);
+            add(found, FoundBy::Enumeration, &effort);
         }
         // The round cone may have an equilibrium where the polygon inside has none, or one far from it.
         if problem.round

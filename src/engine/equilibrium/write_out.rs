@@ -12,7 +12,7 @@ use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench}
 use crate::numerics::Vector;
 use crate::object::Problem;
 use crate::prelude::*;
-use crate::search::{Effort, Found, Rung};
+use crate::search::{Effort, Found, FoundBy};
 
 impl Engine {
     /// The answer in physical quantities for a solution of the local problem.
@@ -21,7 +21,7 @@ impl Engine {
         problem: &Problem,
         load: &Wrench<3>,
         found: Found,
-        rule: Rung,
+        rule: FoundBy,
         effort: &Effort,
         AnswerFor { cone, small }: AnswerFor,
     ) -> Equilibrium<3> {
@@ -70,7 +70,7 @@ impl Engine {
                 rows_left_out: self.left_out(
                     effort,
                     cone,
-                    matches!(rule, Rung::EverythingSticks | Rung::EverythingTouchingSticks),
+                    matches!(rule, FoundBy::EverythingSticks | FoundBy::EverythingTouchingSticks),
                 ),
                 combinations: effort.combinations,
             },

@@ -19,8 +19,8 @@ use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
 use crate::search::{
-    Doubt, Effort, Found, Rung, Settings, Settled, combinations, dense_is_affordable, for_each_combination,
-    for_each_condition, settle,
+    Doubt, Effort, Found, FoundBy, Settings, Settled, combinations, dense_is_affordable,
+    for_each_combination, for_each_condition, settle,
 };
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -76,11 +76,11 @@ pub struct Continuation<const C: usize> {
     /// Rate of the object's twist, m and rad for one unit of the factor.
     pub twist_rate: Motion<C>,
     /// The rule that found the solution.
-    pub rule: Rung,
+    pub rule: FoundBy,
 }
 
 /// The continuation of an equilibrium whose rates have a solution.
-pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: Rung) -> Beyond<3> {
+pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: FoundBy) -> Beyond<3> {
     let (mut states, mut force_rates) = (site_states(rates, &found), found.forces);
     states.truncate(grasp.len());
     let cups = grasp.cups_open(|i| states[i] == ContactState::Separated);

@@ -17,7 +17,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
 use crate::prelude::*;
-use crate::search::{Found, Rung};
+use crate::search::{Found, FoundBy};
 
 /// The contact that stops sticking first, and the state there.
 pub(super) struct FirstToLeave {
@@ -145,7 +145,7 @@ impl FirstToLeave {
         let leaving = (core::mem::take(leaving), core::mem::take(sites));
         let stands = core::mem::take(stands);
         memory.lists.laws = core::mem::take(&mut segment.problem.laws);
-        let sticks = (found, Rung::EverythingSticks);
+        let sticks = (found, FoundBy::EverythingSticks);
         let event =
             OnsetEvent::new(segment, (factor, load), leaving, stands, sticks, &mut memory.coordinates);
         Onset::At(memory.put(event))

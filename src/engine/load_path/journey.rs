@@ -15,7 +15,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::Vector;
 use crate::object::{Load, Problem};
 use crate::prelude::*;
-use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle_at_rest};
+use crate::search::{Doubt, Effort, Found, FoundBy, Settings, Settled, settle_at_rest};
 
 /// The settled equilibrium to start from.
 pub(crate) type Rest = (Settled, Effort);
@@ -83,7 +83,7 @@ impl<'g> Journey<'g> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
         let grasp = self.program.bodies.put_on(self.grasp, fraction);
         let grasp = self.program.torques.put_on(grasp, fraction);
-        grasp.equilibrium(problem, &load, found, Rung::LoadPath, &effort, self.answer_for())
+        grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &effort, self.answer_for())
     }
 
     /// The loss of equilibrium at a fraction of the present leg, with these sites on an edge; the object leaves with this motion.

@@ -16,8 +16,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{
-    Doubt, Effort, Found, Judged, Rung, Settings, Settled, on_the_whole_line, polish, settle, solution_near,
-    try_states,
+    Doubt, Effort, Found, FoundBy, Judged, Settings, Settled, on_the_whole_line, polish, settle,
+    solution_near, try_states,
 };
 
 /// The decision from the rates at a node.
@@ -121,7 +121,7 @@ impl Node {
         let at = |ahead: f64| {
             let rates = segment.rates(ahead, laws.clone());
             let (settled, effort) = match self.guess(segment, factor, &rates) {
-                Judged::Holds(found) => (Settled::Found(found, Rung::LoadPath), Effort::default()),
+                Judged::Holds(found) => (Settled::Found(found, FoundBy::LoadPath), Effort::default()),
                 _ => settle(&rates, settings),
             };
             Decided { ahead, rates, settled, effort }

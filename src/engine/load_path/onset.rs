@@ -9,7 +9,7 @@ use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
 use crate::error::ContactLabel;
 use crate::grasp::{Coordinates, Wrench};
 use crate::prelude::*;
-use crate::search::{Found, Kept, Rung};
+use crate::search::{Found, FoundBy, Kept};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
@@ -85,7 +85,7 @@ pub struct OnsetEvent<const C: usize> {
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: Kept,
-    pub(super) rule: Rung,
+    pub(super) rule: FoundBy,
     pub(super) stands: Vec<ActiveSet>,
     /// The sites that leave.
     pub(super) leaving: Vec<usize>,
@@ -104,7 +104,7 @@ impl OnsetEvent<3> {
         (factor, load): (f64, Wrench<3>),
         (leaving, sites): (Vec<Leaving<3>>, Vec<usize>),
         stands: Vec<ActiveSet>,
-        (found, rule): (Found, Rung),
+        (found, rule): (Found, FoundBy),
         lists: &mut [Vec<f64>; 3],
     ) -> Self {
         let mut lists = lists.iter_mut();

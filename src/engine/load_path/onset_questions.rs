@@ -24,7 +24,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::Memory;
 use crate::object::{Load, Problem, are_many};
 use crate::prelude::*;
-use crate::search::{Effort, Found, Rung, Settings, Settled, settle, settle_at_rest};
+use crate::search::{Effort, Found, FoundBy, Settings, Settled, settle, settle_at_rest};
 
 impl Engine {
     /// [`Grasp::onset`](crate::ask::Grasp::onset).
@@ -151,7 +151,7 @@ impl Engine {
         segment: &Segment<'_>,
         course: &Trajectory<Wrench<3>>,
         (settled, effort): &Rest,
-    ) -> Result<(Found, Rung), Box<Onset<3>>> {
+    ) -> Result<(Found, FoundBy), Box<Onset<3>>> {
         let (problem, answer_for) = (&segment.problem, segment.answer_for);
         let slides = |found: &Found| found.states.iter().any(State::slides);
         match settled {

@@ -11,7 +11,7 @@ use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_state
 use crate::grasp::Wrench;
 use crate::object::Problem;
 use crate::prelude::*;
-use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
+use crate::search::{Doubt, Found, FoundBy, Settings, Settled, settle};
 
 /// The walk along a course while nothing slides.
 pub(super) struct StickingPath<'a> {
@@ -21,7 +21,7 @@ pub(super) struct StickingPath<'a> {
     /// The largest factor considered.
     pub(super) end: f64,
     pub(super) settings: &'a Settings,
-    pub(super) rule: Rung,
+    pub(super) rule: FoundBy,
     pub(super) factor: f64,
     /// Sites that touched their edge without crossing it, with the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,

@@ -15,7 +15,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::Vector;
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
-use crate::search::{Effort, Found, Rung, told_at_rest};
+use crate::search::{Effort, Found, FoundBy, told_at_rest};
 
 /// The data from which the state at any fraction of the piece is computed.
 #[derive(Debug)]
@@ -101,7 +101,7 @@ impl<'g> Stretch<'g> {
     ) -> Equilibrium<3> {
         let load = self.load.at(fraction);
         let grasp = self.torques.put_on(self.bodies.put_on(grasp, fraction), fraction);
-        grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), answer_for)
+        grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &Effort::default(), answer_for)
     }
 
     /// Problem and contact states at a fraction of the leg; `None` where rounding keeps a part of a step from being made.

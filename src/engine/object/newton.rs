@@ -127,15 +127,16 @@ fn respond(
         .plus(Imbalance { left: problem.wrench.clone(), size: problem.wrench.norm() + beside })
 }
 
-/// The twist at which the load is balanced if every contact sticks; `None` where a motion is free.
-pub(crate) fn twist_if_all_stick(problem: &Problem) -> Option<Vector> {
-    let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());
-    let pushed = |contact: usize| {
-        let local = problem.local(contact);
-        local.tangent(&local.unjumped()).force(&problem.drives[contact])
+/// The twist at which the load is balanced if every contact sticks; `None` where a motion is free. The memory of `contacts` is reused.
+pub(crate) fn twist_if_all_stick(problem: &Problem, contacts: &mut Vec<ContactResponse>) -> Option<Vector> {
+    contacts.clear();
+    contacts.resize(problem.len(), ContactResponse::open());
+    let sticks = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
+        let local = problem.local(i);
+        let state = local.unjumped();
+        ContactResponse { state, force: local.tangent(&state).force(stretch) }
     };
-    let forces: Vec<_> = (0..problem.len()).map(pushed).collect();
-    factors
-        .is_regular()
-        .then(|| factors.solve(&Imbalance::of(problem.sites, &forces, &problem.wrench, 0.0).left))
+    let at_rest = respond(problem, (&Vector::all_zero(problem.size()), 0.0), contacts, &sticks);
+    let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());
+    factors.is_regular().then(|| factors.solve(&at_rest.left))
 }

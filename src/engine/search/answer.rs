@@ -12,7 +12,7 @@ use crate::prelude::*;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub enum Rung {
+pub enum FoundBy {
     /// Everything sticks: the elastic trial state satisfies every condition. No complementarity problem was made.
     EverythingSticks,
     /// Everything that touches sticks: with the contacts open that would pull, the rest satisfies every condition stuck. No
@@ -126,7 +126,7 @@ impl Kept {
 /// The end of a search.
 #[derive(Debug, Clone)]
 pub(crate) enum Settled {
-    Found(Found, Rung),
+    Found(Found, FoundBy),
     /// The load works on a motion that no spring resists.
     FreeMotion(Vector),
     /// No admissible forces balance the load: this motion separates it from the friction wrench cone.

@@ -2,7 +2,7 @@
 //!
 //! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than those below it, or decides less often.
 
-use super::answer::{Doubt, Effort, Rung as FoundBy, Settled};
+use super::answer::{Doubt, Effort, FoundBy, Settled};
 use super::candidate::{Refused, admit};
 use super::enumerate::search;
 use super::least_motion::at_the_least_motion;
@@ -158,20 +158,34 @@ fn separating_motion(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. Of many coordinates it pivots on the contacts that leave the trial; else, and where these find nothing, on lists
-/// of contact states, on which a pivot costs a few numbers a contact. Facets for infinite friction come last.
+/// Lemke's method on the kinematic form. Of many coordinates it pivots on the contacts that leave the trial; then on lists of contact states, on which a
+/// pivot costs a few numbers a contact; then on a dense matrix. Facets for infinite friction come last.
 fn kinematic_form(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+    let (problem, dense) = (scene.proposing(), may_be_dense(scene));
+    let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
     let on_states = |problem: &Problem, log: &mut Log| propose_structured(scene, problem, log);
+    let on_a_matrix = |problem: &Problem, log: &mut Log| {
+        let form = forms::kinematic_form(problem, &scene.trial, &scene.state);
+        propose_dense(problem, scene.settings, (form, MOST_WORK), forms::kinematic_states, log)
+    };
     let mut found = None;
     if scene.trial.is_banded() {
-        found = climb(
-            scene.proposing(),
-            &|problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log),
-            log,
-        );
+        found = climb(problem, &of_the_leaving, log);
     }
-    let found = found.or_else(|| climb(scene.proposing(), &on_states, log));
-    Attempt::of(found.or_else(|| climb(scene.with_edges()?, &on_states, log)))
+    // With few contacts the path on the matrix is kept: another covering vector may end in another of several equilibria.
+    let lists = problem.len() >= 8;
+    if lists && found.is_none() {
+        found = climb(problem, &on_states, log);
+    }
+    if dense && found.is_none() {
+        found = climb(problem, &on_a_matrix, log);
+    }
+    if found.is_none()
+        && let Some(with_edges) = scene.with_edges()
+    {
+        found = if dense { climb(with_edges, &on_a_matrix, log) } else { climb(with_edges, &on_states, log) };
+    }
+    Attempt::of(found)
 }
 
 /// Lemke's method on the force form.

@@ -40,7 +40,7 @@ mod without_force;
 #[cfg(test)]
 mod yields_or_moves;
 
-pub use answer::{Doubt, Rung};
+pub use answer::{Doubt, FoundBy};
 pub use settings::Settings;
 pub use small_motions::SmallMotions;
 

@@ -47,19 +47,6 @@ pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> 
     polish(problem, &proposed, &near)
 }
 
-/// The number of other covering vectors that are tried after a ray.
-fn retries(problem: &Problem, settings: &Settings) -> usize {
-    // On the round cone the tree comes next, which decides more than another path would. Combinations are better enumerated as contact
-    // states, where each costs one d × d system and is checked against the contact law.
-    if most_cases(problem, settings) > 0 {
-        0
-    } else if problem.round || enumerable(problem, settings) {
-        COVERING_VECTORS
-    } else {
-        16
-    }
-}
-
 /// Contact states from Lemke's method on lists of contact states.
 pub(super) fn propose_structured(
     scene: &TrialScene<'_, '_>,
@@ -67,7 +54,7 @@ pub(super) fn propose_structured(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let max_pivots = scene.settings.max_pivots;
-    let retries = retries(problem, scene.settings);
+    let retries = if most_cases(problem, scene.settings) > 0 { 0 } else { COVERING_VECTORS };
     let proposal = structured::propose(problem, &scene.trial, &scene.state, retries, max_pivots, MOST_WORK);
     log.effort.rows = log.effort.rows.max(proposal.pairs);
     log.effort.pivots += proposal.pivots;
@@ -87,14 +74,20 @@ pub(super) fn propose_dense(
 ) -> Option<Vec<State>> {
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
+    // On the round cone the tree comes next, which decides more than another path would. Combinations are better enumerated as contact
+    // states, where each costs one d × d system and is checked against the contact law.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
     // A limit above the solver's own default is left to the solver.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
     let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
-    let lcp_settings = match retries(problem, settings) {
-        0 => one_path,
-        retries => lcp::Settings { prove_infeasible: problem.len() < MANY_CONTACTS, retries, ..one_path },
+    let lcp_settings = if most_cases(problem, settings) > 0 {
+        one_path
+    } else {
+        let few = problem.round || enumerable(problem, settings);
+        // Covering vectors tried after a ray where there are too many contacts to try every combination.
+        let retries = if few { COVERING_VECTORS } else { 16 };
+        lcp::Settings { prove_infeasible: problem.len() < MANY_CONTACTS, retries, ..one_path }
     };
     match form.lcp.solve_with(&lcp_settings) {
         Outcome::Solved(solution) => {

@@ -34,6 +34,7 @@ std::thread_local! {
 }
 
 /// The names of the rungs, from below.
+#[must_use]
 pub fn names() -> Vec<&'static str> {
     LADDER.iter().map(|rung| rung.name).collect()
 }
@@ -63,6 +64,8 @@ pub(super) fn record(scene: &TrialScene<'_, '_>, decided: Option<usize>) {
         rungs.push((made, start.elapsed().as_secs_f64()));
     }
     RECORD.with_borrow_mut(|record| {
-        record.iter_mut().for_each(|list| list.push(Climb { decided, rungs: rungs.clone() }))
+        if let Some(climbs) = record {
+            climbs.push(Climb { decided, rungs });
+        }
     });
 }

@@ -114,7 +114,7 @@ impl Workspace {
         // Number of contacts from which Newton's method is tried first.
         let newton_first = other_paths > 0 && problem.len() >= 32 && !self.asked.round;
         self.newton_steps = None;
-        if newton_first && let Some(from) = twist_if_all_stick(problem) {
+        if newton_first && let Some(from) = twist_if_all_stick(problem, &mut self.answers) {
             // The start is a step, too.
             let steps = newton(problem, from, &mut self.answers, &mut self.solution);
             self.newton_steps = steps.map(|steps| steps + 1);

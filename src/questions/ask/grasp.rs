@@ -182,7 +182,7 @@ impl<const C: usize> Grasp<C> {
 
     /// The equilibrium under a load.
     ///
-    /// If several equilibria exist, one in which everything sticks comes first; for the others see [`Rung`](crate::equilibrium::Rung).
+    /// If several equilibria exist, one in which everything sticks comes first; for the others see [`FoundBy`](crate::equilibrium::FoundBy).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Outcome, Wrench};

@@ -7,7 +7,7 @@
 use std::hint::black_box;
 
 use grasp_lcp::ask::Workspace;
-use grasp_lcp::equilibrium::Rung;
+use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::spatial::{ContactState, Grasp};
 use grasp_lcp::{PolygonCone, Settings};
 
@@ -77,7 +77,7 @@ fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
         return Ok(None);
     };
     let sliding = answer.contacts.iter().filter(|c| matches!(c.state, ContactState::Sliding { .. })).count();
-    if sliding == 0 || flat.rule != Rung::KinematicForm || answer.rule != Rung::Newton {
+    if sliding == 0 || flat.rule != FoundBy::KinematicForm || answer.rule != FoundBy::Newton {
         return Ok(None);
     }
     let lemke = grasp_lcp::lcp::Settings::default();

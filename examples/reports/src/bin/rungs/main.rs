@@ -30,12 +30,18 @@ fn main() -> Result<(), Failure> {
 /// For each family, how many searches each rung decides.
 fn by_family(climbs: &BTreeMap<&str, Vec<Climb>>) {
     println!("Searches that go beyond the elastic trial, by the rung that decides:\n");
-    let heads: String = names().iter().map(|name| format!("{:>12}", short(name))).collect();
-    println!("{:<28}{heads}{:>12}", "", "undecided");
+    print!("{:<28}", "");
+    for name in names() {
+        print!("{:>12}", short(name));
+    }
+    println!("{:>12}", "undecided");
     for (family, climbs) in climbs {
         let count = |rung: Option<usize>| climbs.iter().filter(|climb| climb.decided == rung).count();
-        let counts: String = (0..names().len()).map(|rung| format!("{:>12}", count(Some(rung)))).collect();
-        println!("{family:<28}{counts}{:>12}", count(None));
+        print!("{family:<28}");
+        for rung in 0..names().len() {
+            print!("{:>12}", count(Some(rung)));
+        }
+        println!("{:>12}", count(None));
     }
 }
 
