@@ -1,6 +1,7 @@
 //! Houses of cards stand from the least friction on with which forces inside all cones balance the weights, and below it there is a proof.
 
 use grasp_lcp::equilibrium::Outcome;
+use grasp_lcp::need::Need;
 use grasp_lcp::planar::Wrench;
 use support::cards::HouseOfCards;
 
@@ -25,4 +26,14 @@ fn they_stand_as_a_linear_program_says() {
             assert_eq!(told, Some(stands), "{rows} rows, {part} of {least}");
         }
     }
+}
+
+/// Friction of a million balances what friction of one half does. The proof that none does had taken its shares for those of forces beyond reach.
+#[test]
+fn a_house_of_two_rows_needs_as_much_friction_as_a_linear_program_says() {
+    let (rows, _, least) = LEAST[0];
+    let grasp = HouseOfCards::of(rows).bodies(0.5).grasp().expect("well posed");
+    let needed = grasp.need(&Need::friction(Wrench::ZERO).if_lower_by(0.0, 0.0)).expect("well posed");
+    let does = needed.amount.bound().unwrap_or(f64::NAN);
+    assert!((does / least - 1.0).abs() < 1e-3, "{does} of {least}: {needed}");
 }

@@ -114,3 +114,12 @@ fn what_slides_without_force_is_followed() {
     let handled = (0..3786).map(|_| in_space(IN_SPACE[1], &mut random).unwrap()).last().unwrap();
     followed(&handled).unwrap();
 }
+
+/// The last of three feet begins to slide, and hardly anything resists the block any more: a correction onto the cones turns directions so far that its
+/// square shows, unless it begins again from there.
+#[test]
+fn what_slides_away_is_on_its_cones() {
+    let mut random = Random(11 ^ 302 << 32);
+    let pushed = (0..1864).map(|_| in_space(IN_SPACE[2], &mut random).unwrap()).last().unwrap();
+    followed(&pushed).unwrap();
+}

@@ -15,7 +15,8 @@ use nalgebra::{Matrix, SVector};
 
 use super::path_stiffness::{NarrowOrder, PathFactors, PathStiffness};
 use super::segment::{Here, Segment};
-use crate::contact::{Slide, State, Tangent, tangential_norm};
+use super::tolerances::SLACK_ON_AN_ARC;
+use crate::contact::{Slide, State, Tangent, tangential, tangential_norm};
 use crate::equilibrium::NoEquilibrium;
 use crate::grasp::Site;
 use crate::numerics::Vector;
@@ -208,12 +209,13 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(PieceState, f64)> {
-        let tangents = self.tangents(frictions.iter().copied());
-        let (bordered, _) = self.bordered(&tangents, factor, across)?;
         // Imbalance below this part of the sum of all terms, times the root of their number, is rounding.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
+        let (mut frictions, mut balanced) = (frictions.to_vec(), None);
         for _ in 0..4 {
-            let mut forces = self.forces_at(&twist, factor, frictions);
+            let tangents = self.tangents(frictions.iter().copied());
+            let (bordered, _) = self.bordered(&tangents, factor, across)?;
+            let mut forces = self.forces_at(&twist, factor, &frictions);
             let begun: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
             // Most Newton corrections onto the cones: a step violates them by the order of its error, and the first correction leaves the square of
@@ -235,12 +237,37 @@ impl<'s, 'g> Arc<'s, 'g> {
                 let rates = self.force_rates(&tangents, &change);
                 forces.iter_mut().zip(&rates).for_each(|(force, rate)| *force += rate);
             }
+            let carried = ended?;
+            let off = self.off_the_cones(&forces);
+            // Along a motion that hardly anything resists a correction turns friction so far that its square shows: it begins again from there.
+            let is_on_them = off <= SLACK_ON_AN_ARC * carried;
+            if !is_on_them {
+                self.sliding
+                    .iter()
+                    .zip(&mut frictions)
+                    .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
+            }
             // A state whose forces were larger than at the end by more than this factor is corrected again: it still carries their rounding.
-            if begun <= 4.0 * ended? {
-                return Some((PieceState { forces, twist }, factor));
+            if begun <= 4.0 * carried {
+                balanced = Some((PieceState { forces, twist: twist.clone() }, factor));
+                if is_on_them {
+                    break;
+                }
             }
         }
-        None
+        balanced
+    }
+
+    /// The largest distance of the friction of a sliding contact from its limit, N.
+    fn off_the_cones(&self, forces: &[SVector<f64, 3>]) -> f64 {
+        let mut most = 0.0_f64;
+        for &i in &self.sliding {
+            let friction = tangential_norm(&forces[i]);
+            if friction > 0.0 {
+                most = most.max((friction - self.segment.problem.cone(i).limit(forces[i][0])).abs());
+            }
+        }
+        most
     }
 
     /// Forces at a twist and a factor, with friction on the cones in these directions.

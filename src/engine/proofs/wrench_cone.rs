@@ -39,6 +39,13 @@ impl Generator {
         let size = wrench.norm();
         Self { contact, force: force / size, wrench: wrench / size }
     }
+
+    /// Work against a motion while the normal force grows by the length of this generator. Of much friction a small part of the length is normal, so
+    /// that forces of the size of the load have large shares.
+    fn works_against(&self, motion: &Vector) -> f64 {
+        let normal = self.force[0] / self.force.norm();
+        -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
+    }
 }
 
 /// The sum of admissible forces whose wrench is nearest to a target.
@@ -114,27 +121,23 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
     }
 
-    /// Whether a motion separates, on which a load of length one does the work `works`, and against which generators do at most `against`.
-    fn separates(&self, v: &Vector, works: f64, against: f64) -> bool {
-        let distance = v.norm();
-        let escape = works * self.load / against.max(LEAST_WORK * distance);
-        distance > CLEAR_RESIDUAL && escape >= ESCAPE * self.data
-    }
-
     /// The residual of the load after the nearest forces, as a unit motion, if it is a clear proof.
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
         let round = |v: &Vector| round_generators(self.problem, v).collect();
-        let NearestForces { motion: v, against, .. } =
+        let NearestForces { motion: v, .. } =
             nearest_forces(self.problem.size(), &self.straight, &round, &target);
-        self.separates(&v, v.norm_squared(), against).then(|| v.normalize())
+        self.is_proof(&v).then(|| v.normalize())
     }
 
     /// Whether any given motion separates.
     fn is_proof(&self, v: &Vector) -> bool {
-        let round = round_generators(self.problem, v);
-        let against = self.straight.iter().map(|g| -g.wrench.dot(v)).chain(round.map(|g| -g.wrench.dot(v)));
-        self.separates(v, self.problem.wrench.dot(v) / self.load, against.fold(0.0, f64::max))
+        let mut against = 0.0_f64;
+        self.straight.iter().for_each(|g| against = against.max(g.works_against(v)));
+        round_generators(self.problem, v).for_each(|g| against = against.max(g.works_against(v)));
+        let (distance, works) = (v.norm(), self.problem.wrench.dot(v) / self.load);
+        let escape = works * self.load / against.max(LEAST_WORK * distance);
+        distance > CLEAR_RESIDUAL && escape >= ESCAPE * self.data
     }
 }
 
@@ -178,7 +181,7 @@ pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<I
 pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &Vector) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
-    let against = all.map(|g| -g.wrench.dot(motion)).fold(0.0, f64::max);
+    let against = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
     // The next load is larger by the size of load and squeeze together.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
