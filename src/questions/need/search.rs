@@ -305,7 +305,11 @@ fn refined(
     // Two halves of each gap: fewer leave windows of sufficient amounts in them unseen.
     for _ in 0..4 * NEAR_DOUBLINGS {
         let mut amounts: Vec<f64> = Vec::new();
-        vain.iter().for_each(|(at, _)| amounts.extend(near(*at).then_some(*at)));
+        for (at, _) in vain.iter() {
+            if near(*at) {
+                amounts.push(*at);
+            }
+        }
         amounts.sort_by(f64::total_cmp);
         let ratio = |pair: &[f64]| pair[1] / pair[0];
         let Some(widest) = amounts.windows(2).max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { break };

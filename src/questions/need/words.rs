@@ -46,7 +46,6 @@ impl Needed {
                 elsewhere,
                 presses,
                 at_their_limit,
-                tried,
                 ..
             } => {
                 let much = self.much(words, *does, presses);
@@ -64,32 +63,15 @@ impl Needed {
                 if let Some(limit) = at_limit(at_their_limit) {
                     write!(f, ". At rest {limit}")?;
                 }
-                let mut told = 1;
-                told += usize::from(until.is_some());
-                self.far_end(f, until.as_ref())?;
-                for window in elsewhere {
-                    told += [window.from, window.to].iter().flatten().count();
-                    let much = |amount: f64| self.much(words, amount, &[]);
-                    let range = match (window.from, window.to) {
-                        (Some(from), Some(to)) => self.range(words, from, to),
-                        (Some(one), None) => format!("{} and more", much(one)),
-                        (None, one) => format!("{} and less", much(one.unwrap_or(0.0))),
-                    };
-                    write!(f, ". Apart from that {range} would do")?;
-                }
-                if *changes > told {
-                    write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
-                }
-                self.amounts_tried(f, *tried)?;
+                self.windows(f, *changes, until.as_ref(), elsewhere)?;
             }
             Amount::Any { .. } if self.has_no_squeeze() => write!(f, "NEEDS no squeeze: {aim}")?,
-            Amount::Any { to, until, tried } if is_least => {
+            Amount::Any { to, until, .. } if is_least => {
                 write!(f, "NEEDS none: {aim} down to {}", self.much(words, roughly(*to, true), &[]))?;
                 self.beside(f, *to)?;
                 self.far_end(f, until.as_ref())?;
-                self.amounts_tried(f, *tried)?;
             }
-            Amount::Any { to, until: Some(end), tried } => {
+            Amount::Any { to, until: Some(end), .. } => {
                 let much = self.much(words, end.does, &[]);
                 write!(
                     f,
@@ -98,14 +80,12 @@ impl Needed {
                 )?;
                 self.beside(f, *to)?;
                 self.far_end(f, Some(end))?;
-                self.amounts_tried(f, *tried)?;
             }
-            Amount::Any { to, tried, .. } => {
+            Amount::Any { to, .. } => {
                 let amount = if self.quantity == Quantity::Angle { *to } else { roughly(*to, false) };
                 let aim = if how == Demand::Held { "it holds" } else { aim };
                 write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]))?;
                 self.beside(f, *to)?;
-                self.amounts_tried(f, *tried)?;
             }
             Amount::None { otherwise, .. } if self.has_no_squeeze() => {
                 write!(f, "NO squeeze does: {otherwise}")?;
@@ -130,6 +110,37 @@ impl Needed {
             Amount::Undecided { at, doubt } => {
                 write!(f, "UNDECIDED at {}: {doubt}", self.much(words, *at, &[]))?;
             }
+        }
+        match self.amount {
+            Amount::Any { .. } if self.has_no_squeeze() => Ok(()),
+            Amount::Bound { tried, .. } | Amount::Any { tried, .. } => self.amounts_tried(f, tried),
+            _ => Ok(()),
+        }
+    }
+
+    /// The far end of the sufficient amounts, the other ranges that suffice, and the changes of the verdict that neither explains.
+    fn windows(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        changes: usize,
+        until: Option<&FarEnd>,
+        elsewhere: &[AmountWindow],
+    ) -> fmt::Result {
+        let words = Words::of(f);
+        let mut told = 1 + usize::from(until.is_some());
+        self.far_end(f, until)?;
+        for window in elsewhere {
+            told += [window.from, window.to].iter().flatten().count();
+            let much = |amount: f64| self.much(words, amount, &[]);
+            let range = match (window.from, window.to) {
+                (Some(from), Some(to)) => self.range(words, from, to),
+                (Some(one), None) => format!("{} and more", much(one)),
+                (None, one) => format!("{} and less", much(one.unwrap_or(0.0))),
+            };
+            write!(f, ". Apart from that {range} would do")?;
+        }
+        if changes > told {
+            write!(f, ". The verdict changes {changes} times among the amounts tried")?;
         }
         Ok(())
     }
