@@ -33,7 +33,7 @@
 //! | `exact_sum` | sums of products without rounding |
 //! | `pairwise` | sums made of halves, on several threads |
 //! | `unit_vector` | unit vectors along an axis |
-//! | `waiting_line` | an event queue: numbered items ordered by their time |
+//! | `event_queue` | an event queue: numbered items ordered by their time |
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
 //! | `square_root` | the square root of std under a name of its own |
@@ -52,6 +52,7 @@ mod coordinates;
 mod cores;
 mod dormand_prince;
 mod double_double;
+mod event_queue;
 mod exact_sum;
 mod factors;
 mod gram_schmidt;
@@ -81,7 +82,6 @@ pub(crate) mod tolerances;
 mod trigonometric;
 mod unit_vector;
 mod vector_dispatch;
-mod waiting_line;
 #[cfg(any(test, not(feature = "std")))]
 mod without_std;
 
@@ -90,10 +90,11 @@ pub(crate) use bordered::Bordered;
 pub(crate) use bordered_band::BorderedBand;
 pub(crate) use cleared_for::cleared_for;
 pub(crate) use complete_pivoting::CompletePivoting;
-pub(crate) use coordinates::{Indices, Map, Seen, Size, Square, Vector, WHOLE};
+pub(crate) use coordinates::{Indices, Map, ScaledMap, Size, Square, Vector, WHOLE};
 pub(crate) use cores::{each_taken, in_order};
 pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};
+pub(crate) use event_queue::EventQueue;
 pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
 pub(crate) use harmonic::Harmonic;
@@ -120,9 +121,8 @@ pub(crate) use square_root::square_root;
 pub(crate) use std::sync::OnceLock as Once;
 pub(crate) use student_t::two_sided;
 pub(crate) use support::{Vertex, simplex};
-pub(crate) use trigonometric::{Fall, Trigonometric};
+pub(crate) use trigonometric::{FirstZero, Trigonometric};
 pub(crate) use unit_vector::unit;
 pub(crate) use vector_dispatch::{Compiled, Loop, OnVectors, Vectors, on_the_widest, wide};
-pub(crate) use waiting_line::WaitingLine;
 #[cfg(not(feature = "std"))]
 pub(crate) use without_std::{FloatFunctions, Once};

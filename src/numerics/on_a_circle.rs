@@ -8,7 +8,7 @@ use nalgebra::SVector;
 
 use super::harmonic::Harmonic;
 use super::tolerances::ROUNDED_SUM;
-use super::trigonometric::{Fall, Trigonometric};
+use super::trigonometric::{FirstZero, Trigonometric};
 
 /// N and v.
 #[derive(Debug, Clone, Copy)]
@@ -45,8 +45,8 @@ impl<const C: usize> Turning<C> {
             self.square().first_fall(most, rounding * self.size(), 0),
         ];
         falls.into_iter().find_map(|fall| match fall? {
-            Fall::At(angle) => Some(self.least_near(angle, most)),
-            Fall::Touches(_) => None,
+            FirstZero::At(angle) => Some(self.least_near(angle, most)),
+            FirstZero::Touches(_) => None,
         })
     }
 

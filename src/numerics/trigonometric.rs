@@ -26,7 +26,7 @@ pub(crate) struct Trigonometric {
 
 /// The first event on the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Fall {
+pub(crate) enum FirstZero {
     /// f falls below zero at this angle.
     At(f64),
     /// f stays above zero, but touches it within rounding at this angle.
@@ -84,7 +84,7 @@ impl Trigonometric {
     /// The first angle in (0, `most`] at which f falls below zero; `most` is at most a full turn.
     ///
     /// A value is zero within `rounding`. The first `roots_here` roots at the beginning do not count: f is zero there, and rises.
-    pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<Fall> {
+    pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<FirstZero> {
         let most = most.min(TAU);
         let mut here = *self;
         let mut touched = None;
@@ -101,8 +101,10 @@ impl Trigonometric {
             p.rotate_left(divided);
             // Divided by powers of t, a value near the beginning is as accurate as its slope.
             match fall_of(&p, end, if divided > 0 { 0.0 } else { rounding }) {
-                Some(Fall::At(t)) => return Some(Fall::At(begin + 2.0 * t.atan())),
-                Some(Fall::Touches(t)) => touched = touched.or(Some(Fall::Touches(begin + 2.0 * t.atan()))),
+                Some(FirstZero::At(t)) => return Some(FirstZero::At(begin + 2.0 * t.atan())),
+                Some(FirstZero::Touches(t)) => {
+                    touched = touched.or(Some(FirstZero::Touches(begin + 2.0 * t.atan())))
+                }
                 None => {}
             }
             here = here.a_quarter_on();
@@ -115,7 +117,9 @@ impl Trigonometric {
     pub(crate) fn first_cotangent(&self) -> Option<f64> {
         let mut here = *self;
         for quarter in 0_u8..4 {
-            if let Some(Fall::At(t) | Fall::Touches(t)) = fall_of(&here.of_the_half_angle(), 1.0, 0.0) {
+            if let Some(FirstZero::At(t) | FirstZero::Touches(t)) =
+                fall_of(&here.of_the_half_angle(), 1.0, 0.0)
+            {
                 return Some(match quarter {
                     0 => 1.0 / t,
                     1 => (1.0 - t) / (1.0 + t),
@@ -136,7 +140,7 @@ impl Trigonometric {
 }
 
 /// The first fall of a polynomial in (0, end].
-fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<Fall> {
+fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
     // The constant exceeds all that the negative terms can subtract.
     if p[0] + p[1..].iter().map(|p| p.min(0.0)).sum::<f64>() > rounding {
         return None;
@@ -150,10 +154,10 @@ fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<Fall> {
         if next < -rounding {
             // The polynomial begins at zero, or below by rounding.
             let root = if value > 0.0 { root_between(p, low, high) } else { low };
-            return Some(Fall::At(root));
+            return Some(FirstZero::At(root));
         }
         if next <= rounding && high < end {
-            touched = touched.or(Some(Fall::Touches(high)));
+            touched = touched.or(Some(FirstZero::Touches(high)));
         }
         (low, value) = (high, next);
     }
@@ -268,13 +272,13 @@ mod tests {
             }
             let most = TAU * if k % 2 == 0 { 1.0 } else { number().abs() };
             match (f.first_fall(most, 1e-14, 0), stepped(&f, most)) {
-                (Some(Fall::At(root)), Some(known)) => {
+                (Some(FirstZero::At(root)), Some(known)) => {
                     falls += 1;
                     assert!((root - known).abs() < 1e-9, "{f:?}: {root} {known}");
                 }
-                (None | Some(Fall::Touches(_)), None) => none += 1,
+                (None | Some(FirstZero::Touches(_)), None) => none += 1,
                 // Between two steps it may dip below zero.
-                (Some(Fall::At(root)), None) => assert!(f.at(root + 1e-6) > -1e-6, "{f:?}: {root}"),
+                (Some(FirstZero::At(root)), None) => assert!(f.at(root + 1e-6) > -1e-6, "{f:?}: {root}"),
                 (found, known) => panic!("{f:?}: {found:?} {known:?}"),
             }
         }
@@ -295,7 +299,7 @@ mod tests {
                 continue;
             }
             match (f.first_fall(TAU, 0.0, 0), f.first_cotangent()) {
-                (Some(Fall::At(angle)), Some(u)) => {
+                (Some(FirstZero::At(angle)), Some(u)) => {
                     falls += 1;
                     assert!((2.0 * 1.0_f64.atan2(u) - angle).abs() < 1e-14 * angle, "{f:?}");
                 }
@@ -315,11 +319,11 @@ mod tests {
             let once = Trigonometric::linear(&Harmonic::new([1.0 + lift, -turn.cos(), -turn.sin()]));
             let twice = Trigonometric::square_of(&Harmonic::new([1.0, -turn.cos(), -turn.sin()]));
             match once.first_fall(TAU, 1e-13, 0) {
-                Some(Fall::Touches(angle)) => assert!(lift == 0.0 && (angle - turn).abs() < 1e-7),
-                Some(Fall::At(angle)) => assert!(lift < 0.0 && (turn - angle - 4.47e-5).abs() < 1e-6),
+                Some(FirstZero::Touches(angle)) => assert!(lift == 0.0 && (angle - turn).abs() < 1e-7),
+                Some(FirstZero::At(angle)) => assert!(lift < 0.0 && (turn - angle - 4.47e-5).abs() < 1e-6),
                 None => assert!(lift > 0.0),
             }
-            assert!(!matches!(twice.first_fall(TAU, 1e-13, 0), Some(Fall::At(_))));
+            assert!(!matches!(twice.first_fall(TAU, 1e-13, 0), Some(FirstZero::At(_))));
         }
     }
 
@@ -327,7 +331,7 @@ mod tests {
     fn roots_at_the_beginning_do_not_count() {
         // sin φ rises from zero and falls at π; 1 - cos φ touches zero at the beginning only.
         let sine = Trigonometric::linear(&Harmonic::new([0.0, 0.0, 1.0])).first_fall(TAU, 1e-14, 1);
-        assert!(matches!(sine, Some(Fall::At(angle)) if (angle - TAU / 2.0).abs() < 1e-15), "{sine:?}");
+        assert!(matches!(sine, Some(FirstZero::At(angle)) if (angle - TAU / 2.0).abs() < 1e-15), "{sine:?}");
         assert_eq!(Trigonometric::linear(&Harmonic::new([1.0, -1.0, 0.0])).first_fall(6.0, 1e-14, 2), None);
     }
 }

@@ -22,5 +22,5 @@ mod round_cone;
 mod small_motions;
 mod soft_fingertip;
 mod soft_fingertip_torsion;
+mod solution_interval;
 mod valid;
-mod whole_line;

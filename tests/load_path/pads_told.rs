@@ -1,7 +1,7 @@
 //! Events of soft fingertips, against what their points do a little before and a little after.
 
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
-use grasp_lcp::load_path::{Doing, Leg};
+use grasp_lcp::load_path::{Leg, PadChange};
 use grasp_lcp::planar::{Grasp, Pressure, SoftFingertip, Wrench};
 use support::jaws::jaw;
 use support::samples::{samples, seeded};
@@ -47,17 +47,21 @@ fn the_first_and_the_last_points_are_told() -> Result<(), grasp_lcp::Error> {
                 let ((c0, s0), (c1, s1)) = (count(&before, pad.range()), count(&after, pad.range()));
                 let told: Vec<_> =
                     event.whole_changes().into_iter().filter(|told| told.contact == pad.contact).collect();
-                let tells = |what: Doing<2>| told.iter().any(|told| told.what == what);
+                let tells = |what: PadChange<2>| told.iter().any(|told| told.what == what);
                 let context = format!("{c0} {s0} {c1} {s1} {told:?}");
                 assert_eq!(
-                    tells(Doing::SlidesEverywhere),
+                    tells(PadChange::SlidesEverywhere),
                     c1 > 0 && s1 == c1 && !(s0 == c0 && c0 > 0),
                     "{context}"
                 );
-                assert_eq!(tells(Doing::BeginsToSlide), s0 == 0 && s1 > 0 && s1 < c1, "{context}");
-                assert_eq!(tells(Doing::SticksAgain), s0 > 0 && s1 == 0 && c1 > 0, "{context}");
-                assert_eq!(tells(Doing::Opens), c0 > 0 && c1 == 0, "{context}");
-                assert_eq!(tells(Doing::BeginsToOpen), c0 == pad.points && c1 < c0 && c1 > 0, "{context}");
+                assert_eq!(tells(PadChange::BeginsToSlide), s0 == 0 && s1 > 0 && s1 < c1, "{context}");
+                assert_eq!(tells(PadChange::SticksAgain), s0 > 0 && s1 == 0 && c1 > 0, "{context}");
+                assert_eq!(tells(PadChange::Opens), c0 > 0 && c1 == 0, "{context}");
+                assert_eq!(
+                    tells(PadChange::BeginsToOpen),
+                    c0 == pad.points && c1 < c0 && c1 > 0,
+                    "{context}"
+                );
                 for told in told {
                     *seen.entry(told.to_string()).or_insert(0) += 1;
                 }

@@ -13,7 +13,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{
-    Doubt, Effort, Found, FoundBy, Settings, Settled, combinations, on_the_whole_line, search, settle,
+    Doubt, Effort, Found, FoundBy, Settings, Settled, combinations, on_the_solution_interval, search, settle,
     settle_at_rest,
 };
 
@@ -23,7 +23,7 @@ impl Engine {
         let problem = self.problem_under(load, settings)?;
         let (mut settled, effort) = settle_at_rest(&problem, settings);
         if let Settled::Found(found, rule) = settled {
-            settled = Settled::Found(on_the_whole_line(&problem, found), rule);
+            settled = Settled::Found(on_the_solution_interval(&problem, found), rule);
         }
         let outcome = self.outcome(&problem, load, settled, &effort, AnswerFor::of(self.space(), settings));
         outcome.equilibrium().map_or(Ok(()), |state| self.refuse_kinetic_slides("solve", state))?;

@@ -13,7 +13,7 @@ use crate::prelude::*;
 use crate::search::Found;
 
 /// Answer at one site: a contact, or a drive of a hand.
-struct Told<'a> {
+struct SiteAnswer<'a> {
     force: &'a SVector<f64, 3>,
     gap: f64,
     separated: bool,
@@ -34,9 +34,9 @@ struct ContactLaw<'c> {
 
 impl Residuals {
     /// Raises each residual to that of one site, if that is larger.
-    fn note(&mut self, law: &ContactLaw<'_>, told: &Told<'_>) {
+    fn note(&mut self, law: &ContactLaw<'_>, told: &SiteAnswer<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
-        let Told { force: f, gap: g, separated, stretch, slip: s } = *told;
+        let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *told;
         let give = site.springs.give(f);
         for a in 0..site.springs.axes() {
             let jump = if a == 0 { g } else { -s[a] };
@@ -141,7 +141,8 @@ impl Engine {
                 - self.carried(i, twist).0;
             let stretch = problem.drives[i] - self.sites()[i].frame.tr_mul(&moved);
             let separated = answer.state == ContactState::Separated;
-            let told = Told { force: &answer.force, gap: answer.gap, separated, stretch, slip: slip(i) };
+            let told =
+                SiteAnswer { force: &answer.force, gap: answer.gap, separated, stretch, slip: slip(i) };
             r.note(&law(i), &told);
         }
         for (k, told) in of_drives.iter().enumerate() {
@@ -163,7 +164,7 @@ impl Engine {
     }
 
     /// Answers at the drives of a hand.
-    fn drives_told<'a>(&self, problem: &Problem, twist: &Vector, found: &'a Found) -> Vec<Told<'a>> {
+    fn drives_told<'a>(&self, problem: &Problem, twist: &Vector, found: &'a Found) -> Vec<SiteAnswer<'a>> {
         if self.linkage().is_none() {
             return Vec::new();
         }
@@ -174,7 +175,7 @@ impl Engine {
             let gap = if separated { (-stretch[0]).max(0.0) } else { 0.0 };
             let slips = found.states[i].slides();
             let slip = if slips { site.springs.slip(&stretch, force) } else { SVector::zeros() };
-            Told { force, gap, separated, stretch, slip }
+            SiteAnswer { force, gap, separated, stretch, slip }
         };
         found.forces.iter().enumerate().skip(self.len()).map(told).collect()
     }

@@ -14,7 +14,7 @@
 use nalgebra::{Matrix, SVector};
 
 use super::path_stiffness::{NarrowOrder, PathFactors, PathStiffness};
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use super::tolerances::SLACK_ON_AN_ARC;
 use crate::contact::{Slide, State, Tangent, tangential, tangential_norm};
 use crate::equilibrium::NoEquilibrium;
@@ -303,7 +303,7 @@ impl Segment<'_> {
         factor: f64,
         at: &PieceState,
         pushed: Option<&Vector>,
-    ) -> Result<Here, NoEquilibrium<3>> {
+    ) -> Result<PathPoint, NoEquilibrium<3>> {
         let piece = alloc::sync::Arc::new(Piece::new(&self.problem, states));
         let rate = piece
             .solve(self.problem.sites, &self.change, &self.course.rate_at(factor))

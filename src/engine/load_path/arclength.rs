@@ -5,14 +5,14 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::SVector;
 
 use super::pieces::Pieces;
-use super::segment::Here;
+use super::segment::PathPoint;
 use super::trajectory::Trajectory;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
 impl Pieces<'_> {
     /// Displacement of the object for one unit of the factor at the beginning; while the load turns, together with the rate a quarter turn later.
-    pub(super) fn displacement_rate(&self, here: &Here) -> f64 {
+    pub(super) fn displacement_rate(&self, here: &PathPoint) -> f64 {
         let mut size = here.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {
             let later = self.segment.course.rate_at(self.factor + FRAC_PI_2 / angle);
@@ -28,7 +28,7 @@ impl Pieces<'_> {
     }
 
     /// Deflection of the softest spring under all present forces and those that one unit of the factor adds.
-    fn springs_give(&self, here: &Here) -> f64 {
+    fn springs_give(&self, here: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = sites.iter().map(|site| site.springs.softest()).fold(f64::INFINITY, f64::min);
         let drives = self.segment.change.iter().map(SVector::norm).fold(0.0, f64::max);

@@ -4,7 +4,7 @@
 
 use super::flow::{Flow, Reached, Rule, StepGoal};
 use super::pieces::Pieces;
-use super::segment::Here;
+use super::segment::PathPoint;
 use super::watch::{Watch, watch};
 use crate::prelude::*;
 
@@ -20,7 +20,12 @@ pub(super) struct StepEnd {
 
 impl Pieces<'_> {
     /// A step of a length, with the conditions at its end.
-    pub(super) fn step(&self, here: &Here, (length, trial): (f64, usize), rule: Rule) -> Option<StepEnd> {
+    pub(super) fn step(
+        &self,
+        here: &PathPoint,
+        (length, trial): (f64, usize),
+        rule: Rule,
+    ) -> Option<StepEnd> {
         let unit = self.pace.unit?;
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
         let reached = flow.reach(length, StepGoal::after(1.0, trial), rule)?;
@@ -41,7 +46,7 @@ impl Pieces<'_> {
     /// The step that ends where condition `k` is just met and no other is violated.
     pub(super) fn locate(
         &self,
-        here: &Here,
+        here: &PathPoint,
         start: &[Watch],
         mut end: StepEnd,
         mut k: usize,

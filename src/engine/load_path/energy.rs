@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use super::turning_state::TurningState;
 use crate::contact::State;
 use crate::grasp::Site;
@@ -64,7 +64,14 @@ impl LegEnergy {
     }
 
     /// Adds the energies of a piece from a factor on, with fixed states and no contact sliding on a round cone.
-    pub(super) fn add(&mut self, segment: &Segment, states: &[State], here: &Here, factor: f64, step: f64) {
+    pub(super) fn add(
+        &mut self,
+        segment: &Segment,
+        states: &[State],
+        here: &PathPoint,
+        factor: f64,
+        step: f64,
+    ) {
         if let Some(turned) = &here.turned {
             self.add_turned(segment, states, turned, step);
             return;

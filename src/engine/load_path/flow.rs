@@ -15,7 +15,7 @@ use nalgebra::SVector;
 use super::arc::{Arc, Direction};
 use super::energy::LegEnergy;
 use super::relaxation::Relaxation;
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
 use super::watch::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
@@ -73,7 +73,7 @@ pub(super) struct Flow<'s, 'g> {
     arc: Arc<'s, 'g>,
     from: f64,
     /// The start, with rates for one unit of arclength.
-    here: &'s Here,
+    here: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start.
     begin: Vec<SVector<f64, 3>>,
     /// Whether each of them is losing its normal force, so that its slip is not known any more.
@@ -87,7 +87,7 @@ pub(super) struct Flow<'s, 'g> {
 pub(super) struct Reached {
     pub(super) to: f64,
     /// State with rates for one unit of arclength.
-    pub(super) here: Here,
+    pub(super) here: PathPoint,
     pub(super) energy: LegEnergy,
     /// Estimated relative error: of forces over the largest of them, of the twist over the largest displacement; the larger of both.
     pub(super) error: f64,
@@ -110,7 +110,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         segment: &'s Segment<'g>,
         states: &'s [State],
         from: f64,
-        here: &'s Here,
+        here: &'s PathPoint,
         unit: f64,
     ) -> Self {
         let sites = segment.grasp.sites();

@@ -18,13 +18,13 @@ use crate::search::Settings;
 
 /// Result of one advance of a follower.
 #[derive(Debug)]
-pub(crate) enum Came<T> {
+pub(crate) enum Advance<T> {
     /// The follower has reached an event or a step to report.
-    To(T),
+    Reached(T),
     /// Nothing to report yet.
     OnTheWay,
     /// The leg is complete, and everything on it has been reported.
-    ToTheEndOfTheLeg,
+    EndOfLeg,
 }
 
 /// The contacts at the present place, and the rates of those on an edge.
@@ -51,7 +51,7 @@ pub(crate) trait Follower<'g>: Debug {
     ///
     /// # Errors
     /// How the path ends here.
-    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Came<Self::Report>, PathEnd<3>>;
+    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Advance<Self::Report>, PathEnd<3>>;
 
     /// The fraction of the leg already followed.
     fn fraction(&self) -> f64;

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end};
 use super::energy::LegEnergy;
 use super::event::{LossKind, PathEnd};
-use super::follower::{Came, Follower, StandAtEdge};
+use super::follower::{Advance, Follower, StandAtEdge};
 use super::journey::Journey;
 use super::leg::Leg;
 use super::small_motions::EndOfSmallMotions;
@@ -77,15 +77,15 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
     /// The report of a follower that advances by `on`; `None` where the path has ended or there is nothing to report yet.
     pub(super) fn go(
         &mut self,
-        on: impl FnOnce(&mut F, &Journey<'g>) -> Result<Came<F::Report>, PathEnd<3>>,
+        on: impl FnOnce(&mut F, &Journey<'g>) -> Result<Advance<F::Report>, PathEnd<3>>,
     ) -> Option<F::Report> {
         match on(self.follower.as_mut()?, &self.journey) {
-            Ok(Came::To(told)) => {
+            Ok(Advance::Reached(told)) => {
                 self.end_without_vacuum();
                 return Some(told);
             }
-            Ok(Came::OnTheWay) => {}
-            Ok(Came::ToTheEndOfTheLeg) => {
+            Ok(Advance::OnTheWay) => {}
+            Ok(Advance::EndOfLeg) => {
                 let goes = self.journey.program.next_leg();
                 self.set_out(goes);
             }

@@ -136,4 +136,4 @@ pub use turn::{EdgeOf, Touch, Turn};
 pub use turn_questions::TurnOnset;
 #[cfg(feature = "serde")]
 pub(crate) use whole_change::whole_changes;
-pub use whole_change::{Doing, WholeChange};
+pub use whole_change::{PadChange, WholeChange};

@@ -7,7 +7,7 @@ use super::event::{Change, LossKind, PathEnd};
 use super::follower::StandAtEdge;
 use super::journey::Journey;
 use super::path_state::carries_nothing;
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
 use super::transition::{change, nothing_changes, others};
 use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
@@ -16,7 +16,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{
-    Doubt, Effort, Found, FoundBy, Judged, Settings, Settled, on_the_whole_line, polish, settle,
+    Doubt, Effort, Found, FoundBy, Judged, Settings, Settled, on_the_solution_interval, polish, settle,
     solution_near, try_states,
 };
 
@@ -50,7 +50,7 @@ pub(super) struct Node {
 
 /// The continuation of the path from a node.
 pub(super) struct Onward {
-    pub(super) here: Here,
+    pub(super) here: PathPoint,
     pub(super) changes: Vec<(usize, Change<3>)>,
     pub(super) other_continuations: Option<usize>,
 }
@@ -83,7 +83,7 @@ impl Node {
         // From a state without forces a contact that slides without slipping may slip as well. The path takes the middle of all motions that hold,
         // not one end.
         if self.at.forces.iter().all(|force| force.norm() == 0.0) {
-            found = on_the_whole_line(&rates, found);
+            found = on_the_solution_interval(&rates, found);
         }
         // Infinite friction keeps its tangential force until the normal force is gone, and then loses it at once.
         let lets_go = |i: usize| self.holds[i] && !self.states[i].is_open() && found.states[i].is_open();

@@ -22,7 +22,7 @@ use crate::equilibrium::{AnswerFor, Cone, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Memory;
-use crate::object::{Load, Problem, are_many};
+use crate::object::{Load, Problem, uses_band};
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, Settings, Settled, settle, settle_at_rest};
 
@@ -56,7 +56,7 @@ impl Engine {
         let mut memory = OnsetMemory::default();
         let onset = self.onset_in_memory(ramp, settings, &mut memory)?;
         // With few coordinates the base is found at once.
-        Ok((onset, memory.rest.filter(|_| are_many(self.size()))))
+        Ok((onset, memory.rest.filter(|_| uses_band(self.size()))))
     }
 
     fn onset_in_memory(

@@ -4,7 +4,7 @@ use nalgebra::{Matrix, SVector};
 
 use super::first_exits::PathState;
 use super::node::{Node, directions};
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use super::tolerances::GATHERED_MARGIN;
 use super::trajectory::Trajectory;
 use super::watch::{has_vanished, is_vanishing};
@@ -65,7 +65,7 @@ impl Node {
         segment: &Segment<'_>,
         factor: f64,
         pushed: Option<&Vector>,
-    ) -> Result<Here, NoEquilibrium<3>> {
+    ) -> Result<PathPoint, NoEquilibrium<3>> {
         if self.turns() {
             segment.tangent(&self.states, factor, &self.at, pushed)
         } else {
@@ -87,7 +87,7 @@ impl Node {
         }
     }
 
-    fn stand(&mut self, segment: &mut Segment<'_>, here: &Here) {
+    fn stand(&mut self, segment: &mut Segment<'_>, here: &PathPoint) {
         for (i, line) in here.lines.iter().enumerate() {
             if self.states[i].is_open() {
                 self.stands[i].apex = here.gaps[i].gap <= ZERO_SLACK * here.gaps[i].size;
@@ -108,7 +108,13 @@ impl Node {
     }
 
     /// Moves to the end of a piece: the slip on it becomes memory.
-    pub(super) fn arrive(&mut self, segment: &mut Segment<'_>, here: &Here, factor: f64, there: &PieceState) {
+    pub(super) fn arrive(
+        &mut self,
+        segment: &mut Segment<'_>,
+        here: &PathPoint,
+        factor: f64,
+        there: &PieceState,
+    ) {
         self.at = there.clone();
         if matches!(segment.course, Trajectory::Turn { .. }) {
             self.leave_behind(segment, here, factor);
@@ -129,7 +135,7 @@ impl Node {
 
     /// While the load turns, removes edges from active sets that contacts have moved away from by now: at the event their rates did not show that
     /// yet.
-    fn leave_behind(&mut self, segment: &Segment<'_>, here: &Here, factor: f64) {
+    fn leave_behind(&mut self, segment: &Segment<'_>, here: &PathPoint, factor: f64) {
         let drives = segment.drives(factor);
         for (i, (stand, state)) in self.stands.iter_mut().zip(&self.states).enumerate() {
             if state.is_open() {
@@ -144,7 +150,7 @@ impl Node {
 
     /// Puts sliding contacts that have all but lost their normal force at the apex: their friction cannot be followed any further. Whether there is
     /// such a contact.
-    pub(super) fn let_go(&mut self, here: &Here) -> bool {
+    pub(super) fn let_go(&mut self, here: &PathPoint) -> bool {
         let mut any = false;
         for (i, line) in here.lines.iter().enumerate() {
             let slides = self.states[i].slides();
@@ -163,7 +169,7 @@ impl Node {
 
     /// A contact that has stopped here and, sticking, leaves its cone along a tangent. Where everything else is straight it can neither slide nor
     /// stick: sliding on, it would slip against friction.
-    pub(super) fn neither_slides_nor_sticks(&self, segment: &Segment<'_>, here: &Here) -> Option<usize> {
+    pub(super) fn neither_slides_nor_sticks(&self, segment: &Segment<'_>, here: &PathPoint) -> Option<usize> {
         let leaves = |i: &&usize| {
             self.states[**i].is_sticking() && segment.problem.local(**i).leaves_by_a_tangent(&here.lines[**i])
         };
@@ -174,7 +180,7 @@ impl Node {
     /// Where steps die out, puts contacts near an edge onto it, so that all events within the error of steps happen at one place. Returns the largest
     /// distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While the load turns, sliding contacts
     /// alone need no decision: the rates ahead have decided about them.
-    pub(super) fn gather(&mut self, segment: &Segment<'_>, here: &Here) -> Option<f64> {
+    pub(super) fn gather(&mut self, segment: &Segment<'_>, here: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in here.lines.iter().zip(&here.gaps).enumerate() {
             let (local, stand) = (segment.problem.local(i), &mut self.stands[i]);

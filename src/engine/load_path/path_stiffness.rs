@@ -6,7 +6,7 @@ use core::ops::Range;
 use crate::grasp::Site;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{Band, Bordered, BorderedBand, Size, Square, Vector, narrow_order, widest};
-use crate::object::are_many;
+use crate::object::uses_band;
 use crate::prelude::*;
 
 /// An order of coordinates in which coordinates coupled by a contact are near each other.
@@ -19,7 +19,7 @@ pub(super) struct NarrowOrder {
 impl NarrowOrder {
     /// `None` for few coordinates, where a band is not worthwhile.
     pub(super) fn of(size: Size, sites: &[Site]) -> Option<Arc<Self>> {
-        if !are_many(size) {
+        if !uses_band(size) {
             return None;
         }
         let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges()).collect();

@@ -12,7 +12,7 @@ use super::beyond::Beyond;
 use super::energy::LegEnergy;
 use super::event::{Event, PathEnd};
 use super::flow::{Reached, Rule};
-use super::follower::{Came, Follower, StandAtEdge};
+use super::follower::{Advance, Follower, StandAtEdge};
 use super::following::Following;
 use super::journey::{Journey, Rest};
 use super::leg::Leg;
@@ -20,7 +20,7 @@ use super::letting_go::beyond_a_jump;
 use super::node::Node;
 use super::pace::Pace;
 use super::path::{LoadPath, Path};
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use super::small_motions::EndOfSmallMotions;
 use super::stretch::{Bend, Stretch};
 use super::trajectory::Trajectory;
@@ -41,7 +41,7 @@ pub(crate) struct Pieces<'g> {
     pub(super) node: Node,
     /// Whether the continuation from here is still to be decided.
     pub(super) at_node: bool,
-    pub(super) here: Option<Here>,
+    pub(super) here: Option<PathPoint>,
     /// The pieces that the path has passed.
     pub(super) behind: Vec<Stretch<'g>>,
     pub(super) energy: Vec<LegEnergy>,
@@ -100,10 +100,10 @@ impl<'g> Follower<'g> for Pieces<'g> {
         Ok(())
     }
 
-    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Came<Event<3>>, PathEnd<3>> {
+    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
         match self.go_unless_lost(journey) {
             Err(PathEnd::Lost(loss)) => {
-                self.caught_by_a_gap(journey, &loss).map(Came::To).ok_or(PathEnd::Lost(loss))
+                self.caught_by_a_gap(journey, &loss).map(Advance::Reached).ok_or(PathEnd::Lost(loss))
             }
             came => came,
         }
@@ -199,13 +199,13 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    fn go_unless_lost(&mut self, journey: &Journey<'g>) -> Result<Came<Event<3>>, PathEnd<3>> {
+    fn go_unless_lost(&mut self, journey: &Journey<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
         if core::mem::take(&mut self.at_node) {
-            return Ok(self.decide(journey)?.map_or(Came::OnTheWay, Came::To));
+            return Ok(self.decide(journey)?.map_or(Advance::OnTheWay, Advance::Reached));
         }
         let leg_done =
             if self.node.turns() { self.advance_along_arc(journey) } else { self.advance_straight(journey) };
-        Ok(if leg_done? { Came::ToTheEndOfTheLeg } else { Came::OnTheWay })
+        Ok(if leg_done? { Advance::EndOfLeg } else { Advance::OnTheWay })
     }
 
     fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
@@ -288,7 +288,7 @@ impl<'g> Pieces<'g> {
     pub(super) fn stretch(
         &self,
         journey: &Journey<'g>,
-        here: Here,
+        here: PathPoint,
         to: f64,
         there: PieceState,
     ) -> Stretch<'g> {
@@ -314,7 +314,7 @@ impl<'g> Pieces<'g> {
     pub(super) fn take(
         &mut self,
         journey: &Journey<'g>,
-        here: &Here,
+        here: &PathPoint,
         (length, rule): (f64, Rule),
         reached: &Reached,
     ) {

@@ -30,7 +30,7 @@ pub(super) struct Segment<'g> {
 
 /// The state at a factor, with its rates.
 #[derive(Debug, Clone)]
-pub(super) struct Here {
+pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
     pub(super) twist: Vector,
     pub(super) twist_rate: Vector,
@@ -49,7 +49,7 @@ pub(super) struct Here {
     pub(super) turned: Option<alloc::sync::Arc<TurningState>>,
 }
 
-impl Here {
+impl PathPoint {
     /// Forces and twist after a step, extrapolated from this state.
     pub(super) fn after(&self, step: f64) -> PieceState {
         if let Some(turned) = &self.turned {
@@ -85,7 +85,7 @@ impl<'g> Segment<'g> {
         factor: f64,
         near: Option<&Vector>,
         pushed: Option<&Vector>,
-    ) -> Result<Here, NoEquilibrium<3>> {
+    ) -> Result<PathPoint, NoEquilibrium<3>> {
         let piece = self.problem.piece(states);
         let rate = match &self.course {
             Trajectory::Straight { rate, .. } => rate,
@@ -113,7 +113,7 @@ impl<'g> Segment<'g> {
         at: &PieceState,
         rate: &PieceState,
         factor_rate: f64,
-    ) -> Here {
+    ) -> PathPoint {
         self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
@@ -134,7 +134,7 @@ impl<'g> Segment<'g> {
         at: PieceState,
         (rate, factor_rate): (&PieceState, f64),
         (since, base): (f64, &PieceState),
-    ) -> Here {
+    ) -> PathPoint {
         let PieceState { forces, twist } = at;
         let change: Vec<_> = self.change.iter().map(|a| a * factor_rate).collect();
         let way = factor - since;
@@ -172,7 +172,7 @@ impl<'g> Segment<'g> {
             });
             gaps.push(GapLine { gap: -stretch[0], rate: -stretching[0], size: span, rate_size: span_rate });
         }
-        Here {
+        PathPoint {
             lines,
             twist,
             twist_rate: rate.twist.clone(),
@@ -201,7 +201,7 @@ impl<'g> Segment<'g> {
         contact: usize,
         state: &State,
         exit: &Exit,
-        here: &Here,
+        here: &PathPoint,
         factor: f64,
         at: &PieceState,
     ) -> f64 {
@@ -258,7 +258,7 @@ impl<'g> Segment<'g> {
     }
 
     /// The exits through which a contact may leave its state.
-    pub(super) fn ways_out(&self, contact: usize, state: &State, here: &Here) -> Vec<Exit> {
+    pub(super) fn ways_out(&self, contact: usize, state: &State, here: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &here.lines[contact], &here.gaps[contact])
     }
 
@@ -270,14 +270,14 @@ impl<'g> Segment<'g> {
 
     /// The smallest step to an edge, an apex, a closed gap or a reversal of slip, with all contacts that reach one there. For a load that turns,
     /// steps up to `rest` are searched.
-    pub(super) fn first_exits(&self, states: &[State], here: &Here, rest: f64) -> FirstExits {
+    pub(super) fn first_exits(&self, states: &[State], here: &PathPoint, rest: f64) -> FirstExits {
         if let Some(turned) = &here.turned {
             return turned.first_exits(&self.problem, states, rest);
         }
         FirstExits { standing: self.first_on_lines(states, here), touches: Vec::new() }
     }
 
-    fn first_on_lines(&self, states: &[State], here: &Here) -> Option<(f64, PathState)> {
+    fn first_on_lines(&self, states: &[State], here: &PathPoint) -> Option<(f64, PathState)> {
         let ways: PathState =
             states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here))).collect();
         let first =

@@ -12,7 +12,7 @@ use super::stretch::Stretch;
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{AnswerFor, CountedMotion, Standing, TooFar, farthest};
 use crate::grasp::{Engine, Hold};
-use crate::numerics::{Fall, Harmonic, Trigonometric};
+use crate::numerics::{FirstZero, Harmonic, Trigonometric};
 use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -136,7 +136,7 @@ impl<'g> Stretch<'g> {
                 (0..3).fold(limit, |margin, k| margin.minus(&square(component(k))))
             };
             if motion.limit.is_finite()
-                && let Some(Fall::At(angle)) = margin.first_fall(most, 0.0, 0)
+                && let Some(FirstZero::At(angle)) = margin.first_fall(most, 0.0, 0)
                 && first.is_none_or(|(fraction, _)| self.from + angle / turned.angle < fraction)
             {
                 first = Some((self.from + angle / turned.angle, *motion));

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::first_exits::PathState;
 use super::onset::{Departure, Leaving, Onset, OnsetEvent};
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, State, ZERO_SLACK};
 use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_states};
@@ -80,7 +80,7 @@ impl StickingPath<'_> {
 
     /// Contacts on an edge at the base: those about to cross it with no way left, and those that touch without force. Only the rates decide about
     /// both.
-    fn standing_at_base(&self, states: &[State], here: &Here) -> PathState {
+    fn standing_at_base(&self, states: &[State], here: &PathPoint) -> PathState {
         let mut standing = Vec::new();
         for (i, state) in states.iter().enumerate() {
             let mut exits = self.segment.ways_out(i, state, here);
@@ -99,7 +99,7 @@ impl StickingPath<'_> {
     fn event(
         &self,
         states: Vec<State>,
-        here: &Here,
+        here: &PathPoint,
         stands: Vec<ActiveSet>,
         rates: &Problem,
         settled: &Settled,
@@ -150,7 +150,7 @@ impl StickingPath<'_> {
 }
 
 /// The active sets that these exits lead to. A contact without an exit touches without force.
-fn stands(axes: usize, states: &[State], here: &Here, standing: &PathState) -> Vec<ActiveSet> {
+fn stands(axes: usize, states: &[State], here: &PathPoint, standing: &PathState) -> Vec<ActiveSet> {
     let mut stands = vec![ActiveSet::NOWHERE; states.len()];
     for (i, exits) in standing {
         let line = &here.lines[*i];

@@ -5,7 +5,7 @@ use super::event::PathEnd;
 use super::first_exits::PathState;
 use super::journey::Journey;
 use super::pieces::Pieces;
-use super::segment::Here;
+use super::segment::PathPoint;
 use super::tolerances::LARGEST_CORRECTION;
 use crate::object::PieceState;
 use crate::prelude::*;
@@ -63,13 +63,13 @@ impl<'g> Pieces<'g> {
     }
 
     /// Forces and twist after a step along the present piece.
-    pub(super) fn state_after(&self, here: &Here, step: f64) -> PieceState {
+    pub(super) fn state_after(&self, here: &PathPoint, step: f64) -> PieceState {
         let near = here.after(step);
         self.segment.state(&here.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
     /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of the present state.
-    fn corrected(&self, here: &Here, step: f64, standing: &PathState) -> f64 {
+    fn corrected(&self, here: &PathPoint, step: f64, standing: &PathState) -> f64 {
         let exits = standing.iter().flat_map(|(i, exits)| exits.iter().map(move |exit| (*i, exit)));
         let Some((i, exit)) = exits.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty)) else {
             return step;

@@ -7,7 +7,7 @@ use super::body_loads::BodyLoads;
 use super::flow::{Flow, Rule, StepGoal};
 use super::held_torques::HeldTorques;
 use super::path_state::carries_nothing;
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
 use crate::equilibrium::{AnswerFor, Equilibrium};
@@ -35,7 +35,7 @@ pub(super) struct Stretch<'g> {
     pub(super) torques: HeldTorques,
     pub(super) states: Vec<State>,
     /// State at `from`, with rates.
-    pub(super) here: Here,
+    pub(super) here: PathPoint,
     /// State at `to`.
     pub(super) there: PieceState,
     /// The step, where a contact slides on the round cone.
@@ -207,6 +207,6 @@ impl<'g> Stretch<'g> {
 }
 
 /// The state at the beginning of a step.
-fn start_of(here: &Here) -> PieceState {
+fn start_of(here: &PathPoint) -> PieceState {
     PieceState { forces: here.lines.iter().map(|line| line.force).collect(), twist: here.twist.clone() }
 }

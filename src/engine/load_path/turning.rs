@@ -19,7 +19,7 @@ use super::first_exits::PathState;
 use super::flow::{Flow, Rule};
 use super::journey::Journey;
 use super::pieces::Pieces;
-use super::segment::Here;
+use super::segment::PathPoint;
 use super::tolerances::STANDS_STILL;
 use super::trajectory::Trajectory;
 use super::watch::{Watch, WatchedCondition, watch};
@@ -91,7 +91,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// The step, shortened to the first condition that it violates, at its end or within it.
-    fn up_to_a_crossing(&self, here: &Here, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
+    fn up_to_a_crossing(&self, here: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
         let start = watch(&self.segment, &self.node.states, (self.factor, here));
         let mut looks = 0;
         loop {
@@ -126,7 +126,7 @@ impl<'g> Pieces<'g> {
 
     /// The length of a step along which the load turns by a quarter of a radian. Along a longer step a condition could fail and hold again at the
     /// end.
-    fn part_of_a_turn(&self, here: &Here) -> f64 {
+    fn part_of_a_turn(&self, here: &PathPoint) -> f64 {
         match self.segment.course {
             // Largest turn of the load in a step, rad.
             Trajectory::Turn { angle, .. } => 0.25 / (angle * here.factor_rate.abs()),
@@ -135,7 +135,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// Length and rule of a step for which the relaxation of friction directions is stable.
-    fn stable(&mut self, here: &Here, length: f64, tolerance: f64) -> (f64, Rule) {
+    fn stable(&mut self, here: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
         // Longest explicit step, in units of the length over which a direction relaxes: from six units on, rounding would grow.
@@ -151,7 +151,7 @@ impl<'g> Pieces<'g> {
 
     /// Whether the object moves on while no force changes: the load factor approaches its limit and never reaches it. A friction force that relaxes
     /// fast always turns slightly by its rounding, and sticking contacts take that up.
-    fn slides_away(&self, here: &Here) -> bool {
+    fn slides_away(&self, here: &PathPoint) -> bool {
         if here.factor_rate.abs() > STANDS_STILL {
             return false;
         }
@@ -165,7 +165,7 @@ impl<'g> Pieces<'g> {
 
     /// Length of a step along the tangent, where one is short enough for that. From an apex it gives a friction force its direction; close to an apex
     /// it covers the rest.
-    fn straight_length(&self, here: &Here) -> Option<f64> {
+    fn straight_length(&self, here: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / here.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {
             let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
@@ -185,7 +185,7 @@ impl<'g> Pieces<'g> {
         self.node.sets_out.then_some(1e-6 * way)
     }
 
-    fn first_length(&self, here: &Here) -> f64 {
+    fn first_length(&self, here: &PathPoint) -> f64 {
         let mut length = (1.0 - self.factor) / here.factor_rate;
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
@@ -203,7 +203,7 @@ impl<'g> Pieces<'g> {
         length
     }
 
-    fn way_to_apex(&self, here: &Here) -> f64 {
+    fn way_to_apex(&self, here: &PathPoint) -> f64 {
         let mut way = f64::INFINITY;
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             if state.slides()
@@ -219,7 +219,12 @@ impl<'g> Pieces<'g> {
     }
 
     /// Moves to the end of a step and adds the edges reached there to the active sets. Whether the leg is done.
-    fn arrive_at(&mut self, journey: &Journey<'g>, here: &Here, end: &StepEnd) -> Result<bool, PathEnd<3>> {
+    fn arrive_at(
+        &mut self,
+        journey: &Journey<'g>,
+        here: &PathPoint,
+        end: &StepEnd,
+    ) -> Result<bool, PathEnd<3>> {
         let tolerance = journey.settings.step_error * self.pace.looser;
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
@@ -273,7 +278,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// The contacts among these that have not slipped since the step began.
-    fn stands_still(&self, here: &Here, contacts: &[usize]) -> Vec<usize> {
+    fn stands_still(&self, here: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
         }
@@ -285,7 +290,7 @@ impl<'g> Pieces<'g> {
     }
 
     /// The loss at the end of an arc; the object leaves along the arc.
-    fn lost(&self, journey: &Journey<'g>, kind: LossKind, here: &Here) -> PathEnd<3> {
+    fn lost(&self, journey: &Journey<'g>, kind: LossKind, here: &PathPoint) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = here.twist_rate.normalize();
         PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.collect(), Some(&motion))))

@@ -4,7 +4,7 @@ use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
 use super::turning_state::TurningState;
 use crate::contact::Wave;
@@ -28,7 +28,7 @@ impl Segment<'_> {
         (load, angle): (&Harmonic<Vector>, f64),
         factor: f64,
         near: Option<&Vector>,
-    ) -> Result<Here, NoEquilibrium<3>> {
+    ) -> Result<PathPoint, NoEquilibrium<3>> {
         let onward = load.from(angle * factor);
         let at_rest = vec![SVector::zeros(); self.problem.len()];
         let solved = |drives: &[SVector<f64, 3>], load: &Vector| {

@@ -1,6 +1,6 @@
 //! The conditions that must stay positive along a sliding arc.
 
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};
 use super::trajectory::Trajectory;
 use crate::contact::{Line, Mode, State, tangential, tangential_norm};
@@ -67,7 +67,11 @@ pub(super) fn has_vanished(line: &Line) -> bool {
 }
 
 /// The conditions in these states.
-pub(super) fn watch(segment: &Segment<'_>, states: &[State], (factor, here): (f64, &Here)) -> Vec<Watch> {
+pub(super) fn watch(
+    segment: &Segment<'_>,
+    states: &[State],
+    (factor, here): (f64, &PathPoint),
+) -> Vec<Watch> {
     // The rate of the load factor is at most 1. At a maximum of the load factor a rate of 1e-8 counts as zero: the factor is known to its square.
     let mut list = vec![
         Watch {

@@ -15,13 +15,13 @@ pub struct WholeChange<const C: usize> {
     /// The contact that changes.
     pub contact: ContactLabel,
     /// Its behaviour from here on.
-    pub what: Doing<C>,
+    pub what: PadChange<C>,
 }
 
 /// The behaviour of a contact from an event on. Point contacts are described by their change, soft fingertips by their first and last points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum Doing<const C: usize> {
+pub enum PadChange<const C: usize> {
     /// A contact that is a single point changes.
     Point(Change<C>),
     /// The first points slide.
@@ -46,7 +46,7 @@ pub enum Doing<const C: usize> {
     WouldPull,
 }
 
-impl<const C: usize> fmt::Display for Doing<C> {
+impl<const C: usize> fmt::Display for PadChange<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Point(change) => return write!(f, "{change:.*}", Words::of(f).digits()),
@@ -69,8 +69,8 @@ impl<const C: usize> fmt::Display for WholeChange<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.contact.text();
         match (self.contact.link, self.what) {
-            (link @ Some(_), Doing::Point(Change::Opens)) => write!(f, "{name} {}", opens(link)),
-            (Some(_), Doing::Point(Change::Closes)) => write!(f, "{name} pulls tight"),
+            (link @ Some(_), PadChange::Point(Change::Opens)) => write!(f, "{name} {}", opens(link)),
+            (Some(_), PadChange::Point(Change::Closes)) => write!(f, "{name} pulls tight"),
             (_, what) => write!(f, "{name} {what:.*}", Words::of(f).digits()),
         }
     }
@@ -116,7 +116,7 @@ pub(crate) fn whole_changes<const C: usize>(
     let mut told = Vec::new();
     for (at, change) in &sites {
         let Some(pad) = pad_of(*at) else {
-            all.push(WholeChange { contact: change.contact.clone(), what: Doing::Point(change.what) });
+            all.push(WholeChange { contact: change.contact.clone(), what: PadChange::Point(change.what) });
             continue;
         };
         if told.contains(&pad.first) {
@@ -147,9 +147,9 @@ impl PadAtEvent {
     ) -> Self {
         let (mut before, mut after) = (PadCount::default(), PadCount::default());
         for i in pad.range() {
-            let state = PointDoes::of(&state.contacts[i].state);
+            let state = PointState::of(&state.contacts[i].state);
             let change = changes.iter().find(|(at, _)| *at == i).map(|(_, what)| what);
-            let [was, is] = change.map_or([state; 2], |change| PointDoes::change(change, state));
+            let [was, is] = change.map_or([state; 2], |change| PointState::change(change, state));
             before.add(was);
             after.add(is);
         }
@@ -157,7 +157,7 @@ impl PadAtEvent {
         Self { before, after, slide_back }
     }
 
-    fn doings<const C: usize>(&self) -> Vec<Doing<C>> {
+    fn doings<const C: usize>(&self) -> Vec<PadChange<C>> {
         let Self { before, after, slide_back } = self;
         let all_slide = |count: &PadCount| count.closed > 0 && count.slide == count.closed;
         let mut told = Vec::new();
@@ -167,30 +167,30 @@ impl PadAtEvent {
             }
         };
         if after.closed == 0 {
-            tell(before.closed > 0, Doing::Opens);
+            tell(before.closed > 0, PadChange::Opens);
             return told;
         }
-        tell(before.closed == 0, Doing::Touches);
-        tell(before.closed > 0 && before.open == 0 && after.open > 0, Doing::BeginsToOpen);
-        tell(before.closed > 0 && before.open > 0 && after.open == 0, Doing::TouchesEverywhere);
-        tell(!all_slide(before) && all_slide(after), Doing::SlidesEverywhere);
-        tell(before.slide == 0 && after.slide > 0 && !all_slide(after), Doing::BeginsToSlide);
-        tell(before.slide > 0 && after.slide == 0, Doing::SticksAgain);
-        tell(all_slide(before) && after.slide > 0 && !all_slide(after), Doing::SticksInPart);
-        tell(*slide_back > 0 && *slide_back == after.slide, Doing::SlidesBack);
+        tell(before.closed == 0, PadChange::Touches);
+        tell(before.closed > 0 && before.open == 0 && after.open > 0, PadChange::BeginsToOpen);
+        tell(before.closed > 0 && before.open > 0 && after.open == 0, PadChange::TouchesEverywhere);
+        tell(!all_slide(before) && all_slide(after), PadChange::SlidesEverywhere);
+        tell(before.slide == 0 && after.slide > 0 && !all_slide(after), PadChange::BeginsToSlide);
+        tell(before.slide > 0 && after.slide == 0, PadChange::SticksAgain);
+        tell(all_slide(before) && after.slide > 0 && !all_slide(after), PadChange::SticksInPart);
+        tell(*slide_back > 0 && *slide_back == after.slide, PadChange::SlidesBack);
         told
     }
 }
 
 /// The state of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum PointDoes {
+enum PointState {
     Open,
     Sticks,
     Slides,
 }
 
-impl PointDoes {
+impl PointState {
     fn of<const C: usize>(state: &ContactState<C>) -> Self {
         match state {
             ContactState::Separated => Self::Open,
@@ -222,9 +222,9 @@ struct PadCount {
 }
 
 impl PadCount {
-    fn add(&mut self, point: PointDoes) {
-        self.closed += usize::from(point != PointDoes::Open);
-        self.slide += usize::from(point == PointDoes::Slides);
-        self.open += usize::from(point == PointDoes::Open);
+    fn add(&mut self, point: PointState) {
+        self.closed += usize::from(point != PointState::Open);
+        self.slide += usize::from(point == PointState::Slides);
+        self.open += usize::from(point == PointState::Open);
     }
 }

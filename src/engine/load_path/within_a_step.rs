@@ -10,7 +10,7 @@
 
 use nalgebra::SVector;
 
-use super::segment::{Here, Segment};
+use super::segment::{PathPoint, Segment};
 use crate::contact::{Coulomb, Mode, State};
 
 /// The four Bézier points of a piece of the cubic.
@@ -32,7 +32,7 @@ struct Bounded {
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
-    [from, to]: [&Here; 2],
+    [from, to]: [&PathPoint; 2],
     (length, step_error): (f64, f64),
 ) -> Option<f64> {
     let mut first: Option<f64> = None;

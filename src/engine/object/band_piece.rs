@@ -20,7 +20,7 @@ use crate::grasp::{Site, size_of};
 use crate::prelude::*;
 
 /// Whether factors in a band pay off for this number of coordinates.
-pub(crate) fn are_many(coordinates: Size) -> bool {
+pub(crate) fn uses_band(coordinates: Size) -> bool {
     // With fewer coordinates orthogonal factors cost no more, and determine the rank. With them four bodies in space take a third less time, nine
     // bricks in the plane more than twice as much.
     coordinates.count() >= 36
@@ -68,7 +68,7 @@ impl BandPiece {
     /// singular other than by free motions.
     pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
         let count = size_of(sites).count();
-        if !are_many(size_of(sites)) {
+        if !uses_band(size_of(sites)) {
             return None;
         }
         let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges()).collect();

@@ -14,7 +14,7 @@ use nalgebra::{SMatrix, SVector};
 use super::problem::Problem;
 use crate::contact::{LocalLaw, cross, tangential, tangential_norm};
 use crate::grasp::Site;
-use crate::numerics::{Orthogonal, Seen, Vector};
+use crate::numerics::{Orthogonal, ScaledMap, Vector};
 use crate::prelude::*;
 
 /// A facet of a friction cone, in units of the tangential length of its row, or the normal force of
@@ -45,7 +45,7 @@ impl Facet {
 #[derive(Debug, Clone)]
 pub(crate) struct EnergyContact {
     /// Q_i, scaled so that the mean of |Q_i|² over the contacts is one.
-    pub(crate) seen: Seen,
+    pub(crate) seen: ScaledMap,
     /// The first of its entries in the list of facets: the normal force if it may open, then its facets.
     first: u32,
     pub(crate) facet_count: u16,
@@ -88,7 +88,7 @@ impl EnergyCoordinates {
         let mut spring = 0;
         let mut before: Option<(LocalLaw<'_>, (u32, u16))> = None;
         for law in problem.locals() {
-            let mut seen = Seen::zeros(factor.size());
+            let mut seen = ScaledMap::zeros(factor.size());
             if !law.is_absent() {
                 for axis in 0..law.springs.axes() {
                     for (k, entry) in factor.row(spring).iter().enumerate() {

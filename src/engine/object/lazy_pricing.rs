@@ -18,7 +18,7 @@
 use super::tolerances::PRICED_ACROSS;
 use crate::numerics::Vector;
 
-use crate::numerics::WaitingLine;
+use crate::numerics::EventQueue;
 use crate::prelude::*;
 
 /// A point of a path, or its direction.
@@ -64,7 +64,7 @@ pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
 /// Contacts queued by the time until their conditions may be used up.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LazyPricing {
-    pub(crate) line: WaitingLine,
+    pub(crate) line: EventQueue,
     /// e.
     pub(crate) towards: Point,
     contacts: usize,

@@ -25,7 +25,6 @@ mod band_piece;
 mod correction;
 mod energy_coordinates;
 mod free_motions;
-mod given_limits;
 mod lazy_pricing;
 mod limited;
 mod load;
@@ -39,14 +38,14 @@ mod solution;
 mod sums;
 mod tangent;
 mod tolerances;
+mod tresca;
 mod trial;
 
-pub(crate) use band_piece::are_many;
+pub(crate) use band_piece::uses_band;
 pub(crate) use energy_coordinates::{
     EnergyContact, EnergyCoordinates, Facet, Slipping, normal, spring_rows, stretched_into,
 };
 pub(crate) use free_motions::worked_on;
-pub(crate) use given_limits::{states_by_given_limits, twist_by_given_limits};
 pub(crate) use lazy_pricing::{LazyPricing, Point, slack};
 pub(crate) use load::Load;
 pub(crate) use newton::{Imbalance, newton, newton_on_cones, twist_if_all_stick};
@@ -58,3 +57,4 @@ pub(crate) use solution::{PieceState, SolutionMemory, Unbalanced};
 pub(crate) use sums::{Sums, are_stale};
 pub(crate) use tangent::{balance, tangent_stiffness};
 pub(crate) use tolerances::{NO_FORCE, PRICING_MARGIN};
+pub(crate) use tresca::{states_by_tresca, twist_by_tresca};

@@ -11,7 +11,7 @@
 //!
 //! T is the identity where everything sticks, whatever the stiffnesses.
 
-use crate::numerics::{Seen, Size, Square, Vector};
+use crate::numerics::{ScaledMap, Size, Square, Vector};
 use core::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
@@ -81,7 +81,7 @@ impl<const R: usize> Sums<R> {
     /// (`None`: identity), and p for each side.
     pub(crate) fn add(
         &mut self,
-        seen: &Seen,
+        seen: &ScaledMap,
         hold: Option<&SMatrix<f64, 3, 3>>,
         pushed: Option<[SVector<f64, 3>; R]>,
         weight: f64,

@@ -13,7 +13,7 @@ use core::ops::Range;
 
 use nalgebra::SMatrix;
 
-use super::band_piece::{BandPiece, are_many};
+use super::band_piece::{BandPiece, uses_band};
 use super::newton::Imbalance;
 use super::problem::Problem;
 use super::solution::PieceState;
@@ -65,7 +65,7 @@ impl Problem<'_> {
 
     /// Factors of T in a band, where there are many coordinates.
     pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State) -> Option<TangentFactors> {
-        if !are_many(self.size()) {
+        if !uses_band(self.size()) {
             return None;
         }
         let (mut springs, mut first) = (Vec::with_capacity(3 * self.len()), vec![0]);

@@ -7,18 +7,18 @@
 //! | `escape` | the margin with which a contradiction counts |
 //! | `refutation` | case by case on the round cone, as a certificate that can be checked |
 //! | `nothing_near` | no equilibrium within a radius of the point where one was lost |
-//! | `open_choices` | for each choice of open contacts a convex problem without friction's direction |
+//! | `opening_cases` | for each choice of open contacts a convex problem without friction's direction |
 
 mod escape;
 mod nothing_near;
-mod open_choices;
+mod opening_cases;
 mod refutation;
 mod separating_many;
 mod tolerances;
 mod wrench_cone;
 
 pub(crate) use nothing_near::nothing_near;
-pub(crate) use open_choices::nothing_holds;
+pub(crate) use opening_cases::nothing_holds;
 pub(crate) use refutation::{ProofStep, check, yields};
 pub(crate) use tolerances::{ESCAPE, LEAST_WORK};
 pub(crate) use wrench_cone::{

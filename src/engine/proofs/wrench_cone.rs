@@ -21,7 +21,7 @@ use super::tolerances::{CLEAR_RESIDUAL, ESCAPE, LEAST_WORK, MOST_COORDINATES};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::{NearestPoint, Size, Vector, unit};
-use crate::object::{Problem, are_many};
+use crate::object::{Problem, uses_band};
 use crate::prelude::*;
 
 /// A force of one contact whose wrench is one unit long.
@@ -147,7 +147,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
 /// [`MOST_COORDINATES`] coordinates.
 pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     let all = LoadAndCones::of(problem)?;
-    if !are_many(problem.size()) {
+    if !uses_band(problem.size()) {
         return all.separating_motion();
     }
     match left_of_many(problem, &|v| all.is_proof(v)) {

@@ -4,6 +4,7 @@
 
 use super::answer::{Doubt, Effort, FoundBy, Settled};
 use super::candidate::{Refused, admit};
+use super::elastic_trial::{Attempt, ElasticTrial, Log};
 use super::enumerate::search;
 use super::least_motion::at_the_least_motion;
 use super::leaving::propose_of_the_leaving;
@@ -11,22 +12,21 @@ use super::polish::polish_from;
 use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense, propose_structured};
 #[cfg(feature = "std")]
 use super::record::record;
-use super::scene::{Attempt, Log, TrialScene};
 use super::settings::Settings;
 use super::tolerances::{MANY_CONTACTS, MOST_WORK};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::forms;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::object::{Problem, newton_on_cones, twist_by_given_limits};
+use crate::object::{Problem, newton_on_cones, twist_by_tresca};
 use crate::prelude::*;
 use crate::proofs;
 
 /// A rung: its name, when it is tried, and what its equilibria are found by.
 pub(super) struct Rung {
     pub(super) name: &'static str,
-    pub(super) applies: fn(&TrialScene<'_, '_>) -> bool,
-    pub(super) climb: fn(&TrialScene<'_, '_>, &mut Log) -> Attempt,
+    pub(super) applies: fn(&ElasticTrial<'_, '_>) -> bool,
+    pub(super) climb: fn(&ElasticTrial<'_, '_>, &mut Log) -> Attempt,
     /// `None` where the rung proves that no equilibrium exists.
     finds: Option<FoundBy>,
 }
@@ -88,7 +88,7 @@ pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort
         }
         Err(Refused { states, at, .. }) => (states, at),
     };
-    let scene = TrialScene::new(problem, settings, unjumped, trial, state);
+    let scene = ElasticTrial::new(problem, settings, unjumped, trial, state);
     for (number, rung) in LADDER.iter().enumerate().filter(|(_, rung)| (rung.applies)(&scene)) {
         let settled = match ((rung.climb)(&scene, &mut log), rung.finds) {
             (Attempt::Found(found), Some(found_by)) => {
@@ -106,32 +106,32 @@ pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort
     (Settled::Undecided(log.doubt), log.effort)
 }
 
-fn has_many_contacts(scene: &TrialScene<'_, '_>) -> bool {
+fn has_many_contacts(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.len() >= MANY_CONTACTS
 }
 
 /// Whether contacts are on an edge, in rates.
-fn is_on_an_edge(scene: &TrialScene<'_, '_>) -> bool {
+fn is_on_an_edge(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.locals().any(|local| local.is_on_an_edge())
 }
 
 /// Whether contacts or coordinates are many.
-fn is_large(scene: &TrialScene<'_, '_>) -> bool {
+fn is_large(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || scene.trial.is_banded()
 }
 
 /// Whether a form is solved with a dense matrix: of many contacts it must be affordable.
-fn may_be_dense(scene: &TrialScene<'_, '_>) -> bool {
+fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
 
 /// Contacts that would pull are open; all others stick.
-fn touching_contacts_stick(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
+fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
 }
 
 /// Newton's method on the forces with which contacts respond to a motion of the object, from the elastic trial.
-fn newton(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut Log| {
             let mut contacts = Vec::new();
@@ -143,24 +143,24 @@ fn newton(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
     let from = |twist| polish_from(scene.problem, twist);
     let found = from(scene.state.twist.clone());
     // With many coordinates Tresca friction leads to a nearer twist.
-    Attempt::of(found.or_else(|| twist_by_given_limits(scene.problem).and_then(from)))
+    Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
 /// In rates at a limit load: all contacts on an edge slide, and nothing resists a motion on which the load works.
-fn everything_yields(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
+fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
 }
 
 /// A motion that separates the load from all admissible contact forces.
-fn separating_motion(scene: &TrialScene<'_, '_>, _: &mut Log) -> Attempt {
+fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
 /// Lemke's method on the kinematic form. Of many coordinates it pivots on the contacts that leave the trial; then on lists of contact states, on which a
 /// pivot costs a few numbers a contact; then on a dense matrix. Facets for infinite friction come last.
-fn kinematic_form(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let (problem, dense) = (scene.proposing(), may_be_dense(scene));
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
     let on_states = |problem: &Problem, log: &mut Log| propose_structured(scene, problem, log);
@@ -189,7 +189,7 @@ fn kinematic_form(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
 }
 
 /// Lemke's method on the force form.
-fn force_form(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let propose = |problem: &Problem, log: &mut Log| {
         let form = forms::force_form(problem);
         propose_dense(problem, scene.settings, (form, MOST_WORK), forms::force_states, log)
@@ -199,7 +199,7 @@ fn force_form(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
 
 /// Every case, where they are few. On the round cone branch and bound divides contact states and directions of friction; elsewhere cases are
 /// combinations of contact states.
-fn every_case(scene: &TrialScene<'_, '_>, log: &mut Log) -> Attempt {
+fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let (most, problem) = (most_cases(scene.problem, scene.settings), scene.proposing());
     if most > 0 {
         return match search_tree(scene.problem, &scene.trial, &scene.state, most, None) {

@@ -6,13 +6,13 @@
 use alloc::sync::Arc;
 
 use super::candidate::breaking;
+use super::elastic_trial::{ElasticTrial, Log};
 use super::proposals::propose_dense;
-use super::scene::{Log, TrialScene};
 use super::settings::Settings;
 use super::tolerances::MOST_WORK;
 use crate::contact::{Mode, State};
 use crate::forms::{Moved, kinematic_form_among, kinematic_states};
-use crate::object::{Piece, PieceState, Problem, states_by_given_limits};
+use crate::object::{Piece, PieceState, Problem, states_by_tresca};
 use crate::prelude::*;
 
 /// States that all contacts keep except the pivoting set, whose contacts stick, with their solved piece.
@@ -46,14 +46,14 @@ impl Base {
 
 /// States in which no contact breaks a condition, or `None` if the paths find none.
 pub(super) fn propose_of_the_leaving(
-    scene: &TrialScene<'_, '_>,
+    scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.unjumped, &scene.state);
     // From this many contacts that leave the trial on, nearer states are computed first: a path costs the cube of their number.
     if leaving.len() >= 128
-        && let Some(near) = states_by_given_limits(problem).and_then(|near| regular(problem, near))
+        && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
         && let Some(base) = Base::of(problem, near)
     {
         let among = breaking(problem, &base.states, &base.at);

@@ -2,9 +2,9 @@
 
 use super::answer::{Doubt, Found};
 use super::candidate::{Judged, try_states};
+use super::elastic_trial::{ElasticTrial, Log};
 use super::enumerate::combinations;
 use super::polish::{polish, solution_near};
-use super::scene::{Log, TrialScene};
 use super::settings::Settings;
 use super::tolerances::{COVERING_VECTORS, MANY_CONTACTS, MOST_WORK};
 use super::tree::most_cases;
@@ -49,7 +49,7 @@ pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> 
 
 /// Contact states from Lemke's method on lists of contact states.
 pub(super) fn propose_structured(
-    scene: &TrialScene<'_, '_>,
+    scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
     log: &mut Log,
 ) -> Option<Vec<State>> {

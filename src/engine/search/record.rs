@@ -4,8 +4,8 @@ use std::cell::RefCell;
 use std::time::Instant;
 
 use super::answer::{Doubt, Effort};
+use super::elastic_trial::{Attempt, ElasticTrial, Log};
 use super::ladder::LADDER;
-use super::scene::{Attempt, Log, TrialScene};
 
 /// The result of one rung in one search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,7 +47,7 @@ pub fn recorded<T>(ask: impl FnOnce() -> T) -> (T, Vec<Climb>) {
 }
 
 /// Records a search that this rung has decided, if the thread records any: each rung is climbed once more, alone.
-pub(super) fn record(scene: &TrialScene<'_, '_>, decided: Option<usize>) {
+pub(super) fn record(scene: &ElasticTrial<'_, '_>, decided: Option<usize>) {
     if RECORD.with_borrow(Option::is_none) {
         return;
     }

@@ -9,7 +9,7 @@ use super::answer::{Effort, Found, Settled};
 use super::ladder::settle;
 use super::least_motion::at_the_least_motion;
 use super::settings::Settings;
-use super::whole_line::on_the_whole_line;
+use super::solution_interval::on_the_solution_interval;
 use crate::contact::{ActiveSet, Mode, WEIGHTLESS};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, Problem};
@@ -31,7 +31,7 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled
 /// A solution with its twist, and with the states and free motions that are reported of a problem at rest.
 pub(crate) fn told_at_rest(problem: &Problem, found: Found) -> Found {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
-    let told = on_the_whole_line(problem, open);
+    let told = on_the_solution_interval(problem, open);
     Found { twist: found.twist, sizes: found.sizes, ..told }
 }
 

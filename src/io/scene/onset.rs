@@ -7,7 +7,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{Doubt, Equilibrium, NoEquilibrium, Undecided, WorkDone};
 use crate::grasp::Wrench;
 use crate::load_path::{
-    self as path, Beyond, Change, ContactChange, Departure, Doing, EdgeOf, Leaving, PartChange, Touch,
+    self as path, Beyond, Change, ContactChange, Departure, EdgeOf, Leaving, PadChange, PartChange, Touch,
     WholeChange, whole_changes,
 };
 use crate::serial::AsComputed;
@@ -95,8 +95,8 @@ impl<const C: usize, At> OnsetAt<C, At> {
         let mut all = whole_changes(&self.state, &self.leaving.iter().filter_map(change).collect::<Vec<_>>());
         for leaving in self.leaving.iter().filter(|leaving| leaving.how == Departure::WouldPull) {
             let contact = leaving.contact.whole();
-            if all.iter().all(|told| told.contact != contact || told.what != Doing::WouldPull) {
-                all.push(WholeChange { contact, what: Doing::WouldPull });
+            if all.iter().all(|told| told.contact != contact || told.what != PadChange::WouldPull) {
+                all.push(WholeChange { contact, what: PadChange::WouldPull });
             }
         }
         all

@@ -11,7 +11,7 @@ use super::state::{Mode, State};
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
 use crate::numerics::tolerances::ROUNDED_SUM;
-use crate::numerics::{Fall, Harmonic, Trigonometric, Turning};
+use crate::numerics::{FirstZero, Harmonic, Trigonometric, Turning};
 use crate::prelude::*;
 
 /// A force, or a motion of the body over the finger, as a function of the angle φ from the present load.
@@ -115,8 +115,8 @@ impl LocalLaw<'_> {
         let apex = linear_exit(wave, |f| f[0], 1.0, SVector::zeros(), most);
         let Some(step) = self.fall_of_the_square(wave, most) else { return apex };
         let step = match step {
-            Fall::At(angle) => self.polished(wave, angle),
-            Fall::Touches(angle) => return apex.or(Some(TurningExit::Touches(angle))),
+            FirstZero::At(angle) => self.polished(wave, angle),
+            FirstZero::Touches(angle) => return apex.or(Some(TurningExit::Touches(angle))),
         };
         // At the apex both exits are one root.
         if let Some(TurningExit::Leaves(through)) = apex
@@ -131,7 +131,7 @@ impl LocalLaw<'_> {
     }
 
     /// The first angle at which `(μF_n)² - |F_t|²` falls below zero.
-    fn fall_of_the_square(&self, wave: &Wave, most: f64) -> Option<Fall> {
+    fn fall_of_the_square(&self, wave: &Wave, most: f64) -> Option<FirstZero> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
         let difference = margin.square();
@@ -213,8 +213,8 @@ fn linear_exit(
         Start::Stays => return None,
         Start::Falls => 0.0,
         Start::Above { roots } => match margin.first_fall(most, slack, roots)? {
-            Fall::At(angle) => angle,
-            Fall::Touches(angle) => return Some(TurningExit::Touches(angle)),
+            FirstZero::At(angle) => angle,
+            FirstZero::Touches(angle) => return Some(TurningExit::Touches(angle)),
         },
     };
     let uncertainty = uncertainty(slack, seen(&wave.of.rate_at(step)), fastest);

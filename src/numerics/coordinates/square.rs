@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::list::List;
 use super::products::{add_combined, add_fixed};
-use super::seen::Seen;
+use super::scaled_map::ScaledMap;
 use super::size::{Size, WHOLE};
 use super::vector::Vector;
 use crate::prelude::*;
@@ -149,7 +149,7 @@ impl Square {
 
 impl Square {
     /// Adds `w SᵀH S`; `hold` is H, and `None` the identity.
-    pub(crate) fn add_congruent(&mut self, seen: &Seen, hold: Option<&SMatrix<f64, 3, 3>>, weight: f64) {
+    pub(crate) fn add_congruent(&mut self, seen: &ScaledMap, hold: Option<&SMatrix<f64, 3, 3>>, weight: f64) {
         let columns = seen.columns();
         for (to, moved) in self.as_mut_slice().chunks_exact_mut(columns.len().max(1)).zip(columns) {
             let moved = SVector::from(*moved);

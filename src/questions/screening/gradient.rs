@@ -12,6 +12,7 @@
 //!
 //! A gradient thus costs one more solve of the springs than its value, whatever the number of data.
 
+use super::answer_slots::AnswerSlots;
 use super::block::Block;
 use super::edge::LeavingEdge;
 use super::first_exit::judge;
@@ -23,7 +24,6 @@ use super::pull::Pull;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
 use super::springs::Cause;
-use super::told::Told;
 use crate::numerics::Vectors;
 
 /// The derivatives of the factor of a pull.
@@ -47,7 +47,7 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         [rates, forces, answered]: Room<'_, C, X>,
-        told: &mut Told<'_, f64, X>,
+        told: &mut AnswerSlots<'_, f64, X>,
     ) {
         let (v, block, ready) = (scenes.vectors, &scenes.block, scenes.ready);
         let Pull { base, direction, loaded } = &self.pull;
@@ -100,7 +100,7 @@ fn tell<V: Vectors, const C: usize, X: Packed>(
     v: V,
     slopes: &Slopes<'_, C, X>,
     block: &Block<'_, C, X>,
-    told: &mut Told<'_, f64, X>,
+    told: &mut AnswerSlots<'_, f64, X>,
 ) {
     v.run(
         #[inline(always)]

@@ -1,5 +1,6 @@
 //! The derivatives of one factor, in a row of numbers.
 
+use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count};
 use super::edge::LeavingEdge;
 use super::finger::world;
@@ -8,7 +9,6 @@ use super::lanes::Packed;
 use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
-use super::told::Told;
 
 /// Offsets in a row: the answer of screening, then each field contact by contact, then the load.
 pub(super) struct GradientRow<const C: usize>;
@@ -57,7 +57,7 @@ pub(super) struct Slopes<'a, const C: usize, X: Packed> {
 impl<const C: usize, X: Packed> Slopes<'_, C, X> {
     /// Computes the row of each scene of a block and stores it.
     #[inline(always)]
-    pub(super) fn tell(&self, block: &Block<'_, C, X>, told: &mut Told<'_, f64, X>) {
+    pub(super) fn tell(&self, block: &Block<'_, C, X>, told: &mut AnswerSlots<'_, f64, X>) {
         let contacts = count(block.contacts);
         let mut row = [X::all(0.0); LONGEST_ROW];
         let scale = X::all(-1.0) / self.edge.rate;

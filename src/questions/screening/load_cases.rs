@@ -1,10 +1,10 @@
 //! A list of loads that a grasp must hold one at a time.
 
+use super::answer_slots::AnswerSlots;
 use super::lanes::Packed;
 use super::least_factor::LeastFactor;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened_squeeze::ScreenedSqueeze;
-use super::told::Told;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
@@ -39,7 +39,7 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         [commands, overlaps, others]: Room<'_, C, X>,
-        told: &mut Told<'_, ScreenedSqueeze, X>,
+        told: &mut AnswerSlots<'_, ScreenedSqueeze, X>,
     ) {
         scenes.apart([commands, overlaps]);
         let mut enough = LeastFactor::new();

@@ -31,6 +31,7 @@
 //! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn
 //! [`Grasp::least_squeeze`]: crate::ask::Grasp::least_squeeze
 
+mod answer_slots;
 mod arccotangent;
 mod balance;
 mod batch;
@@ -61,7 +62,6 @@ mod screened_gradient;
 mod screened_squeeze;
 mod springs;
 mod sticking;
-mod told;
 mod tolerances;
 mod triangle;
 mod turning;

@@ -1,5 +1,6 @@
 //! One grasp prepared for screening.
 
+use super::answer_slots::AnswerSlots;
 use super::block::{Layout, OneScene};
 use super::cone::{OPENS_ONLY, STAYS};
 use super::forces::Forces;
@@ -7,7 +8,6 @@ use super::method::{self, Method, is_a_pair, is_a_triangle};
 use super::pair;
 use super::question::{Scenes, ScreeningQuestion};
 use super::springs::StickingSprings;
-use super::told::Told;
 use super::watch::{Measured, Watched};
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
@@ -49,7 +49,7 @@ impl<const C: usize> OneGrasp<C> {
         let (block, ready, squeezed) = (self.scene.block(), &self.ready, &self.squeezed);
         // Forces that a question does not use are optimised away.
         let (mut a, mut b, mut c) = (Forces::none(), Forces::none(), Forces::none());
-        let mut told = Told::new(answers, [true], [0, 1], Q::answers(block.contacts));
+        let mut told = AnswerSlots::new(answers, [true], [0, 1], Q::answers(block.contacts));
         let scenes = Scenes { vectors: Compiled, block, ready, squeezed };
         question.ask(&scenes, [&mut a, &mut b, &mut c], &mut told);
     }

@@ -1,12 +1,12 @@
 //! Screening of a part of a batch on one thread.
 
+use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout};
 use super::forces::Forces;
 use super::lanes::{LANES, Lanes};
 use super::method::Method;
 use super::question::{Scenes, ScreeningQuestion};
 use super::springs::StickingSprings;
-use super::told::Told;
 use crate::numerics::{OnVectors, Vectors, on_the_widest};
 
 /// Scenes, the questions about them, and the slots for their answers.
@@ -47,7 +47,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for Part<'_, C, Q> {
                 let scenes = Scenes { vectors, block, ready, squeezed: &squeezed };
                 for (k, question) in self.questions.iter().enumerate() {
                     let place = [k, self.questions.len()];
-                    let mut told = Told::new(answers, these, place, Q::answers(contacts));
+                    let mut told = AnswerSlots::new(answers, these, place, Q::answers(contacts));
                     question.ask(&scenes, room.each_mut(), &mut told);
                 }
             }

@@ -1,11 +1,11 @@
 //! The load on a grasp in screening.
 
+use super::answer_slots::AnswerSlots;
 use super::first_exit::judge;
 use super::first_slip::SlipCode;
 use super::lanes::Packed;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
-use super::told::Told;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
@@ -41,7 +41,7 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         [rates, base, _]: Room<'_, C, X>,
-        told: &mut Told<'_, Screened, X>,
+        told: &mut AnswerSlots<'_, Screened, X>,
     ) {
         scenes.under(&self.direction, rates);
         let mut start = scenes.squeezed;

@@ -1,10 +1,10 @@
 //! A question about the scenes of a block.
 
+use super::answer_slots::AnswerSlots;
 use super::block::{Block, Commanded, MOST_SCREENED, count};
 use super::forces::Forces;
 use super::lanes::Packed;
 use super::springs::StickingSprings;
-use super::told::Told;
 use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
 use crate::grasp::Wrench;
@@ -37,7 +37,7 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         room: Room<'_, C, X>,
-        told: &mut Told<'_, Self::Answer, X>,
+        told: &mut AnswerSlots<'_, Self::Answer, X>,
     );
 }
 

@@ -30,7 +30,7 @@ use crate::numerics::tolerances::{ROUNDED_SUM, SOLVED_ROUNDING};
 use crate::numerics::{Harmonic, Turning, Vectors};
 
 /// Where a margin first falls below zero.
-struct Fall<X: Packed> {
+struct MarginZero<X: Packed> {
     /// cot(θ/2): the larger, the earlier; minus infinity if the margin does not fall below zero.
     cotangent: X,
     /// Bound of the error of the angle, rad.
@@ -39,7 +39,7 @@ struct Fall<X: Packed> {
     doubt: X,
 }
 
-impl<X: Packed> Fall<X> {
+impl<X: Packed> MarginZero<X> {
     /// A root at `cotangent`, where the margin falls by `slope` per radian; `bend` bounds the change of this slope per radian.
     #[inline(always)]
     fn at(cotangent: X, slope: X, bend: X, noise: X) -> Self {
@@ -119,7 +119,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
 
     /// The first root of the margin.
     #[inline(always)]
-    fn fall(&self, cone: &StickingCone<X>, sticking: X) -> Fall<X> {
+    fn fall(&self, cone: &StickingCone<X>, sticking: X) -> MarginZero<X> {
         if const { C == 2 } {
             let t = self.t.map(|t| t[0]);
             let side = |sign: f64| {
@@ -134,7 +134,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         let round = self.round_fall(cone, sticking);
         let straight = straight(&self.n, self.noise);
         let choose = |round, straight| cone.beta.above(X::all(0.0), round, straight);
-        Fall {
+        MarginZero {
             cotangent: choose(round.cotangent, straight.cotangent),
             off: choose(round.off, straight.off),
             doubt: choose(round.doubt, straight.doubt),
@@ -143,7 +143,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
 
     /// The first root for a round cone with friction, in scenes that stick at angle zero.
     #[inline(always)]
-    fn round_fall(&self, cone: &StickingCone<X>, sticking: X) -> Fall<X> {
+    fn round_fall(&self, cone: &StickingCone<X>, sticking: X) -> MarginZero<X> {
         let zero = X::all(0.0);
         let [t0, tc, ts] = [&self.t.constant, &self.t.cosine, &self.t.sine];
         let swing = (self.n.cosine * self.n.cosine + self.n.sine * self.n.sine).sqrt();
@@ -163,7 +163,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
             }
         }));
         if found.is_all(f64::NEG_INFINITY) {
-            return Fall { cotangent: found, off: zero, doubt: zero };
+            return MarginZero { cotangent: found, off: zero, doubt: zero };
         }
         let bend = swing + turning;
         let (mut cotangent, mut slope, mut left) = (found, zero, zero);
@@ -180,9 +180,9 @@ impl<const C: usize, X: Packed> Waves<C, X> {
                 cotangent -= X::all(0.5) * (left / slope) * (u * u + one);
             }
         }
-        let fall = Fall::at(cotangent, slope, bend, self.noise);
+        let fall = MarginZero::at(cotangent, slope, bend, self.noise);
         let off_the_root = self.noise.above(left.abs(), zero, X::all(1.0));
-        Fall { doubt: fall.doubt + off_the_root, ..fall }.unless(-found, X::all(f64::MAX))
+        MarginZero { doubt: fall.doubt + off_the_root, ..fall }.unless(-found, X::all(f64::MAX))
     }
 
     /// cot(θ/2) where `n² - |t|²` of one scene first falls to the bound of its rounding; minus infinity if it does not.
@@ -214,13 +214,13 @@ impl<const C: usize, X: Packed> Waves<C, X> {
 
 /// The first root of `c + a cos θ + b sin θ`, which is positive at angle zero.
 #[inline(always)]
-fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> Fall<X> {
+fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> MarginZero<X> {
     let Harmonic { constant: c, cosine: a, sine: b } = *margin;
     let zero = X::all(0.0);
     let swing = (a * a + b * b).sqrt();
     let root = ((swing - c) * (swing + c)).max(zero).sqrt();
     let u = b.above(zero, a - c, root - b) / b.above(zero, root + b, c + a);
-    Fall::at(u, root, swing, noise).unless(c, swing + noise)
+    MarginZero::at(u, root, swing, noise).unless(c, swing + noise)
 }
 
 /// The verdicts on the scenes of a block up to the angle `most` (rad; infinite for a full turn), from their forces as functions of the angle.
@@ -255,7 +255,7 @@ fn judged<const C: usize, X: Packed>(
         let rounding = X::all(ON_THE_EDGE / ZERO_SLACK) * waves.noise;
         sure = sure.min(here - rounding + waves.lost(&cone));
     }
-    let mut first = Fall { cotangent: -infinite, off: zero, doubt: zero };
+    let mut first = MarginZero { cotangent: -infinite, off: zero, doubt: zero };
     let mut cotangents = [zero; MOST_SCREENED];
     for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);

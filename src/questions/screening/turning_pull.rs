@@ -2,11 +2,11 @@
 
 use core::f64::consts::TAU;
 
+use super::answer_slots::AnswerSlots;
 use super::first_slip::SlipCode;
 use super::lanes::Packed;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::ScreenedTurn;
-use super::told::Told;
 use super::turning::judge;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -46,7 +46,7 @@ impl<const C: usize> ScreeningQuestion<C> for TurningPull<C> {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         [constant, cosine, sine]: Room<'_, C, X>,
-        told: &mut Told<'_, ScreenedTurn, X>,
+        told: &mut AnswerSlots<'_, ScreenedTurn, X>,
     ) {
         scenes.squeezed_under(&self.load.constant, constant);
         scenes.under(&self.load.cosine, cosine);

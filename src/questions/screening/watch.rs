@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use super::answer_slots::AnswerSlots;
 use super::block::{MOST_SCREENED, count};
 use super::cone::StickingCone;
 use super::fingers::Fingers;
@@ -14,7 +15,6 @@ use super::least_factor::LeastFactor;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
 use super::screened_squeeze::ScreenedSqueeze;
-use super::told::Told;
 use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
 use crate::error::{ContactLabel, Error, Field};
@@ -154,7 +154,7 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         [to_come, measured, commands]: Room<'_, C, X>,
-        told: &mut Told<'_, Watched, X>,
+        told: &mut AnswerSlots<'_, Watched, X>,
     ) {
         let (friction, contacts) = (scenes.block.friction(), scenes.block.contacts);
         scenes.under(self.to_come, to_come);

@@ -1,6 +1,6 @@
 //! The data that are not known exactly, one by one.
 
-use super::off::Off;
+use super::off::ContactErrors;
 use super::uncertainty::Uncertainty;
 use crate::error::Error;
 use crate::grasp::{Contact, Engine};
@@ -26,7 +26,7 @@ impl UncertainDatum {
     /// The engine with this datum off by z σ.
     pub(super) fn engine(&self, of: &Engine, z: f64) -> Result<Engine, Error> {
         let (factor, added) = ((self.sigma * z).exp(), self.sigma * z);
-        let mut off = Off::not();
+        let mut off = ContactErrors::not();
         let whose = match self.what {
             DatumKind::Stiffness { contact } => {
                 off.stiffness = factor;

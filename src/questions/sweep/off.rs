@@ -6,7 +6,7 @@ use crate::grasp::Contact;
 
 /// Errors of a contact's data: factors, and additions to its place and direction.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Off {
+pub(super) struct ContactErrors {
     pub(super) friction: f64,
     pub(super) stiffness: f64,
     pub(super) squeeze: f64,
@@ -16,7 +16,7 @@ pub(super) struct Off {
     pub(super) tilt: SVector<f64, 3>,
 }
 
-impl Off {
+impl ContactErrors {
     /// No errors.
     pub(super) fn not() -> Self {
         let (moved, tilt) = (SVector::zeros(), SVector::zeros());

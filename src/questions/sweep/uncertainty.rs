@@ -4,7 +4,7 @@
 use nalgebra::SVector;
 
 use super::caught::each_answered;
-use super::off::Off;
+use super::off::ContactErrors;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Engine;
@@ -153,9 +153,9 @@ impl Engine {
             // Drawn last, and also with σ = 0, so that the other data do not depend on these σ.
             let mut displaced = |sigma: f64| SVector::from_fn(|_, _| sigma * draw.normal());
             let (moved, tilt) = (displaced(uncertainty.position), displaced(uncertainty.normal));
-            Off { friction, stiffness, squeeze, moved, tilt }
+            ContactErrors { friction, stiffness, squeeze, moved, tilt }
         };
-        let mut off = Off::not();
+        let mut off = ContactErrors::not();
         let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
             if contact.begins_a_whole() {
                 off = drawn(i);

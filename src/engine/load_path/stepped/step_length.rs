@@ -5,7 +5,7 @@ use super::places::Places;
 use super::stepped_path::{Step, Steps};
 use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
-use crate::load_path::follower::Came;
+use crate::load_path::follower::Advance;
 use crate::load_path::journey::Journey;
 use crate::load_path::tolerances::SHORTEST_STEP;
 use crate::numerics::Vector;
@@ -26,7 +26,7 @@ struct Twice {
 
 impl<'g> Steps<'g> {
     /// Tries a step; reports it if its error is allowed.
-    pub(super) fn try_a_step(&mut self, journey: &Journey<'g>) -> Result<Came<Step<3>>, PathEnd<3>> {
+    pub(super) fn try_a_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
         let from = self.standing.fraction;
         if self.pace.tried == journey.settings.most_steps {
             return Err(journey.undecided(from, Doubt::OutOfSteps));
@@ -41,7 +41,7 @@ impl<'g> Steps<'g> {
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(journey, Doubt::OnTheBoundary))
             } else {
-                Ok(Came::OnTheWay)
+                Ok(Advance::OnTheWay)
             };
         };
         let part = self.part_of_what_is_allowed(&twice);
@@ -55,14 +55,14 @@ impl<'g> Steps<'g> {
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(journey, Doubt::Inaccurate))
             } else {
-                Ok(Came::OnTheWay)
+                Ok(Advance::OnTheWay)
             };
         }
         let to = &self.places.to;
         self.pace.rate = Some((&to.twist - &self.standing.twist) / length);
         self.pace.speeds.note(to.fraction, twice.felt / length);
         self.pace.changed = to.apart(&self.standing) / twice.felt;
-        Ok(Came::To(self.arrive(journey, &twice)))
+        Ok(Advance::Reached(self.arrive(journey, &twice)))
     }
 
     /// The error of a step, as a part of the allowed one.

@@ -10,7 +10,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::event::PathEnd;
-use crate::load_path::follower::{Came, Follower, StandAtEdge};
+use crate::load_path::follower::{Advance, Follower, StandAtEdge};
 use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
@@ -122,8 +122,8 @@ impl<'g> Follower<'g> for Steps<'g> {
         Ok(())
     }
 
-    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Came<Step<3>>, PathEnd<3>> {
-        if self.standing.fraction >= 1.0 { Ok(Came::ToTheEndOfTheLeg) } else { self.try_a_step(journey) }
+    fn go_on(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
+        if self.standing.fraction >= 1.0 { Ok(Advance::EndOfLeg) } else { self.try_a_step(journey) }
     }
 
     fn fraction(&self) -> f64 {

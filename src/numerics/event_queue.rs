@@ -36,7 +36,7 @@ struct Tier {
 
 /// A queue of numbers with their times.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct WaitingLine {
+pub(crate) struct EventQueue {
     /// The items up to the nearest horizon.
     next: BinaryHeap<Reverse<Entry>>,
     /// All other items, the farthest tier first; each reaches up to the horizon of the one before.
@@ -44,7 +44,7 @@ pub(crate) struct WaitingLine {
     pub(crate) clock: f64,
 }
 
-impl WaitingLine {
+impl EventQueue {
     /// Empties the queue and resets the clock.
     pub(crate) fn clear(&mut self) {
         self.next.clear();

@@ -16,7 +16,7 @@ use crate::prelude::*;
 
 /// The same forces in states that show the free motions: contacts on an edge of their cone slide, contacts without force part. `found` itself if
 /// these states do not hold.
-pub(crate) fn on_the_whole_line(problem: &Problem, found: Found) -> Found {
+pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
     // In space, springs across the slip resist; in the plane no tangential direction is left.
     if problem.space() == Space::Spatial {
         return found;

@@ -3,7 +3,7 @@
 use super::lanes::Packed;
 
 /// The slots for the answers of the scenes of one block to one question.
-pub(crate) struct Told<'a, T, X: Packed> {
+pub(crate) struct AnswerSlots<'a, T, X: Packed> {
     /// Ordered by scene, then by question.
     answers: &'a mut [T],
     /// Whether each scene is answered by the present method.
@@ -14,7 +14,7 @@ pub(crate) struct Told<'a, T, X: Packed> {
     each: usize,
 }
 
-impl<'a, T: Copy, X: Packed> Told<'a, T, X> {
+impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
     /// The slots of question number `question` of `questions`, with `each` answers per scene.
     #[inline(always)]
     pub(super) fn new(

@@ -10,7 +10,7 @@ use crate::prelude::*;
 
 /// A matrix from coordinates to the axes of a contact.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Seen {
+pub(crate) struct ScaledMap {
     /// Column by column.
     entries: Columns,
     size: Size,
@@ -23,7 +23,7 @@ enum Columns {
     More(Vec<[f64; 3]>),
 }
 
-impl Seen {
+impl ScaledMap {
     #[inline]
     pub(crate) fn zeros(size: Size) -> Self {
         let count = size.count();
@@ -73,7 +73,7 @@ impl Seen {
     }
 }
 
-impl Index<(usize, usize)> for Seen {
+impl Index<(usize, usize)> for ScaledMap {
     type Output = f64;
 
     #[inline]
@@ -82,14 +82,14 @@ impl Index<(usize, usize)> for Seen {
     }
 }
 
-impl IndexMut<(usize, usize)> for Seen {
+impl IndexMut<(usize, usize)> for ScaledMap {
     #[inline]
     fn index_mut(&mut self, (a, k): (usize, usize)) -> &mut f64 {
         &mut self.columns_mut()[k][a]
     }
 }
 
-impl Mul<&Vector> for &Seen {
+impl Mul<&Vector> for &ScaledMap {
     type Output = SVector<f64, 3>;
 
     #[inline]

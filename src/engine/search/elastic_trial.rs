@@ -12,7 +12,7 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
 /// A search for an equilibrium, with its elastic trial state.
-pub(super) struct TrialScene<'s, 'g> {
+pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
     /// The states of the trial: every contact that is present sticks.
@@ -23,7 +23,7 @@ pub(super) struct TrialScene<'s, 'g> {
     with_edges: OnceCell<Option<Problem<'g>>>,
 }
 
-impl<'s, 'g> TrialScene<'s, 'g> {
+impl<'s, 'g> ElasticTrial<'s, 'g> {
     pub(super) fn new(
         problem: &'s Problem<'g>,
         settings: &'s Settings,

@@ -14,7 +14,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::band_piece::are_many;
+use super::band_piece::uses_band;
 use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
@@ -44,8 +44,8 @@ struct Answers {
 
 /// States in the plane and on polygons in which forces are nearly balanced, and friction is nearly at the limits of its normal forces. `None` with
 /// few coordinates, free motions or infinite friction.
-pub(crate) fn states_by_given_limits(problem: &Problem<'_>) -> Option<Vec<State>> {
-    if !are_many(problem.size()) {
+pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
+    if !uses_band(problem.size()) {
         return None;
     }
     let (states, _) = GivenLimits::of(problem, true)?.settled()?;
@@ -59,8 +59,8 @@ pub(crate) fn states_by_given_limits(problem: &Problem<'_>) -> Option<Vec<State>
 }
 
 /// The motion on the round cone with nearly balanced forces, and friction nearly at the limits of its normal forces.
-pub(crate) fn twist_by_given_limits(problem: &Problem<'_>) -> Option<Vector> {
-    if !problem.round || !are_many(problem.size()) {
+pub(crate) fn twist_by_tresca(problem: &Problem<'_>) -> Option<Vector> {
+    if !problem.round || !uses_band(problem.size()) {
         return None;
     }
     let limits = GivenLimits::of(problem, false)?;
