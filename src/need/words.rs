@@ -67,16 +67,7 @@ impl Needed {
                 let mut told = 1;
                 told += usize::from(until.is_some());
                 self.far_end(f, until.as_ref())?;
-                for window in elsewhere {
-                    told += [window.from, window.to].iter().flatten().count();
-                    let much = |amount: f64| self.much(words, amount, &[]);
-                    let range = match (window.from, window.to) {
-                        (Some(from), Some(to)) => self.range(words, from, to),
-                        (Some(one), None) => format!("{} and more", much(one)),
-                        (None, one) => format!("{} and less", much(one.unwrap_or(0.0))),
-                    };
-                    write!(f, ". Apart from that {range} would do")?;
-                }
+                told += self.windows(f, elsewhere)?;
                 if *changes > told {
                     write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
                 }
@@ -137,6 +128,22 @@ impl Needed {
     /// Whether a squeeze is sought although no command presses.
     fn has_no_squeeze(&self) -> bool {
         self.in_place_of_squeeze && self.quantity == Quantity::Squeeze
+    }
+
+    /// The sentences about other windows. Returns the number of their ends.
+    fn windows(&self, f: &mut fmt::Formatter<'_>, elsewhere: &[AmountWindow]) -> Result<usize, fmt::Error> {
+        let (words, mut told) = (Words::of(f), 0);
+        for window in elsewhere {
+            told += [window.from, window.to].iter().flatten().count();
+            let much = |amount: f64| self.much(words, amount, &[]);
+            let range = match (window.from, window.to) {
+                (Some(from), Some(to)) => self.range(words, from, to),
+                (Some(one), None) => format!("{} and more", much(one)),
+                (None, one) => format!("{} and less", much(one.unwrap_or(0.0))),
+            };
+            write!(f, ". Apart from that {range} would do")?;
+        }
+        Ok(told)
     }
 
     /// The sentence about the amounts that the answer rests on.
