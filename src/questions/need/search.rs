@@ -304,12 +304,7 @@ fn refined(
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
     // Two halves of each gap: fewer leave windows of sufficient amounts in them unseen.
     for _ in 0..4 * NEAR_DOUBLINGS {
-        let mut amounts: Vec<f64> = Vec::new();
-        for (at, _) in vain.iter() {
-            if near(*at) {
-                amounts.push(*at);
-            }
-        }
+        let mut amounts: Vec<f64> = vain.iter().map(|(at, _)| *at).filter(|at| near(*at)).collect();
         amounts.sort_by(f64::total_cmp);
         let ratio = |pair: &[f64]| pair[1] / pair[0];
         let Some(widest) = amounts.windows(2).max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { break };

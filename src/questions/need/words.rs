@@ -46,6 +46,7 @@ impl Needed {
                 elsewhere,
                 presses,
                 at_their_limit,
+                tried,
                 ..
             } => {
                 let much = self.much(words, *does, presses);
@@ -63,15 +64,23 @@ impl Needed {
                 if let Some(limit) = at_limit(at_their_limit) {
                     write!(f, ". At rest {limit}")?;
                 }
-                self.windows(f, *changes, until.as_ref(), elsewhere)?;
+                let mut told = 1;
+                told += usize::from(until.is_some());
+                self.far_end(f, until.as_ref())?;
+                told += self.windows(f, elsewhere)?;
+                if *changes > told {
+                    write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
+                }
+                self.amounts_tried(f, *tried)?;
             }
             Amount::Any { .. } if self.has_no_squeeze() => write!(f, "NEEDS no squeeze: {aim}")?,
-            Amount::Any { to, until, .. } if is_least => {
+            Amount::Any { to, until, tried } if is_least => {
                 write!(f, "NEEDS none: {aim} down to {}", self.much(words, roughly(*to, true), &[]))?;
                 self.beside(f, *to)?;
                 self.far_end(f, until.as_ref())?;
+                self.amounts_tried(f, *tried)?;
             }
-            Amount::Any { to, until: Some(end), .. } => {
+            Amount::Any { to, until: Some(end), tried } => {
                 let much = self.much(words, end.does, &[]);
                 write!(
                     f,
@@ -80,12 +89,14 @@ impl Needed {
                 )?;
                 self.beside(f, *to)?;
                 self.far_end(f, Some(end))?;
+                self.amounts_tried(f, *tried)?;
             }
-            Amount::Any { to, .. } => {
+            Amount::Any { to, tried, .. } => {
                 let amount = if self.quantity == Quantity::Angle { *to } else { roughly(*to, false) };
                 let aim = if how == Demand::Held { "it holds" } else { aim };
                 write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]))?;
                 self.beside(f, *to)?;
+                self.amounts_tried(f, *tried)?;
             }
             Amount::None { otherwise, .. } if self.has_no_squeeze() => {
                 write!(f, "NO squeeze does: {otherwise}")?;
@@ -111,24 +122,17 @@ impl Needed {
                 write!(f, "UNDECIDED at {}: {doubt}", self.much(words, *at, &[]))?;
             }
         }
-        match self.amount {
-            Amount::Any { .. } if self.has_no_squeeze() => Ok(()),
-            Amount::Bound { tried, .. } | Amount::Any { tried, .. } => self.amounts_tried(f, tried),
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
-    /// The far end of the sufficient amounts, the other ranges that suffice, and the changes of the verdict that neither explains.
-    fn windows(
-        &self,
-        f: &mut fmt::Formatter<'_>,
-        changes: usize,
-        until: Option<&FarEnd>,
-        elsewhere: &[AmountWindow],
-    ) -> fmt::Result {
-        let words = Words::of(f);
-        let mut told = 1 + usize::from(until.is_some());
-        self.far_end(f, until)?;
+    /// Whether a squeeze is sought although no command presses.
+    fn has_no_squeeze(&self) -> bool {
+        self.in_place_of_squeeze && self.quantity == Quantity::Squeeze
+    }
+
+    /// The sentences about other windows. Returns the number of their ends.
+    fn windows(&self, f: &mut fmt::Formatter<'_>, elsewhere: &[AmountWindow]) -> Result<usize, fmt::Error> {
+        let (words, mut told) = (Words::of(f), 0);
         for window in elsewhere {
             told += [window.from, window.to].iter().flatten().count();
             let much = |amount: f64| self.much(words, amount, &[]);
@@ -139,15 +143,7 @@ impl Needed {
             };
             write!(f, ". Apart from that {range} would do")?;
         }
-        if changes > told {
-            write!(f, ". The verdict changes {changes} times among the amounts tried")?;
-        }
-        Ok(())
-    }
-
-    /// Whether a squeeze is sought although no command presses.
-    fn has_no_squeeze(&self) -> bool {
-        self.in_place_of_squeeze && self.quantity == Quantity::Squeeze
+        Ok(told)
     }
 
     /// The sentence about the amounts that the answer rests on.
