@@ -103,7 +103,7 @@ impl Trigonometric {
             match fall_of(&p, end, if divided > 0 { 0.0 } else { rounding }) {
                 Some(FirstZero::At(t)) => return Some(FirstZero::At(begin + 2.0 * t.atan())),
                 Some(FirstZero::Touches(t)) => {
-                    touched = touched.or(Some(FirstZero::Touches(begin + 2.0 * t.atan())))
+                    touched = touched.or(Some(FirstZero::Touches(begin + 2.0 * t.atan())));
                 }
                 None => {}
             }

@@ -209,7 +209,9 @@ fn is_met<const C: usize>(
         "{name}: {} claims wrong in {scenes} scenes of {amounts} amounts, {with_windows} with unseen windows",
         wrong.len()
     );
-    unseen.iter().for_each(|window| println!("{window}"));
+    for window in &unseen {
+        println!("{window}");
+    }
     assert!(20 * with_windows <= scenes, "{with_windows} of {scenes} scenes have windows that no trial met");
     assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong[..wrong.len().min(20)].join("\n"));
     Ok(())

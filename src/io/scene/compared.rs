@@ -51,7 +51,7 @@ impl SceneNames {
                 Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),
                 None => format!("{} times the load", words.number(factor)),
             };
-            says += &format!(". Both agree up to {amount}");
+            says = format!("{says}. Both agree up to {amount}");
         }
         comparison.equilibrium = self.outcome(comparison.equilibrium);
         Ok(CompareAnswer { says, agrees_up_to, comparison: comparison.written() })
