@@ -119,7 +119,7 @@ fn what_slides_without_force_is_followed() {
 /// square shows, unless it begins again from there.
 #[test]
 fn what_slides_away_is_on_its_cones() {
-    let mut random = Random(11 ^ 302 << 32);
+    let mut random = Random(0xb ^ (0x12e << 32));
     let pushed = (0..1864).map(|_| in_space(IN_SPACE[2], &mut random).unwrap()).last().unwrap();
     followed(&pushed).unwrap();
 }
