@@ -24,6 +24,10 @@ use crate::proofs;
 
 /// A rung: its name, when it is tried, and what its equilibria are found by.
 pub(super) struct Rung {
+    #[cfg_attr(
+        not(feature = "std"),
+        allow(dead_code, reason = "the record of the report `rungs` needs std")
+    )]
     pub(super) name: &'static str,
     pub(super) applies: fn(&ElasticTrial<'_, '_>) -> bool,
     pub(super) climb: fn(&ElasticTrial<'_, '_>, &mut Log) -> Attempt,
@@ -89,21 +93,22 @@ pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort
         Err(Refused { states, at, .. }) => (states, at),
     };
     let scene = ElasticTrial::new(problem, settings, unjumped, trial, state);
+    let mut decided = None;
     for (number, rung) in LADDER.iter().enumerate().filter(|(_, rung)| (rung.applies)(&scene)) {
-        let settled = match ((rung.climb)(&scene, &mut log), rung.finds) {
-            (Attempt::Found(found), Some(found_by)) => {
+        let settled = match (rung.climb)(&scene, &mut log) {
+            Attempt::Found(found) => {
+                let found_by = rung.finds.unwrap_or(FoundBy::Enumeration);
                 Settled::Found(at_the_least_motion(problem, found), found_by)
             }
-            (Attempt::Proof(proof), _) => proof,
-            _ => continue,
+            Attempt::Proof(proof) => proof,
+            Attempt::Nothing => continue,
         };
-        #[cfg(feature = "std")]
-        record(&scene, Some(number));
-        return (settled, log.effort);
+        decided = Some((number, settled));
+        break;
     }
     #[cfg(feature = "std")]
-    record(&scene, None);
-    (Settled::Undecided(log.doubt), log.effort)
+    record(&scene, decided.as_ref().map(|(number, _)| *number));
+    (decided.map_or(Settled::Undecided(log.doubt), |(_, settled)| settled), log.effort)
 }
 
 fn has_many_contacts(scene: &ElasticTrial<'_, '_>) -> bool {
