@@ -61,15 +61,17 @@ impl Program {
 
     /// Appends legs, all or none of them.
     pub(super) fn extend(&mut self, grasp: &Engine, legs: &[Leg<3>]) -> Result<(), Error> {
-        let mut of_points = Vec::with_capacity(legs.len());
+        // All legs are checked before one is appended.
         for leg in legs {
             leg.check(grasp)?;
-            of_points.push(leg.of_points(grasp)?);
+            leg.of_points(grasp)?;
         }
         // Programs that go on and on need no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
-        self.legs.append(&mut of_points);
+        for leg in legs {
+            self.legs.push(leg.of_points(grasp)?);
+        }
         Ok(())
     }
 

@@ -23,5 +23,5 @@ pub(crate) use refutation::{ProofStep, check, yields};
 pub(crate) use tolerances::{ESCAPE, LEAST_WORK};
 pub(crate) use wrench_cone::{
     Generator, NearestForces, nearest_forces, round_generators, separates_from_here_on, separating_motion,
-    straight_generators,
+    separating_motion_of_few, straight_generators,
 };

@@ -65,8 +65,9 @@ pub(super) const LADDER: [Rung; 8] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        applies: |scene| !is_large(scene),
-        climb: separating_motion,
+        // With few contacts in a band, too: there the residual of the augmented Lagrangian vanishes before the nearest forces are sharp.
+        applies: |scene| !has_many_contacts(scene),
+        climb: separating_motion_of_few,
         finds: None,
     },
     Rung { name: "every case", applies: |_| true, climb: every_case, finds: Some(FoundBy::Enumeration) },
@@ -160,6 +161,12 @@ fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
 /// A motion that separates the load from all admissible contact forces.
 fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
+    motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
+}
+
+/// The same by the nearest forces.
+fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
+    let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
