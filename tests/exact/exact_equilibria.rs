@@ -278,7 +278,7 @@ fn on_a_lattice_full_of_ties() {
     let tally = Tally::of(&lattice_scene());
     tally.assert_varied();
     tally.assert_often_enough(&[("tied", tally.tied, 30), ("families", tally.families, 30)]);
-    assert_met(&[(tally.enumeration, 5)]);
+    assert_met(&[(tally.enumeration, 2)]);
     assert_eq!(tally.undecided, 0);
 }
 
@@ -295,7 +295,7 @@ fn stiff_with_strong_friction() {
     let tally = Tally::of(&stiff_scene());
     tally.assert_varied();
     tally.assert_often_enough(&[("narrow", tally.narrow, 6)]);
-    assert_met(&[(tally.enumeration, 5)]);
+    assert_met(&[(tally.enumeration, 2)]);
     assert_eq!(tally.undecided, 0);
 }
 
