@@ -1,8 +1,10 @@
 //! The question for an amount as its search poses it: checked, with one value of each datum.
 
 use super::answer::{PressedBy, Quantity, check_part};
-use super::question::Demand;
+use super::question::{Demand, Need};
 use crate::ask::Grasp;
+#[cfg(feature = "serde")]
+use crate::ask::check_contact;
 use crate::error::{Error, is_moderate};
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
@@ -139,4 +141,114 @@ impl<const C: usize> Posed<C> {
             Sought::Force { .. } => Quantity::Force,
         }
     }
+}
+
+impl<const C: usize> Need<C> {
+    /// Refuses fields that are missing or belong to another quantity, numbers out of range, and contacts beyond this number of them.
+    #[cfg(feature = "serde")]
+    pub(crate) fn check(&self, contacts: usize) -> Result<(), Error> {
+        match self.posed()?.sought {
+            Sought::Friction { contacts: Some(list) } => {
+                list.iter().try_for_each(|contact| check_contact(*contact, contacts))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The checked question as a search poses it.
+    pub(super) fn posed(&self) -> Result<Posed<C>, Error> {
+        let of_its_own = [
+            (
+                self.per_metre.is_some(),
+                Quantity::Arm,
+                "per_metre",
+                "is given, must be left out unless an arm is sought",
+            ),
+            (
+                self.contact.is_some(),
+                Quantity::Friction,
+                "contact",
+                "is given, must be left out unless friction is sought",
+            ),
+            (
+                self.contacts.is_some(),
+                Quantity::Friction,
+                "contacts",
+                "is given, must be left out unless friction is sought",
+            ),
+            (self.of.is_some(), Quantity::Force, "of", "is given, must be left out unless a force is sought"),
+        ];
+        for (given, of, field, fault) in of_its_own {
+            if given && of != self.quantity {
+                return Err(wrong(field, fault));
+            }
+        }
+        if self.at.is_some() && self.any_force.is_none() {
+            return Err(wrong(
+                "at",
+                "is given, must be left out unless there is any_force (a load has its own)",
+            ));
+        }
+        let sought = match self.quantity {
+            Quantity::Squeeze => Sought::Squeeze,
+            Quantity::Load => Sought::Load,
+            Quantity::Force => Sought::Force { of: self.of.clone() },
+            Quantity::Friction => Sought::Friction { contacts: self.meant()? },
+            Quantity::Arm => {
+                let fault = "is missing, must be given where an arm is sought";
+                let at = self.load.ok_or_else(|| wrong("load", fault))?;
+                let fault = "is missing, must be what a metre adds to the load where an arm is sought";
+                Sought::Arm { at, per_metre: self.per_metre.ok_or_else(|| wrong("per_metre", fault))? }
+            }
+            Quantity::Angle => {
+                let fault = "is missing, must be given where an angle is sought";
+                Sought::Angle { turn: self.turn.ok_or_else(|| wrong("turn", fault))? }
+            }
+        };
+        let loads = match &sought {
+            Sought::Arm { at, .. } => (*at).into(),
+            Sought::Angle { turn } => Loads::Turn(*turn),
+            _ => self.given_loads()?,
+        };
+        let [friction, squeeze] = if self.safety.is_some() { [0.0; 2] } else { [0.1, 0.05] };
+        let lower = [self.friction_less.unwrap_or(friction), self.squeeze_less.unwrap_or(squeeze)];
+        let safety = Safety { lower, load: self.safety.unwrap_or(1.0) };
+        let posed = Posed {
+            sought,
+            loads,
+            base: self.base(),
+            demand: self.demand,
+            safety,
+            scan: self.scan,
+            words: self.words,
+        };
+        posed.check()?;
+        Ok(posed)
+    }
+
+    /// The contacts whose friction is sought; `None` for all.
+    fn meant(&self) -> Result<Option<Vec<usize>>, Error> {
+        match (self.contact, &self.contacts) {
+            (Some(_), Some(_)) => Err(wrong("contacts", "are given beside a contact, must be one of them")),
+            (None, Some(list)) if list.is_empty() => {
+                Err(Error::Argument { what: "number of contacts", value: 0.0, allowed: "at least 1" })
+            }
+            (contact, list) => Ok(contact.map(|contact| vec![contact]).or_else(|| list.clone())),
+        }
+    }
+
+    /// The loads, or an error unless they are given in exactly one way.
+    fn given_loads(&self) -> Result<Loads<C>, Error> {
+        let others = self.load.is_some() || !self.loads.is_empty() || self.any_force.is_some();
+        match self.turn {
+            Some(turn) if !others => Ok(Loads::Turn(turn)),
+            Some(_) => Err(wrong("load", "is given twice, must be one of load, loads, any_force and turn")),
+            None if others => Loads::of_fields("need", (self.load, &self.loads), (self.any_force, self.at)),
+            None => Err(wrong("load", "is missing, must be one of load, loads, any_force and turn")),
+        }
+    }
+}
+
+fn wrong(field: &'static str, fault: &'static str) -> Error {
+    Error::Question { question: "need", field, fault }
 }

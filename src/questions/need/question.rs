@@ -6,10 +6,7 @@ use alloc::collections::BTreeMap;
 use nalgebra::SVector;
 
 use super::answer::Quantity;
-use super::posed::{Posed, Safety, Sought};
 use crate::ask::Grasp;
-#[cfg(feature = "serde")]
-use crate::ask::check_contact;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
@@ -49,63 +46,63 @@ impl Demand {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Need<const C: usize> {
     /// The sought quantity.
-    quantity: Quantity,
+    pub(super) quantity: Quantity,
     /// The demand on it: by default that the object is held. Then the answer adds the amount with which nothing slides.
     #[cfg_attr(feature = "serde", serde(default))]
-    demand: Demand,
+    pub(super) demand: Demand,
     /// The load at rest; none if left out. It is constant, except where a force without `of` is sought: then amounts multiply it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) base: Option<Wrench<C>>,
     /// One load. For an arm: the wrench of the force at displacement 0.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    load: Option<Wrench<C>>,
+    pub(super) load: Option<Wrench<C>>,
     /// Several loads, one at a time.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    loads: Vec<Wrench<C>>,
+    pub(super) loads: Vec<Wrench<C>>,
     /// Size of a force of any direction, N, which acts at the point `at` beside `load`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    any_force: Option<f64>,
+    pub(super) any_force: Option<f64>,
     /// Point at which the force of any direction acts, m; the origin if left out.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
-    at: Option<SVector<f64, C>>,
+    pub(super) at: Option<SVector<f64, C>>,
     /// A load that turns.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) turn: Option<Turn<C>>,
     /// For an arm: the change of the load per metre of displacement.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    per_metre: Option<Wrench<C>>,
+    pub(super) per_metre: Option<Wrench<C>>,
     /// For friction: the index, from 0, of the contact whose coefficient is sought; that of all contacts if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    contact: Option<usize>,
+    pub(super) contact: Option<usize>,
     /// For friction: indices of several contacts with one coefficient, instead of `contact`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    contacts: Option<Vec<usize>>,
+    pub(super) contacts: Option<Vec<usize>>,
     /// For a force: the name of the body whose load is sought, or of the contact, link or joint whose command or force is. The load at rest, `base`,
     /// if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    of: Option<String>,
+    pub(super) of: Option<String>,
     /// Loads of further bodies, by name, which grow together with `load`; without `base` then.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "BTreeMap::is_empty"))]
     pub(crate) together_with: BTreeMap<String, Wrench<C>>,
     /// For the safe amount: factor on the loads; 1 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    safety: Option<f64>,
+    pub(super) safety: Option<f64>,
     /// For the safe amount: relative reduction of friction, from 0 to less than 1. The default is 0.1, or 0 if `safety` is given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    friction_less: Option<f64>,
+    pub(super) friction_less: Option<f64>,
     /// For the safe amount: relative reduction of the squeeze, from 0 to less than 1. The default is 0.05, or 0 if `safety` is given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    squeeze_less: Option<f64>,
+    pub(super) squeeze_less: Option<f64>,
     /// Number of amounts tried around the bound.
     #[cfg_attr(feature = "serde", serde(skip, default = "default_scan"))]
-    scan: usize,
+    pub(super) scan: usize,
     /// Digits of numbers in the sentences for other amounts.
     #[cfg_attr(feature = "serde", serde(skip))]
-    words: Words,
+    pub(super) words: Words,
 }
 
 const fn default_scan() -> usize {
@@ -391,112 +388,4 @@ impl<const C: usize> Need<C> {
     pub(crate) fn base(&self) -> Wrench<C> {
         self.base.unwrap_or(Wrench::ZERO)
     }
-
-    /// Refuses fields that are missing or belong to another quantity, numbers out of range, and contacts beyond this number of them.
-    #[cfg(feature = "serde")]
-    pub(crate) fn check(&self, contacts: usize) -> Result<(), Error> {
-        match self.posed()?.sought {
-            Sought::Friction { contacts: Some(list) } => {
-                list.iter().try_for_each(|contact| check_contact(*contact, contacts))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    /// The checked question as a search poses it.
-    pub(super) fn posed(&self) -> Result<Posed<C>, Error> {
-        let of_its_own = [
-            (
-                self.per_metre.is_some(),
-                Quantity::Arm,
-                "per_metre",
-                "is given, must be left out unless an arm is sought",
-            ),
-            (
-                self.contact.is_some(),
-                Quantity::Friction,
-                "contact",
-                "is given, must be left out unless friction is sought",
-            ),
-            (
-                self.contacts.is_some(),
-                Quantity::Friction,
-                "contacts",
-                "is given, must be left out unless friction is sought",
-            ),
-            (self.of.is_some(), Quantity::Force, "of", "is given, must be left out unless a force is sought"),
-        ];
-        for (given, of, field, fault) in of_its_own {
-            if given && of != self.quantity {
-                return Err(wrong(field, fault));
-            }
-        }
-        if self.at.is_some() && self.any_force.is_none() {
-            return Err(wrong(
-                "at",
-                "is given, must be left out unless there is any_force (a load has its own)",
-            ));
-        }
-        let sought = match self.quantity {
-            Quantity::Squeeze => Sought::Squeeze,
-            Quantity::Load => Sought::Load,
-            Quantity::Force => Sought::Force { of: self.of.clone() },
-            Quantity::Friction => Sought::Friction { contacts: self.meant()? },
-            Quantity::Arm => {
-                let fault = "is missing, must be given where an arm is sought";
-                let at = self.load.ok_or_else(|| wrong("load", fault))?;
-                let fault = "is missing, must be what a metre adds to the load where an arm is sought";
-                Sought::Arm { at, per_metre: self.per_metre.ok_or_else(|| wrong("per_metre", fault))? }
-            }
-            Quantity::Angle => {
-                let fault = "is missing, must be given where an angle is sought";
-                Sought::Angle { turn: self.turn.ok_or_else(|| wrong("turn", fault))? }
-            }
-        };
-        let loads = match &sought {
-            Sought::Arm { at, .. } => (*at).into(),
-            Sought::Angle { turn } => Loads::Turn(*turn),
-            _ => self.given_loads()?,
-        };
-        let [friction, squeeze] = if self.safety.is_some() { [0.0; 2] } else { [0.1, 0.05] };
-        let lower = [self.friction_less.unwrap_or(friction), self.squeeze_less.unwrap_or(squeeze)];
-        let safety = Safety { lower, load: self.safety.unwrap_or(1.0) };
-        let posed = Posed {
-            sought,
-            loads,
-            base: self.base(),
-            demand: self.demand,
-            safety,
-            scan: self.scan,
-            words: self.words,
-        };
-        posed.check()?;
-        Ok(posed)
-    }
-
-    /// The contacts whose friction is sought; `None` for all.
-    fn meant(&self) -> Result<Option<Vec<usize>>, Error> {
-        match (self.contact, &self.contacts) {
-            (Some(_), Some(_)) => Err(wrong("contacts", "are given beside a contact, must be one of them")),
-            (None, Some(list)) if list.is_empty() => {
-                Err(Error::Argument { what: "number of contacts", value: 0.0, allowed: "at least 1" })
-            }
-            (contact, list) => Ok(contact.map(|contact| vec![contact]).or_else(|| list.clone())),
-        }
-    }
-
-    /// The loads, or an error unless they are given in exactly one way.
-    fn given_loads(&self) -> Result<Loads<C>, Error> {
-        let others = self.load.is_some() || !self.loads.is_empty() || self.any_force.is_some();
-        match self.turn {
-            Some(turn) if !others => Ok(Loads::Turn(turn)),
-            Some(_) => Err(wrong("load", "is given twice, must be one of load, loads, any_force and turn")),
-            None if others => Loads::of_fields("need", (self.load, &self.loads), (self.any_force, self.at)),
-            None => Err(wrong("load", "is missing, must be one of load, loads, any_force and turn")),
-        }
-    }
-}
-
-fn wrong(field: &'static str, fault: &'static str) -> Error {
-    Error::Question { question: "need", field, fault }
 }
