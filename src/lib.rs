@@ -129,7 +129,6 @@ pub mod guide;
 mod io;
 pub mod lcp;
 mod model;
-mod names;
 mod numerics;
 pub mod planar;
 mod prelude;

@@ -5,4 +5,123 @@
 
 pub use crate::grasp::Pressure;
 
-crate::names::names!(2);
+/// Declares the names of this module, and of [`spatial`](crate::spatial), with this number of axes for a contact.
+macro_rules! names {
+    ($axes:literal) => {
+        /// A point contact; see [`crate::grasp::Contact`].
+        pub type Contact = crate::grasp::Contact<$axes>;
+        /// Point contacts that model one finger pad: a row in the plane; a ring, disc or rectangle in space; see [`crate::grasp::SoftFingertip`].
+        pub type SoftFingertip = crate::grasp::SoftFingertip<$axes>;
+        /// A grasp; see [`crate::ask::Grasp`].
+        pub type Grasp = crate::ask::Grasp<$axes>;
+        /// Force and moment; in the plane the moment is one number, from x to y; see [`crate::grasp::Wrench`].
+        pub type Wrench = crate::grasp::Wrench<$axes>;
+        /// Translation and rotation; in the plane the rotation is one number, from x to y; see [`crate::grasp::Twist`].
+        pub type Twist = crate::grasp::Twist<$axes>;
+        /// A body that an arm carries, and its load; see [`crate::grasp::Payload`].
+        pub type Payload = crate::grasp::Payload<$axes>;
+        /// Motion of the arm at an instant; see [`crate::grasp::ArmMotion`].
+        pub type ArmMotion = crate::grasp::ArmMotion<$axes>;
+        /// One body of several; see [`crate::grasp::Body`].
+        pub type Body = crate::grasp::Body<$axes>;
+        /// Several bodies; see [`crate::grasp::Bodies`].
+        pub type Bodies = crate::grasp::Bodies<$axes>;
+        /// A link between bodies, or to the ground; see [`crate::grasp::Link`].
+        pub type Link = crate::grasp::Link<$axes>;
+        /// The verdict on a load that is applied from rest; see [`crate::hold::Verdict`].
+        pub type Verdict = crate::hold::Verdict<$axes>;
+        /// A question for the needed amount of a quantity, with its loads; see [`crate::need::Need`].
+        pub type Need = crate::need::Need<$axes>;
+        /// The answer to a question for an equilibrium; see [`crate::equilibrium::Outcome`].
+        pub type Outcome = crate::equilibrium::Outcome<$axes>;
+        /// An equilibrium; see [`crate::equilibrium::Equilibrium`].
+        pub type Equilibrium = crate::equilibrium::Equilibrium<$axes>;
+        /// No equilibrium exists, with the proof; see [`crate::equilibrium::NoEquilibrium`].
+        pub type NoEquilibrium = crate::equilibrium::NoEquilibrium<$axes>;
+        /// A proof that no equilibrium exists; see [`crate::equilibrium::Proof`].
+        pub type Proof = crate::equilibrium::Proof<$axes>;
+        /// One contact of an equilibrium; see [`crate::equilibrium::ContactAnswer`].
+        pub type ContactAnswer = crate::equilibrium::ContactAnswer<$axes>;
+        /// State of a contact; see [`crate::equilibrium::ContactState`].
+        pub type ContactState = crate::equilibrium::ContactState<$axes>;
+        /// Equilibrating and interaction forces; see [`crate::equilibrium::Decomposition`].
+        pub type Decomposition = crate::equilibrium::Decomposition<$axes>;
+        /// A load and commands that change in proportion; see [`crate::load_path::Ramp`].
+        pub type Ramp = crate::load_path::Ramp<$axes>;
+        /// Whether contact forces could balance any load; see [`crate::statics::Closure`].
+        pub type Closure = crate::statics::Closure<$axes>;
+        /// The loads that a grasp is to hold; see [`crate::squeeze::Loads`].
+        pub type Loads = crate::squeeze::Loads<$axes>;
+        /// The least squeeze for these loads; see [`crate::squeeze::LeastSqueeze`].
+        pub type LeastSqueeze = crate::squeeze::LeastSqueeze<$axes>;
+        /// The direction in which the least force slides; see [`crate::squeeze::WeakestDirection`].
+        pub type WeakestDirection = crate::squeeze::WeakestDirection<$axes>;
+        /// Bounds on the errors of commands and loads; see [`crate::squeeze::Bounds`].
+        pub type Bounds = crate::squeeze::Bounds<$axes>;
+        /// The least onset of sliding within bounds; see [`crate::squeeze::LeastOnset`].
+        pub type LeastOnset = crate::squeeze::LeastOnset<$axes>;
+        /// A load that turns; see [`crate::load_path::Turn`].
+        pub type Turn = crate::load_path::Turn<$axes>;
+        /// The angle at which the first contact stops sticking while a load turns; see [`crate::load_path::TurnOnset`].
+        pub type TurnOnset = crate::load_path::TurnOnset<$axes>;
+        /// The factor at which the first contact stops sticking; see [`crate::load_path::Onset`].
+        pub type Onset = crate::load_path::Onset<$axes>;
+        /// Memory for one onset after another; see [`crate::ask::OnsetWorkspace`].
+        pub type OnsetWorkspace = crate::ask::OnsetWorkspace<$axes>;
+        /// The event at which the first contact stops sticking; see [`crate::load_path::OnsetEvent`].
+        pub type OnsetEvent = crate::load_path::OnsetEvent<$axes>;
+        /// A contact that stops sticking; see [`crate::load_path::Leaving`].
+        pub type Leaving = crate::load_path::Leaving<$axes>;
+        /// How a contact stops sticking; see [`crate::load_path::Departure`].
+        pub type Departure = crate::load_path::Departure<$axes>;
+        /// The behaviour just beyond the onset; see [`crate::load_path::Beyond`].
+        pub type Beyond = crate::load_path::Beyond<$axes>;
+        /// The continuation of an equilibrium past an event; see [`crate::load_path::Continuation`].
+        pub type Continuation = crate::load_path::Continuation<$axes>;
+        /// One leg of a load program; see [`crate::load_path::Leg`].
+        pub type Leg = crate::load_path::Leg<$axes>;
+        /// An event on a load path; see [`crate::load_path::Event`].
+        pub type Event = crate::load_path::Event<$axes>;
+        /// A contact whose state changes at an event; see [`crate::load_path::ContactChange`].
+        pub type ContactChange = crate::load_path::ContactChange<$axes>;
+        /// The change of a contact's state at an event; see [`crate::load_path::Change`].
+        pub type Change = crate::load_path::Change<$axes>;
+        /// A jump on a load path at constant load; see [`crate::load_path::Jump`].
+        pub type Jump = crate::load_path::Jump<$axes>;
+        /// The end of a load path; see [`crate::load_path::PathEnd`].
+        pub type PathEnd = crate::load_path::PathEnd<$axes>;
+        /// A load program being followed; see [`crate::load_path::LoadPath`].
+        pub type LoadPath<'g> = crate::load_path::LoadPath<'g, $axes>;
+        /// A few contacts prepared for screening; see [`crate::screening::Fingers`].
+        pub type Fingers<const N: usize> = crate::screening::Fingers<$axes, N>;
+        /// Many grasps prepared for screening; see [`crate::screening::Batch`].
+        pub type Batch<const N: usize> = crate::screening::Batch<$axes, N>;
+        /// A load for screening; see [`crate::screening::Pull`].
+        pub type Pull = crate::screening::Pull<$axes>;
+        /// A load for screening that turns; see [`crate::screening::TurningPull`].
+        pub type TurningPull = crate::screening::TurningPull<$axes>;
+        /// Loads for screening that fingers are to hold; see [`crate::screening::LoadCases`].
+        pub type LoadCases = crate::screening::LoadCases<$axes>;
+        /// A load program being followed in steps; see [`crate::load_path::SteppedPath`].
+        pub type SteppedPath<'g> = crate::load_path::SteppedPath<'g, $axes>;
+        /// A step of such a path; see [`crate::load_path::Step`].
+        pub type Step = crate::load_path::Step<$axes>;
+
+        /// Names for hands with joints: [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`] like any other.
+        pub mod hand {
+            pub use crate::equilibrium::{DriveState, JointAnswer, TendonAnswer};
+            pub use crate::grasp::{HandPart, JointKind, Limit, PartLabel, Tendon};
+            pub use crate::load_path::{DriveChange, PartChange};
+
+            /// A joint; see [`crate::grasp::Joint`].
+            pub type Joint = crate::grasp::Joint<$axes>;
+            /// A finger; see [`crate::grasp::Finger`].
+            pub type Finger = crate::grasp::Finger<$axes>;
+            /// A hand; see [`crate::grasp::Hand`].
+            pub type Hand = crate::grasp::Hand<$axes>;
+        }
+    };
+}
+pub(crate) use names;
+
+names!(2);

@@ -4,7 +4,7 @@
 
 pub use crate::grasp::{Pressure, SuctionCup};
 
-crate::names::names!(3);
+crate::planar::names!(3);
 
 /// One load on three friction cones; see [`crate::equilibrium::Bracket`].
 pub type Bracket = crate::equilibrium::Bracket<3>;

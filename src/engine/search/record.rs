@@ -9,7 +9,7 @@ use super::ladder::LADDER;
 
 /// The result of one rung in one search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Made {
+pub enum RungResult {
     /// The rung does not apply to the search.
     Untried,
     /// Neither an equilibrium nor a proof.
@@ -22,15 +22,15 @@ pub enum Made {
 
 /// One search: what each rung makes of it alone.
 #[derive(Debug, Clone)]
-pub struct Climb {
+pub struct RecordedSearch {
     /// The number of the rung that decided; `None` where the search stayed undecided.
     pub decided: Option<usize>,
     /// The result of each rung, and its time, s.
-    pub rungs: Vec<(Made, f64)>,
+    pub rungs: Vec<(RungResult, f64)>,
 }
 
 std::thread_local! {
-    static RECORD: RefCell<Option<Vec<Climb>>> = const { RefCell::new(None) };
+    static RECORD: RefCell<Option<Vec<RecordedSearch>>> = const { RefCell::new(None) };
 }
 
 /// The names of the rungs, from below.
@@ -40,7 +40,7 @@ pub fn names() -> Vec<&'static str> {
 }
 
 /// Asks a question, and returns with its answer all of its searches that went beyond the elastic trial.
-pub fn recorded<T>(ask: impl FnOnce() -> T) -> (T, Vec<Climb>) {
+pub fn recorded<T>(ask: impl FnOnce() -> T) -> (T, Vec<RecordedSearch>) {
     RECORD.set(Some(Vec::new()));
     let answer = ask();
     (answer, RECORD.take().unwrap_or_default())
@@ -56,16 +56,16 @@ pub(super) fn record(scene: &ElasticTrial<'_, '_>, decided: Option<usize>) {
     for rung in &LADDER {
         let start = Instant::now();
         let made = match (rung.applies)(scene).then(|| (rung.climb)(scene, &mut log)) {
-            None => Made::Untried,
-            Some(Attempt::Nothing) => Made::Nothing,
-            Some(Attempt::Found(_)) => Made::Found,
-            Some(Attempt::Proof(_)) => Made::Proved,
+            None => RungResult::Untried,
+            Some(Attempt::Nothing) => RungResult::Nothing,
+            Some(Attempt::Found(_)) => RungResult::Found,
+            Some(Attempt::Proof(_)) => RungResult::Proved,
         };
         rungs.push((made, start.elapsed().as_secs_f64()));
     }
     RECORD.with_borrow_mut(|record| {
         if let Some(climbs) = record {
-            climbs.push(Climb { decided, rungs });
+            climbs.push(RecordedSearch { decided, rungs });
         }
     });
 }

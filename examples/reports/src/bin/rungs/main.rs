@@ -8,13 +8,13 @@ mod families;
 
 use std::collections::BTreeMap;
 
-use grasp_lcp::record::{Climb, Made, names, recorded};
+use grasp_lcp::record::{RecordedSearch, RungResult, names, recorded};
 
 type Failure = Box<dyn std::error::Error>;
 
 fn main() -> Result<(), Failure> {
     let each = std::env::args().nth(1).map_or(Ok(40), |text| text.parse::<usize>())?;
-    let mut climbs: BTreeMap<&str, Vec<Climb>> = BTreeMap::new();
+    let mut climbs: BTreeMap<&str, Vec<RecordedSearch>> = BTreeMap::new();
     families::ask_all(each, &mut |family, question| {
         let (answer, mut recorded) = recorded(question);
         climbs.entry(family).or_default().append(&mut recorded);
@@ -28,7 +28,7 @@ fn main() -> Result<(), Failure> {
 }
 
 /// For each family, how many searches each rung decides.
-fn by_family(climbs: &BTreeMap<&str, Vec<Climb>>) {
+fn by_family(climbs: &BTreeMap<&str, Vec<RecordedSearch>>) {
     println!("Searches that go beyond the elastic trial, by the rung that decides:\n");
     print!("{:<28}", "");
     for name in names() {
@@ -46,22 +46,22 @@ fn by_family(climbs: &BTreeMap<&str, Vec<Climb>>) {
 }
 
 /// For each rung, how often it decides, how often it could alone, and its times.
-fn by_rung(climbs: &[Climb]) {
+fn by_rung(climbs: &[RecordedSearch]) {
     println!(
         "\n{:<28}{:>9}{:>9}{:>9}{:>9}{:>9}{:>12}{:>12}",
         "", "decides", "finds", "proves", "could", "tried", "median µs", "longest µs"
     );
     for (rung, name) in names().into_iter().enumerate() {
         let decided = climbs.iter().filter(|climb| climb.decided == Some(rung));
-        let made = |made: Made| climbs.iter().filter(|climb| climb.rungs[rung].0 == made).count();
-        let of = |kind: Made| decided.clone().filter(|climb| climb.rungs[rung].0 == kind).count();
-        let [found, proved] = [of(Made::Found), of(Made::Proved)];
-        let tried = climbs.len() - made(Made::Untried);
+        let made = |made: RungResult| climbs.iter().filter(|climb| climb.rungs[rung].0 == made).count();
+        let of = |kind: RungResult| decided.clone().filter(|climb| climb.rungs[rung].0 == kind).count();
+        let [found, proved] = [of(RungResult::Found), of(RungResult::Proved)];
+        let tried = climbs.len() - made(RungResult::Untried);
         let mut times: Vec<_> = decided.map(|climb| 1e6 * climb.rungs[rung].1).collect();
         times.sort_by(f64::total_cmp);
         let median = times.get(times.len() / 2).copied().unwrap_or(f64::NAN);
         let longest = times.last().copied().unwrap_or(f64::NAN);
-        let could = made(Made::Found) + made(Made::Proved);
+        let could = made(RungResult::Found) + made(RungResult::Proved);
         println!(
             "{name:<28}{:>9}{found:>9}{proved:>9}{could:>9}{tried:>9}{median:>12.1}{longest:>12.1}",
             found + proved
@@ -70,12 +70,13 @@ fn by_rung(climbs: &[Climb]) {
 }
 
 /// For each rung, what becomes of its searches without it: the next rung that decides, and how much longer that takes.
-fn instead(climbs: &[Climb]) {
+fn instead(climbs: &[RecordedSearch]) {
     println!("\nWithout a rung, its searches are decided by others, in more time by this factor (median):\n");
     for (rung, name) in names().into_iter().enumerate() {
         let mut others: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
         for climb in climbs.iter().filter(|climb| climb.decided == Some(rung)) {
-            let decides = |other: &usize| matches!(climb.rungs[*other].0, Made::Found | Made::Proved);
+            let decides =
+                |other: &usize| matches!(climb.rungs[*other].0, RungResult::Found | RungResult::Proved);
             let other = (rung + 1..climb.rungs.len()).find(decides);
             let time = |to: usize| climb.rungs[rung + 1..=to].iter().map(|(_, time)| time).sum::<f64>();
             let factor = other.map_or(f64::NAN, |other| time(other) / climb.rungs[rung].1);
