@@ -6,14 +6,14 @@
 
 use super::dictionary::{LemkeVariable, largest};
 use super::outcome::{Outcome, Ray, Unsolved};
-use super::path::Path;
+use super::path::LemkePath;
 use super::problem::Lcp;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use nalgebra::DVector;
 
 /// The outcome of a path on which the entering variable grows without bound at the end. It is a Farkas proof if the ray is one, otherwise the ray,
 /// in the caller's units and with largest entry 1. `None` if the ray leaves the range of double precision in these units.
-pub(super) fn ray(lcp: &Lcp, path: &Path, entering: LemkeVariable) -> Option<Unsolved> {
+pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Option<Unsolved> {
     let mut rates = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;
     if let LemkeVariable::Z(e) = entering {

@@ -3,7 +3,7 @@
 use super::dictionary::LemkeVariable;
 use super::memory::refill;
 use super::outcome::{BreakdownCause, Outcome, Unsolved};
-use super::path::Path;
+use super::path::LemkePath;
 use super::principal;
 use super::problem::Lcp;
 use super::residuals::{Residuals, ignores_q};
@@ -113,7 +113,7 @@ impl Workspace {
     /// The point is then that of a smaller block, and the noise of z_j has no part in its rows.
     /// Variables are taken by index, since the order of rows depends on rounding.
     fn retire_vanishing(&mut self, lcp: &Lcp) {
-        let Path { dictionary, scaling, .. } = &mut self.path;
+        let LemkePath { dictionary, scaling, .. } = &mut self.path;
         for j in (0..lcp.len()).filter(|j| self.vanishing[*j]) {
             if let Some(row) = dictionary.basic.iter().position(|basic| *basic == LemkeVariable::Z(j)) {
                 dictionary.retire(j, row, scaling, lcp.m.as_slice());

@@ -6,7 +6,7 @@
 
 use super::dictionary::{LemkeVariable, largest};
 use super::outcome::BreakdownCause;
-use super::path::Path;
+use super::path::LemkePath;
 use super::ratio::{Covering, blocking_row, doubtful_row_breaks, most_violated_row};
 use super::settings::Settings;
 use super::tolerances::{DOUBTFUL_PIVOT, DRIFTED, ZERO_VALUE};
@@ -23,7 +23,7 @@ pub(super) enum LemkeEnd {
     Breakdown(BreakdownCause),
 }
 
-impl Path {
+impl LemkePath {
     /// Lets z₀, whose column is in the dictionary, enter an infeasible basis, and follows the path
     /// until z₀ has left again.
     pub(super) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {

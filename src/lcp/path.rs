@@ -8,7 +8,7 @@ use crate::prelude::*;
 
 /// A path through the dictionaries of one balanced problem.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Path {
+pub(super) struct LemkePath {
     pub(super) scaling: Scaling,
     pub(super) dictionary: Dictionary,
     /// The balanced right-hand side, perturbation and covering vector.
@@ -26,7 +26,7 @@ pub(super) struct Path {
     pub(super) terms: Vec<f64>,
 }
 
-impl Path {
+impl LemkePath {
     /// Balances M, and q and p with it. The dictionary still has to be started.
     pub(super) fn prepare(&mut self, m: &[f64], q: &[f64]) {
         self.scaling.balance(q.len(), m, q);

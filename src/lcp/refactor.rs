@@ -4,12 +4,12 @@
 use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;
 use super::outcome::BreakdownCause;
-use super::path::Path;
+use super::path::LemkePath;
 use super::scaling::Scaling;
 use super::tolerances::{DRIFT_FLOOR, ELIMINATED_PIVOT};
 use crate::numerics::generic;
 
-impl Path {
+impl LemkePath {
     /// The largest violation of w = q + M z + d z₀ by the basic values, relative to the terms of its row.
     /// [`DRIFT_FLOOR`] of the largest q_i is added to the terms.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
@@ -240,7 +240,7 @@ mod tests {
         // Diagonally dominant, without structure else.
         let m: Vec<f64> =
             (0..36).map(|k| f64::from(k + 1).sin() + if k % 7 == 0 { 3.0 } else { 0.0 }).collect();
-        let mut path = Path::default();
+        let mut path = LemkePath::default();
         path.prepare(&m, &[1.0, -2.0, 3.0, -1.0, 0.5, 2.0]);
         path.install_basis(&m, |i| i % 2 == 0).expect("regular");
         for entering in [LemkeVariable::Z(1), LemkeVariable::W(2)] {

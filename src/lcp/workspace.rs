@@ -4,7 +4,7 @@ use super::basis::Basis;
 use super::dictionary::LemkeVariable;
 use super::memory::make_room;
 use super::outcome::{BreakdownCause, OutcomeView, Unsolved};
-use super::path::Path;
+use super::path::LemkePath;
 use super::point::LcpPoint;
 use super::residuals::Residuals;
 use super::solution::SolutionView;
@@ -31,7 +31,7 @@ use crate::prelude::*;
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
-    pub(super) path: Path,
+    pub(super) path: LemkePath,
     /// The point at the end of the last path, and another point to compare it with.
     pub(super) point: LcpPoint,
     pub(super) spare: LcpPoint,

@@ -33,7 +33,7 @@ pub(crate) enum PivotEnd {
 
 /// A path. Its memory is kept between scenes.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Path {
+pub(crate) struct StatePath {
     pub(crate) form: ContactForm,
     pub(super) basis: StateBasis,
     pub(super) sums: Sums<3>,
@@ -50,7 +50,7 @@ pub(crate) struct Path {
     candidates: Vec<Candidate>,
 }
 
-impl Path {
+impl StatePath {
     /// A number of pivots that no problem of this size is known to need.
     pub(crate) fn pivot_limit(&self) -> usize {
         10_000 + 100 * self.form.pairs

@@ -1,6 +1,6 @@
 //! Contact states proposed to the ladder of `search`, which solves and checks them.
 
-use super::path::{Path, PivotEnd};
+use super::path::{PivotEnd, StatePath};
 use crate::contact::State;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
@@ -27,7 +27,7 @@ pub(crate) fn propose(
     max_pivots: Option<usize>,
     most_work: usize,
 ) -> Proposal {
-    let mut path = Path::default();
+    let mut path = StatePath::default();
     let mut x = Vec::with_capacity(3 * problem.len());
     for (local, force) in problem.locals().zip(&state.forces).filter(|(local, _)| !local.is_absent()) {
         x.extend((0..local.springs.axes()).map(|axis| force[axis] / local.springs.root_along(axis)));

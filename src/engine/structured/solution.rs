@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::basis::TRIAL;
-use super::path::Path;
+use super::path::StatePath;
 use super::tolerances::{ACCURATE_SOLUTION, BALANCED_SOLUTION, TRIAL_ROUNDING};
 use crate::contact::SMALLEST;
 use crate::numerics::{Bordered, Vector};
@@ -29,7 +29,7 @@ impl Default for Solution {
 impl Solution {
     /// Solves the equations of the present states of a path at z₀ = 0. Returns the motion y on top
     /// of the trial state if every inequality holds there, too.
-    pub(super) fn take(&mut self, path: &mut Path, problem: &Problem) -> Option<Vector> {
+    pub(super) fn take(&mut self, path: &mut StatePath, problem: &Problem) -> Option<Vector> {
         // Number of pivots up to which the sums have lost hardly any digits, and are not computed afresh for the solution.
         if path.age <= 16
             && let Some(y) = self.check(path, problem)
@@ -40,7 +40,7 @@ impl Solution {
         self.check(path, problem)
     }
 
-    fn check(&mut self, path: &Path, problem: &Problem) -> Option<Vector> {
+    fn check(&mut self, path: &StatePath, problem: &Problem) -> Option<Vector> {
         self.residual = f64::INFINITY;
         let y = path.vertex()?;
         self.forces.clear();
@@ -87,7 +87,7 @@ impl Solution {
     }
 }
 
-impl Path {
+impl StatePath {
     /// The motion y of the present states at z₀ = 0.
     fn vertex(&self) -> Option<Vector> {
         if self.basis.active.iter().all(|active| active.len() == 0) {

@@ -5,7 +5,7 @@ use alloc::sync::Arc;
 use nalgebra::SVector;
 
 use super::newton::{newton, trial_holds};
-use super::path::{Path, PivotEnd};
+use super::path::{PivotEnd, StatePath};
 use super::solution::Solution;
 use super::view::{EquilibriumView, Search, Viewed};
 use crate::contact::{ContactResponse, Law, Polygon, PolygonCone};
@@ -19,7 +19,7 @@ use crate::prelude::*;
 /// Memory for equilibria of one grasp after another, by Lemke's method on lists of contact states.
 #[derive(Debug, Clone)]
 pub(crate) struct Workspace {
-    pub(super) path: Path,
+    pub(super) path: StatePath,
     /// K^{1/2}Gᵀ, one row per spring of the contacts, and its factors: they are kept from the
     /// last scene if only load, commands or friction have changed.
     springs: Vec<Vector>,
@@ -57,7 +57,7 @@ pub(crate) struct SearchSettings {
 impl Workspace {
     fn new(space: Space, asked: SearchSettings) -> Self {
         Self {
-            path: Path::default(),
+            path: StatePath::default(),
             springs: Vec::new(),
             factor: Orthogonal::default(),
             free: Vec::new(),

@@ -8,7 +8,7 @@ use core::ops::Range;
 use nalgebra::SVector;
 
 use super::list::List;
-use super::products::{Lanes, dot, dot_whole};
+use super::products::{SumLanes, dot, dot_whole};
 use super::size::{Size, WHOLE};
 use crate::prelude::*;
 
@@ -134,7 +134,7 @@ impl MapEntries {
                 dot_whole(&sum, &sum)
             }
             Self::Few(few) => {
-                let mut squares = Lanes::of(size.count());
+                let mut squares = SumLanes::of(size.count());
                 for (place, k) in few.rows.iter().enumerate() {
                     let sum = few.mapped(place, f.as_slice());
                     squares.add(*k, sum * sum);
@@ -173,7 +173,7 @@ impl MapEntries {
         match self {
             Self::Whole(columns) => dot_whole(&columns[a], &columns[a]),
             Self::Few(few) => {
-                let mut squares = Lanes::of(size.count());
+                let mut squares = SumLanes::of(size.count());
                 few.of_column(a).for_each(|(k, x)| squares.add(k, x * x));
                 squares.sum()
             }
@@ -229,7 +229,7 @@ impl FewRows {
     #[inline]
     fn felt(&self, a: usize, count: usize, list: &[f64]) -> f64 {
         let end = count.min(list.len());
-        let mut lanes = Lanes::of(end);
+        let mut lanes = SumLanes::of(end);
         for (k, x) in self.of_column(a) {
             if k < end {
                 lanes.add(k, x * list[k]);

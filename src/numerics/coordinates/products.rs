@@ -33,14 +33,14 @@ pub(super) fn dot_whole(a: &[f64; WHOLE], b: &[f64; WHOLE]) -> f64 {
 }
 
 /// The four sums of [`dot`], for terms that arrive with their indices.
-pub(super) struct Lanes {
+pub(super) struct SumLanes {
     sums: [f64; 4],
     rest: f64,
     /// Terms from this index on are added to the rest.
     whole: usize,
 }
 
-impl Lanes {
+impl SumLanes {
     pub(super) fn of(count: usize) -> Self {
         Self { sums: [0.0; 4], rest: 0.0, whole: count / 4 * 4 }
     }
