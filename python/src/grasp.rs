@@ -145,9 +145,9 @@ where
 
     fn onset(self: Arc<Self>, ramp: &AskedRamp<'_, '_>) -> PyResult<Reply> {
         let ramp = Self::ramp(ramp)?;
-        let Some(grasp) = &self.grasp else {
-            return asked(&self.setup, Question::onset(ramp)).map(Reply::Written);
-        };
+        let question = Question::onset(ramp.clone());
+        let Some(grasp) = &self.grasp else { return asked(&self.setup, question).map(Reply::Written) };
+        self.setup.check(&question).map_err(refused)?;
         let onset = grasp.with(&self.setup.settings).onset(&ramp).map_err(refused)?;
         Ok(Reply::told(self, Raw::Onset(onset)))
     }

@@ -303,7 +303,7 @@ class Comparison(Sentence):
 
     @property
     def agrees_up_to(self) -> float | None:
-        """Multiple of the load up to which the minimum is the equilibrium; ``inf`` without a limit, None if they differ at rest or it is not known."""
+        """Multiple of the load up to which the minimum is the equilibrium: ``inf`` without a limit, None if they differ at rest or if unknown."""
         found = self._tree.get("agrees_up_to")
         return None if found is None else number(found)
 

@@ -17,8 +17,11 @@ use crate::numerics::tried;
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
-    /// Checks that lists of a question with one entry for each contact have that length.
-    pub(super) fn check(&self, question: &Question<C>) -> Result<(), Error> {
+    /// Refuses a question whose lists have not one entry for each contact, drive or joint of this setup, or along which nothing changes.
+    ///
+    /// # Errors
+    /// As for [`Self::answers`].
+    pub fn check(&self, question: &Question<C>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
             Question::Hold { .. }
