@@ -138,7 +138,9 @@ fn reserves_come_near_to_quantiles() {
         }
     }
     let both = [(plane, "in the plane"), (space, "in space")];
-    both.iter().for_each(|(compared, place)| println!("{place}: {compared:?}"));
+    for (compared, place) in &both {
+        println!("{place}: {compared:?}");
+    }
     for (compared, place) in both {
         assert_eq!(compared.unsafe_ones, 0, "{place}: {compared:?}");
         assert!(compared.far_below * 20 <= compared.asked.max(20), "{place}: {compared:?}");

@@ -33,7 +33,7 @@ pub enum Question<const C: usize> {
     },
     /// How much of a quantity does the grasp need? See [`Grasp::need`](crate::ask::Grasp::need).
     Need(Box<Need<C>>),
-    /// Where should the fingers be? See [`Improve`](crate::improve::Improve).
+    /// Where should the fingers be? See [`Improve`].
     Improve(Box<Improve<C>>),
     /// The equilibrium under a load; see [`Grasp::solve`](crate::ask::Grasp::solve).
     Solve {
@@ -111,7 +111,7 @@ pub enum Question<const C: usize> {
         /// The loads beside it. They come in any order, with any load between two of them.
         loads: Vec<Wrench<C>>,
     },
-    /// Which friction, loads of supports, squeeze or stiffness follow from observed slips? See [`Identify`](crate::identify::Identify).
+    /// Which friction, loads of supports, squeeze or stiffness follow from observed slips? See [`Identify`].
     Identify(Box<Identify<C>>),
 }
 

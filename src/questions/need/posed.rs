@@ -12,7 +12,7 @@ use crate::prelude::*;
 use crate::squeeze::Loads;
 use crate::words::Words;
 
-/// A [`Need`](super::Need) after its check.
+/// A [`Need`] after its check.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Posed<const C: usize> {
     pub(super) sought: Sought<C>,
