@@ -6,6 +6,8 @@ mod fields;
 mod numbers;
 pub(crate) mod object;
 mod rows;
+#[cfg(feature = "schema")]
+mod schema_as_written;
 
 #[cfg(feature = "schema")]
 pub(crate) use fields::{As, Numeric};
@@ -14,3 +16,5 @@ pub(crate) use fields::{AsComputed, AsGiven};
 pub(crate) use numbers::Kind;
 pub(crate) use numbers::{Computed, Friction, Given, Number, SpringStiffness};
 pub(crate) use rows::{AxisRow, Few};
+#[cfg(feature = "schema")]
+pub(crate) use schema_as_written::schema_as_written;

@@ -191,4 +191,4 @@ impl<'de, const C: usize> Deserialize<'de> for Leg<C> {
 }
 
 #[cfg(feature = "schema")]
-crate::scene::schema_as_written!("Leg", Leg<C>, WrittenLeg<C>, C);
+crate::serial::schema_as_written!("Leg", Leg<C>, WrittenLeg<C>, C);

@@ -103,4 +103,4 @@ impl<const C: usize> BodySetup<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Body", BodySetup<C>, Written<C>, C);
+crate::serial::schema_as_written!("Body", BodySetup<C>, Written<C>, C);

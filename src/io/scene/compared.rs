@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::held::said;
 use super::labels::SceneNames;
 use crate::ask::Grasp;
-use crate::energy::{Agreement, Comparison};
+use crate::energy::Comparison;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Ramp;
@@ -39,12 +39,9 @@ impl SceneNames {
     ) -> Result<CompareAnswer<C>, Error> {
         let energy = grasp.energy();
         let mut comparison = energy.compare(&(*base + *load))?;
-        let agreement = if *load == Wrench::ZERO {
-            Agreement::Unsolved
-        } else {
-            energy.agreement(&Ramp::load(*base, *load))?
-        };
-        let agrees_up_to = agreement.factor();
+        let is_loaded = *load != Wrench::ZERO;
+        let agrees_up_to =
+            if is_loaded { energy.agreement(&Ramp::load(*base, *load))?.factor() } else { None };
         let mut says = said(&comparison, words);
         if let Some(factor) = agrees_up_to.filter(|factor| factor.is_finite() && *factor > 0.0) {
             let amount = match load.measure() {

@@ -171,4 +171,4 @@ impl<'de, const C: usize> Deserialize<'de> for FingerSetup<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Finger", FingerSetup<C>, Written<C>, C);
+crate::serial::schema_as_written!("Finger", FingerSetup<C>, Written<C>, C);

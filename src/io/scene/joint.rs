@@ -139,6 +139,6 @@ impl<'de> Deserialize<'de> for Tendon {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Joint", Joint<C>, WrittenJoint<C>, C);
+crate::serial::schema_as_written!("Joint", Joint<C>, WrittenJoint<C>, C);
 #[cfg(feature = "schema")]
-schema_as_written!("Tendon", Tendon, WrittenTendon);
+crate::serial::schema_as_written!("Tendon", Tendon, WrittenTendon);

@@ -279,4 +279,4 @@ impl<const C: usize> Setup<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Link", LinkSetup<C>, Written<C>, C);
+crate::serial::schema_as_written!("Link", LinkSetup<C>, Written<C>, C);

@@ -318,7 +318,6 @@
 //! path of the field, `planar.contacts[1].friction`. A probable mistake that can still be answered gives a [`Warning`].
 
 #[cfg(feature = "schema")]
-#[macro_use]
 mod schema;
 
 mod answer;
@@ -381,8 +380,6 @@ pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::Question;
-#[cfg(feature = "schema")]
-pub(crate) use schema::schema_as_written;
 pub use setup::Setup;
 pub use solved::SolveAnswer;
 pub use warning::Warning;

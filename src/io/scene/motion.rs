@@ -37,4 +37,4 @@ impl<'de, const C: usize> Deserialize<'de> for Motion<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Motion", Motion<C>, WrittenMotion<C>, C);
+crate::serial::schema_as_written!("Motion", Motion<C>, WrittenMotion<C>, C);

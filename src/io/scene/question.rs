@@ -155,7 +155,7 @@ impl<const C: usize> Question<C> {
     /// The ramp of [`Self::Hold`], [`Self::Compare`] and [`Self::Onset`], without loads that grow together with it.
     ///
     /// # Errors
-    /// [`Error::NothingChanges`] for other questions, along whose loads there is no ramp.
+    /// [`Error::Question`] for other questions, along whose loads there is no ramp.
     pub fn ramp(&self) -> Result<Ramp<C>, Error> {
         match self {
             Self::Hold { base, load, .. } | Self::Compare { base, load } => Ok(Ramp::load(*base, *load)),
@@ -165,7 +165,11 @@ impl<const C: usize> Question<C> {
                 command_change: command_change.clone(),
                 joint_change: joint_change.clone(),
             }),
-            _ => Err(Error::NothingChanges),
+            _ => Err(Error::Question {
+                question: "ramp",
+                field: "load",
+                fault: "does not grow, must be that of hold, compare or onset",
+            }),
         }
     }
 

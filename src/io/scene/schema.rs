@@ -12,24 +12,6 @@ use crate::grasp::{Twist, Wrench, of_the_object};
 use crate::numerics::mapped;
 use crate::serial::{As, AxisRow, Computed, Friction, Given, Kind, Number, Numeric, SpringStiffness};
 
-/// The schema of a type is that of its written form.
-macro_rules! schema_as_written {
-    ($name:literal, $type:ty, $written:ty $(, $dimension:ident)*) => {
-        impl<$(const $dimension: usize),*> schemars::JsonSchema for $type {
-            fn schema_name() -> std::borrow::Cow<'static, str> {
-                $name.into()
-            }
-            fn schema_id() -> std::borrow::Cow<'static, str> {
-                <$written>::schema_id()
-            }
-            fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                <$written>::json_schema(generator)
-            }
-        }
-    };
-}
-pub(crate) use schema_as_written;
-
 /// Bounds of a kind of number beside its words.
 trait Bounded: Kind + 'static {
     fn name() -> &'static str;

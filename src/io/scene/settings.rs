@@ -130,6 +130,6 @@ impl<'de> Deserialize<'de> for Settings {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("PolygonCone", PolygonCone, WrittenPolygon);
+crate::serial::schema_as_written!("PolygonCone", PolygonCone, WrittenPolygon);
 #[cfg(feature = "schema")]
-schema_as_written!("Settings", Settings, WrittenSettings);
+crate::serial::schema_as_written!("Settings", Settings, WrittenSettings);

@@ -170,4 +170,4 @@ impl<'de, const C: usize> Deserialize<'de> for Surface<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Surface", Surface<C>, WrittenSurface<C>, C);
+crate::serial::schema_as_written!("Surface", Surface<C>, WrittenSurface<C>, C);

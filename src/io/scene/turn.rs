@@ -161,4 +161,4 @@ impl<'de, const C: usize> Deserialize<'de> for Turn<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Turn", Turn<C>, WrittenTurn<C>, C);
+crate::serial::schema_as_written!("Turn", Turn<C>, WrittenTurn<C>, C);

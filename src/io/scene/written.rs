@@ -236,4 +236,4 @@ impl<'de> Deserialize<'de> for Scene {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Scene", Scene, In);
+crate::serial::schema_as_written!("Scene", Scene, In);

@@ -284,6 +284,6 @@ impl<const C: usize> Written<C> {
 }
 
 #[cfg(feature = "schema")]
-schema_as_written!("Contact", Fingertip<C>, Written<C>, C);
+crate::serial::schema_as_written!("Contact", Fingertip<C>, Written<C>, C);
 #[cfg(feature = "schema")]
-schema_as_written!("Contact", LinkedContact<C>, Written<C>, C);
+crate::serial::schema_as_written!("Contact", LinkedContact<C>, Written<C>, C);

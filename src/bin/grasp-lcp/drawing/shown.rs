@@ -66,9 +66,14 @@ pub(super) fn shown<const C: usize>(
         Question::Improve(asked) => improved(setup, grasp, asked)?,
         Question::Solve { load, .. } => vec![solved(grasp, load)?],
         Question::Compare { base, load } => {
-            let mut shown = solved(grasp, &(*base + *load))?;
-            shown.says.push(grasp.energy().compare(&(*base + *load))?.to_string());
-            vec![shown]
+            let (load, compared) = (*base + *load, grasp.energy().compare(&(*base + *load))?);
+            let says = compared.to_string();
+            vec![match compared.equilibrium {
+                Outcome::Equilibrium(found) => Shown { says: vec![says], ..state("under the load", *found) },
+                none => {
+                    Shown { says: vec![says], ..nothing("under the load", no_equilibrium(&none), Some(load)) }
+                }
+            }]
         }
         Question::Onset { .. } => {
             let ramp = question.ramp()?;
