@@ -3,6 +3,7 @@
 use grasp_lcp::picture::{SpatialPage, View};
 use grasp_lcp::spatial::{Bodies, Body, Contact, ContactAnswer, Equilibrium, Grasp, SoftFingertip, Wrench};
 use grasp_lcp::words::printable;
+use nalgebra::Vector3;
 use serde_json::Value;
 
 const NASTY: &str = "</script><script>alert(\"1 & 'x'\")</script>\u{2028}\\";
@@ -39,6 +40,20 @@ fn data(page: &str) -> Result<Value, Failure> {
     Ok(serde_json::from_str(text.ok_or("has data")?)?)
 }
 
+fn row(value: &Value) -> Vec<f64> {
+    value.as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
+}
+
+/// The marks of a list that have this key.
+fn marks<'v>(list: &'v Value, key: &str) -> Vec<&'v Value> {
+    list.as_array().into_iter().flatten().filter(|mark| !mark[key].is_null()).collect()
+}
+
+/// The marks of a fingertip on a layer.
+fn of_tip<'v>(list: &'v Value, key: &str, layer: &str, tip: usize) -> Option<&'v Value> {
+    marks(list, key).into_iter().find(|mark| mark["layer"] == layer && mark["tip"] == tip)
+}
+
 #[test]
 fn nothing_is_loaded_from_elsewhere() -> Result<(), Failure> {
     let (page, ..) = page_of("thumb")?;
@@ -58,7 +73,7 @@ fn names_are_text_and_nothing_else() -> Result<(), Failure> {
         let expected = if tag == "alert(" { 8 } else { expected };
         assert_eq!(page.matches(tag).count(), expected, "{tag}");
     }
-    assert_eq!(data(&page)?["contacts"][0]["name"], printable(NASTY).as_ref());
+    assert_eq!(marks(&data(&page)?["grasp"], "name")[0]["words"], printable(NASTY).as_ref());
     Ok(())
 }
 
@@ -66,25 +81,32 @@ fn names_are_text_and_nothing_else() -> Result<(), Failure> {
 fn numbers_are_those_of_the_answer() -> Result<(), Failure> {
     let (page, grasp, state) = page_of("thumb")?;
     let data = data(&page)?;
-    let row = |value: &Value| -> Vec<f64> {
-        value.as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
-    };
     let frame = &data["frames"][0];
-    assert_eq!(row(&frame["twist"]), state.twist.to_vector().as_slice());
+    let scale = data["force"].as_f64().ok_or("a scale")?;
     for (i, (contact, answer)) in grasp.contacts().iter().zip(&state.contacts).enumerate() {
-        assert_eq!(row(&data["contacts"][i]["point"]), contact.point().as_slice());
-        let drawn = &frame["contacts"][i];
-        assert_eq!(row(&drawn["force"]), answer.force_world.as_slice());
-        assert_eq!(row(&drawn["displacement"]), answer.body_core.as_slice());
-        assert_eq!(drawn["normal_force"].as_f64(), Some(answer.normal_force()));
+        assert_eq!(row(&data["contacts"][i]), contact.point().as_slice());
+        let force = of_tip(frame, "arrow", "forces", i).ok_or("a force")?;
+        assert_eq!(row(&force["arrow"]), contact.point().as_slice());
+        assert_eq!(row(&force["along"]), (answer.force_world * scale).as_slice());
+        // All displacements have one factor, which is a round number.
+        let moves = of_tip(frame, "arrow", "displacements", i).ok_or("a displacement")?;
+        let factor = row(&moves["along"])[0] / answer.body_core[0];
+        assert_eq!(row(&moves["along"]), (answer.body_core * factor.round()).as_slice(), "{factor}");
+        // The cone has the normal force, a little longer, along its axis.
+        let cone = of_tip(frame, "cone", "cones", i).ok_or("a cone")?;
+        let high = Vector3::from_row_slice(&row(&cone["middle"])) - contact.point();
+        assert!((high.norm() - 1.15 * answer.normal_force() * scale).abs() < 1e-15);
     }
-    // The line of action and the moment about it are the load again.
-    let [at, force, moment] = ["at", "force", "moment"].map(|key| row(&frame["load"][key]));
-    let load = Wrench::force_at([force[0], force[1], force[2]], [at[0], at[1], at[2]])
-        + Wrench::new([0.0; 3], [moment[0], moment[1], moment[2]]);
-    assert!((load.to_vector() - state.load.to_vector()).norm() < 1e-15, "{load:?}");
-    // Where nothing holds nothing is drawn, and the page says why.
-    assert!(data["frames"][1].is_null());
+    // A force that acts at a point has one arrow, on its line of action.
+    let [load] = marks(frame, "load")[..] else { return Err("one arrow of the load".into()) };
+    let [at, along] = [&load["load"], &load["along"]].map(|v| Vector3::from_row_slice(&row(v)));
+    let force = Vector3::from(state.load.resultant());
+    assert!((along / scale - force).norm() < 1e-15);
+    assert!((at.cross(&force) - Vector3::from(state.load.moment())).norm() < 1e-15);
+    // Without an equilibrium the contacts and the load are drawn without forces, and the page says why.
+    let nothing = &data["frames"][1];
+    assert!(marks(nothing, "arrow").is_empty() && marks(nothing, "cone").is_empty());
+    assert_eq!(marks(nothing, "dot").len(), 3);
     assert!(page.contains("No equilibrium exists."));
     Ok(())
 }
@@ -185,13 +207,11 @@ fn what_an_answer_has_besides_is_on_the_page() -> Result<(), Failure> {
         "{verdict}"
     );
     let data = data(&html)?;
-    let row = |value: &Value| -> Vec<f64> {
-        value.as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
-    };
-    let arrow = &data["frames"][0]["leaves"]["arrows"][0];
+    let on_the_way = |key| marks(&data["frames"][0], key).into_iter().find(|mark| mark["layer"] == "leaves");
+    let arrow = on_the_way("arrow").ok_or("an arrow")?;
     let motion = lost.motion.ok_or("a motion")?;
     let v = motion.object.components();
-    let (at, along) = (row(&arrow[0]), row(&arrow[1]));
+    let (at, along) = (row(&arrow["arrow"]), row(&arrow["along"]));
     let speed = [
         v[0] + v[4] * at[2] - v[5] * at[1],
         v[1] + v[5] * at[0] - v[3] * at[2],
@@ -200,8 +220,14 @@ fn what_an_answer_has_besides_is_on_the_page() -> Result<(), Failure> {
     let dot: f64 = along.iter().zip(&speed).map(|(a, b)| a * b).sum();
     let size = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
     assert!(dot > 0.9 * size(&along) * size(&speed), "{along:?} {speed:?}");
-    let mu = |frame: usize| data["frames"][frame]["contacts"][0]["mu"].as_f64();
-    assert_eq!((mu(0), mu(1)), (Some(0.5), Some(0.125)));
+    let slope = |frame: usize| {
+        let cone = of_tip(&data["frames"][frame], "cone", "cones", 0)?;
+        let [apex, middle, radius] = [&cone["cone"], &cone["middle"], &cone["radii"][0]].map(row);
+        let high: Vec<f64> = middle.iter().zip(&apex).map(|(a, b)| a - b).collect();
+        Some(size(&radius) / size(&high))
+    };
+    let [given, slippery] = [slope(0).ok_or("a cone")?, slope(1).ok_or("a cone")?];
+    assert!((given - 0.5).abs() < 1e-14 && (slippery - 0.125).abs() < 1e-14, "{given} {slippery}");
     Ok(())
 }
 
@@ -234,16 +260,27 @@ fn bodies_move_on_their_own() -> Result<(), Failure> {
         .frame("where it is lost", &state)
         .maybe_leaving(lost.motion.as_ref());
     let frame = &data(&page.to_html()?)?["frames"][0];
-    for (line, body) in [0, 1, 1].into_iter().enumerate() {
-        let told: Vec<f64> = serde_json::from_value(frame["twists"][line].clone())?;
-        assert_eq!(told, state.bodies[body].twist.components(), "{line}");
+    let lines = |layer: &str| -> Vec<Vec<Vec<f64>>> {
+        let lines = marks(frame, "line").into_iter().filter(|mark| mark["layer"] == layer);
+        lines.map(|mark| mark["line"].as_array().into_iter().flatten().map(row).collect()).collect()
+    };
+    // Each outline has moved with the twist of its body, all with one factor.
+    let moved = lines("displacements");
+    let shift = |line: usize, height: f64| {
+        let corner = [-0.1, -0.1, height];
+        let body = &state.bodies[[0, 1, 1][line]];
+        let exact = Vector3::from(body.twist.displacement_at(corner));
+        (Vector3::from_row_slice(&moved[line][0]) - Vector3::from(corner), exact)
+    };
+    let (drawn, exact) = shift(0, 0.1);
+    let factor = drawn.norm() / exact.norm();
+    for (line, height) in [(0, 0.1), (1, 0.3), (2, 0.4)] {
+        let (drawn, exact) = shift(line, height);
+        assert!((drawn - exact * factor).norm() < 1e-12, "{line}: {drawn} {exact}");
     }
     // The upper one slides away along x, the lower one stays.
-    let moved = |line: usize| {
-        let corner: [f64; 3] =
-            serde_json::from_value(frame["leaves"]["lines"][line][0].clone()).expect("a corner");
-        corner[0] + 0.1
-    };
+    let leaves = lines("leaves");
+    let moved = |line: usize| leaves[line][0][0] + 0.1;
     assert!(moved(0).abs() < 1e-9 && moved(1) > 0.01, "{} {}", moved(0), moved(1));
     page.to_svg(Some(0), View::default())?;
     Ok(())

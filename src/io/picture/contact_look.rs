@@ -2,6 +2,7 @@
 
 use plotters::style::RGBColor;
 
+use super::layout::MARKS;
 use super::palette::{BLUE, GREEN, GREY, ORANGE, VERMILION};
 use crate::equilibrium::{ContactAnswer, ContactState};
 use crate::grasp::Contact;
@@ -19,6 +20,17 @@ pub(super) fn no_friction_left<const C: usize>(answer: &ContactAnswer<C>) -> boo
 pub(super) fn slope<const C: usize>(contact: &Contact<C>) -> f64 {
     contact.friction_coefficient().min(STEEPEST_CONE)
 }
+
+/// Height and radius of the drawn friction cone of a contact whose normal force is an arrow of length `arrow`; `None` without friction or force. A
+/// cone wider than `widest` is drawn shorter, because it would hide everything else.
+pub(super) fn cone_size(slope: f64, arrow: f64, widest: f64) -> Option<[f64; 2]> {
+    let high = MARKS.cone * arrow;
+    let wide = (slope * high).min(widest);
+    (slope > 0.0 && high > 0.0).then(|| [wide / slope, wide])
+}
+
+/// The states of contacts in words, in the order of legends.
+pub(super) const STATES: [&str; 5] = ["sticking", "about to slide", "sliding", "separated", "frictionless"];
 
 /// The colour of a contact whose state has this [`word`].
 pub(super) fn ink(word: &str) -> RGBColor {

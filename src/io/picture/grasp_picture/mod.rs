@@ -8,11 +8,11 @@ use plotters::style::{Color, RGBColor};
 use crate::numerics::{mapped, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
-use crate::picture::contact_look::{ink, slope, word};
+use crate::picture::contact_look::{cone_size, ink, slope, word};
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, Resultant, fingertips};
 use crate::picture::force_scale::metres_per_newton;
-use crate::picture::layout::{MARKS, PLANAR};
+use crate::picture::layout::PLANAR;
 use crate::picture::painting::{Painting, flat};
 use crate::picture::palette::{GREY, VERMILION};
 use crate::picture::planar_link::PlanarLink;
@@ -258,10 +258,8 @@ impl<'a> Picture<'a> {
     /// The corners of the friction cone; `None` without friction or normal force.
     fn cone(&self, tip: &Tip, does: &Resultant<2>) -> Option<[Vector2<f64>; 3]> {
         let (n, t) = (tip.frame.column(0), tip.frame.column(1));
-        let long = MARKS.cone * does.normal_force * self.scale;
-        // A cone that would fill the picture is drawn shorter.
-        let wide = (tip.slope * long).min(self.span / 2.0);
-        let corner = |side: f64| does.at + n * (wide / tip.slope) + t * (side * wide);
-        (tip.slope > 0.0 && long > 0.0).then(|| [does.at, corner(1.0), corner(-1.0)])
+        let [high, wide] = cone_size(tip.slope, does.normal_force * self.scale, self.span / 2.0)?;
+        let corner = |side: f64| does.at + n * high + t * (side * wide);
+        Some([does.at, corner(1.0), corner(-1.0)])
     }
 }

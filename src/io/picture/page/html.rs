@@ -6,8 +6,10 @@ use super::drawing::Drawing;
 use super::frame::Frame;
 use super::spatial_page::SpatialPage;
 use super::table;
+use crate::picture::contact_look::{STATES, ink};
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::ContactGroup;
+use crate::picture::palette::{PINK, SKY, hex};
 use crate::picture::words::escaped;
 
 /// Parts of one script, which share their names.
@@ -63,9 +65,20 @@ pub(super) fn opened(title: &str) -> String {
     page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
     // Writing into a string cannot fail.
     let style = include_str!("style.css");
-    let _ = write!(page, "<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n");
+    let colours = colours();
+    let _ = write!(page, "<title>{title}</title>\n<style>\n{colours}{style}</style>\n</head>\n<body>\n");
     let _ = writeln!(page, "<h1>{title}</h1>");
     page
+}
+
+/// The colours of legend and table as variables of the style.
+fn colours() -> String {
+    let mut rule = String::from(":root {");
+    let states = STATES.map(|state| (state, ink(state)));
+    for (name, ink) in states.into_iter().chain([("displacement", PINK), ("free", SKY)]) {
+        let _ = write!(rule, " --{}: {};", name.replace(' ', "-"), hex(ink));
+    }
+    rule + " }\n"
 }
 
 /// Ends a page with its script.

@@ -4,13 +4,12 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
-use super::marks::{BROWN, PINK, SKY};
 use crate::numerics::mapped;
-use crate::picture::contact_look::{ink, word};
+use crate::picture::contact_look::{STATES, ink, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::layout::{LEGEND, SPATIAL};
 use crate::picture::painting::{Painting, flat};
-use crate::picture::palette::{GREY, VERMILION};
+use crate::picture::palette::{BROWN, GREY, PINK, SKY, VERMILION};
 use crate::picture::round_numbers::round_down;
 use crate::picture::sheet::{Place, Sheet};
 use crate::picture::words::{lines, short};
@@ -119,7 +118,7 @@ fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
         points.extend(state.contacts[tip.contacts.clone()].iter().map(word));
     }
     let mut entries = Vec::new();
-    for what in ["sticking", "about to slide", "sliding", "separated", "frictionless"] {
+    for what in STATES {
         let open = what == "separated";
         let ink = ink(what);
         if let Some(pushes) =

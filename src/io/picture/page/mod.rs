@@ -8,6 +8,7 @@ mod frame;
 mod html;
 mod leaving;
 mod legend;
+mod mark;
 mod marks;
 mod paint;
 mod planar_page;

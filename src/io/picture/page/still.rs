@@ -6,7 +6,8 @@ use plotters::style::colors::BLACK;
 use super::drawing::Drawing;
 use super::eye::{Eye, View};
 use super::legend::Legend;
-use super::marks::{Mark, marks};
+use super::mark::{Layer, Mark, Shape};
+use super::marks::{marks_of_the_answer, marks_of_the_grasp};
 use super::paint::{load_ends, painting};
 use super::spatial_page::SpatialPage;
 use crate::picture::error::PictureError;
@@ -65,14 +66,14 @@ impl SpatialPage {
         let top = 20.0 + 24.0 * title.len() as f64 + 20.0 * label.len() as f64;
         let window = Window { left: STILL.margin, top, wide: STILL.room.0, high: STILL.room.1 };
         // The view contains everything of every answer, so that stills can be compared.
-        let mut everything = marks(&drawing, None);
-        for frame in &self.frames {
-            everything.extend(marks(&drawing, Some(frame)));
+        let mut marks = marks_of_the_grasp(&drawing);
+        let mut everything = marks.iter().map(Mark::points).collect::<Vec<_>>().concat();
+        for frame in [None].into_iter().chain(self.frames.iter().map(Some)) {
+            everything.extend(marks_of_the_answer(&drawing, frame).iter().flat_map(Mark::points));
         }
-        let points = everything.iter().map(Mark::points).collect::<Vec<_>>().concat();
         // Marks whose size is in pixels need a border.
-        let eye = Eye::new(view, window.within(18.0), drawing.span, points)?;
-        let marks = marks(&drawing, frame);
+        let eye = Eye::new(view, window.within(18.0), drawing.span, everything)?;
+        marks.extend(marks_of_the_answer(&drawing, frame));
         let legend = Legend::new(&drawing, frame, eye.scale);
         let foot = top + STILL.room.1.max(legend.high() + STILL.axes_room);
         Ok(sheet((860.0, foot + STILL.margin), |paper| {
@@ -86,20 +87,20 @@ impl SpatialPage {
             painting.draw(paper);
             let mut labels = Labels::new(window, painting.ink());
             for mark in &marks {
-                let (seen, words) = match mark {
-                    Mark::Name { at, words } => (eye.see(at), words.clone()),
-                    Mark::Load { from, along, name, size, heads, .. } => {
+                let (seen, words) = match &mark.shape {
+                    Shape::Name { at, words } if mark.layer != Some(Layer::Pointed) => {
+                        (eye.see(at), words.as_str())
+                    }
+                    Shape::Load { from, along, name, otherwise, .. } => {
                         let ([_, tip], is_to_scale) = load_ends(&eye, from, along);
-                        let otherwise = if *heads == 1 { "load" } else { "moment" };
-                        match name {
-                            Some(name) if is_to_scale => (tip, (*name).to_owned()),
-                            None if is_to_scale => continue,
-                            _ => (tip, format!("{} {size}, not to scale", name.unwrap_or(otherwise))),
-                        }
+                        (tip, if is_to_scale { *name } else { otherwise.as_str() })
                     }
                     _ => continue,
                 };
-                labels.write(paper, (seen.x, seen.y), &[&words], STILL.names);
+                if words.is_empty() {
+                    continue;
+                }
+                labels.write(paper, (seen.x, seen.y), &[words], STILL.names);
             }
             let unnamed =
                 if drawing.tips.len() > MARKS.most_named { drawing.tips.len() } else { labels.left_out };

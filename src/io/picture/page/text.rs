@@ -36,6 +36,14 @@ pub(super) fn json_row(numbers: &[f64]) -> Result<String, PictureError> {
     Ok(format!("[{}]", numbers.join(",")))
 }
 
+/// A JSON array.
+pub(super) fn json_list<T>(
+    items: &[T],
+    write: &dyn Fn(&T) -> Result<String, PictureError>,
+) -> Result<String, PictureError> {
+    Ok(format!("[{}]", tried(items, write)?.join(",")))
+}
+
 /// Components in parentheses; those that are rounding beside the largest are zero.
 pub(super) fn vector(components: &[f64]) -> String {
     let size = components.iter().fold(0.0, |size: f64, x| size.max(x.abs()));

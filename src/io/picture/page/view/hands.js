@@ -11,7 +11,7 @@ const light = (i) => {
   draw();
 };
 const under = ({ offsetX, offsetY }) => {
-  const near = scene.contacts.map(({ point }, i) => [Math.hypot(project(point)[0] - offsetX, project(point)[1] - offsetY), i]);
+  const near = scene.contacts.map((point, i) => [Math.hypot(project(point)[0] - offsetX, project(point)[1] - offsetY), i]);
   const [distance, i] = near.reduce((best, next) => (next[0] < best[0] ? next : best));
   return distance < 14 ? i : -1;
 };

@@ -6,22 +6,21 @@ const path = (points, closed) => {
   points.forEach(([x, y], k) => (k ? pen.lineTo(x, y) : pen.moveTo(x, y)));
   if (closed) pen.closePath();
 };
-const line = (from, to, ink, width, dashes = []) => {
-  const ends = [project(from), project(to)];
-  paint((ends[0][2] + ends[1][2]) / 2, () => {
-    path(ends);
-    [pen.strokeStyle, pen.lineWidth] = [ink, width];
-    pen.setLineDash(dashes);
-    pen.stroke();
-    pen.setLineDash([]);
+// A line through these corners, in pieces that have a depth each; dashes continue around the corners.
+const line = (corners, ink, width, dashes = []) => {
+  let offset = 0;
+  corners.slice(1).forEach((to, k) => {
+    const ends = [project(corners[k]), project(to)], start = offset;
+    offset += Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
+    paint((ends[0][2] + ends[1][2]) / 2, () => {
+      path(ends);
+      [pen.strokeStyle, pen.lineWidth, pen.lineDashOffset] = [typeof ink === "string" ? ink : ink(ends), width, start];
+      pen.setLineDash(dashes);
+      pen.stroke();
+      pen.setLineDash([]);
+    });
   });
 };
-const loop = (points, ink, width, dashes) =>
-  points.forEach((p, k) => {
-    const next = points[(k + 1) % points.length];
-    // Two corners are one line.
-    if (k + 1 < points.length || k > 1) line(p, next, typeof ink === "string" ? ink : ink(p, next), width, dashes);
-  });
 const face = (points, ink, opacity) => {
   const corners = points.map(project);
   paint(corners.reduce((sum, c) => sum + c[2], 0) / corners.length, () => {
@@ -32,12 +31,12 @@ const face = (points, ink, opacity) => {
     pen.globalAlpha = 1;
   });
 };
-// A grey, darker where it is nearer.
-const shades = () => {
-  const depths = scene.outlines.flat().map((p) => project(p)[2]);
+// A grey for each edge of the object, darker where it is nearer than other points of edges.
+const shades = (points) => {
+  const depths = points.map((p) => project(p)[2]);
   const [far, near] = [Math.min(...depths), Math.max(...depths)];
-  return (a, b) => {
-    const part = near > far ? ((project(a)[2] + project(b)[2]) / 2 - far) / (near - far) : 1;
+  return ([a, b]) => {
+    const part = near > far ? ((a[2] + b[2]) / 2 - far) / (near - far) : 1;
     const grey = Math.round(200 - 110 * part);
     return `rgb(${grey},${grey},${grey})`;
   };
@@ -55,15 +54,15 @@ const body = (points) => {
     return line.slice(0, -1);
   };
   const corners = [...half(places), ...half(places.reverse())];
-  // Of the contour that half is left which is beside all bodies.
+  // Only the half of the contour that lies outside all bodies stays visible.
   paint(-Infinity, () => {
     path(corners, true);
-    [pen.strokeStyle, pen.lineWidth] = ["#969696", 2.4];
+    [pen.strokeStyle, pen.lineWidth] = [scene.contour, 2.4];
     pen.stroke();
   });
   paint(-Number.MAX_VALUE, () => {
     path(corners, true);
-    pen.fillStyle = "#eeeff1";
+    pen.fillStyle = scene.face;
     pen.fill();
   });
 };
@@ -80,47 +79,62 @@ const head = (tip, back, ink, width) => {
     pen.fill();
   });
 };
-const arrow = (from, along, ink, width, heads = 1) => {
+const arrow = (from, along, ink, width, heads) => {
   if (length(along) === 0) return;
   // The line ends inside the head.
   const size = Math.hypot(...[0, 1].map((k) => project(add(from, along))[k] - project(from)[k]));
   const neck = Math.max(0, 1 - (3 * width * heads) / Math.max(size, 1e-6));
-  line(from, add(from, along, neck), ink, width);
+  line([from, add(from, along, neck)], ink, width);
   head(add(from, along), from, ink, width);
   if (heads === 2) head(add(from, along, Math.max(0, 1 - (4.5 * width) / Math.max(size, 1e-6))), from, ink, width);
 };
-// A load is never too short to be seen, and where it points to the eye it is a dot in a circle, or a cross in one.
-const loadArrow = (from, along, scale, width, heads) => {
-  const least = Math.min(scene.shortest, 0.04 * Math.min(canvas.clientWidth, canvas.clientHeight));
-  const toScale = scale * length(along) * perMetre() >= least;
+const cone = ({ cone: apex, middle, radii: [a, b], ink }) => {
+  const rim = Array.from({ length: 33 }, (_, k) => {
+    const turn = (2 * Math.PI * (k % 32)) / 32;
+    return add(add(middle, a, Math.cos(turn)), b, Math.sin(turn));
+  });
+  rim.slice(1).forEach((p, k) => face([apex, rim[k], p], ink, 0.1));
+  line(rim, ink, 1);
+};
+const circle = (at, radius, ink, open) => {
+  const [x, y, depth] = project(at);
+  paint(depth + 1e-2, () => {
+    pen.beginPath();
+    pen.arc(x, y, radius, 0, 2 * Math.PI);
+    [pen.fillStyle, pen.strokeStyle, pen.lineWidth] = [open ? "#fff" : ink, open ? ink : "#fff", open ? 2 : 1];
+    pen.fill();
+    pen.stroke();
+  });
+};
+// The arrow of a load is never too short to be seen. Along the line of sight it is a dot in a circle, or a cross in one.
+const load = ({ load: from, along, width, heads, name, otherwise }) => {
+  const least = Math.min(scene.shortest, 0.04 * Math.min(canvas.clientWidth, canvas.clientHeight)) / perMetre();
   const most = Math.max(...along.map(Math.abs)), unit = along.map((x) => x / most);
-  const size = toScale ? scale * length(along) : least / perMetre();
+  const toScale = length(along) >= least, size = toScale ? length(along) : least;
   const drawn = unit.map((x) => (x * size) / length(unit)), [a, b] = [project(from), project(add(from, drawn))];
-  if (Math.hypot(b[0] - a[0], b[1] - a[1]) >= 8) arrow(from, drawn, BLACK, width, heads);
+  if (Math.hypot(b[0] - a[0], b[1] - a[1]) >= 8) arrow(from, drawn, "#000", width, heads);
   else {
-    paint(a[2] + 1e-2, () => {
+    circle(from, 8, "#000", true);
+    paint(a[2] + 2e-2, () => {
       pen.beginPath();
-      pen.arc(a[0], a[1], 8, 0, 2 * Math.PI);
-      [pen.fillStyle, pen.strokeStyle, pen.lineWidth] = ["#fff", BLACK, 2];
+      if (b[2] > a[2]) pen.arc(a[0], a[1], 3, 0, 2 * Math.PI);
+      else for (const side of [-5, 5]) [pen.moveTo(a[0] - 5, a[1] - side), pen.lineTo(a[0] + 5, a[1] + side)];
+      [pen.fillStyle, pen.strokeStyle, pen.lineWidth] = ["#000", "#000", 2];
       pen.fill();
-      if (b[2] <= a[2]) for (const side of [-5, 5]) [pen.moveTo(a[0] - 5, a[1] - side), pen.lineTo(a[0] + 5, a[1] + side)];
       pen.stroke();
-      pen.beginPath();
-      pen.arc(a[0], a[1], b[2] > a[2] ? 3 : 0, 0, 2 * Math.PI);
-      pen.fillStyle = BLACK;
-      pen.fill();
     });
   }
-  return { tip: add(from, drawn), toScale };
+  if (layers.names) text(add(from, drawn), toScale ? name : otherwise, false);
 };
 
-// Names are written when everything is painted, each where it covers no other; one that has no place beside its point is left out.
+// Names are written when everything is painted, each where it covers neither a contact nor another name; one that has no place beside its point is left out.
 let names = [];
-const text = (at, words, ink, bold) => names.push({ at: project(at), words, ink, bold });
+const text = (at, words, bold) => words && names.push({ at: project(at), words, bold });
 const writeNames = () => {
-  const taken = [], high = 17;
+  const high = 17;
+  const taken = scene.contacts.map(project).map(([x, y]) => ({ x, y, wide: 10 }));
   const free = (box) => taken.every((other) => Math.abs(box.x - other.x) * 2 >= box.wide + other.wide || Math.abs(box.y - other.y) >= high);
-  for (const { at: [x, y], words, ink, bold } of names.sort((a, b) => Boolean(b.bold) - Boolean(a.bold))) {
+  for (const { at: [x, y], words, bold } of names.sort((a, b) => Boolean(b.bold) - Boolean(a.bold))) {
     pen.font = `${bold ? "bold " : ""}14px sans-serif`;
     const wide = Math.min(pen.measureText(words).width + 6, canvas.clientWidth);
     const inside = (at, room, size) => Math.max(size / 2, Math.min(room - size / 2, at));
@@ -131,10 +145,8 @@ const writeNames = () => {
     const box = places.find(free) || (bold && places[0]);
     if (!box) continue;
     taken.push(box);
-    [pen.lineWidth, pen.strokeStyle, pen.fillStyle] = [4, "#ffffffd0", ink];
+    [pen.lineWidth, pen.strokeStyle, pen.fillStyle] = [4, "#ffffffd0", "#000"];
     pen.strokeText(words, box.x - wide / 2 + 3, box.y + 5, wide - 6);
     pen.fillText(words, box.x - wide / 2 + 3, box.y + 5, wide - 6);
   }
-  // For whoever asks what is written where.
-  canvas.dataset.names = JSON.stringify(taken);
 };

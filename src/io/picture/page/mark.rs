@@ -1,0 +1,177 @@
+//! One mark of a spatial picture: its shape in the coordinates of the grasp, and its JSON for the script of a page.
+
+use nalgebra::Vector3;
+use plotters::style::RGBColor;
+
+use super::text::{json_list, json_row, json_string};
+use crate::picture::error::PictureError;
+use crate::picture::palette::hex;
+
+pub(super) type Point = Vector3<f64>;
+
+/// The parts of a picture that the page shows or hides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Layer {
+    Forces,
+    Cones,
+    Load,
+    Displacements,
+    FreeMotions,
+    WayOut,
+    Names,
+    /// Shown for the contact under the pointer alone.
+    Pointed,
+}
+
+impl Layer {
+    /// The word of the layer in the page's legend.
+    fn word(self) -> &'static str {
+        match self {
+            Self::Forces => "forces",
+            Self::Cones => "cones",
+            Self::Load => "load",
+            Self::Displacements => "displacements",
+            Self::FreeMotions => "free",
+            Self::WayOut => "leaves",
+            Self::Names => "names",
+            Self::Pointed => "pointed",
+        }
+    }
+}
+
+/// One mark of a picture.
+pub(super) struct Mark {
+    pub(super) shape: Shape,
+    /// The layer of the mark; without one it is always shown.
+    pub(super) layer: Option<Layer>,
+    /// The index of the fingertip to which the mark belongs.
+    pub(super) tip: Option<usize>,
+}
+
+/// The shape of a mark. Widths and dashes are in pixels, places in metres.
+pub(super) enum Shape {
+    Line {
+        corners: Vec<Point>,
+        ink: RGBColor,
+        width: f64,
+        dashes: Option<(f64, f64)>,
+    },
+    Arrow {
+        from: Point,
+        along: Point,
+        ink: RGBColor,
+        width: f64,
+        heads: usize,
+    },
+    /// A round cone: `radii` are two orthogonal vectors from the middle of its rim to the rim.
+    Cone {
+        apex: Point,
+        middle: Point,
+        radii: [Point; 2],
+        ink: RGBColor,
+    },
+    /// The arrow of a load, lengthened if it would be too short to be visible.
+    Load {
+        from: Point,
+        along: Point,
+        width: f64,
+        heads: usize,
+        /// Its name where the arrow is to scale; empty if another arrow has the name.
+        name: &'static str,
+        /// Its name and size where the arrow is not to scale.
+        otherwise: String,
+    },
+    /// An edge of the object, darker where it is nearer to the eye.
+    Edge {
+        corners: Vec<Point>,
+    },
+    /// A convex part of the object, behind everything else.
+    Body {
+        corners: Vec<Point>,
+    },
+    Dot {
+        at: Point,
+        radius: f64,
+        ink: RGBColor,
+        open: bool,
+    },
+    Name {
+        at: Point,
+        words: String,
+    },
+}
+
+impl Shape {
+    pub(super) fn always(self) -> Mark {
+        Mark { shape: self, layer: None, tip: None }
+    }
+
+    pub(super) fn on(self, layer: Layer) -> Mark {
+        Mark { shape: self, layer: Some(layer), tip: None }
+    }
+}
+
+impl Mark {
+    pub(super) fn of(self, tip: usize) -> Self {
+        Self { tip: Some(tip), ..self }
+    }
+
+    pub(super) fn points(&self) -> Vec<Point> {
+        match &self.shape {
+            Shape::Line { corners, .. } | Shape::Edge { corners } | Shape::Body { corners } => {
+                corners.clone()
+            }
+            Shape::Arrow { from, along, .. } | Shape::Load { from, along, .. } => vec![*from, from + along],
+            Shape::Cone { apex, middle, radii: [a, b], .. } => {
+                vec![*apex, middle + a, middle - a, middle + b, middle - b]
+            }
+            Shape::Dot { at, .. } | Shape::Name { at, .. } => vec![*at],
+        }
+    }
+
+    /// The mark as a JSON object; the key of its place names its kind.
+    pub(super) fn json(&self) -> Result<String, PictureError> {
+        let line = |corners: &[Point]| json_list(corners, &row);
+        let mut parts = match &self.shape {
+            Shape::Line { corners, ink, width, dashes } => {
+                let dashes = dashes.map_or(String::new(), |(on, off)| format!(",\"dashes\":[{on},{off}]"));
+                format!("\"line\":{},{}{dashes}", line(corners)?, stroke(*ink, *width))
+            }
+            Shape::Arrow { from, along, ink, width, heads } => {
+                let (from, along) = (row(from)?, row(along)?);
+                format!("\"arrow\":{from},\"along\":{along},{},\"heads\":{heads}", stroke(*ink, *width))
+            }
+            Shape::Cone { apex, middle, radii, ink } => {
+                let (apex, middle, radii) = (row(apex)?, row(middle)?, line(radii)?);
+                format!("\"cone\":{apex},\"middle\":{middle},\"radii\":{radii},\"ink\":\"{}\"", hex(*ink))
+            }
+            Shape::Load { from, along, width, heads, name, otherwise } => {
+                let (from, along, otherwise) = (row(from)?, row(along)?, json_string(otherwise));
+                format!(
+                    "\"load\":{from},\"along\":{along},\"width\":{width},\"heads\":{heads},\"name\":\"{name}\",\"otherwise\":{otherwise}"
+                )
+            }
+            Shape::Edge { corners } => format!("\"edge\":{}", line(corners)?),
+            Shape::Body { corners } => format!("\"body\":{}", line(corners)?),
+            Shape::Dot { at, radius, ink, open } => {
+                format!("\"dot\":{},\"radius\":{radius},\"ink\":\"{}\",\"open\":{open}", row(at)?, hex(*ink))
+            }
+            Shape::Name { at, words } => format!("\"name\":{},\"words\":{}", row(at)?, json_string(words)),
+        };
+        if let Some(layer) = self.layer {
+            parts += &format!(",\"layer\":\"{}\"", layer.word());
+        }
+        if let Some(tip) = self.tip {
+            parts += &format!(",\"tip\":{tip}");
+        }
+        Ok(format!("{{{parts}}}"))
+    }
+}
+
+fn row(point: &Point) -> Result<String, PictureError> {
+    json_row(point.as_slice())
+}
+
+fn stroke(ink: RGBColor, width: f64) -> String {
+    format!("\"ink\":\"{}\",\"width\":{width}", hex(ink))
+}
