@@ -73,7 +73,7 @@
 //! | [`squeeze`] | the least squeeze for a set of loads, the weakest direction, and the least onset within bounds of commands and loads |
 //! | [`load_path`] | onset of sliding and the behaviour just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::SteppedPath`]); sensitivities |
 //! | [`screening`] | the onset of sliding as a load grows or turns, with its gradient, and the least squeeze, for millions of grasps of two to five contacts; a watch over measured forces |
-//! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
+//! | [`energy`] | the paper's quadratic program, its comparison with complementarity, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps with uncertain data |
 //! | [`words`] | numbers with their units, motions and names, in words |
 //! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps also as HTML pages (feature `plot`) |

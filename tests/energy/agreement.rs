@@ -10,13 +10,14 @@ use std::cell::Cell;
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::energy::{ComparisonVerdict, MinimumOutcome, QpOutcome, Unknowns};
+use grasp_lcp::energy::{ComparisonVerdict, MinimumOutcome, QpOutcome};
 use grasp_lcp::grasp::Contact;
 use nalgebra::{DVector, SVector};
 use proptest::prelude::*;
 
 use support::interior_point::{Oracle, interior_point};
 use support::random::{Spread, for_all, scene};
+use support::reduced_program::ReducedProgram;
 use support::samples::{assert_met, samples};
 use support::scene::{Scene, displacement};
 use support::sticking;
@@ -159,8 +160,9 @@ fn same_minimum<const D: usize, const C: usize>(
         let load = scene.wrench();
         let outcome = grasp.with(&settings).energy().minimum(&load).unwrap();
         let printed = grasp.energy().printed_qp(&load, &settings.cone).unwrap();
-        let reduced = grasp.energy().reduced_qp(&load, &settings.cone, Unknowns::TwistAndGaps).unwrap();
-        let twist_only = grasp.energy().reduced_qp(&load, &settings.cone, Unknowns::Twist).unwrap();
+        let drives: Vec<_> = scene.contacts.iter().map(support::scene::Datum::drive).collect();
+        let reduced = ReducedProgram::of(&grasp, &drives, &load, &settings.cone, true);
+        let twist_only = ReducedProgram::of(&grasp, &drives, &load, &settings.cone, false);
         let oracle = interior_point(&printed.program);
         let MinimumOutcome::Minimum(minimum) = &outcome else {
             prop_assert!(!matches!(oracle, Oracle::Minimum(..)), "{outcome:?}");

@@ -1,7 +1,6 @@
-//! The quadratic program of the paper, laws of friction, stability.
+//! The quadratic program of the paper beside complementarity, and stability.
 
 mod agreement;
-mod associated_friction;
 mod first_line;
 mod fixed_points;
 mod onset;

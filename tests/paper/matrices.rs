@@ -1,7 +1,7 @@
 //! The paper's matrices for its two-finger example, entry by entry: as printed, with the last diagonal entry of H corrected
 //! and A filled in.
 
-use grasp_lcp::energy::{Equality, Inequality, Unknowns};
+use grasp_lcp::energy::{Equality, Inequality};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use grasp_lcp::{Error, Field, PolygonCone, spatial};
 use nalgebra::{DMatrix, DVector};
@@ -190,23 +190,6 @@ fn shapes_in_space_and_of_other_contacts() {
 }
 
 #[test]
-fn the_reduced_program_has_the_twist_and_the_gaps() {
-    let grasp = grasp(SPRINGS);
-    let cone = PolygonCone::default();
-    let load = Wrench::new([0.3, -0.7], 0.2);
-    let with_gaps = grasp.energy().reduced_qp(&load, &cone, Unknowns::TwistAndGaps).unwrap();
-    let twist = grasp.energy().reduced_qp(&load, &cone, Unknowns::Twist).unwrap();
-    assert_eq!((with_gaps.program.g.len(), with_gaps.gaps.as_slice()), (5, [0, 1].as_slice()));
-    assert_eq!((twist.program.g.len(), twist.gaps.len()), (3, 0));
-    assert_eq!((with_gaps.program.d.len(), twist.program.d.len()), (6, 6));
-    // Springs in series: 10 and 6, 8 and 4.
-    let (kn, kt) = (3.75, 32.0 / 12.0);
-    let (nx, ny) = (8.0 / 65f64.sqrt(), -1.0 / 65f64.sqrt());
-    let (xx, yy) = (2.0 * (kn * nx * nx + kt * ny * ny), 2.0 * (kn * ny * ny + kt * nx * nx));
-    assert!((twist.program.h[(0, 0)] - xx).abs() < 1e-14 && (twist.program.h[(1, 1)] - yy).abs() < 1e-14);
-}
-
-#[test]
 fn rigid_sides_and_loads_that_are_no_numbers_are_refused() {
     let contact = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).friction(0.5);
     let cone = PolygonCone::default();
@@ -219,10 +202,6 @@ fn rigid_sides_and_loads_that_are_no_numbers_are_refused() {
     let bad = Wrench::new([f64::NAN, 0.0], 0.0);
     assert!(matches!(
         grasp(SPRINGS).energy().printed_qp(&bad, &cone),
-        Err(Error::Wrench { component: 0, .. })
-    ));
-    assert!(matches!(
-        grasp(SPRINGS).energy().reduced_qp(&bad, &cone, Unknowns::Twist),
         Err(Error::Wrench { component: 0, .. })
     ));
     assert!(matches!(grasp(SPRINGS).energy().compare(&bad), Err(Error::Wrench { .. })));

@@ -1,13 +1,14 @@
 //! The paper's method reproduces the paper's tables, the rows beyond the onset included; the comparison says what these are.
 
 use grasp_lcp::Settings;
-use grasp_lcp::energy::{Agreement, ComparisonVerdict, QpOutcome, Unknowns};
+use grasp_lcp::energy::{Agreement, ComparisonVerdict, QpOutcome};
 use grasp_lcp::load_path::Ramp;
-use grasp_lcp::planar::{Grasp, Wrench};
+use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use nalgebra::SVector;
 use support::paper::{
     DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
 };
+use support::reduced_program::ReducedProgram;
 
 /// The last digit printed: some numbers are cut off instead of rounded.
 const LAST_DIGIT: f64 = 1.0001e-4;
@@ -20,7 +21,8 @@ fn by_every_form(grasp: &Grasp, load: &Wrench) -> [Vec<SVector<f64, 2>>; 3] {
     let printed = grasp.energy().printed_qp(load, &settings.cone).unwrap();
     let QpOutcome::Minimum(qp) = printed.program.solve().unwrap() else { panic!("a minimum") };
     let as_printed = (0..grasp.len()).map(|i| printed.force(&qp.x, i)).collect();
-    let reduced = grasp.energy().reduced_qp(load, &settings.cone, Unknowns::Twist).unwrap();
+    let commands: Vec<_> = grasp.contacts().iter().map(Contact::commanded).collect();
+    let reduced = ReducedProgram::of(grasp, &commands, load, &settings.cone, false);
     let QpOutcome::Minimum(qp) = reduced.program.solve().unwrap() else { panic!("a minimum") };
     let twist = SVector::<f64, 3>::from_column_slice(qp.x.as_slice());
     let from_twist = grasp.contacts().iter().zip(grasp.frames()).map(|(c, frame)| {

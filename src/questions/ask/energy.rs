@@ -1,17 +1,14 @@
-//! The paper's quadratic programs, other laws of friction, and stability.
+//! The paper's quadratic program, and stability.
 
 use super::grasp::Grasp;
 use crate::contact::PolygonCone;
-use crate::energy::{
-    Agreement, AssociatedOutcome, Comparison, MinimumOutcome, PrintedQp, ReducedQp, SecondOrderOutcome,
-    Stability, ThreeLaws, Unknowns,
-};
+use crate::energy::{Agreement, Comparison, MinimumOutcome, PrintedQp, Stability};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Wrench, inside, outside};
 use crate::load_path::Ramp;
 
-/// The paper's quadratic programs and laws of friction other than Coulomb's, made by [`Grasp::energy`]; see [`energy`](crate::energy).
+/// The paper's quadratic program beside complementarity, made by [`Grasp::energy`]; see [`energy`](crate::energy).
 #[derive(Debug, Clone, Copy)]
 pub struct Energy<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
@@ -40,32 +37,6 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.agreement_with_minimum_energy(&inside(ramp), &self.0.settings).map(outside)
     }
 
-    /// State under a load by the associated friction law, which [`AssociatedState`](crate::energy::AssociatedState) explains; in space on the
-    /// polygonal cone of the settings.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// // Coulomb's law has no equilibrium under 12 N. The associated law lets the contacts slide and open until they press with 12 N,
-    /// // which takes 12 mm of spring: 2 mm more than the command, and μ times the slip.
-    /// let law = grasp.energy().associated_friction(&Wrench::force([0.0, -12.0]))?;
-    /// let contact = law.rest().expect("in the friction wrench cone").contacts[0];
-    /// assert!((contact.force[0] - 12.0).abs() < 1e-13);
-    /// assert!((contact.dilation() - 0.002).abs() < 1e-16);
-    /// assert!((contact.slip.norm() - 0.004).abs() < 1e-16);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn associated_friction(&self, load: &Wrench<C>) -> Result<AssociatedOutcome<C>, Error> {
-        self.0.engine.associated_friction(&inside(load), &self.0.settings).map(outside)
-    }
-
     /// Compares complementarity with the paper's quadratic program; in space on the polygonal cone of the settings.
     ///
     /// ```
@@ -92,8 +63,7 @@ impl<const C: usize> Energy<'_, C> {
 
     /// The minimum of the paper's quadratic program under a load; in space on the polygonal cone of the settings.
     ///
-    /// It equals the minimum of [`Energy::reduced_qp`](crate::ask::Energy::reduced_qp) with its gaps, and that of
-    /// [`Energy::printed_qp`](crate::ask::Energy::printed_qp) as long as the printed program opens no contact with infinite friction. Springs are
+    /// It equals that of [`Energy::printed_qp`](crate::ask::Energy::printed_qp) as long as the printed program opens no contact with infinite friction. Springs are
     /// taken in series and orthogonal factors keep their digits, so rigid sides and series stiffness are allowed.
     ///
     /// ```
@@ -150,66 +120,6 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.printed_qp(&inside(load), cone).map(outside)
     }
 
-    /// The reduced quadratic program under a load; `cone` replaces the round cone in space.
-    ///
-    /// ```
-    /// use grasp_lcp::PolygonCone;
-    /// use grasp_lcp::energy::Unknowns;
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// // Rows F_n >= 0 and ±F_t <= μ F_n of each contact, unknowns x, y and the angle.
-    /// let reduced = grasp.energy().reduced_qp(&Wrench::force([0.0, -6.0]), &PolygonCone::default(), Unknowns::Twist)?;
-    /// let outcome = reduced.program.solve()?;
-    /// let minimum = outcome.minimum().ok_or("the program is strictly convex")?;
-    /// assert!((minimum.x[1] + 6.0 / (2.0 * 800.0)).abs() < 1e-16);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn reduced_qp(
-        &self,
-        load: &Wrench<C>,
-        cone: &PolygonCone,
-        unknowns: Unknowns,
-    ) -> Result<ReducedQp<C>, Error> {
-        self.0.engine.reduced_qp(&inside(load), cone, unknowns).map(outside)
-    }
-
-    /// The equilibrium under a load with the second-order displacement of equation 4.1, about the origin of the coordinates: the load's force acts at
-    /// the object's point there. At most 100 iterations, each a first-order equilibrium; contact frames, springs and commands keep their directions
-    /// in space.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// // A weight of 2 N at the end of an arm of 10 mm turns the body by M / (2 · 800 N/m · (1 m)²), to first order.
-    /// let load = Wrench::force_at([0.0, -2.0], [0.01, 0.0]);
-    /// let outcome = grasp.energy().second_order(&load)?;
-    /// let found = outcome.equilibrium().expect("it hardly turns");
-    /// let angle = 0.02 / 1600.0;
-    /// assert!((found.first_order.twist.rotation() + angle).abs() < 1e-18);
-    /// // To second order the fingers' pressure turns with the body, a matter of 2 · 10 N · 1 m beside 1600 N m; ½ θ² r is what first order drops.
-    /// let turned = found.twist.rotation().abs();
-    /// assert!((turned / angle - 1.0).abs() < 0.02);
-    /// assert!((found.dropped_displacement / (0.5 * turned * turned) - 1.0).abs() < 1e-12);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn second_order(&self, load: &Wrench<C>) -> Result<SecondOrderOutcome<C>, Error> {
-        self.0.engine.second_order_equilibrium(&inside(load), &self.0.settings).map(outside)
-    }
-
     /// Stability of an equilibrium of this grasp, with its contacts at their initial places (displacements are small).
     ///
     /// ```
@@ -231,28 +141,5 @@ impl<const C: usize> Energy<'_, C> {
     #[must_use]
     pub fn stability(&self, equilibrium: &Equilibrium<C>) -> Stability<C> {
         outside(self.0.of_equilibrium(equilibrium).engine.stability(&inside(equilibrium)))
-    }
-
-    /// Answers to one load under three laws of friction, which the module [`energy`](crate::energy) compares.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5, 800 N/m tangentially.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// // Twelve newtons are two more than friction holds: an equilibrium for the associated law alone.
-    /// let table = grasp.energy().three_laws(&Wrench::force([0.0, -12.0]))?;
-    /// assert!(table.comparison.equilibrium.equilibrium().is_none());
-    /// assert!(table.associated.rest().is_some());
-    /// assert!(table.to_string().contains("no equilibrium exists"));
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn three_laws(&self, load: &Wrench<C>) -> Result<ThreeLaws<C>, Error> {
-        self.0.engine.three_laws(&inside(load), &self.0.settings).map(outside)
     }
 }

@@ -65,7 +65,7 @@ impl<const C: usize> MinimumOutcome<C> {
 ///
 /// The multiplier λ of a friction constraint acts on the object like a force that no contact exerts, `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A
 /// contact with infinite friction has the constraint F_n >= 0 instead of a gap: with a gap it would carry F_t across it, as in
-/// [`PrintedQp`](super::PrintedQp). [`ReducedQp`](super::ReducedQp) is this program in matrices.
+/// [`PrintedQp`](super::PrintedQp).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -1,39 +1,35 @@
 //! The paper's principle of minimum potential energy, compared with complementarity.
 //!
 //! While no contact slides the springs are conservative, and the equilibrium is a minimum of the potential energy. The paper poses this minimum as a
-//! quadratic program with the friction cones as constraints ([`PrintedQp`], [`ReducedQp`]). [`QuadraticProgram`] solves it as the linear
+//! quadratic program with the friction cones as constraints ([`PrintedQp`]). [`QuadraticProgram`] solves it as the linear
 //! complementarity problem of its optimality conditions. [`Energy::minimum`](crate::ask::Energy::minimum) solves it on orthogonal factors.
 //!
 //! As long as no friction constraint binds, the minimum is the equilibrium. Once a constraint binds, its multiplier acts on the object like an
 //! external force: the program still returns numbers, but they are not in equilibrium. [`Comparison`] classifies one load, [`Agreement`] gives the
-//! load factor up to which the minimum is an equilibrium. [`ThreeLaws`] puts Coulomb's law, the program and the associated law of many simulators in
-//! one table.
+//! load factor up to which the minimum is an equilibrium.
 //!
-//! The three laws differ in one factor. Let x = K^{-1/2} F be the forces in energy coordinates, x⁰ those if everything sticks, and Π the projector on
-//! the motions of the object. N are the rows of the cones, S the rows of the slips alone:
+//! Coulomb's law and the program differ in one factor. Let x = K^{-1/2} F be the forces in energy coordinates, x⁰ those if everything sticks, and Π
+//! the projector on the motions of the object. N are the rows of the cones, S the rows of the slips alone:
 //!
 //! ```text
 //! Coulomb             x = x⁰ + (1 - Π) Sᵀz       0 <= z ⟂ N x >= 0      surfaces slip
-//! associated          x = x⁰ + (1 - Π) Nᵀz                              surfaces slip and stand apart while they press
 //! minimum energy      x = x⁰ +    Π    Nᵀz                              the object is held from outside
 //! ```
 //!
-//! [`Stability`] and [`SecondOrder`] include the second-order displacement of the paper's equation 4.1, which all other questions neglect.
+//! [`Stability`] includes the second-order displacement of the paper's equation 4.1, which all other questions neglect.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `program` | a convex quadratic program and its optimality conditions |
 //! | `program_rows` | its rows, collected one by one |
-//! | `printed`, `reduced` | the paper's program, in all displacements and without those of the surfaces |
+//! | `printed` | the paper's program, in all displacements |
 //! | `energy_rows` | gaps and friction cones in energy coordinates |
 //! | `optimality` | the optimality conditions in energy coordinates, and their solution |
 //! | `minimum`, `agreement` | the minimum under a load, and the range of a ramp in which it is an equilibrium |
-//! | `associated` | the associated friction law |
-//! | `comparison`, `three_laws`, `words` | the laws side by side, and the first line of a comparison |
-//! | `stability`, `second_order` | effects of second-order displacements |
+//! | `comparison`, `words` | both side by side, and the first line of a comparison |
+//! | `stability` | the effect of second-order displacements |
 
 mod agreement;
-mod associated;
 mod comparison;
 mod energy_rows;
 mod face;
@@ -42,20 +38,12 @@ mod optimality;
 mod printed;
 mod program;
 mod program_rows;
-mod reduced;
-mod second_order;
 mod stability;
-mod three_laws;
-mod tolerances;
 mod words;
 
 pub use agreement::Agreement;
-pub use associated::{AssociatedContact, AssociatedOutcome, AssociatedState};
 pub use comparison::{Comparison, ComparisonVerdict, Difference};
 pub use minimum::{Binding, MinimumContact, MinimumEnergy, MinimumOutcome};
 pub use printed::{Displacements, Equality, Inequality, PrintedQp};
 pub use program::{QpMinimum, QpOutcome, QuadraticProgram};
-pub use reduced::{ReducedQp, ReducedRow, Unknowns};
-pub use second_order::{SecondOrder, SecondOrderOutcome};
 pub use stability::{Stability, StabilityVerdict};
-pub use three_laws::ThreeLaws;

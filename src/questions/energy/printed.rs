@@ -102,7 +102,7 @@ pub enum Inequality {
 /// A frictionless contact has neither sticking rows nor friction rows: its surfaces slide freely. A contact that is kept closed has
 /// `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling. Bonded contacts, and those with infinite friction, have no friction
 /// rows. With infinite friction a contact keeps its sticking row when it opens, so that it may carry F_t across a gap. If it does, the program
-/// differs from the [reduced](super::ReducedQp) one.
+/// differs from [`MinimumEnergy`](super::MinimumEnergy).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct PrintedQp<const C: usize> {

@@ -38,6 +38,7 @@ pub mod pointed_arch;
 pub mod programs;
 pub mod ramps;
 pub mod random;
+pub mod reduced_program;
 pub mod samples;
 pub mod scene;
 pub mod shaken;

@@ -17,8 +17,6 @@ fn main() -> Result<()> {
     let grasp = two_fingers()?;
     let onset = grasp.onset_of_sliding(&Wrench::ZERO, &down())?.factor().ok_or("has an onset")?;
     along_the_load(&grasp, onset)?;
-    println!("\nThree laws of friction at W = 0.14 N (beyond W*)\n");
-    print!("{}", grasp.energy().three_laws(&(down() * 0.14))?);
     beyond_first_order(&grasp)?;
     power()?;
     picture(&grasp, onset)
@@ -79,15 +77,9 @@ fn ceil(x: f64) -> f64 {
 
 fn beyond_first_order(grasp: &Grasp) -> Result<()> {
     let load = down() * 0.1 + Wrench::new([0.0, 0.0], 0.05);
-    let outcome = grasp.energy().second_order(&load)?;
-    let state = outcome.equilibrium().ok_or("there is one")?;
-    let first = grasp.energy().stability(&state.first_order);
+    let outcome = grasp.solve(&load)?;
+    let first = grasp.energy().stability(outcome.equilibrium().ok_or("there is one")?);
     println!("\nWhat first order leaves out, at W = 0.1 N with a moment of 0.05 N m\n");
-    println!("  dropped term of equation 4.1 {:.1e} m", state.dropped_displacement);
-    println!(
-        "  that changes forces by       {:.1e} N, displacements by {:.1e} m",
-        state.force_left_out, state.displacement_left_out
-    );
     println!("  turning stiffness: elastic   {:.4} N m", first.elastic[(2, 2)]);
     println!("  geometric (arms turn)        {:.4} N m", first.geometric[(2, 2)]);
     println!(
@@ -161,23 +153,19 @@ fn power() -> Result<()> {
 
 /// Forces of the fingers, and the load that they have to carry.
 fn picture(grasp: &Grasp, onset: f64) -> Result<()> {
-    let (mut coulomb, mut program, mut missing, mut associated) = (vec![], vec![], vec![], vec![]);
+    let (mut coulomb, mut program, mut missing) = (vec![], vec![], vec![]);
     for step in 0..=32 {
         let w = if step == 32 { onset } else { 0.005 * f64::from(step) };
-        let laws = grasp.energy().three_laws(&(down() * w))?;
-        if let Some(state) = laws.comparison.equilibrium.equilibrium() {
+        let comparison = grasp.energy().compare(&(down() * w))?;
+        if let Some(state) = comparison.equilibrium.equilibrium() {
             coulomb.push((w, state.contacts.iter().map(|c| c.force_world[1]).sum::<f64>()));
         }
-        if let Some(minimum) = laws.comparison.minimum.minimum() {
+        if let Some(minimum) = comparison.minimum.minimum() {
             program.push((w, minimum.contacts.iter().map(|c| c.force_world[1]).sum::<f64>()));
             missing.push((w, minimum.out_of_balance().0));
         }
-        if let Some(rest) = laws.associated.rest() {
-            let up = rest.contacts.iter().zip(grasp.frames()).map(|(c, frame)| (frame * c.force)[1]);
-            associated.push((w, up.sum::<f64>()));
-        }
     }
-    for series in [&mut coulomb, &mut program, &mut missing, &mut associated] {
+    for series in [&mut coulomb, &mut program, &mut missing] {
         series.sort_by(|a: &(f64, f64), b| a.0.total_cmp(&b.0));
     }
     let chart = Chart::new(
@@ -187,7 +175,6 @@ fn picture(grasp: &Grasp, onset: f64) -> Result<()> {
     )
     .series("Coulomb, complementarity", coulomb, Stroke::Line)
     .series("minimum energy, quadratic program", program, Stroke::Dashed)
-    .series("associated friction", associated, Stroke::Circles)
     .series("missing to equilibrium in the program", missing, Stroke::Line)
     .mark(onset, "W* = √65/66")
     .shade_from(onset, "no equilibrium");

@@ -4,7 +4,7 @@
 //! the plane that is exactly sliding; in space the program has facets, and finds their onset.
 
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::energy::{QpOutcome, ReducedRow, Unknowns};
+use grasp_lcp::energy::QpOutcome;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::screening::{Fingers, Pull};
@@ -15,6 +15,7 @@ use support::Failure;
 use support::best_time::timed;
 use support::interior_point::{Oracle, interior_point_and_multipliers};
 use support::paper::{down, two_fingers};
+use support::reduced_program::ReducedProgram;
 
 /// Tolerance of the interior-point method. Each of its rows has a little slack and a little multiplier: near the onset both are about the root of
 /// this.
@@ -64,12 +65,11 @@ impl<const C: usize> Question<'_, C> {
     /// Whether no friction row of the program is active at a factor.
     fn sticks(&self, factor: f64, solver: Solver) -> Result<bool, Failure> {
         let load = self.direction * factor;
-        let reduced = self.grasp.energy().reduced_qp(&load, &self.cone, Unknowns::TwistAndGaps)?;
-        let friction = |i: usize| matches!(reduced.rows[i], ReducedRow::Friction { .. });
-        let mut rows = (0..reduced.rows.len()).filter(|i| friction(*i));
+        let reduced = ReducedProgram::new(self.grasp, &load, &self.cone);
+        let mut rows = reduced.friction.iter().enumerate().filter_map(|(i, of)| Some((i, (*of)?)));
         if solver == Solver::Lemke {
             let QpOutcome::Minimum(minimum) = reduced.program.solve()? else { return Ok(false) };
-            return Ok(rows.all(|i| minimum.multipliers[i] == 0.0));
+            return Ok(rows.all(|(i, _)| minimum.multipliers[i] == 0.0));
         }
         let (Oracle::Minimum(x, _), multipliers) =
             interior_point_and_multipliers(&reduced.program, TOLERANCE)
@@ -78,15 +78,12 @@ impl<const C: usize> Question<'_, C> {
         };
         // A multiplier is a displacement (m): times the stiffness of the contact it is compared with the slack (N).
         let slack = &reduced.program.b * x - &reduced.program.d;
-        let stiffness = |i: usize| match reduced.rows[i] {
-            ReducedRow::Friction { contact, .. } => {
-                let contact = &self.grasp.contacts()[contact];
-                let k = contact.series_stiffness_of_axes();
-                contact.friction_coefficient().powi(2) * k[0] + k[1]
-            }
-            _ => 0.0,
+        let stiffness = |contact: usize| {
+            let contact = &self.grasp.contacts()[contact];
+            let k = contact.series_stiffness_of_axes();
+            contact.friction_coefficient().powi(2) * k[0] + k[1]
         };
-        Ok(rows.all(|i| slack[i] > multipliers[i] * stiffness(i)))
+        Ok(rows.all(|(i, contact)| slack[i] > multipliers[i] * stiffness(contact)))
     }
 
     /// The onset lies between the last of equal steps that sticks and the next one. Also returns the number of the last step computed.

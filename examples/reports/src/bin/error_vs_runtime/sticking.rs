@@ -4,7 +4,7 @@
 
 use grasp_lcp::PolygonCone;
 use grasp_lcp::ask::{Search, Workspace};
-use grasp_lcp::energy::{QpOutcome, QuadraticProgram, Unknowns};
+use grasp_lcp::energy::{QpOutcome, QuadraticProgram};
 use grasp_lcp::spatial::{Contact, Grasp, Twist, Wrench};
 use nalgebra::{DVector, Matrix6, Vector3, Vector6};
 
@@ -13,6 +13,7 @@ use crate::report::{Panel, Report};
 use support::Failure;
 use support::best_time::timed;
 use support::interior_point::{Oracle, interior_point_within};
+use support::reduced_program::ReducedProgram;
 
 const LOAD: [f64; 6] = [0.5, -0.25, -2.0, 0.03125, 0.0625, -0.015_625];
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
@@ -78,8 +79,8 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
 
     let cone = PolygonCone::default();
     let printed = || grasp.energy().printed_qp(&load, &cone);
-    let reduced = || grasp.energy().reduced_qp(&load, &cone, Unknowns::TwistAndGaps);
-    let meaning = (printed()?, reduced()?);
+    let reduced = || ReducedProgram::new(&grasp, &load, &cone);
+    let meaning = (printed()?, reduced());
     let by_printed = |x: &DVector<f64>| {
         let forces = grasp.frames().enumerate().map(|(i, frame)| frame * meaning.0.force(x, i));
         forces.collect::<Vec<_>>()
@@ -91,10 +92,10 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
     };
     let (x, time) = timed(|| lemke(&printed()?.program))?;
     panel.add("printed QP by Lemke", "", off(&by_printed(&x)), time);
-    let (x, time) = timed(|| lemke(&reduced()?.program))?;
+    let (x, time) = timed(|| lemke(&reduced().program))?;
     panel.add("reduced QP by Lemke", "", off(&by_reduced(&x)), time);
     for tolerance in TOLERANCES {
-        let (oracle, time) = timed(|| Ok(interior_point_within(&reduced()?.program, tolerance)))?;
+        let (oracle, time) = timed(|| Ok(interior_point_within(&reduced().program, tolerance)))?;
         let error = if let Oracle::Minimum(x, _) = oracle { off(&by_reduced(&x)) } else { f64::NAN };
         panel.add("reduced QP by Clarabel", format!("{tolerance:.0e}"), error, time);
     }

@@ -2,10 +2,10 @@
 
 use grasp_lcp::PolygonCone;
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::energy::{ReducedRow, Unknowns};
 use grasp_lcp::grasp::Wrench;
 
 use support::interior_point::{Oracle, interior_point};
+use support::reduced_program::ReducedProgram;
 
 /// A friction row with less slack than this part of the largest slack counts as sliding; at the onset itself the method leaves about as much.
 const ACTIVE: f64 = 1e-6;
@@ -14,11 +14,10 @@ const HALVINGS: usize = 20;
 
 /// Solves the program once under a load; returns whether no friction row is active.
 pub fn sticks<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<bool, grasp_lcp::Error> {
-    let reduced = grasp.energy().reduced_qp(load, &PolygonCone::default(), Unknowns::TwistAndGaps)?;
+    let reduced = ReducedProgram::new(grasp, load, &PolygonCone::default());
     let Oracle::Minimum(x, _) = interior_point(&reduced.program) else { return Ok(false) };
     let slack = &reduced.program.b * x - &reduced.program.d;
-    let friction =
-        || reduced.rows.iter().zip(&slack).filter(|(row, _)| matches!(row, ReducedRow::Friction { .. }));
+    let friction = || reduced.friction.iter().zip(&slack).filter(|(contact, _)| contact.is_some());
     let largest = friction().map(|(_, slack)| slack.abs()).fold(0.0, f64::max);
     Ok(friction().all(|(_, slack)| *slack > ACTIVE * largest))
 }
