@@ -16,9 +16,9 @@ fn main() -> Result<(), grasp_lcp::Error> {
     let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     let weight = Wrench::force([0.0, -0.5 * 9.81]);
 
-    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &weight)?;
+    let onset = grasp.onset(weight)?;
     println!("slides {onset}");
-    println!("under its weight: {}", grasp.solve(&weight)?);
-    println!("under twice its weight: {}", grasp.solve(&(weight * 2.0))?);
+    println!("under its weight: {}", grasp.solve(weight)?);
+    println!("under twice its weight: {}", grasp.solve(weight * 2.0)?);
     Ok(())
 }

@@ -30,9 +30,7 @@ fn main() -> Result<(), grasp_lcp::Error> {
     let strong =
         Grasp::new(grasp.contacts().iter().cloned().zip([10.0, 10.0, 20.0]).map(|(c, n)| c.pressed_with(n)))?;
     let base = Wrench::force_at(weight, centre);
-    if let WeakestDirection::Force { size, direction: [x, y], .. } =
-        strong.weakest_direction(&base, centre)?
-    {
+    if let WeakestDirection::Force { size, direction: [x, y], .. } = strong.weakest_direction(base, centre)? {
         println!("with 20 N the weakest push is {size:.6} N along ({x:.4}, {y:.4})");
     }
     Ok(())

@@ -28,7 +28,7 @@ fn main() -> Result<(), grasp_lcp::Error> {
     if let Some(deviation) = robust.spread.and_then(|spread| spread.deviation) {
         println!("to first order that is off by {deviation:.6} N (one standard deviation)");
     }
-    let held = grasp.reserve(&Wrench::ZERO, &uncertainty, 3.0)?.along(&Wrench::force([0.0, -1.0]));
+    let held = grasp.reserve(Wrench::ZERO, &uncertainty, 3.0)?.along(&Wrench::force([0.0, -1.0]));
     println!(
         "with three standard deviations in reserve {held:.6} N are held: fewer than one in 740 slides below"
     );

@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let time = f64::from(tick) * TICK;
             // The simulated world: springs and Coulomb's law.
             let world = Grasp::new(fingers(squeeze))?;
-            let outcome = world.solve(&load(time))?;
+            let outcome = world.solve(load(time))?;
             let Some(state) = outcome.equilibrium() else {
                 slipped = slipped.or(Some(time));
                 break;

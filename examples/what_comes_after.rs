@@ -18,8 +18,8 @@ fn main() -> Result<(), grasp_lcp::Error> {
         Grasp::new((0_u8..5).zip(frictions).map(|(k, friction)| finger(72.0 * f64::from(k), friction)))?;
 
     let down = Wrench::force([0.0, 0.0, -14.0]);
-    println!("slides {}", jar.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, 0.0, -1.0]))?);
-    let mut path = jar.follow(&Wrench::ZERO, &[Leg::load_to(down), Leg::load_to(Wrench::ZERO)])?;
+    println!("slides {}", jar.onset(Wrench::force([0.0, 0.0, -1.0]))?);
+    let mut path = jar.follow(Wrench::ZERO, &[Leg::load_to(down), Leg::load_to(Wrench::ZERO)])?;
     for event in path.run() {
         for change in &event.changes {
             println!("leg {} at {:.6}: {} {}", event.leg, event.fraction, change.contact.text(), change.what);

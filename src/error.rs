@@ -26,7 +26,7 @@ pub(crate) fn is_moderate(x: f64) -> bool {
 /// use grasp_lcp::Error;
 ///
 /// let grasp = Grasp::new([Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(100.0, 100.0)])?;
-/// let refused = grasp.solve(&Wrench::new([0.0, -1.0], f64::NAN)).unwrap_err();
+/// let refused = grasp.solve(Wrench::new([0.0, -1.0], f64::NAN)).unwrap_err();
 /// assert!(matches!(refused, Error::Wrench { what: "load", component: 2, .. }));
 /// assert_eq!(refused.to_string(), "load: component 2 is NaN, must be finite and at most 1e50 in size");
 /// # Ok::<(), Error>(())

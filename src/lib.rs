@@ -5,26 +5,74 @@
 //! a contact starts to slide**, and whether an equilibrium exists beyond it.
 //!
 //! ```
+//! use grasp_lcp::need::Need;
 //! use grasp_lcp::planar::{Contact, Grasp, Wrench};
 //!
-//! // The two-finger grasp of the paper: springs of 10 N/m, μ = 1/4, fingers pressed 0.1 m along their normals.
-//! let finger = |side: f64| {
-//!     Contact::new([4.0 * side, 1.8], [-8.0 * side, -1.0])
-//!         .body_stiffness(10.0, 10.0)
-//!         .finger_stiffness(10.0, 10.0)
-//!         .friction(0.25)
-//!         .command([0.1, 0.0125 * side])
+//! // Two jaws of a gripper, 60 mm apart: series springs of 1000 and 800 N/m, friction 0.5, pressed with 10 N each.
+//! let jaw = |x: f64, name| {
+//!     Contact::new([x, 0.0], [-x, 0.0]).name(name).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0)
 //! };
-//! let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+//! let gripper = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])?;
 //!
-//! let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
-//! let exact = 65f64.sqrt() / 66.0;
-//! assert!((onset.factor().unwrap() - exact).abs() < 1e-15);
+//! // Does it hold 4 N?
+//! let weight = Wrench::force([0.0, -4.0]);
+//! println!("{}", gripper.hold(weight)?); // HOLDS, everything sticks: 2.5 times this load until it is lost, as left and right slide
 //!
-//! let holds = grasp.solve(&Wrench::force([0.0, -0.1]))?;
-//! assert!(holds.equilibrium().is_some());
+//! // How hard must it press?
+//! println!("{}", gripper.need(&Need::squeeze(weight))?); // NEEDS 4 N at left and right so that it holds and nothing slides. …
+//!
+//! // Where does the object go, and with which forces?
+//! let outcome = gripper.solve(weight)?;
+//! let state = outcome.equilibrium().expect("it holds");
+//! assert!((state.twist.translation()[1] + 4.0 / 1600.0).abs() < 1e-15);
+//! # assert!(gripper.hold(weight)?.to_string().starts_with("HOLDS, everything sticks: 2.5 times this load"));
+//! # assert!(gripper.need(&Need::squeeze(weight))?.to_string().starts_with("NEEDS 4 N at left and right so that it holds and nothing slides"));
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```
+//!
+//! # Start here
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`planar`], [`spatial`] | the names to start from |
+//! | [`guide`] | which answer to trust, several equilibria, rays, facets, hands |
+//! | [`ask`] | a [`Grasp`](ask::Grasp), and a table of the questions that it answers |
+//! | [`grasp`] | the parts of a question: contacts, soft fingertips, stiffness, friction, hands, bodies, wrench and twist; vectors of other libraries |
+//! | [`hold`] | does it hold: the verdict on a load that is applied from rest, in a sentence |
+//! | [`need`] | how much squeeze, friction, load, arm or angle a grasp needs or allows |
+//! | [`equilibrium`] | motion and contact forces under a load, or the proof that no equilibrium exists |
+//!
+//! # More questions
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`load_path`] | first slip and the behaviour just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::SteppedPath`]); sensitivities |
+//! | [`shake`] | loads that repeat: rest, slip to and fro, walking or loss |
+//! | [`identify`] | friction, loads of supports, squeeze and stiffness from observed slips, with their errors |
+//! | [`improve`] | places of fingers on given surfaces, and squeezes, for a late first slip |
+//! | [`squeeze`] | the least squeeze for a set of loads, the weakest direction, and the least onset within bounds of commands and loads |
+//! | [`statics`] | force closure and form closure: which loads contact forces could balance |
+//! | [`energy`] | the paper's quadratic program, its comparison with complementarity, stability |
+//! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps with uncertain data |
+//! | [`screening`] | the onset of sliding as a load grows or turns, with its gradient, and the least squeeze, for millions of grasps of two to five contacts; a watch over measured forces |
+//!
+//! # Solvers
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
+//! | [`friction`] | frictional contact problems (W, q, μ) as simulators pose them, on the round cone |
+//! | [`forms`] | kinematic and force form of a grasp as linear complementarity problems, and the meaning of their rows |
+//!
+//! # Files and pictures
+//!
+//! | module | contents |
+//! |---|---|
+//! | `scene` | scenes and answers in any self-describing format of serde (feature `serde`), JSON with messages that name the field (feature `json`) |
+//! | `stream` | scenes in JSON, one a line, answered in order on all cores (feature `json`) |
+//! | `schema` | the JSON Schemas of scenes and answers (feature `schema`) |
+//! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps also as HTML pages (feature `plot`) |
+//! | [`words`] | numbers with their units, motions and names, in words |
 //!
 //! # The problem
 //!
@@ -51,35 +99,6 @@
 //! Signs: normals point into the object, the way the finger pushes; in the plane `t = (n_y, -n_x)`. Friction drags the body along with the finger, so
 //! F_t and the slip s point the same way. The law is the unified one of the paper, its sections 3.A and 3.B, with contacts that may also open; the
 //! sign of its equation 3.B.5 is a misprint. Units are SI in the docs. Any consistent units work.
-//!
-//! # The map
-//!
-//! | module | contents |
-//! |---|---|
-//! | [`planar`], [`spatial`] | the names to start from |
-//! | [`guide`] | which answer to trust, several equilibria, rays, facets, hands |
-//! | [`ask`] | a grasp and its questions, for any number of coordinates |
-//! | [`grasp`] | the parts of a question: contacts, soft fingertips, stiffness, friction, hands, bodies, wrench and twist; vectors of other libraries |
-//! | [`forms`] | kinematic and force form, and the meaning of their rows |
-//! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
-//! | [`friction`] | frictional contact problems (W, q, μ) as simulators pose them, on the round cone |
-//! | [`hold`] | does it hold: the verdict on a load that is applied from rest, in a sentence |
-//! | [`shake`] | loads that repeat: rest, slip to and fro, walking or loss |
-//! | [`identify`] | friction, loads of supports, squeeze and stiffness from observed slips, with their errors |
-//! | [`need`] | how much squeeze, friction, load, arm or angle a grasp needs or allows |
-//! | [`improve`] | places of fingers on given surfaces, and squeezes, for a late first slip |
-//! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
-//! | [`statics`] | force closure and form closure: which loads contact forces could balance |
-//! | [`squeeze`] | the least squeeze for a set of loads, the weakest direction, and the least onset within bounds of commands and loads |
-//! | [`load_path`] | onset of sliding and the behaviour just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::SteppedPath`]); sensitivities |
-//! | [`screening`] | the onset of sliding as a load grows or turns, with its gradient, and the least squeeze, for millions of grasps of two to five contacts; a watch over measured forces |
-//! | [`energy`] | the paper's quadratic program, its comparison with complementarity, stability |
-//! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps with uncertain data |
-//! | [`words`] | numbers with their units, motions and names, in words |
-//! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps also as HTML pages (feature `plot`) |
-//! | `scene` | scenes and answers in any self-describing format of serde (feature `serde`), JSON with messages that name the field (feature `json`) |
-//! | `stream` | scenes in JSON, one a line, answered in order on all cores (feature `json`) |
-//! | `schema` | the JSON Schemas of scenes and answers (feature `schema`) |
 //!
 //! # Answers
 //!

@@ -29,7 +29,7 @@ fn main() -> Result<(), grasp_lcp::Error> {
     let grasp = Grasp::new([finger(-1.0).name("left"), finger(1.0).name("right")])?;
     let load = Wrench::force([0.0, -4.905]);
     let ramp = || Ramp::load(Wrench::ZERO, black_box(load));
-    println!("onset  {:6.2} µs", best(|| drop(black_box(grasp.onset(&ramp())))));
+    println!("onset  {:6.2} µs", best(|| drop(black_box(grasp.onset(ramp())))));
     println!("solve  {:6.2} µs", best(|| drop(black_box(grasp.solve(black_box(&load))))));
     Ok(())
 }

@@ -139,7 +139,7 @@ where
         let Some(grasp) = &self.grasp else {
             return asked(&self.setup, Question::solve(load)).map(Reply::Written);
         };
-        let outcome = grasp.with(&self.setup.settings).solve(&load).map_err(refused)?;
+        let outcome = grasp.with(&self.setup.settings).solve(load).map_err(refused)?;
         Ok(Reply::told(self, Raw::Solved(outcome, load)))
     }
 
@@ -158,7 +158,7 @@ where
         let Some(grasp) = &self.grasp else {
             return asked(&self.setup, Question::OnsetOfTurn(turn)).map(Reply::Written);
         };
-        let onset = grasp.with(&self.setup.settings).onset_of_turn(&turn).map_err(refused)?;
+        let onset = grasp.with(&self.setup.settings).onset_of_turn(turn).map_err(refused)?;
         Ok(Reply::told(self, Raw::Turn(onset)))
     }
 
@@ -171,7 +171,7 @@ where
     fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String> {
         let load = wrench("load", load)?;
         let grasp = self.without_joints("equilibria").map_err(refused)?;
-        let all = py.detach(|| grasp.with(&self.setup.settings).equilibria(&load)).map_err(refused)?;
+        let all = py.detach(|| grasp.with(&self.setup.settings).equilibria(load)).map_err(refused)?;
         let told: Result<Vec<_>, _> = all.iter().map(|state| self.setup.tell_equilibrium(state)).collect();
         json(&told.map_err(refused)?)
     }

@@ -172,7 +172,7 @@ impl<const C: usize> Rows<'_, C> {
             }
             let [base, direction] = self.loads[load];
             let onset = grasp.as_ref().map_err(status_of).and_then(|grasp| {
-                grasp.onset(&Ramp::load(base, direction)).map_err(|error| status_of(&error))
+                grasp.onset(Ramp::load(base, direction)).map_err(|error| status_of(&error))
             });
             match onset {
                 Ok(onset) => found.set_whole(place, &onset, self.columns.contacts()),

@@ -79,7 +79,7 @@ impl<const C: usize> Quality for Kept<C> {
         let grasp = self.without_joints("load_limit").map_err(refused)?;
         let (base, direction) = (base_of(base)?, wrench("direction", direction)?);
         let budget = of(budget, each);
-        let limit = grasp.with(&self.setup.settings).statics().load_limit(&base, &direction, budget);
+        let limit = grasp.with(&self.setup.settings).statics().load_limit(base, direction, budget);
         text(&match limit.map_err(refused)? {
             LoadLimit::Factor { at_least, at_most, forces, motion, .. } => {
                 let [at_least, at_most] = [at_least, at_most].map(number);
@@ -121,7 +121,7 @@ impl<const C: usize> Quality for Kept<C> {
     fn weakest_direction(&self, base: Given<'_, '_>, at: Given<'_, '_>) -> PyResult<String> {
         let grasp = self.without_joints("weakest_direction").map_err(refused)?;
         let (base, at) = (base_of::<C>(base)?, point_of::<C>(at)?);
-        let weakest = grasp.with(&self.setup.settings).weakest_direction(&base, at);
+        let weakest = grasp.with(&self.setup.settings).weakest_direction(base, at);
         text(&match weakest.map_err(refused)? {
             WeakestDirection::Force { size, direction, load, leaver, .. } => {
                 let contact = if let Leaver::Contact(contact) = leaver { Some(contact) } else { None };

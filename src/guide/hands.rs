@@ -17,7 +17,7 @@
 //!     Finger::new(joints.map(|(point, stiffness)| Joint::revolute(point).stiffness(stiffness))).contact(pad)
 //! };
 //! let grasp: Grasp = Hand::new([finger(-1.0), finger(1.0)]).grasp()?; // 3 coordinates of the object, 6 joints
-//! let onset = |side: f64| grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side])).map(|onset| onset.factor());
+//! let onset = |side: f64| grasp.onset(Wrench::force([0.0, side])).map(|onset| onset.factor());
 //! let (down, up) = (onset(-1.0)?.expect("sticks"), onset(1.0)?.expect("sticks"));
 //! // Springs along the axes of the contacts would say 2 μ N = 3.6 N both ways.
 //! assert!((down - 3.146).abs() < 1e-3 && (up - 4.207).abs() < 1e-3);

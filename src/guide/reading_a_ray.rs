@@ -57,7 +57,7 @@
 //! let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
 //!
 //! // 10 N of squeeze hold 10 N; more squeeze would hold more, so no motion separates this load from the cones.
-//! let Outcome::NoEquilibrium(slips) = grasp.solve(&Wrench::force([0.0, -11.0]))? else { panic!("too much") };
+//! let Outcome::NoEquilibrium(slips) = grasp.solve(Wrench::force([0.0, -11.0]))? else { panic!("too much") };
 //! assert!(matches!(slips.proof, Proof::EveryStateTried { .. }));
 //!
 //! // One finger alone cannot be pulled at: whatever its friction and its squeeze.

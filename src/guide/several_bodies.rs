@@ -136,7 +136,7 @@
 //!     Leg::load_to(press(200.0)),
 //!     Leg::load_to(press(0.0)),
 //! ];
-//! let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+//! let mut path = grasp.follow(Wrench::ZERO, &legs)?;
 //! path.run();
 //! let left = path.state().expect("it stays");
 //! assert_eq!(left.body_loads[0].load, Wrench::force_at([0.0, -400.0], [0.45, 1.0]));

@@ -38,7 +38,7 @@
 //! // first pulled and then pressed down, it hangs free.
 //! let (down, along) = (Wrench::force([0.0, -1.0]), Wrench::force([2.5, 0.0]));
 //! for (first, state) in [(down, ContactState::Sticking), (along, ContactState::Separated)] {
-//!     let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(first), Leg::load_to(load)])?;
+//!     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(first), Leg::load_to(load)])?;
 //!     path.run();
 //!     let end = path.state_at(1, 1.0).ok_or("the path is completed")?;
 //!     assert_eq!(end.contacts[2].state, state);

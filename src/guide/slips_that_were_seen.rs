@@ -66,7 +66,7 @@
 //! let gripper = Grasp::new([jaw(-0.04), jaw(0.04)])?;
 //! let slips = [7.9, 7.2, 7.6, 8.3, 7.7, 7.4].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
 //! let asked = Identify::new([Unknown::friction()], slips);
-//! let found = asked.answered_by(&gripper)?;
+//! let found = gripper.identify(&asked)?;
 //!
 //! // The grasp with the friction that was found, and how much less that may be.
 //! let known = asked.grasp_with(&gripper, &found)?;
@@ -75,7 +75,7 @@
 //! assert!(needed.safe.is_some());
 //!
 //! // Standard errors as standard deviations, with two of them in reserve.
-//! let reserve = known.reserve(&Wrench::ZERO, &found.uncertainty(1), 2.0)?;
+//! let reserve = known.reserve(Wrench::ZERO, &found.uncertainty(1), 2.0)?;
 //! # let _ = reserve;
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```

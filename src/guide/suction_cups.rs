@@ -30,7 +30,7 @@
 //! let cup = SuctionCup::of_pressure(radius, 12, 60e3)?;
 //! let plate = Grasp::new(cup.contacts(&lip)?)?;
 //!
-//! let limit = |load: Wrench| -> Result<f64, grasp_lcp::Error> { Ok(plate.onset_of_sliding(&Wrench::ZERO, &load)?.factor().unwrap()) };
+//! let limit = |load: Wrench| -> Result<f64, grasp_lcp::Error> { Ok(plate.onset(load)?.factor().unwrap()) };
 //! let is = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-9 * expected, "{found} {expected}");
 //! let vacuum = cup.force();
 //! is(limit(Wrench::force([0.0, 0.0, -1.0]))?, vacuum);

@@ -55,7 +55,7 @@
 //! let pull = Wrench::force([1.0, 0.0]);
 //!
 //! // The load is shared evenly, so that the middle finger slides at 3 · 0.5 · 1 N …
-//! let onset = grasp.onset_of_sliding(&weight, &pull)?.factor();
+//! let onset = grasp.onset(Ramp::load(weight, pull))?.factor();
 //! assert!(onset.is_some_and(|factor| (factor - 1.5).abs() < 1e-12));
 //! // … but the others hold until friction is used up everywhere: 0.5 · 5 N.
 //! let mut path = grasp.follow(&weight, &[Leg::load_by(Wrench::force([10.0, 0.0]))])?;

@@ -30,7 +30,7 @@ fn what_is_held_of_it_is_told() {
         assert!((0.0..1.0).contains(&at_rest.factor));
         let says = verdict.to_string();
         assert!(says.starts_with("DOES NOT HOLD even at rest: of the load there "), "{says}");
-        let before = times(&stack, 0.999 * at_rest.factor).grasp(0).solve(&Wrench::ZERO).expect("well posed");
+        let before = times(&stack, 0.999 * at_rest.factor).grasp(0).solve(Wrench::ZERO).expect("well posed");
         assert!(matches!(before, Outcome::Equilibrium(_)), "{before}");
         let written = serde_json::to_string(&verdict).expect("written");
         let read: Verdict<2> = serde_json::from_str(&written).expect("reads back");

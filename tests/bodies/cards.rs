@@ -17,7 +17,7 @@ fn they_stand_as_a_linear_program_says() {
         assert_eq!(house.cards(), cards);
         for (part, stands) in [(0.99, false), (1.01, true)] {
             let grasp = house.bodies(part * least).grasp().expect("well posed");
-            let outcome = grasp.solve(&Wrench::ZERO).expect("well posed");
+            let outcome = grasp.solve(Wrench::ZERO).expect("well posed");
             let told = match &outcome {
                 Outcome::Equilibrium(_) => Some(true),
                 Outcome::NoEquilibrium(_) => Some(false),

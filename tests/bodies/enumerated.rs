@@ -16,7 +16,7 @@ fn two_bodies_are_decided() {
     for _ in 0..samples(167) {
         let stack = stack::<3, 2>(2).new_tree(&mut runner).expect("a stack").current();
         let census = census(&stack);
-        let outcome = stack.grasp(0).solve(&Wrench::ZERO).expect("well posed");
+        let outcome = stack.grasp(0).solve(Wrench::ZERO).expect("well posed");
         match (census, &outcome) {
             (Census::Narrow, _) => narrow += 1,
             (Census::Held(0), Outcome::NoEquilibrium(_)) => lost += 1,

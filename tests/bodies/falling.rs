@@ -21,7 +21,7 @@ fn is_proof<const C: usize>(
     centres: &[[f64; C]],
 ) {
     let grasp = bodies.gravity(gravity).grasp().expect("well posed");
-    let Outcome::NoEquilibrium(none) = grasp.solve(&Wrench::ZERO).expect("well posed") else {
+    let Outcome::NoEquilibrium(none) = grasp.solve(Wrench::ZERO).expect("well posed") else {
         panic!("cannot stand")
     };
     let Proof::SeparatingMotion { motion, .. } = &none.proof else { panic!("{none}") };

@@ -39,17 +39,15 @@ fn boxes_that_are_pulled_apart() {
 fn every_question_takes_multiples() {
     let one = pull(10.0, 0.01);
     let grasp = boxes().growing_together(&one, [("upper", pull(-5.0, 0.21))]).expect("well posed");
-    let Onset::At(event) = grasp.onset_of_sliding(&Wrench::ZERO, &one).expect("well posed") else {
-        panic!("slides")
-    };
-    let outcome = grasp.solve(&(one * event.factor)).expect("well posed");
+    let Onset::At(event) = grasp.onset(one).expect("well posed") else { panic!("slides") };
+    let outcome = grasp.solve(one * event.factor).expect("well posed");
     let state = outcome.equilibrium().expect("holds");
     assert!(state.residuals.worst() < 1e-14, "{}", state.residuals.worst());
     let across =
         |range: std::ops::Range<usize>| state.contacts[range].iter().map(|c| c.force_world[0]).sum::<f64>();
     assert!((across(2..4) - 5.0 * event.factor).abs() < 1e-12);
     assert!((across(0..2) + 5.0 * event.factor).abs() < 1e-12);
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(one)]).expect("well posed");
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(one)]).expect("well posed");
     path.run();
     let loss = path.end().and_then(|end| end.loss()).expect("the upper box slides");
     assert!((loss.fraction - 0.6).abs() < 1e-12);
@@ -73,7 +71,7 @@ fn hands_on_pliers() {
         .expect("well posed");
     let press = |newtons: f64| Wrench::force_at([0.0, newtons], [-0.1, 0.0]);
     let pressed = pliers.growing_together(&press(1.0), [("lower", press(-1.0))]).expect("well posed");
-    let holds = |newtons: f64| pressed.solve(&press(newtons)).expect("well posed").equilibrium().is_some();
+    let holds = |newtons: f64| pressed.solve(press(newtons)).expect("well posed").equilibrium().is_some();
     assert_eq!([holds(2.88 - 1e-9), holds(2.88 + 1e-9)], [false, true]);
 }
 

@@ -46,11 +46,11 @@ proptest! {
     #[test]
     fn which_body_is_the_object(stack in stack::<3, 2>(3), push in -1.0..1.0f64) {
         let load = Wrench::<2>::from_components(&[push, 0.0, 0.0]);
-        let asked = state(stack.grasp(1).solve(&load).expect("well posed"));
+        let asked = state(stack.grasp(1).solve(load).expect("well posed"));
         let mut with_load = stack.clone();
         with_load.loads[1][0] += push;
         for body in 0..3 {
-            let told = state(with_load.grasp(body).solve(&Wrench::ZERO).expect("well posed"));
+            let told = state(with_load.grasp(body).solve(Wrench::ZERO).expect("well posed"));
             prop_assert_eq!(asked.is_some(), told.is_some());
             if let (Some(asked), Some(told)) = (&asked, &told) {
                 agree(asked, told)?;
@@ -66,8 +66,8 @@ proptest! {
 
     #[test]
     fn which_side_is_named_first(stack in stack::<3, 2>(3)) {
-        let told = state(stack.grasp(0).solve(&Wrench::ZERO).expect("well posed"));
-        let turned = state(from_the_other_side(&stack).grasp(0).solve(&Wrench::ZERO).expect("well posed"));
+        let told = state(stack.grasp(0).solve(Wrench::ZERO).expect("well posed"));
+        let turned = state(from_the_other_side(&stack).grasp(0).solve(Wrench::ZERO).expect("well posed"));
         prop_assert_eq!(told.is_some(), turned.is_some());
         if let (Some(told), Some(turned)) = (told, turned) {
             let size = told.contacts.iter().fold(0.0_f64, |most, told| most.max(told.force.norm()));
@@ -84,8 +84,8 @@ proptest! {
         let contacts = stack.touches.iter().map(|touch| touch.datum.contact());
         let own = stack.loads[0];
         let load = Wrench::<2>::from_components((own + Vector3::new(push, 0.0, 0.0)).as_slice());
-        let alone = Grasp::new(contacts).expect("well posed").solve(&load).expect("well posed");
-        let among = stack.grasp(0).solve(&Wrench::<2>::force([push, 0.0])).expect("well posed");
+        let alone = Grasp::new(contacts).expect("well posed").solve(load).expect("well posed");
+        let among = stack.grasp(0).solve(Wrench::<2>::force([push, 0.0])).expect("well posed");
         let (alone, among) = (state(alone), state(among));
         prop_assert_eq!(alone.is_some(), among.is_some());
         if let (Some(alone), Some(among)) = (alone, among) {

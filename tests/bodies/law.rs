@@ -21,7 +21,7 @@ fn asked<const D: usize, const C: usize>(
     let load = Wrench::from_components(push.as_slice());
     // Piles of many bodies that do not rest may have no proof of it; what becomes of them is followed below. Those that rest are found soon.
     let briefly = grasp.with(&Settings::default().with_most_states(2_000));
-    if let Outcome::Equilibrium(state) = briefly.solve(&load).expect("well posed") {
+    if let Outcome::Equilibrium(state) = briefly.solve(load).expect("well posed") {
         let violation = stack.violation(&state, loaded, &push);
         prop_assert!(violation < 1e-12, "solve: {violation:e}");
     }

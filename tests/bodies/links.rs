@@ -23,7 +23,7 @@ fn state<const C: usize>(
     grasp: &grasp_lcp::ask::Grasp<C>,
     load: grasp_lcp::grasp::Wrench<C>,
 ) -> grasp_lcp::equilibrium::Equilibrium<C> {
-    grasp.solve(&load).expect("well posed").equilibrium().expect("holds").clone()
+    grasp.solve(load).expect("well posed").equilibrium().expect("holds").clone()
 }
 
 fn lost<const C: usize>(verdict: &Verdict<C>) -> f64 {
@@ -109,8 +109,7 @@ fn a_rope_goes_slack() {
     let state = verdict.state.as_ref().expect("the left rope holds it");
     assert_close(carried(state, "left"), 100.0);
     assert!(state.to_string().contains("\n  right is slack"), "{state}");
-    let grasp_lcp::load_path::Onset::At(event) =
-        block.onset_of_sliding(&Wrench::ZERO, &Wrench::force([1.0, 0.0])).expect("well posed")
+    let grasp_lcp::load_path::Onset::At(event) = block.onset(Wrench::force([1.0, 0.0])).expect("well posed")
     else {
         panic!("it slackens")
     };
@@ -199,7 +198,7 @@ fn what_links_leave_free() {
         }
         // A force across and a moment across are carried where they are to be carried.
         let load = Wrench::force_at([0.0, 5.0, 5.0], at);
-        let carries = held.solve(&load).expect("well posed").equilibrium().is_some();
+        let carries = held.solve(load).expect("well posed").equilibrium().is_some();
         assert_eq!(carries, kind != LinkKind::Spring, "{kind:?}");
         if carries {
             let held = state(&held, load);
@@ -305,7 +304,7 @@ fn belts_pull_as_they_are_installed() {
         .links(belts.map(belt))
         .grasp()
         .expect("well posed");
-    let outcome = grasp.solve(&Wrench::ZERO).expect("well posed");
+    let outcome = grasp.solve(Wrench::ZERO).expect("well posed");
     let state = outcome.equilibrium().expect("stands");
     for (contact, (_, _, pull)) in state.contacts[2..].iter().zip(belts) {
         assert!((contact.normal_force() - pull).abs() < 1e-9 * pull, "{outcome}");

@@ -27,8 +27,8 @@ fn boxes() -> Bodies {
 #[test]
 fn shared_by_mass() {
     let down = [0.0, -9.81];
-    let shared = grasp(boxes().shared_by_mass()).solve(&boxes().weight(down)).expect("well posed");
-    let each = grasp(boxes().gravity(down)).solve(&Wrench::ZERO).expect("well posed");
+    let shared = grasp(boxes().shared_by_mass()).solve(boxes().weight(down)).expect("well posed");
+    let each = grasp(boxes().gravity(down)).solve(Wrench::ZERO).expect("well posed");
     let (shared, each) =
         (shared.equilibrium().expect("rests").clone(), each.equilibrium().expect("rests").clone());
     for (a, b) in shared.contacts.iter().zip(&each.contacts) {
@@ -49,7 +49,7 @@ fn tilted_tray() {
     let tray = grasp(boxes().shared_by_mass());
     let turn = Turn::tilting([0.0, -3.0 * 9.81], at).up_to(1.0);
     let start = turn.load_at(0.0);
-    let mut path = tray.follow(&start, &[Leg::turn(&turn)]).expect("well posed");
+    let mut path = tray.follow(start, &[Leg::turn(&turn)]).expect("well posed");
     path.run();
     let lost = path.end().and_then(PathEnd::loss).expect("slides off").fraction;
     assert!((lost - 0.4f64.atan()).abs() < 1e-12, "{lost}");
@@ -59,7 +59,7 @@ fn tilted_tray() {
 #[test]
 fn moments_are_shared_too() {
     let tray = grasp(boxes().shared_by_mass().gravity([0.0, -100.0]));
-    let state = tray.solve(&Wrench::new([3.0, 0.0], 0.9)).expect("well posed");
+    let state = tray.solve(Wrench::new([3.0, 0.0], 0.9)).expect("well posed");
     let state = state.equilibrium().expect("rests");
     // The upper box has a third of the force at its centre, and a third of the moment that is left.
     let centre = [0.0, 0.8];

@@ -64,7 +64,6 @@ fn a_loose_body_is_named() {
     ]);
     let feet = [-0.1, 0.1]
         .map(|x| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.5).on("box"));
-    let outcome =
-        bodies.contacts(feet).grasp().expect("well posed").solve(&Wrench::ZERO).expect("well posed");
+    let outcome = bodies.contacts(feet).grasp().expect("well posed").solve(Wrench::ZERO).expect("well posed");
     assert_eq!(outcome.to_string(), "no equilibrium exists: nothing resists ball moving along −y");
 }

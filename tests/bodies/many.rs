@@ -63,7 +63,7 @@ fn the_top_brick_of_a_wall_in_space_slides_first() {
         let limit = 0.6 * 2.0 * 9.81 / 5.0;
         assert_eq!(verdict.holds(), Some(true), "{rows}: {verdict}");
         assert!((verdict.held_to - limit).abs() < 1e-9 * limit, "{rows}: {} of {limit}", verdict.held_to);
-        let outcome = grasp.solve(&push).expect("well posed");
+        let outcome = grasp.solve(push).expect("well posed");
         let state = outcome.equilibrium().expect("stands");
         let mut on_ground = [0.0; 3];
         for (contact, answer) in grasp.contacts().iter().zip(&state.contacts) {

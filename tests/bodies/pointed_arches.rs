@@ -11,7 +11,7 @@ fn stands(arch: &PointedArch, friction: f64) -> bool {
         .bodies(friction)
         .grasp()
         .expect("well posed")
-        .solve(&Wrench::ZERO)
+        .solve(Wrench::ZERO)
         .expect("well posed");
     assert!(!matches!(outcome, Outcome::Undecided(_)), "{arch:?}, {friction}: {outcome}");
     matches!(outcome, Outcome::Equilibrium(_))

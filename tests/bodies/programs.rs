@@ -30,14 +30,14 @@ fn one_after_the_other_and_together() {
     let boxes = boxes();
     for (back, lost) in [(2.9, 17.9), (-2.9, 12.1), (0.0, 15.0)] {
         let legs = [Leg::body_load_to("upper", pull(-back, 0.21)), Leg::load_to(pull(20.0, 0.01))];
-        let mut path = boxes.follow(&Wrench::ZERO, &legs).expect("well posed");
+        let mut path = boxes.follow(Wrench::ZERO, &legs).expect("well posed");
         path.run();
         let end = path.end().and_then(|end| end.loss()).expect("slides on the table");
         assert_eq!(end.leg, 1);
         assert!((end.load.resultant()[0] - lost).abs() < 1e-12, "{:?}", end.load);
     }
     let both = [Leg::load_to(pull(10.0, 0.01)).and_body_load_to("upper", pull(-5.0, 0.21))];
-    let mut path = boxes.follow(&Wrench::ZERO, &both).expect("well posed");
+    let mut path = boxes.follow(Wrench::ZERO, &both).expect("well posed");
     path.run();
     let end = path.end().and_then(|end| end.loss()).expect("the upper box slides");
     assert!((end.fraction - 0.6).abs() < 1e-12, "{}", end.fraction);
@@ -52,7 +52,7 @@ fn states_know_the_loads_of_bodies() {
         Leg::body_load_by("upper", pull(-5.0, 0.21)).and_body_load_by("lower", pull(1.0, 0.02)),
         Leg::load_to(Wrench::ZERO).and_body_load_to("upper", Wrench::ZERO),
     ];
-    let mut path = boxes.follow(&Wrench::ZERO, &legs).expect("well posed");
+    let mut path = boxes.follow(Wrench::ZERO, &legs).expect("well posed");
     path.run();
     let at = |leg: usize, fraction: f64| path.state_at(leg, fraction).expect("has passed");
     for (leg, fraction, load, lower, upper) in [
@@ -80,7 +80,7 @@ fn states_know_the_loads_of_bodies() {
 #[test]
 fn refused() {
     let boxes = boxes();
-    let told = |leg: Leg| boxes.follow(&Wrench::ZERO, &[leg]).expect_err("refused").to_string();
+    let told = |leg: Leg| boxes.follow(Wrench::ZERO, &[leg]).expect_err("refused").to_string();
     let one = pull(1.0, 0.0);
     assert_eq!(
         told(Leg::body_load_by("lid", one)),
@@ -94,11 +94,11 @@ fn refused() {
         told(Leg::turn(&Turn::tilting([0.0, -1.0], [0.0, 0.0])).and_body_load_to("upper", one)),
         "body \"upper\" has a load that changes while the load of the leg turns, must stay"
     );
-    let bad = boxes.follow(&Wrench::ZERO, &[Leg::body_load_by("upper", pull(f64::NAN, 0.0))]).err();
+    let bad = boxes.follow(Wrench::ZERO, &[Leg::body_load_by("upper", pull(f64::NAN, 0.0))]).err();
     assert!(matches!(bad, Some(Error::Wrench { .. })), "{bad:?}");
     // A cycle has to lead back.
     let told =
-        boxes.shake(&Wrench::ZERO, &[Leg::body_load_by("upper", one)]).expect_err("not closed").to_string();
+        boxes.shake(Wrench::ZERO, &[Leg::body_load_by("upper", one)]).expect_err("not closed").to_string();
     assert_eq!(
         told,
         "cycle: the load of a body at its end is 1 away from that at its beginning, must be the same"
@@ -117,8 +117,8 @@ fn a_cycle_of_both() {
             Leg::load_to(Wrench::ZERO),
         ]
     };
-    let rests = boxes().shake(&Wrench::ZERO, &cycle(2.0)).expect("closed");
+    let rests = boxes().shake(Wrench::ZERO, &cycle(2.0)).expect("closed");
     assert_eq!(rests.rests(), Some(true), "{rests}");
-    let lost = boxes().shake(&Wrench::ZERO, &cycle(3.5)).expect("closed");
+    let lost = boxes().shake(Wrench::ZERO, &cycle(3.5)).expect("closed");
     assert_eq!(lost.stays(), Some(false), "{lost}");
 }

@@ -118,7 +118,7 @@ impl Hanging {
         });
         let grasp =
             bodies.contacts(contacts).links(springs).loaded(name(BODIES - 1)).grasp().expect("well posed");
-        let outcome = grasp.solve(&load(BODIES - 1)).expect("well posed");
+        let outcome = grasp.solve(load(BODIES - 1)).expect("well posed");
         let state = outcome.equilibrium().expect("springs hold all loads");
         let forces = state.contacts[..self.contacts.len()]
             .iter()

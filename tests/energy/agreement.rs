@@ -80,7 +80,7 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
     for_all(file!(), CASES, &grasps::<D, C>(counts, decades), |scene| {
         let grasp = with_both_springs(&scene);
         let load = scene.wrench();
-        let comparison = grasp.energy().compare(&load).unwrap();
+        let comparison = grasp.energy().compare(load).unwrap();
         let MinimumOutcome::Minimum(minimum) = &comparison.minimum else { return Ok(()) };
         if !minimum.binding.is_empty() {
             return Ok(());
@@ -94,7 +94,7 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
         let size = largest(&truth);
         raise(&worst.decomposition, apart(&forces, &truth) / size);
 
-        let printed = grasp.energy().printed_qp(&load, &settings.cone).unwrap();
+        let printed = grasp.energy().printed_qp(load, &settings.cone).unwrap();
         let QpOutcome::Minimum(qp) = printed.program.solve().unwrap() else {
             return Err(TestCaseError::fail("the printed program has a minimum"));
         };
@@ -158,8 +158,8 @@ fn same_minimum<const D: usize, const C: usize>(
     for_all(file!(), cases, &scene::<D, C>(counts, Spread::Narrow, 0.1), |scene| {
         let grasp = with_both_springs(&scene);
         let load = scene.wrench();
-        let outcome = grasp.with(&settings).energy().minimum(&load).unwrap();
-        let printed = grasp.energy().printed_qp(&load, &settings.cone).unwrap();
+        let outcome = grasp.with(&settings).energy().minimum(load).unwrap();
+        let printed = grasp.energy().printed_qp(load, &settings.cone).unwrap();
         let drives: Vec<_> = scene.contacts.iter().map(support::scene::Datum::drive).collect();
         let reduced = ReducedProgram::of(&grasp, &drives, &load, &settings.cone, true);
         let twist_only = ReducedProgram::of(&grasp, &drives, &load, &settings.cone, false);

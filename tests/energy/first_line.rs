@@ -21,7 +21,7 @@ fn pushed(newtons: f64) -> Wrench {
 
 #[test]
 fn while_everything_sticks_it_is_the_equilibrium() {
-    let comparison = block().energy().compare(&pushed(6.0)).unwrap();
+    let comparison = block().energy().compare(pushed(6.0)).unwrap();
     assert_eq!(comparison.verdict, ComparisonVerdict::Agree);
     assert_eq!(
         comparison.to_string(),
@@ -33,7 +33,7 @@ fn while_everything_sticks_it_is_the_equilibrium() {
 /// minimise ½ 1200 x² - 9 x + ½ f²/1000 where 800 x = ½ (10 + f), so f = 30/47, and 48/47 of the push is missing.
 #[test]
 fn beyond_the_first_slip_it_misses_the_load() {
-    let comparison = block().energy().compare(&pushed(9.0)).unwrap();
+    let comparison = block().energy().compare(pushed(9.0)).unwrap();
     let ComparisonVerdict::OutOfEquilibrium { force, moment } = comparison.verdict else {
         panic!("{:?}", comparison.verdict);
     };
@@ -46,7 +46,7 @@ fn beyond_the_first_slip_it_misses_the_load() {
 
 #[test]
 fn where_nothing_holds_the_program_still_returns_forces() {
-    let comparison = block().energy().compare(&pushed(11.0)).unwrap();
+    let comparison = block().energy().compare(pushed(11.0)).unwrap();
     let says = comparison.to_string();
     assert!(
         says.starts_with("DIFFERS: no equilibrium exists, and the minimum of energy misses the load by "),

@@ -50,7 +50,7 @@ fn same_onset<const D: usize, const C: usize>(
         let ramp = change.ramp(&scene);
         // Where a contact carries nothing the object may stand in many places, and a contact with friction that hangs open is
         // held by the program's sticking row: the question is about ramps that start from sticking.
-        let base = grasp.with(&settings).solve(&scene.wrench()).unwrap();
+        let base = grasp.with(&settings).solve(scene.wrench()).unwrap();
         let sticks = base.equilibrium().is_some_and(|e| {
             let most = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
             e.contacts.iter().all(|c| c.state == ContactState::Sticking && c.force[0] > 1e-9 * most)
@@ -83,7 +83,7 @@ fn same_onset<const D: usize, const C: usize>(
                 // Just before they agree, just beyond they do not.
                 let at = |tau: f64| {
                     let there = change.at(&scene, tau);
-                    there.grasp().energy().compare(&there.wrench()).unwrap().verdict
+                    there.grasp().energy().compare(there.wrench()).unwrap().verdict
                 };
                 prop_assert_eq!(at(0.999 * factor), ComparisonVerdict::Agree);
                 let beyond = at(1.001 * factor + 1e-9);

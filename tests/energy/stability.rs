@@ -70,7 +70,7 @@ fn hessian_is_that_of_the_exact_energy<const D: usize, const C: usize>(counts: s
             datum.friction = 100.0;
         }
         let grasp = scene.grasp();
-        let outcome = grasp.solve(&scene.wrench()).unwrap();
+        let outcome = grasp.solve(scene.wrench()).unwrap();
         let Some(state) = outcome.equilibrium() else { return Ok(()) };
         if state.contacts.iter().any(|c| c.state != ContactState::Sticking) {
             return Ok(());
@@ -130,7 +130,7 @@ fn a_grasp_squeezed_between_soft_tangential_springs_tips_over() {
         (0.02, StabilityVerdict::Unstable),
     ] {
         let grasp = squeezed(command).unwrap();
-        let state = grasp.solve(&Wrench::ZERO).unwrap();
+        let state = grasp.solve(Wrench::ZERO).unwrap();
         let stability = grasp.energy().stability(state.equilibrium().expect("holds"));
         assert_eq!(stability.verdict, verdict, "{command}: {stability:?}");
         // 2 k_t r² - 2 N r about the centre; r is the unit in which rotations are counted.
@@ -158,7 +158,7 @@ fn the_same_grasp_in_space() {
     };
     let look = |command: f64| {
         let grasp = grasp(command);
-        let state = grasp.solve(&spatial::Wrench::ZERO).unwrap();
+        let state = grasp.solve(spatial::Wrench::ZERO).unwrap();
         grasp.energy().stability(state.equilibrium().expect("holds"))
     };
     assert_eq!(look(0.001).verdict, StabilityVerdict::Neutral, "turns about x");
@@ -172,7 +172,7 @@ fn where_something_slides_energy_does_not_decide() {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(100.0, 50.0).friction(0.2);
     let stop = Contact::new([-2.0, 0.0], [1.0, 0.0]).series_stiffness(10.0, 10.0);
     let grasp = Grasp::new([foot(-1.0), foot(1.0), stop]).unwrap();
-    let state = grasp.solve(&Wrench::force([-1.0, -1.0])).unwrap();
+    let state = grasp.solve(Wrench::force([-1.0, -1.0])).unwrap();
     let stability = grasp.energy().stability(state.equilibrium().expect("slides and holds"));
     assert_eq!(stability.verdict, StabilityVerdict::Sliding);
 }
@@ -183,7 +183,7 @@ fn squeezing_softens_the_grasp() {
     let load = Wrench::new([0.0, 0.0], 1e-4);
     for (depth, verdict) in [(0.002, StabilityVerdict::Stable), (0.02, StabilityVerdict::Unstable)] {
         let grasp = squeezed(depth).unwrap();
-        let outcome = grasp.solve(&load).unwrap();
+        let outcome = grasp.solve(load).unwrap();
         let state = outcome.equilibrium().unwrap();
         let stability = grasp.energy().stability(state);
         assert!((state.twist.rotation() * stability.elastic[(2, 2)] - 1e-4).abs() < 1e-15);

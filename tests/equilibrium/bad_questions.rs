@@ -31,13 +31,13 @@ fn command_changes_are_not_finite_or_not_one_a_contact() {
     let grasp = spatial::Grasp::new(spatial_contacts()).unwrap();
     for given in [0, 2, 4] {
         let change = vec![SVector::from([0.1, 0.0, 0.0]); given];
-        let error = grasp.onset(&Ramp::commands(Wrench::ZERO, change)).unwrap_err();
+        let error = grasp.onset(Ramp::commands(Wrench::ZERO, change)).unwrap_err();
         assert_eq!(error, Error::Size { what: "command changes", given, expected: 3 });
         assert_eq!(error.to_string(), format!("command changes: {given} given, must be 3, one a contact"));
     }
     for value in NOT_MODERATE {
         let change = [[0.1, 0.0, 0.0], [0.1, 0.0, value], [0.0; 3]].map(SVector::from);
-        let error = grasp.onset(&Ramp::commands(Wrench::ZERO, change)).unwrap_err();
+        let error = grasp.onset(Ramp::commands(Wrench::ZERO, change)).unwrap_err();
         assert_eq!(
             error.to_string(),
             format!("contact 1 (thumb): change of command is {value}, must be {MODERATE}")
@@ -53,10 +53,10 @@ fn wrench_refused<const D: usize, const C: usize>(grasp: &Grasp<C>) {
             let mut w = SVector::<f64, D>::zeros();
             w[component] = value;
             let (bad, settings) = (Wrench::from_components(w.as_slice()), Settings::default());
-            let onset = |base, direction| grasp.onset_of_sliding(&base, &direction).unwrap_err();
+            let onset = |base, direction| grasp.onset(Ramp::load(base, direction)).unwrap_err();
             for (what, error) in [
-                ("load", grasp.solve(&bad).unwrap_err()),
-                ("load", grasp.with(&settings).equilibria(&bad).unwrap_err()),
+                ("load", grasp.solve(bad).unwrap_err()),
+                ("load", grasp.with(&settings).equilibria(bad).unwrap_err()),
                 ("base load", onset(bad, Wrench::ZERO)),
                 ("load direction", onset(Wrench::ZERO, bad)),
             ] {
@@ -91,8 +91,8 @@ fn a_friction_polygon_with_too_few_or_too_many_facets() {
 #[test]
 fn too_many_combinations_to_list() {
     let grasp = planar::Grasp::new(planar_contacts()).unwrap();
-    let error = grasp.with(&Settings::default().with_most_states(63)).equilibria(&Wrench::ZERO).unwrap_err();
+    let error = grasp.with(&Settings::default().with_most_states(63)).equilibria(Wrench::ZERO).unwrap_err();
     assert_eq!(error, Error::TooManyStates { contacts: 3, combinations: 64.0, most: 63 });
     assert_eq!(error.to_string(), "3 contacts have 6.4e1 combinations of states, at most 63 are tried");
-    assert!(grasp.with(&Settings::default().with_most_states(64)).equilibria(&Wrench::ZERO).is_ok());
+    assert!(grasp.with(&Settings::default().with_most_states(64)).equilibria(Wrench::ZERO).is_ok());
 }

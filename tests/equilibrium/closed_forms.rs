@@ -21,7 +21,7 @@ fn hold<const C: usize>(
     grasp: &grasp_lcp::ask::Grasp<C>,
     load: grasp::Wrench<C>,
 ) -> grasp_lcp::equilibrium::Equilibrium<C> {
-    let outcome = grasp.solve(&load).expect("valid load");
+    let outcome = grasp.solve(load).expect("valid load");
     outcome.equilibrium().unwrap_or_else(|| panic!("no equilibrium: {outcome:?}")).clone()
 }
 
@@ -42,7 +42,7 @@ fn planar_pinch() {
         assert_close!(contact.force_world[1], w / 2.0);
         assert_close!(contact.margin, mu * k * a - w / 2.0);
     }
-    let onset = grasp.onset_of_sliding(&planar::Wrench::ZERO, &planar::Wrench::force([0.0, -1.0])).unwrap();
+    let onset = grasp.onset(planar::Wrench::force([0.0, -1.0])).unwrap();
     let event = onset.event().expect("finite onset");
     assert_close!(event.factor, 2.0 * mu * k * a);
     assert_eq!(event.leaving.len(), 2);
@@ -54,7 +54,7 @@ fn planar_pinch() {
     // The pinch line is not resisted beyond: with vertical normals fixed, more weight finds no force at all.
     let beyond = grasp.beyond(event).expect("its own event");
     assert!(matches!(beyond, planar::Beyond::LimitLoad), "{beyond:?}");
-    let more = grasp.solve(&planar::Wrench::force([0.0, -2.0 * mu * k * a * (1.0 + 1e-9)])).unwrap();
+    let more = grasp.solve(planar::Wrench::force([0.0, -2.0 * mu * k * a * (1.0 + 1e-9)])).unwrap();
     assert!(matches!(more, planar::Outcome::NoEquilibrium(_)), "{more:?}");
 }
 
@@ -85,7 +85,7 @@ fn block_on_an_incline_held_by_a_spring() {
     // the spring force is w sin α - μ w cos α, the displacement that divided by ks.
     let (alpha, ks) = (0.9_f64, 50.0);
     assert!(alpha.tan() > mu);
-    assert!(matches!(feet.solve(&weight(alpha)).unwrap(), planar::Outcome::NoEquilibrium(_)));
+    assert!(matches!(feet.solve(weight(alpha)).unwrap(), planar::Outcome::NoEquilibrium(_)));
     let spring = planar::Contact::new([0.0, 0.0], [1.0, 0.0]).series_stiffness(ks, 1.0);
     let held = planar::Grasp::new([foot(-b), foot(b), spring]).unwrap();
     let state = hold(&held, weight(alpha));
@@ -116,7 +116,7 @@ fn spatial_three_finger_pinch_has_a_quadratic_onset() {
     let grasp = spatial::Grasp::new((0..3).map(finger)).unwrap();
     let (w, m) = (0.7, 0.9);
     let direction = spatial::Wrench::new([0.0, 0.0, -w], [0.0, 0.0, m]);
-    let onset = grasp.onset_of_sliding(&spatial::Wrench::ZERO, &direction).unwrap();
+    let onset = grasp.onset(direction).unwrap();
     let event = onset.event().expect("finite onset");
     let exact = mu * k * a / (w / 3.0).hypot(m / (3.0 * radius));
     assert_close!(event.factor, exact);
@@ -154,7 +154,8 @@ fn quadratic_onset_from_a_loaded_base() {
     };
     let grasp = spatial::Grasp::new((0..3).map(finger)).unwrap();
     let base = spatial::Wrench::force([0.0, 0.0, -w]);
-    let onset = grasp.onset_of_sliding(&base, &spatial::Wrench::new([0.0; 3], [0.0, 0.0, m])).unwrap();
+    let onset =
+        grasp.onset(spatial::Ramp::load(base, spatial::Wrench::new([0.0; 3], [0.0, 0.0, m]))).unwrap();
     let limit = mu * k * a;
     let exact = (limit * limit - (w / 3.0) * (w / 3.0)).sqrt() * 3.0 * radius / m;
     assert_close!(onset.factor().expect("a sticking base"), exact);
@@ -175,13 +176,13 @@ fn spatial_pinch_turns_freely_about_its_line() {
     assert_close!(state.contacts[0].force_world[1], -0.5);
     assert_close!(state.contacts[1].force_world[2], 1.0);
     // A moment about it is not.
-    let outcome = grasp.solve(&spatial::Wrench::new([0.0; 3], [1e-6, 0.0, 0.0])).unwrap();
+    let outcome = grasp.solve(spatial::Wrench::new([0.0; 3], [1e-6, 0.0, 0.0])).unwrap();
     let spatial::Outcome::NoEquilibrium(none) = outcome else { panic!("{outcome:?}") };
     let spatial::Proof::FreeMotion { motion, work } = none.proof else { panic!("{:?}", none.proof) };
     assert!(work > 0.0 && motion.object.rotation()[0] > 0.5);
     // Nor a force that passes beside the line.
     let beside = spatial::Wrench::force_at([0.0, 0.0, -1.0], [0.0, 1e-3, 0.0]);
-    assert!(matches!(grasp.solve(&beside).unwrap(), spatial::Outcome::NoEquilibrium(_)));
+    assert!(matches!(grasp.solve(beside).unwrap(), spatial::Outcome::NoEquilibrium(_)));
 }
 
 /// Six frictionless locators (3-2-1) are statically determinate: the forces follow from equilibrium alone, whatever the
@@ -212,7 +213,7 @@ fn six_frictionless_locators() {
         assert!(close(contact.body_core.dot(&contact.force_world) / n, -n / k));
     }
     // Pulling it up has no equilibrium: that motion separates it from everything the locators can do.
-    let up = grasp.solve(&spatial::Wrench::force([0.0, 0.0, 1.0])).unwrap();
+    let up = grasp.solve(spatial::Wrench::force([0.0, 0.0, 1.0])).unwrap();
     let spatial::Outcome::NoEquilibrium(none) = up else { panic!("{up:?}") };
     assert!(
         matches!(none.proof, spatial::Proof::SeparatingMotion { work, .. } if work > 0.0),
@@ -271,7 +272,7 @@ fn a_support_lets_go() {
     let expected = w * (2.0 * e - 1.0) / k - w * (1.0 - e) / k;
     assert_close!(state.contacts[0].gap, expected);
     assert!(expected > 0.0);
-    let onset = bar.onset_of_sliding(&load(0.0), &(load(1.0) - load(0.0))).unwrap();
+    let onset = bar.onset(planar::Ramp::load(load(0.0), load(1.0) - load(0.0))).unwrap();
     let event = onset.event().expect("finite onset");
     assert_close!(event.factor, 2.0 / 3.0);
     assert!(

@@ -37,7 +37,7 @@ fn largest_change<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> f64
 fn in_proportion<const D: usize, const C: usize>(count: std::ops::Range<usize>, spread: Spread) {
     let compared = Cell::new(0);
     for_all(file!(), 75, &scene::<D, C>(count, spread, 0.1), |scene| {
-        let solve = |scene: &Scene<D, C>| scene.grasp().solve(&scene.wrench()).expect("a finite load");
+        let solve = |scene: &Scene<D, C>| scene.grasp().solve(scene.wrench()).expect("a finite load");
         let outcome = solve(&scene);
         let Some(answer) = outcome.equilibrium() else { return Ok(()) };
         let sizes = answer.contacts.iter().map(|c| c.force.norm());

@@ -13,7 +13,7 @@ fn on_feet(places: &[f64]) -> Result<Grasp, grasp_lcp::Error> {
 fn forces_of_fewer_or_more_contacts_are_split() -> Result<(), Box<dyn Error>> {
     let (two, three) = (on_feet(&[-1.0, 1.0])?, on_feet(&[-1.0, 0.0, 1.0])?);
     for (grasp, other) in [(&two, &three), (&three, &two)] {
-        let outcome = other.solve(&Wrench::force([0.0, -6.0]))?;
+        let outcome = other.solve(Wrench::force([0.0, -6.0]))?;
         let split = grasp.statics().decompose(outcome.equilibrium().ok_or("the feet stand")?);
         assert_eq!((split.equilibrating.len(), split.interaction.len()), (2, 2));
     }
@@ -23,7 +23,7 @@ fn forces_of_fewer_or_more_contacts_are_split() -> Result<(), Box<dyn Error>> {
 #[test]
 fn stability_counts_the_contacts_that_there_are() -> Result<(), Box<dyn Error>> {
     let (two, three) = (on_feet(&[-1.0, 1.0])?, on_feet(&[-1.0, 1.0, 2.0])?);
-    let outcome = two.solve(&Wrench::force([0.0, -6.0]))?;
+    let outcome = two.solve(Wrench::force([0.0, -6.0]))?;
     let stands = outcome.equilibrium().ok_or("the feet stand")?;
     assert_eq!(three.energy().stability(stands).elastic, two.energy().stability(stands).elastic);
     Ok(())

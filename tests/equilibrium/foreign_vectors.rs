@@ -16,7 +16,7 @@ fn in_space<V: Into<[f64; 3]>>(v: impl Fn([f64; 3]) -> V) -> Result<Vec<DVec3>, 
     };
     let grasp = spatial::Grasp::new([finger(-0.03), finger(0.03)])?;
     let load = spatial::Wrench::force_at(v([0.0, 0.3, -1.0]), v([0.0, 0.01, 0.0]));
-    let outcome = grasp.solve(&load)?;
+    let outcome = grasp.solve(load)?;
     let held = outcome.equilibrium().expect("within friction");
     Ok(held.contacts.iter().map(|contact| DVec3::from_array(contact.force_world.into())).collect())
 }
@@ -29,7 +29,7 @@ fn in_the_plane<V: Into<[f64; 2]>>(v: impl Fn([f64; 2]) -> V) -> Result<Vec<DVec
             .command(v([0.005, 0.0002]))
     };
     let grasp = planar::Grasp::new([finger(-0.03), finger(0.03)])?;
-    let outcome = grasp.solve(&planar::Wrench::force_at(v([0.3, -1.0]), v([0.0, 0.01])))?;
+    let outcome = grasp.solve(planar::Wrench::force_at(v([0.3, -1.0]), v([0.0, 0.01])))?;
     let held = outcome.equilibrium().expect("within friction");
     Ok(held.contacts.iter().map(|contact| DVec2::from_array(contact.force_world.into())).collect())
 }

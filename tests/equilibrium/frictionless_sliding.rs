@@ -33,7 +33,7 @@ fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Rang
         }
         scene.load = load;
         let grasp = scene.grasp();
-        let comparison = grasp.energy().compare(&scene.wrench()).unwrap();
+        let comparison = grasp.energy().compare(scene.wrench()).unwrap();
         match (&comparison.equilibrium, &comparison.minimum) {
             (Outcome::Equilibrium(state), MinimumOutcome::Minimum(minimum)) => {
                 prop_assert_eq!(comparison.verdict, ComparisonVerdict::Agree, "{:?}", comparison.difference);
@@ -62,7 +62,7 @@ fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Rang
                 let k = datum.stiffness * 2.0;
                 contact.body_stiffness_axes(k).finger_stiffness_axes(k)
             }));
-            let printed = both.unwrap().energy().printed_qp(&scene.wrench(), &settings.cone).unwrap();
+            let printed = both.unwrap().energy().printed_qp(scene.wrench(), &settings.cone).unwrap();
             let QpOutcome::Minimum(qp) = printed.program.solve().unwrap() else {
                 return Err(TestCaseError::fail("the printed program has a minimum"));
             };
@@ -105,15 +105,15 @@ fn a_frictionless_finger_that_opens_does_not_end_the_agreement() {
     let weight = planar::Wrench::force([0.0, -1.0]);
     let pull = planar::Wrench::force_at([1.0, 0.0], [0.0, -0.5]);
     for w in [0.0, 0.3, 0.6, 0.79, 0.81, 0.95, 0.999] {
-        let comparison = grasp.energy().compare(&(weight + pull * w)).unwrap();
+        let comparison = grasp.energy().compare(weight + pull * w).unwrap();
         assert_eq!(comparison.verdict, ComparisonVerdict::Agree, "{w}");
         assert!(comparison.difference.expect("both").relative() < 1e-13);
         let state = comparison.equilibrium.equilibrium().expect("holds");
         assert_eq!(state.contacts[0].state == ContactState::Separated, w > 0.8);
     }
-    let beyond = grasp.energy().compare(&(weight + pull * 1.01)).unwrap();
+    let beyond = grasp.energy().compare(weight + pull * 1.01).unwrap();
     assert!(matches!(beyond.verdict, ComparisonVerdict::NoEquilibrium { .. }), "{}", beyond.verdict);
-    let ends = grasp.energy().agreement(&Ramp::load(weight, pull)).unwrap();
+    let ends = grasp.energy().agreement(Ramp::load(weight, pull)).unwrap();
     let Agreement::UpTo { factor, binding } = ends else { panic!("{ends:?}") };
     assert!((factor - 1.0).abs() < 1e-14, "{factor}");
     assert_eq!(binding.iter().map(|(contact, _)| *contact).collect::<Vec<_>>(), [2]);

@@ -57,10 +57,10 @@ fn distance<const D: usize, const C: usize>(
 /// The equilibrium of a scene if nothing but that one can be the answer, and if it is well-conditioned.
 fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibrium<C>> {
     let grasp = scene.grasp();
-    let outcome = grasp.with(&settings()).solve(&scene.wrench()).expect("a finite load");
+    let outcome = grasp.with(&settings()).solve(scene.wrench()).expect("a finite load");
     let e = outcome.equilibrium()?;
     if e.rule != FoundBy::EverythingSticks {
-        let all = grasp.with(&settings()).equilibria(&scene.wrench()).ok()?;
+        let all = grasp.with(&settings()).equilibria(scene.wrench()).ok()?;
         if all.len() != 1 || !all[0].neutral_motions.is_empty() || all[0].free_motions != e.free_motions {
             return None;
         }
@@ -102,7 +102,7 @@ fn jittered<const D: usize, const C: usize>(scene: &Scene<D, C>, phase: f64) -> 
 }
 
 fn solve<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Result<Equilibrium<C>, TestCaseError> {
-    match scene.grasp().with(&settings()).solve(&scene.wrench()).expect("a finite load") {
+    match scene.grasp().with(&settings()).solve(scene.wrench()).expect("a finite load") {
         Outcome::Equilibrium(e) => Ok(*e),
         other => Err(TestCaseError::fail(format!("no equilibrium any more: {other:?}"))),
     }
@@ -199,7 +199,7 @@ fn not_felt<const D: usize, const C: usize>(
 ) -> Result<(), TestCaseError> {
     let off = |other: &Equilibrium<C>| distance(scene, e, &picture(other));
     let mut alone = false;
-    if let Ok(all) = changed.grasp().with(&settings()).equilibria(&changed.wrench()) {
+    if let Ok(all) = changed.grasp().with(&settings()).equilibria(changed.wrench()) {
         prop_assert!(all.iter().any(|other| off(other) <= AGREEMENT), "lost\n{e:?}\n{all:?}");
         alone = all.len() == 1;
     }

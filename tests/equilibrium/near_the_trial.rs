@@ -7,7 +7,7 @@ use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 
 fn at_rest(contacts: [Contact; 3]) -> Equilibrium<3> {
     let grasp = Grasp::new(contacts).unwrap();
-    let outcome = grasp.solve(&Wrench::ZERO).unwrap();
+    let outcome = grasp.solve(Wrench::ZERO).unwrap();
     let answer = outcome.equilibrium().unwrap_or_else(|| panic!("{outcome:?}")).clone();
     assert!(answer.residuals.worst() < 1e-14, "{:?}", answer.residuals);
     answer

@@ -38,10 +38,10 @@ fn a_load_beyond_the_limit_is_decided() -> Result<(), grasp_lcp::Error> {
         let (mut none, mut wedged, mut undecided) = (0, 0, 0);
         for _ in 0..samples(40) {
             let jar = jar(uneven, &mut numbers)?;
-            match jar.solve(&load)? {
+            match jar.solve(load)? {
                 Outcome::NoEquilibrium(_) => {
-                    let proof = jar.refutation(&load)?.expect("a proof can be kept");
-                    assert!(proof.check(&jar, &load)?.is_some_and(|escape| escape > 1e4));
+                    let proof = jar.refutation(load)?.expect("a proof can be kept");
+                    assert!(proof.check(&jar, load)?.is_some_and(|escape| escape > 1e4));
                     none += 1;
                 }
                 Outcome::Equilibrium(state) => {

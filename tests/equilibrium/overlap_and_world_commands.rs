@@ -19,7 +19,7 @@ fn an_overlap_presses_in_the_plane() {
     let (p, q, a, b) = (30.0, 50.0, 0.02, 0.06);
     let finger = |x: f64, k: f64, overlap: f64| jaw::<2>(x, [k, 9.0], 0.4).clearance(-overlap);
     let grasp = planar::Grasp::new([finger(-1.0, p, a), finger(1.0, q, b)]).unwrap();
-    let outcome = grasp.solve(&planar::Wrench::ZERO).unwrap();
+    let outcome = grasp.solve(planar::Wrench::ZERO).unwrap();
     let state = outcome.equilibrium().expect("holds");
     assert_close(state.twist.translation()[0], (p * a - q * b) / (p + q));
     for contact in &state.contacts {
@@ -38,7 +38,7 @@ fn an_overlap_presses_in_space() {
     };
     let below = spatial::Contact::new([0.0, 0.0, -0.1], [0.0, 0.0, 1.0]).series_stiffness(palm, 100.0);
     let grasp = spatial::Grasp::new([below.bonded(), finger(0.0), finger(120.0), finger(240.0)]).unwrap();
-    let outcome = grasp.solve(&spatial::Wrench::ZERO).unwrap();
+    let outcome = grasp.solve(spatial::Wrench::ZERO).unwrap();
     let state = outcome.equilibrium().expect("holds");
     let each = k * c / (1.0 + 3.0 * k / palm);
     assert_close(state.contacts[0].normal_force(), 3.0 * each);
@@ -60,11 +60,11 @@ fn an_overlap_is_a_command<const C: usize>(fingers: [Contact<C>; 3], down: Wrenc
     let [a, b] = [overlapping, commanded].map(|fingers| Grasp::new(fingers).unwrap());
     let settings = Settings::default();
     let [x, y] = [&a, &b].map(|grasp| {
-        let outcome = grasp.solve(&down).unwrap();
+        let outcome = grasp.solve(down).unwrap();
         let state = outcome.equilibrium().expect("holds");
         let ramp = Ramp::load(Wrench::ZERO, down);
         let factor = grasp.with(&settings).onset(&ramp).unwrap().factor();
-        let events = grasp.follow(&Wrench::ZERO, &[Leg::load_by(down * 50.0)]).unwrap().run();
+        let events = grasp.follow(Wrench::ZERO, &[Leg::load_by(down * 50.0)]).unwrap().run();
         let forces: Vec<_> = state.contacts.iter().map(|contact| contact.force).collect();
         let fractions: Vec<_> = events.iter().map(|event| event.fraction).collect();
         (state.twist, forces, factor, fractions)

@@ -71,7 +71,7 @@ fn in_the_plane() -> Result<(), grasp_lcp::Error> {
         planar::Grasp::new([pad.contacts(&jaw(-0.03))?, vec![point], pad.contacts(&jaw(0.03))?].concat())?;
     for _ in 0..samples(150) {
         let [x, y, m] = std::array::from_fn(|_| 4.0 * random.normal());
-        let outcome = grasp.solve(&planar::Wrench::new([x, y], 0.01 * m))?;
+        let outcome = grasp.solve(planar::Wrench::new([x, y], 0.01 * m))?;
         let Some(state) = outcome.equilibrium() else { continue };
         assert_eq!(state.pads.len(), 2);
         check(&grasp, state, &mut random).into_iter().zip(&mut seen).for_each(|(more, all)| *all += more);

@@ -73,7 +73,7 @@ fn check<const D: usize, const C: usize>(
     let mut tally = tally.borrow_mut();
     let grasp = scene.grasp();
     let mut found = Vec::new();
-    match grasp.solve(&scene.wrench()).expect("a finite load") {
+    match grasp.solve(scene.wrench()).expect("a finite load") {
         Outcome::Equilibrium(e) => {
             tally.count(&e);
             found.push(*e);
@@ -82,7 +82,7 @@ fn check<const D: usize, const C: usize>(
         _ => tally.undecided += 1,
     }
     if list {
-        let all = grasp.equilibria(&scene.wrench()).expect("few contacts");
+        let all = grasp.equilibria(scene.wrench()).expect("few contacts");
         prop_assert!(all.is_empty() == found.is_empty(), "solved {found:?}, listed {all:?}");
         tally.several += usize::from(all.len() > 1);
         found.extend(all);
@@ -126,7 +126,7 @@ fn check_minimum<const D: usize, const C: usize>(
 ) -> Result<(), TestCaseError> {
     // Only the first rung of the ladder is looked at here. Long searches on the last rung would say nothing about it.
     let settings = Settings::default().with_most_states(0);
-    let outcome = scene.grasp().with(&settings).solve(&scene.wrench()).expect("a finite load");
+    let outcome = scene.grasp().with(&settings).solve(scene.wrench()).expect("a finite load");
     let expected = sticking::forces(scene);
     if let (Outcome::NoEquilibrium(NoEquilibrium { proof: Proof::FreeMotion { .. }, .. }), None) =
         (&outcome, &expected)

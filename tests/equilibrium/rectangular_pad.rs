@@ -1,7 +1,7 @@
 //! Rectangular pads: stiffness and edges of a uniform pressure over a rectangle, integrated by hand, against what grasps by their points do.
 
 use grasp_lcp::Error;
-use grasp_lcp::spatial::{Contact, Departure, Grasp, SoftFingertip, Wrench};
+use grasp_lcp::spatial::{Contact, Departure, Grasp, Ramp, SoftFingertip, Wrench};
 use support::assert_relatively_close;
 
 const SIDES: [f64; 2] = [0.020, 0.012];
@@ -33,7 +33,7 @@ fn pressed() -> Wrench {
 fn it_gives_way_as_the_uniform_pad_does() {
     let [a, b] = SIDES;
     let moved = |grasp: &Grasp, load: Wrench| {
-        let state = grasp.solve(&(pressed() + load)).expect("a load");
+        let state = grasp.solve(pressed() + load).expect("a load");
         state.equilibrium().expect("pressed all over").twist
     };
     for (pad, table, grasp) in pads() {
@@ -62,7 +62,7 @@ fn it_opens_where_the_core_ends() {
     for (pad, _, grasp) in pads() {
         for [x, y] in [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [-2.0, 1.0], [0.5, -3.0]] {
             let onset =
-                grasp.onset_of_sliding(&pressed(), &Wrench::new([0.0; 3], [x, y, 0.0])).expect("a ramp");
+                grasp.onset(Ramp::load(pressed(), Wrench::new([0.0; 3], [x, y, 0.0]))).expect("a ramp");
             let event = onset.event().expect("it opens");
             assert_relatively_close!(event.factor, N / (f64::abs(x) * 6.0 / b + f64::abs(y) * 6.0 / a));
             assert!(event.leaving.iter().all(|leaving| leaving.how == Departure::Opens));
@@ -77,7 +77,7 @@ fn a_corner_slides_first_under_torsion() {
     let diagonal = SIDES[0].hypot(SIDES[1]);
     for (pad, table, grasp) in pads() {
         let onset =
-            grasp.onset_of_sliding(&pressed(), &Wrench::new([0.0; 3], [0.0, 0.0, 1.0])).expect("a ramp");
+            grasp.onset(Ramp::load(pressed(), Wrench::new([0.0; 3], [0.0, 0.0, 1.0]))).expect("a ramp");
         assert_relatively_close!(onset.factor().expect("slides"), MU * N * diagonal / 6.0);
         assert_relatively_close!(pad.first_sliding(&table, N), MU * N * diagonal / 6.0);
     }

@@ -71,7 +71,7 @@ fn solvable(
 }
 
 fn solve(scene: &Scene<6, 3>) -> Outcome<3> {
-    scene.grasp().solve(&scene.wrench()).expect("a finite load")
+    scene.grasp().solve(scene.wrench()).expect("a finite load")
 }
 
 fn slides(e: &Equilibrium<3>) -> bool {
@@ -232,8 +232,8 @@ fn the_list_of_equilibria_has_what_only_the_round_cone_holds() -> Result<(), gra
     let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.5), foot(0.0, 0.25)])?;
     let (sin, cos) = std::f64::consts::FRAC_PI_8.sin_cos();
     let load = Wrench::force([4.8 * cos, 4.8 * sin, -12.0]);
-    assert!(grasp.with(&Settings::default().on_the_polygon()).equilibria(&load)?.is_empty());
-    let all = grasp.equilibria(&load)?;
+    assert!(grasp.with(&Settings::default().on_the_polygon()).equilibria(load)?.is_empty());
+    let all = grasp.equilibria(load)?;
     assert_eq!(all.len(), 1);
     let friction = [0, 1, 2].map(|i| all[0].contacts[i].friction_force());
     for (found, expected) in friction.into_iter().zip([1.9, 1.9, 1.0]) {

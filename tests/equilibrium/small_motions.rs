@@ -18,7 +18,7 @@ fn in_the_plane() -> Result<(), grasp_lcp::Error> {
     for (angle, far) in
         [(0.01, false), (0.09, false), (-0.09, false), (0.11, true), (-0.11, true), (1e9, true)]
     {
-        let outcome = grasp.solve(&planar::Wrench::new([3.0, -2.0], moment(angle)))?;
+        let outcome = grasp.solve(planar::Wrench::new([3.0, -2.0], moment(angle)))?;
         let state = outcome.equilibrium().expect("springs that pull");
         assert!((state.twist.rotation() - angle).abs() <= 1e-12 * angle.abs());
         assert_eq!(state.is_beyond_small_motions(), far, "{angle} rad");
@@ -39,7 +39,7 @@ fn in_space_about_any_axis() -> Result<(), grasp_lcp::Error> {
     for (angle, far) in [(0.09, false), (0.11, true)] {
         for axis in [[0.6, 0.0, 0.8], [0.0, -1.0, 0.0], [2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0]] {
             let twisting = axis.map(|x| 2.0 * moment(angle) * x);
-            let outcome = grasp.solve(&spatial::Wrench::new([40.0, 0.0, 0.0], twisting))?;
+            let outcome = grasp.solve(spatial::Wrench::new([40.0, 0.0, 0.0], twisting))?;
             let state = outcome.equilibrium().expect("springs that pull");
             assert_eq!(state.is_beyond_small_motions(), far, "{angle} rad about {axis:?}");
         }

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use crate::pinch::{KN, KT, MU, N, R, finger, pinch, spin, tips};
 use grasp_lcp::planar;
-use grasp_lcp::spatial::{Contact, ContactState, Departure, Grasp, Pressure, Wrench};
+use grasp_lcp::spatial::{Contact, ContactState, Departure, Grasp, Pressure, Ramp, Wrench};
 use nalgebra::Vector3;
 use support::assert_relatively_close;
 
@@ -80,11 +80,11 @@ fn a_tip_tilts_until_it_opens() {
         let press = Wrench::force([0.0, 0.0, -N]);
         // A negative turn about y lifts the body where x > 0; there is a point on the rim along +x.
         let tilt = Wrench::new([0.0; 3], [0.0, -1.0, 0.0]);
-        let onset = grasp.onset_of_sliding(&press, &tilt).unwrap();
+        let onset = grasp.onset(Ramp::load(press, tilt)).unwrap();
         let event = onset.event().expect("it opens");
         assert_relatively_close!(event.factor, N * square * R / 2.0);
         assert!(event.leaving.iter().any(|l| l.how == Departure::Opens), "{:?}", event.leaving);
-        let state = grasp.solve(&(press + tilt * (0.5 * event.factor))).unwrap();
+        let state = grasp.solve(press + tilt * (0.5 * event.factor)).unwrap();
         let state = state.equilibrium().expect("pressed all over");
         assert_relatively_close!(
             state.twist.rotation()[1],
@@ -120,13 +120,13 @@ fn planar_pads() {
         assert_relatively_close!(tip.first_opening(N), N * square * half);
         let press = Wrench::force_at([0.6 * N, -0.8 * N], [0.2, 0.1]);
         for side in [-1.0, 1.0] {
-            let onset = grasp.onset_of_sliding(&press, &Wrench::new([0.0; 2], side)).unwrap();
+            let onset = grasp.onset(planar::Ramp::load(press, Wrench::new([0.0; 2], side))).unwrap();
             let event = onset.event().expect("it opens");
             assert_relatively_close!(event.factor, N * square * half);
             let [leaving] = &event.leaving[..] else { panic!("{:?}", event.leaving) };
             assert_eq!(leaving.how, Departure::Opens);
             assert!(leaving.contact.index == 0 || leaving.contact.index == grasp.len() - 1);
-            let state = grasp.solve(&(press + Wrench::new([0.0; 2], 0.5 * side * event.factor))).unwrap();
+            let state = grasp.solve(press + Wrench::new([0.0; 2], 0.5 * side * event.factor)).unwrap();
             let state = state.equilibrium().expect("pressed all over");
             assert_relatively_close!(
                 state.twist.rotation(),
@@ -144,7 +144,7 @@ fn the_choice_of_tangents_changes_nothing() {
             |angle: f64| pinch(&tip, |side| finger(side).tangent([0.0, angle.cos(), angle.sin()]));
         let load = Wrench::new([0.4, -0.3, 0.5], [0.3 * MU * N * square * R, 0.002, -0.004]);
         let twist = |grasp: &Grasp| {
-            let outcome = grasp.solve(&load).unwrap();
+            let outcome = grasp.solve(load).unwrap();
             let state = outcome.equilibrium().expect("within friction").clone();
             assert!(state.contacts.iter().all(|c| c.state == ContactState::Sticking));
             state.twist.to_vector()
@@ -154,7 +154,7 @@ fn the_choice_of_tangents_changes_nothing() {
         for step in 1..10 {
             let other = with_tangent(TAU * f64::from(step) / 10.0 + 0.1);
             assert!((twist(&other) - first).amax() < 1e-12 * first.amax());
-            let onset = other.onset_of_sliding(&Wrench::ZERO, &spin(1.0)).unwrap();
+            let onset = other.onset(spin(1.0)).unwrap();
             assert_relatively_close!(onset.factor().expect("a sticking base"), 2.0 * MU * N * square * R);
         }
     }

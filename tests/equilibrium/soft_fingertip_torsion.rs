@@ -20,24 +20,24 @@ const PROFILES: [(Pressure, f64); 3] =
 #[test]
 fn a_pinch_no_longer_turns_freely() {
     let points = Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
-    assert!(matches!(points.solve(&spin(1e-6)).unwrap(), Outcome::NoEquilibrium(_)));
+    assert!(matches!(points.solve(spin(1e-6)).unwrap(), Outcome::NoEquilibrium(_)));
     let push = Wrench::force([0.3, -0.7, 0.5]);
-    let by_points = points.solve(&push).unwrap();
+    let by_points = points.solve(push).unwrap();
     let by_points = by_points.equilibrium().expect("within friction");
     assert_eq!(by_points.free_motions.len(), 1);
     for (tip, mean, square) in tips() {
         let grasp = pinch(&tip, finger);
         let moment = 0.9 * 2.0 * MU * N * square * R;
-        let turned = grasp.solve(&spin(moment)).unwrap();
+        let turned = grasp.solve(spin(moment)).unwrap();
         let turned = turned.equilibrium().expect("within friction");
         assert!(turned.free_motions.is_empty());
         assert_relatively_close!(turned.twist.rotation()[0], moment / (2.0 * KT * square * R * R));
-        let pushed = grasp.solve(&push).unwrap();
+        let pushed = grasp.solve(push).unwrap();
         let pushed = pushed.equilibrium().expect("within friction");
         assert!(pushed.free_motions.is_empty());
         let (a, b) = (pushed.twist.to_vector(), by_points.twist.to_vector());
         assert!((a - b).rows(0, 3).norm() < 1e-13 * b.rows(0, 3).norm(), "as stiff as one contact: {a} {b}");
-        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &spin(1.0)).unwrap();
+        let onset = grasp.onset(spin(1.0)).unwrap();
         let event = onset.event().expect("friction is finite");
         assert_relatively_close!(event.factor, 2.0 * MU * N * square * R);
         let rim: Vec<_> = [tip.points(), tip.points()]
@@ -70,7 +70,7 @@ fn uneven_tangential_stiffness() {
         let points = if first == 1 { 12 } else { 8 };
         let tip = SoftFingertip::ring(R, points).unwrap();
         let grasp = pinch(&tip, finger);
-        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &spin(1.0)).unwrap();
+        let onset = grasp.onset(spin(1.0)).unwrap();
         let event = onset.event().expect("friction is finite");
         let exact = 2.0 * MU * N * R * 0.5 * (k1 + k2) / k1.max(k2);
         assert_relatively_close!(event.factor, exact);
@@ -99,7 +99,7 @@ fn slip_spreads_from_the_rim_up_to_the_limit() {
                         .points()
                         .map(|(at, w)| w * at.norm() * (KT * at.norm() * turn).min(MU * N))
                         .sum::<f64>();
-                let state = grasp.solve(&spin(moment)).unwrap();
+                let state = grasp.solve(spin(moment)).unwrap();
                 let state = state.equilibrium().expect("below the limit");
                 assert!((state.twist.rotation()[0] / turn - 1.0).abs() < 1e-11);
                 for (contact, (at, _)) in
@@ -111,10 +111,10 @@ fn slip_spreads_from_the_rim_up_to_the_limit() {
             }
             let limit = 2.0 * MU * N * mean * R;
             assert_relatively_close!(2.0 * tip.torsional_limit(&finger(1.0), N), limit);
-            assert!(grasp.solve(&spin(limit * (1.0 - 1e-9))).unwrap().equilibrium().is_some());
+            assert!(grasp.solve(spin(limit * (1.0 - 1e-9))).unwrap().equilibrium().is_some());
             // Beyond the limit every polygon is tried in vain: quick for few contacts.
             if annuli == 1 {
-                assert!(grasp.solve(&spin(limit * (1.0 + 1e-9))).unwrap().equilibrium().is_none());
+                assert!(grasp.solve(spin(limit * (1.0 + 1e-9))).unwrap().equilibrium().is_none());
             }
         }
     }
@@ -130,7 +130,7 @@ fn a_path_of_torsion() {
         let tip = SoftFingertip::disc(R, 2, 4, pressure).unwrap();
         let grasp = pinch(&tip, finger);
         let limit = 2.0 * MU * N * mean * R;
-        let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(spin(2.0 * limit))]).unwrap();
+        let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(spin(2.0 * limit))]).unwrap();
         let events = path.run();
         let radii: Vec<_> = tip.points().step_by(4).map(|(at, _)| at.norm()).collect();
         assert_eq!(radii.len(), 4);
@@ -161,7 +161,7 @@ fn limit_between_polygons() {
     let inside = (PI / 8.0).cos();
     let holds = |moment: f64, fit: Fit| {
         let settings = Settings::default().on_the_polygon().with_cone(PolygonCone::new(8, fit).unwrap());
-        grasp.with(&settings).solve(&spin(moment)).unwrap().equilibrium().is_some()
+        grasp.with(&settings).solve(spin(moment)).unwrap().equilibrium().is_some()
     };
     assert!(holds(limit * inside * (1.0 - 1e-9), Fit::Inscribed));
     assert!(!holds(limit * (1.0 + 1e-9), Fit::Inscribed));

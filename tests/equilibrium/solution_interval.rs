@@ -81,7 +81,7 @@ fn a_twist_that_friction_leaves_open_is_told_with_its_line() {
     let mut told = 0;
     for number in 0..samples(200) {
         let Wedged { grasp, load, forces, stretch } = wedged(&mut random);
-        let outcome = grasp.solve(&load).unwrap();
+        let outcome = grasp.solve(load).unwrap();
         let Some((point, line, from, to)) = stretch else { continue };
         let Some(found) = outcome.equilibrium() else { panic!("{number}: {outcome:?}") };
         let apart = |i: usize| (found.contacts[i].force - nalgebra::Vector2::from(forces[i])).norm();

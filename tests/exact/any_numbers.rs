@@ -79,10 +79,10 @@ fn ask<const D: usize, const C: usize>(
     let [load, direction] = loads.map(|w| Wrench::from_components(w.as_slice()));
     let settings = Settings::default().with_most_states(2000);
     let mut answers = Vec::new();
-    if let Ok(outcome) = grasp.with(&settings).solve(&load) {
+    if let Ok(outcome) = grasp.with(&settings).solve(load) {
         answers.extend(outcome.equilibrium().cloned());
     }
-    answers.extend(grasp.with(&settings).equilibria(&load).unwrap_or_default());
+    answers.extend(grasp.with(&settings).equilibria(load).unwrap_or_default());
     let ramp = Ramp::load(load, direction).with_commands(change);
     for onset in [grasp.with(&settings).onset(&ramp), grasp.with(&settings.on_the_polygon()).onset(&ramp)] {
         match onset {

@@ -102,11 +102,11 @@ fn every_load_beyond_the_onset_is_decided() {
             let fingers = fingers(count, spread, friction, &mut numbers);
             let grasp = grasp(&fingers);
             let direction = Wrench::new(numbers.vector(), numbers.vector().map(|x| 0.3 * x));
-            let onset = grasp.onset_of_sliding(&Wrench::ZERO, &direction).unwrap();
+            let onset = grasp.onset(direction).unwrap();
             let Some(onset) = onset.factor().filter(|factor| factor.is_finite()) else { continue };
             for part in [1.15, 2.5, 6.0] {
                 let load = direction * (part * onset);
-                match grasp.solve(&load).unwrap() {
+                match grasp.solve(load).unwrap() {
                     Outcome::Equilibrium(e) => {
                         assert!(e.residuals.worst() <= 1e-12);
                         found += 1;
@@ -116,8 +116,8 @@ fn every_load_beyond_the_onset_is_decided() {
                         none += 1;
                         if let Proof::EveryCaseContradicted { escape, .. } = answer.proof {
                             assert!(escape >= 1e4);
-                            let proof = grasp.refutation(&load).unwrap().expect("again");
-                            let checked = proof.check(&grasp, &load).unwrap().expect("it holds");
+                            let proof = grasp.refutation(load).unwrap().expect("again");
+                            let checked = proof.check(&grasp, load).unwrap().expect("it holds");
                             // In closed form a case holds no more than in the polygons around its arcs.
                             assert!(checked >= 0.5 * escape, "{checked:e} {escape:e}");
                         }
@@ -142,7 +142,7 @@ fn the_limit_of_a_pinch() {
     let grasp = Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     for angle in [0.0_f64, 0.3, 1.1, 2.0] {
         let across = Wrench::force([0.0, angle.cos(), angle.sin()]);
-        let outcome = |load: f64| grasp.solve(&(across * load)).unwrap();
+        let outcome = |load: f64| grasp.solve(across * load).unwrap();
         assert!(outcome(10.0 * (1.0 - 1e-9)).equilibrium().is_some());
         for excess in [1e-9, 1e-6, 1e-3, 1.0, 1e3] {
             let beyond = outcome(10.0 * (1.0 + excess));
@@ -157,11 +157,11 @@ fn a_proof_holds_for_its_own_scene_alone() {
     let mut numbers = Random(6);
     let [one, other] = [0, 1].map(|_| grasp(&fingers(4, 0.3, [0.3, 0.6], &mut numbers)));
     let load = Wrench::force([0.0, 0.0, -60.0]);
-    let proof = one.refutation(&load).unwrap().expect("too heavy");
+    let proof = one.refutation(load).unwrap().expect("too heavy");
     assert!(proof.cases() > 1);
-    assert!(proof.check(&one, &load).unwrap().is_some_and(|escape| escape > 1e4));
-    assert!(proof.check(&one, &(load * 0.1)).unwrap().is_none());
-    assert!(proof.check(&other, &load).unwrap().is_none());
+    assert!(proof.check(&one, load).unwrap().is_some_and(|escape| escape > 1e4));
+    assert!(proof.check(&one, load * 0.1).unwrap().is_none());
+    assert!(proof.check(&other, load).unwrap().is_none());
 }
 
 /// Every kind of contact: a load that is held has no proof against it.
@@ -191,8 +191,8 @@ fn no_proof_contradicts_an_equilibrium() {
         };
         let grasp = Grasp::new((0..5).map(contact).collect::<Vec<_>>()).unwrap();
         let load = Wrench::new(numbers.vector(), numbers.vector()) * (10.0 * (3.0 * numbers.signed()).exp());
-        let outcome = grasp.solve(&load).unwrap();
-        let proof = grasp.refutation(&load).unwrap();
+        let outcome = grasp.solve(load).unwrap();
+        let proof = grasp.refutation(load).unwrap();
         held += usize::from(outcome.equilibrium().is_some());
         refuted += usize::from(proof.is_some());
         assert!(outcome.equilibrium().is_none() || proof.is_none(), "scene {scene}: {grasp:?}, {load:?}");

@@ -160,7 +160,7 @@ impl Tally {
     fn check(&mut self, scene: &Scene) -> Result<(), String> {
         let census = scene.census();
         let (grasp, load) = (scene.plain().grasp(), scene.plain().wrench());
-        let outcome = grasp.solve(&load).expect("a finite load");
+        let outcome = grasp.solve(load).expect("a finite load");
         let clear = !(census.tied || census.narrow || census.families);
         self.clear += usize::from(clear);
         self.tied += usize::from(census.tied);
@@ -184,7 +184,7 @@ impl Tally {
             _ if clear => return Err(complaint("undecided, and nothing is borderline".into())),
             _ => self.undecided += 1,
         }
-        let list = grasp.equilibria(&load).expect("few contacts");
+        let list = grasp.equilibria(load).expect("few contacts");
         if clear && list.len() != census.entries.len() {
             return Err(complaint(format!(
                 "{} listed, there are {}: {list:?}",
@@ -262,7 +262,7 @@ impl Tally {
 }
 
 fn needs_a_lower_rung(scene: &Scene) -> bool {
-    let outcome = scene.plain().grasp().solve(&scene.plain().wrench()).expect("a finite load");
+    let outcome = scene.plain().grasp().solve(scene.plain().wrench()).expect("a finite load");
     let upper = [FoundBy::EverythingSticks, FoundBy::EverythingTouchingSticks, FoundBy::KinematicForm];
     outcome.equilibrium().is_some_and(|e| !upper.contains(&e.rule))
 }

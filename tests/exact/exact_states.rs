@@ -39,7 +39,7 @@ impl Tally {
     fn check<const D: usize, const C: usize>(&mut self, scene: &Scene<D, C>) -> Result<(), String> {
         let grasp = scene.grasp();
         let settings = Settings::default().with_most_states(2000);
-        let outcome = grasp.with(&settings).solve(&scene.wrench()).map_err(|e| e.to_string())?;
+        let outcome = grasp.with(&settings).solve(scene.wrench()).map_err(|e| e.to_string())?;
         let Some(answer) = outcome.equilibrium() else {
             self.none += 1;
             return Ok(());

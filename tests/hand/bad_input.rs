@@ -109,7 +109,7 @@ fn tendons_commands_and_coordinates_are_named() {
     );
     assert!(matches!(grasp.clone().with_joint_commands(&[f64::NAN]), Err(Error::Hand { .. })));
     assert!(matches!(
-        grasp.follow_in_steps(&Wrench::ZERO, &[], 1e-4),
+        grasp.follow_in_steps(Wrench::ZERO, &[], 1e-4),
         Err(Error::NotForHands { question: "follow_in_steps" })
     ));
     assert!(matches!(Hand::new([]).grasp() as Result<grasp_lcp::planar::Grasp, _>, Err(Error::EmptyGrasp)));

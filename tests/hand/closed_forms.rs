@@ -31,7 +31,7 @@ fn a_symmetric_pinch_slides_at_different_loads_up_and_down() -> Tested {
         let (mu, force) = (0.4, 12.0);
         let grasp = pinch(c_nn, c_nt, c_tt, mu, force)?;
         for side in [-1.0, 1.0] {
-            let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side]))?;
+            let onset = grasp.onset(Wrench::force([0.0, side]))?;
             // A load upwards is carried by friction downwards, along t: F_t = +W/2, which pulls the finger back by c_nt F_t.
             let expected = 2.0 * mu * force / (1.0 + side * mu * c_nt / c_nn);
             let factor = onset.factor().ok_or("slides")?;
@@ -47,7 +47,7 @@ fn a_side_that_tightens_itself_never_slides() -> Tested {
     let (c_nn, c_nt, force) = (1e-3, 0.8e-3, 10.0);
     for (mu, tightens) in [(1.25 + 1e-9, true), (1.25 - 1e-9, false)] {
         let grasp = pinch(c_nn, c_nt, 1e-3, mu, force)?;
-        let onset = |side: f64| grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side]));
+        let onset = |side: f64| grasp.onset(Wrench::force([0.0, side]));
         let factor = onset(1.0)?.factor().ok_or("slides")?;
         let expected = 2.0 * mu * force / (1.0 + mu * c_nt / c_nn);
         assert!((factor / expected - 1.0).abs() < 1e-12, "{factor} {expected}");
@@ -81,12 +81,12 @@ fn joints_say_what_springs_along_the_axes_cannot() -> Tested {
         c_nt += n * t / k;
     }
     let grasp: Grasp = Hand::new([finger(-1.0), finger(1.0)]).grasp()?;
-    let outcome = grasp.solve(&Wrench::ZERO)?;
+    let outcome = grasp.solve(Wrench::ZERO)?;
     let squeezed = outcome.equilibrium().ok_or("holds")?;
     let force = squeezed.contacts[0].normal_force();
     assert!((force - 4.5).abs() < 1e-12 && squeezed.contacts[0].friction_force() < 1e-12);
     for side in [-1.0, 1.0] {
-        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, side]))?;
+        let onset = grasp.onset(Wrench::force([0.0, side]))?;
         let expected = 2.0 * mu * force / (1.0 + side * mu * c_nt / c_nn);
         let factor = onset.factor().ok_or("slides")?;
         assert!((factor / expected - 1.0).abs() < 1e-12, "{factor} {expected}");
@@ -105,7 +105,7 @@ fn a_motor_that_stalls_squeezes_with_its_limit() -> Tested {
         let jaw = Joint::prismatic([1.0, 0.0]).stiffness(1e3).command(0.02).limit(limit);
         let hand = Hand::new([Finger::new([jaw]).contact(pad(-1.0, 0.0)), Finger::fixed(pad(1.0, 0.0))]);
         let grasp: Grasp = hand.grasp()?;
-        let outcome = grasp.solve(&Wrench::ZERO)?;
+        let outcome = grasp.solve(Wrench::ZERO)?;
         let held = outcome.equilibrium().ok_or("holds")?;
         assert!((held.contacts[1].normal_force() - 6.0).abs() < 1e-12);
         let joint = &held.joints[0];
@@ -114,7 +114,7 @@ fn a_motor_that_stalls_squeezes_with_its_limit() -> Tested {
         assert!((joint.displacement - 2.0 * 6.0 / 1e4).abs() < 1e-15); // two pads of 1e4 N/m
         assert!((joint.yielded - (0.02 - joint.displacement - 6.0 / 1e3)).abs() < 1e-15);
         // The other way it holds: 5 mm need less than 6 N.
-        let outcome = grasp.with_joint_commands(&[0.005])?.solve(&Wrench::ZERO)?;
+        let outcome = grasp.with_joint_commands(&[0.005])?.solve(Wrench::ZERO)?;
         let joint = &outcome.equilibrium().ok_or("holds")?.joints[0];
         assert_eq!((joint.state, joint.yielded), (DriveState::Holds, 0.0));
         assert!((joint.torque - 0.005 / (1e-3 + 2e-4)).abs() < 1e-12);
@@ -131,7 +131,7 @@ fn a_clutch_remembers_and_a_stalled_motor_does_not() -> Tested {
         let hand = Hand::new([Finger::new([jaw]).contact(pad(-1.0, 0.0)), Finger::fixed(pad(1.0, 0.0))]);
         let grasp: Grasp = hand.grasp()?;
         let compliance = 1e-3 + 2e-4;
-        let mut path = grasp.follow(&Wrench::ZERO, &[Leg::joints_to([0.012]), Leg::joints_to([-0.002])])?;
+        let mut path = grasp.follow(Wrench::ZERO, &[Leg::joints_to([0.012]), Leg::joints_to([-0.002])])?;
         let events = path.run();
         let yields = events
             .iter()
@@ -172,7 +172,7 @@ fn a_joint_yields_under_the_load_at_its_limit() -> Tested {
         let grasp: Grasp = hand.grasp()?;
         // 4 mm against 1.1 mm/N a side: F = 4 / 1.1 N. Pulled by W to the right the right jaw carries F + W/2.
         let force = 0.004 / (1e-3 + 1e-4);
-        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([1.0, 0.0]))?;
+        let onset = grasp.onset(Wrench::force([1.0, 0.0]))?;
         let event = onset.event().ok_or("yields")?;
         assert!((event.factor - 2.0 * (6.0 - force)).abs() < 1e-12, "{}", event.factor);
         assert_eq!(parts(&event.drives), [(HandPart::Joint(1), DriveChange::Yields)]);
@@ -180,7 +180,7 @@ fn a_joint_yields_under_the_load_at_its_limit() -> Tested {
         // From there on the left jaw follows alone, until it lets go: the limit is that of the right jaw, 6 N.
         let lost = grasp.hold(Wrench::force([1.0, 0.0]))?.lost.ok_or("has a limit")?;
         assert!((lost.factor - 6.0).abs() < 1e-12, "{lost:?}");
-        let outcome = grasp.solve(&Wrench::force([6.1, 0.0]))?;
+        let outcome = grasp.solve(Wrench::force([6.1, 0.0]))?;
         assert!(outcome.equilibrium().is_none(), "{outcome:?}");
     }
     Ok(())
@@ -195,7 +195,7 @@ fn a_whiffletree_shares_its_force() -> Tested {
     // The upper jaw has 3 mm farther to go.
     let hand = Hand::new([jaw(0.5, 0.003), jaw(-0.5, 0.0), fixed(0.5), fixed(-0.5)]);
     let grasp: Grasp = hand.tendon(Tendon::new([0.5, 0.5]).stiffness(2e3).pull(0.01)).grasp()?;
-    let outcome = grasp.solve(&Wrench::ZERO)?;
+    let outcome = grasp.solve(Wrench::ZERO)?;
     let held = outcome.equilibrium().ok_or("holds")?;
     // x - (φ₁ + φ₂)/2 = T/k, φ = clearance + 2 F/k_pad, F = T/2.
     let tension = (0.01 - 0.0015) / (1.0 / 2e3 + 0.5 * 2.0 / 1e4);
@@ -214,9 +214,9 @@ fn a_differential_gripper_resists_across_and_not_along_its_jaws() -> Tested {
     let jaw = |x: f64| Finger::new([Joint::prismatic([-x, 0.0])]).contact(pad(x, 0.0));
     let grasp: Grasp =
         Hand::new([jaw(-1.0), jaw(1.0)]).tendon(Tendon::new([0.5, 0.5]).tension(20.0)).grasp()?;
-    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
+    let onset = grasp.onset(Wrench::force([0.0, -1.0]))?;
     assert!((onset.factor().ok_or("slides")? - 10.0).abs() < 1e-12);
-    let outcome = grasp.solve(&Wrench::force([0.1, 0.0]))?;
+    let outcome = grasp.solve(Wrench::force([0.1, 0.0]))?;
     let grasp_lcp::planar::Outcome::NoEquilibrium(none) = &outcome else { panic!("{outcome:?}") };
     let grasp_lcp::planar::Proof::FreeMotion { motion, work } = &none.proof else { panic!("{none:?}") };
     assert!(*work > 0.0 && motion.object.translation()[0] > 0.0);
@@ -237,7 +237,7 @@ fn a_plate_jaw_on_one_spring() -> Tested {
         .contact(pad(-1.0, -0.5));
     let grasp: Grasp =
         Hand::new([plate, Finger::fixed(pad(1.0, 0.5)), Finger::fixed(pad(1.0, -0.5))]).grasp()?;
-    let outcome = grasp.solve(&Wrench::new([0.0, 0.0], 1.0))?;
+    let outcome = grasp.solve(Wrench::new([0.0, 0.0], 1.0))?;
     let held = outcome.equilibrium().ok_or("holds")?;
     // The spring of 1e3 is in series with two pads on two pads of 1e4 each.
     let total = 0.012 / (1.0 / 1e3 + 1.0 / 2e4 + 1.0 / 2e4);
@@ -261,13 +261,13 @@ fn a_tendon_over_two_fingers() -> Tested {
     let hand = Hand::new([finger(-1.0, 1.0), finger(1.0, 1.0)])
         .tendon(Tendon::new([-0.02, 0.02]).stiffness(5e4).pull(0.002));
     let grasp: Grasp = hand.grasp()?;
-    let outcome = grasp.solve(&Wrench::ZERO)?;
+    let outcome = grasp.solve(Wrench::ZERO)?;
     let held = outcome.equilibrium().ok_or("holds")?;
     // T r = F · 1 m on both; x = T/k + r (φ₁ + φ₂), and the sum of turns is the give of two pads: 2 F / 1e4.
     let tension = 0.002 / (1.0 / 5e4 + 0.02 * 0.02 * 2.0 / 1e4);
     assert!((held.tendons[0].tension / tension - 1.0).abs() < 1e-12);
     assert!((held.contacts[0].normal_force() / (0.02 * tension) - 1.0).abs() < 1e-12);
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::joints_by([0.0, 0.0, -0.004])])?;
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::joints_by([0.0, 0.0, -0.004])])?;
     let slackens = path
         .run()
         .into_iter()
@@ -281,14 +281,14 @@ fn a_tendon_over_two_fingers() -> Tested {
 fn a_force_that_is_held_stays() -> Tested {
     let grasp: Grasp = Grasp::new([pad(-1.0, 0.0).force(8.0), pad(1.0, 0.0)])?;
     for load in [0.0, 3.0, -3.0] {
-        let outcome = grasp.solve(&Wrench::force([load, 0.0]))?;
+        let outcome = grasp.solve(Wrench::force([load, 0.0]))?;
         let held = outcome.equilibrium().ok_or("holds")?;
         assert!((held.contacts[0].normal_force() - 8.0).abs() < 1e-13);
         assert!((held.contacts[1].normal_force() - 8.0 - load).abs() < 1e-13);
         assert_eq!(held.joints[0].state, DriveState::Absent);
         assert_eq!(held.joints[0].torque, 8.0);
     }
-    assert!(grasp.solve(&Wrench::force([-8.1, 0.0]))?.equilibrium().is_none());
+    assert!(grasp.solve(Wrench::force([-8.1, 0.0]))?.equilibrium().is_none());
     Ok(())
 }
 
@@ -304,14 +304,14 @@ fn a_vice_is_tightened_and_opened() -> Tested {
         Leg::load_to(Wrench::force([0.0, -12.0])),
         Leg::torques_to([4.0, 4.0]),
     ];
-    let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+    let mut path = grasp.follow(Wrench::ZERO, &legs)?;
     path.run();
     let lost = path.end().and_then(|end| end.loss()).ok_or("slides")?;
     assert!(lost.leg == 2 && (lost.fraction - 0.5).abs() < 1e-14, "{lost:?}");
     let half = path.state_at(0, 0.5).ok_or("has passed")?;
     assert!((half.joints[0].torque - 12.5).abs() < 1e-13 && half.residuals.worst() < 1e-14, "{half:?}");
     assert!((half.contacts[1].normal_force() - 12.5).abs() < 1e-13);
-    let refused = grasp.follow(&Wrench::ZERO, &[Leg::torques_by([1.0])]).unwrap_err();
+    let refused = grasp.follow(Wrench::ZERO, &[Leg::torques_by([1.0])]).unwrap_err();
     assert_eq!(refused.to_string(), "torques of a leg: 1 given, must be 2, one a joint and one a tendon");
     Ok(())
 }

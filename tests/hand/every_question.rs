@@ -30,13 +30,13 @@ fn nothing_panics_and_what_agrees_agrees() {
     for limit in [None, Some(Limit::Saturates(50.0)), Some(Limit::Slips(50.0))] {
         let grasp = hand(limit);
         let load = Wrench::new([0.3, -0.5], 0.05);
-        let outcome = grasp.solve(&load).expect("a load");
+        let outcome = grasp.solve(load).expect("a load");
         let held = outcome.equilibrium().expect("holds");
         assert!(held.residuals.worst() < 1e-14, "{:?}", held.residuals);
         let ramp = Ramp::load(Wrench::ZERO, load);
 
         // Where everything sticks the paper's minimum of energy is the equilibrium, joints included.
-        let MinimumOutcome::Minimum(minimum) = grasp.energy().minimum(&load).expect("a load") else {
+        let MinimumOutcome::Minimum(minimum) = grasp.energy().minimum(load).expect("a load") else {
             panic!()
         };
         for (a, b) in minimum.contacts.iter().zip(&held.contacts) {
@@ -48,12 +48,12 @@ fn nothing_panics_and_what_agrees_agrees() {
             minimum.stored_energy,
             held.stored_energy
         );
-        grasp.energy().compare(&load).expect("a load");
+        grasp.energy().compare(load).expect("a load");
         grasp.energy().agreement(&ramp).expect("a ramp");
         let refused = |error: Option<Error>| {
             assert!(matches!(error, None | Some(Error::NotForHands { .. })), "{error:?}");
         };
-        refused(grasp.energy().printed_qp(&load, &PolygonCone::default()).err());
+        refused(grasp.energy().printed_qp(load, &PolygonCone::default()).err());
         let stability = grasp.energy().stability(held);
         assert_eq!(stability.verdict, StabilityVerdict::Stable);
 
@@ -66,21 +66,21 @@ fn nothing_panics_and_what_agrees_agrees() {
         let accuracy = grasp.accuracy(held).expect("its own");
         assert!(accuracy.force < 1e-13);
         assert_eq!(grasp.distinct(held).expect("its own").len(), 2);
-        assert!(grasp.equilibria(&load).expect("few").len() == 1);
-        grasp.bracket(&load).expect("a load");
-        grasp.refutation(&load).expect("a load");
-        grasp.kinematic_form(&load, &PolygonCone::default()).expect("a load");
-        grasp.force_form(&load, &PolygonCone::default()).expect("a load");
+        assert!(grasp.equilibria(load).expect("few").len() == 1);
+        grasp.bracket(load).expect("a load");
+        grasp.refutation(load).expect("a load");
+        grasp.kinematic_form(load, &PolygonCone::default()).expect("a load");
+        grasp.force_form(load, &PolygonCone::default()).expect("a load");
         let onset = grasp.onset(&ramp).expect("a ramp");
         let event = onset.event().expect("slides");
         assert!(grasp.state_at_onset(event).expect("its own").residuals.worst() < 1e-13);
         grasp.beyond(event).expect("its own");
         assert!(!grasp.sensitivity().onset_gradients(event).is_empty());
         // A load that turns along a line goes as far as the ramp.
-        let straight = grasp.onset_of_sliding(&Wrench::ZERO, &load).expect("loads").factor().expect("sticks");
+        let straight = grasp.onset(load).expect("loads").factor().expect("sticks");
         let most = 1.5 * straight;
         let turn = Turn::new(load * most, load * -most, Wrench::ZERO);
-        let angle = grasp.onset_of_turn(&turn).expect("a turn").onset.factor().expect("sticks");
+        let angle = grasp.onset_of_turn(turn).expect("a turn").onset.factor().expect("sticks");
         assert!((angle - (1.0_f64 / 3.0).acos()).abs() < 1e-12, "{angle}");
         refused(grasp.least_onset_within(&ramp, &Bounds::none()).err());
         refused(grasp.sensitivity().onset_gradients_by_geometry(event).err());
@@ -88,19 +88,13 @@ fn nothing_panics_and_what_agrees_agrees() {
         assert!(grasp.hold(&ramp).expect("a ramp").holds().is_some());
         grasp.sensitivity().sticking_range(&ramp).expect("a ramp");
         let mut path = grasp
-            .follow(&Wrench::ZERO, &[Leg::load_to(load * 30.0), Leg::load_to(Wrench::ZERO)])
+            .follow(Wrench::ZERO, &[Leg::load_to(load * 30.0), Leg::load_to(Wrench::ZERO)])
             .expect("loads");
         path.run();
         let _ = path.beyond();
-        refused(grasp.follow_in_steps(&Wrench::ZERO, &[], 1e-4).err());
+        refused(grasp.follow_in_steps(Wrench::ZERO, &[], 1e-4).err());
         assert_eq!(grasp.sensitivity().response(held).expect("regular").forces.shape(), (4, 4));
         assert_eq!(grasp.sensitivity().joint_response(held).expect("regular").forces.nrows(), 4);
-        for outcome in grasp.solve_each(&[load, load * 2.0]) {
-            outcome.expect("a load");
-        }
-        for outcome in grasp.onset_each(std::slice::from_ref(&ramp)) {
-            outcome.expect("a ramp");
-        }
         let uncertainty = Uncertainty::seeded(3).with_friction(0.1).with_stiffness(0.2).with_squeeze(0.1);
         for outcome in grasp.onset_of_samples(&ramp, &uncertainty, 5) {
             outcome.expect("a sample");
@@ -109,7 +103,7 @@ fn nothing_panics_and_what_agrees_agrees() {
             grasp.robust_onset(&ramp, &uncertainty.with_normal(0.01).with_load(0.1)).expect("a ramp");
         let onset = robust.onset.factor().expect("slides");
         assert!(robust.spread.expect("slides").deviation.is_some_and(|deviation| deviation > 0.0));
-        let reserve = grasp.reserve(&Wrench::ZERO, &uncertainty, 0.5).expect("a base load");
+        let reserve = grasp.reserve(Wrench::ZERO, &uncertainty, 0.5).expect("a base load");
         assert!(reserve.along(&load) < onset);
         let mut workspace = Workspace::default();
         let found = workspace.solve(&grasp, &load);

@@ -24,7 +24,7 @@ fn a_position_at_the_place_of_the_slide_carries_the_same() -> Tested {
     let weight = spatial::Wrench::force_at([0.3, -0.2, -2.0], [0.002, 0.001, 0.0]);
 
     let by_force = spatial::Grasp::new(tip.contacts(&jaw(-0.03).force(12.0))?.into_iter().chain(rest()))?;
-    let outcome = by_force.solve(&weight)?;
+    let outcome = by_force.solve(weight)?;
     let held = outcome.equilibrium().ok_or("holds")?;
     let total: f64 = held.contacts[..7].iter().map(ContactAnswer::normal_force).sum();
     assert!((total / 12.0 - 1.0).abs() < 1e-13, "{total}");
@@ -34,7 +34,7 @@ fn a_position_at_the_place_of_the_slide_carries_the_same() -> Tested {
 
     let moved = jaw(-0.03).command([slide.displacement, 0.0, 0.0]);
     let by_position = spatial::Grasp::new(tip.contacts(&moved)?.into_iter().chain(rest()))?;
-    let outcome = by_position.solve(&weight)?;
+    let outcome = by_position.solve(weight)?;
     let same = outcome.equilibrium().ok_or("holds")?;
     for (a, b) in held.contacts.iter().zip(&same.contacts) {
         assert!((a.force - b.force).norm() < 1e-11, "{}: {} {}", a.contact, a.force, b.force);
@@ -51,7 +51,7 @@ fn a_soft_pad_slides_at_what_its_force_rubs_with() -> Tested {
     let grasp = planar::Grasp::new(points.into_iter().chain([jaw(0.03)]))?;
     let push = planar::Wrench::force([-2.0, 0.0]);
     for (base, most) in [(planar::Wrench::ZERO, 10.0), (push, 9.0)] {
-        let mut path = grasp.follow(&base, &[Leg::load_by(planar::Wrench::force([0.0, -20.0]))])?;
+        let mut path = grasp.follow(base, &[Leg::load_by(planar::Wrench::force([0.0, -20.0]))])?;
         path.run();
         let Some(PathEnd::Lost(loss)) = path.end() else { return Err("slides out".into()) };
         assert!((20.0 * loss.fraction / most - 1.0).abs() < 1e-12, "{}", loss.fraction);
@@ -74,7 +74,7 @@ fn slides_come_behind_all_joints() -> Tested {
     assert_eq!((hand.joints(), hand.coordinates()), (2, 5));
     // A cable along the first joint alone, whatever slides there are.
     let grasp = hand.tendon(Tendon::new([1.0]).tension(5.0)).grasp()?;
-    let outcome = grasp.solve(&planar::Wrench::ZERO)?;
+    let outcome = grasp.solve(planar::Wrench::ZERO)?;
     let held = outcome.equilibrium().ok_or("holds")?;
     assert_eq!(held.joints[0].joint.text(), "jaw");
     let slide = &held.joints[1];

@@ -169,7 +169,7 @@ fn onsets_and_forces_are_right_to_the_last_digits() {
         let tips = tips(3 + number % 3, ratio, &mut numbers);
         let grasp = grasp(&tips);
         let load = Wrench::new(numbers.vector(), numbers.vector().map(|m| 0.02 * m));
-        let outcome = grasp.solve(&Wrench::ZERO).expect("a load");
+        let outcome = grasp.solve(Wrench::ZERO).expect("a load");
         let Some(rest) = outcome.equilibrium().filter(|e| e.rule == FoundBy::EverythingSticks) else {
             continue;
         };
@@ -182,7 +182,7 @@ fn onsets_and_forces_are_right_to_the_last_digits() {
             }
         }
         let rate = sticking.forces(&tips, &load, false);
-        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &load).expect("loads");
+        let onset = grasp.onset(load).expect("loads");
         let Some(event) = onset.event() else { continue };
         for (i, tip) in tips.iter().enumerate() {
             let (value, slope) = margin(tip.friction, &base[i], &rate[i], event.factor);

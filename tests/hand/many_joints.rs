@@ -24,7 +24,7 @@ fn slides_in_a_row_give_way_like_one_in_the_plane() -> Tested {
             planar::hand::Finger::new((0..count).map(|_| slide.clone())).contact(pad.command([COMMAND, 0.0]))
         };
         let grasp = planar::hand::Hand::new([finger(-1.0), finger(1.0)]).grasp()?;
-        let onset = grasp.onset_of_sliding(&planar::Wrench::ZERO, &planar::Wrench::force([0.0, -1.0]))?;
+        let onset = grasp.onset(planar::Wrench::force([0.0, -1.0]))?;
         let (factor, exact) = (onset.factor().ok_or("slides")?, force());
         assert!((factor / exact - 1.0).abs() < 1e-11, "{count}: {factor} {exact}");
     }
@@ -44,8 +44,7 @@ fn slides_in_a_row_give_way_like_one_in_space() -> Tested {
                 .contact(pad.friction(0.5).command([COMMAND, 0.0, 0.0]))
         };
         let grasp = spatial::hand::Hand::new([finger(0.0), finger(1.0), finger(2.0)]).grasp()?;
-        let onset =
-            grasp.onset_of_sliding(&spatial::Wrench::ZERO, &spatial::Wrench::force([0.0, 0.0, -1.0]))?;
+        let onset = grasp.onset(spatial::Wrench::force([0.0, 0.0, -1.0]))?;
         let (factor, exact) = (onset.factor().ok_or("slides")?, 1.5 * force());
         assert!((factor / exact - 1.0).abs() < 1e-11, "{count}: {factor} {exact}");
     }

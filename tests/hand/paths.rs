@@ -36,14 +36,14 @@ fn saturating_joints_pass_through_equilibria_at_rest() {
         let load =
             planar::Wrench::new([2.0 * numbers.signed(), 2.0 * numbers.signed()], 0.5 * numbers.signed());
         let mut path =
-            grasp.follow(&planar::Wrench::ZERO, &[planar::Leg::load_to(load * 3.0)]).expect("a load");
+            grasp.follow(planar::Wrench::ZERO, &[planar::Leg::load_to(load * 3.0)]).expect("a load");
         let mut slid = false;
         let mut from = 0.0;
         while let Some(event) = path.next() {
             let middle = 0.5 * (from + event.fraction);
             if !slid && event.fraction > from {
                 let on_the_path = path.state_at(0, middle).expect("has passed");
-                let outcome = grasp.solve(&(load * (3.0 * middle))).expect("a load");
+                let outcome = grasp.solve(load * (3.0 * middle)).expect("a load");
                 let at_rest = outcome.equilibrium().expect("the path holds there");
                 for (a, b) in on_the_path.contacts.iter().zip(&at_rest.contacts) {
                     assert!((a.force - b.force).norm() < 1e-9, "{} {}", a.force, b.force);
@@ -72,7 +72,7 @@ fn slipping_joints_follow_small_steps() {
         let load =
             planar::Wrench::new([2.0 * numbers.signed(), 0.3 * numbers.signed()], 0.1 * numbers.signed());
         let legs = [planar::Leg::load_to(load * 3.0), planar::Leg::load_to(load * -1.0)];
-        let mut path = grasp.follow(&planar::Wrench::ZERO, &legs).expect("a load");
+        let mut path = grasp.follow(planar::Wrench::ZERO, &legs).expect("a load");
         let events = path.run();
         if events.iter().any(|event| !event.changes.is_empty()) || path.state_at(1, 1.0).is_none() {
             continue;
@@ -82,13 +82,13 @@ fn slipping_joints_follow_small_steps() {
         for k in 1..=2 * steps {
             let part = f64::from(k) / f64::from(steps);
             let factor = if part <= 1.0 { 3.0 * part } else { 3.0 - 4.0 * (part - 1.0) };
-            let outcome = memory.solve(&(load * factor)).expect("a load");
+            let outcome = memory.solve(load * factor).expect("a load");
             let at_rest = outcome.equilibrium().expect("holds");
             let shifted: Vec<f64> =
                 memory.joint_commands().iter().zip(&at_rest.joints).map(|(c, j)| c - j.yielded).collect();
             memory = memory.with_joint_commands(&shifted).expect("as many");
         }
-        let outcome = memory.solve(&(load * -1.0)).expect("a load");
+        let outcome = memory.solve(load * -1.0).expect("a load");
         let (stepped, followed) =
             (outcome.equilibrium().expect("holds"), path.state_at(1, 1.0).expect("has passed"));
         for (a, b) in stepped.contacts.iter().zip(&followed.contacts) {
@@ -125,7 +125,7 @@ fn in_space_every_state_on_the_way_is_an_equilibrium() {
         let grasp: spatial::Grasp =
             spatial::hand::Hand::new((0..3).map(&mut finger)).grasp().expect("well posed");
         let load = spatial::Wrench::force(numbers.vector().map(|f| 12.0 * f));
-        let mut path = grasp.follow(&spatial::Wrench::ZERO, &[spatial::Leg::load_to(load)]).expect("a load");
+        let mut path = grasp.follow(spatial::Wrench::ZERO, &[spatial::Leg::load_to(load)]).expect("a load");
         let events = path.run();
         yields += events.iter().map(|event| event.drives.len()).sum::<usize>();
         slides += events.iter().map(|event| event.changes.len()).sum::<usize>();

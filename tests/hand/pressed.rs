@@ -33,7 +33,7 @@ fn every_kind_of_finger_presses_as_it_is_told() {
         .map(|p| Finger::fixed(Contact::new(p, [0.0, 1.0]).series_stiffness(1e15, 1e15).bonded()));
     let grasp =
         Hand::new(fingers.into_iter().chain(supports).chain([Finger::fixed(still())])).grasp().unwrap();
-    let outcome = grasp.solve(&Wrench::ZERO).unwrap();
+    let outcome = grasp.solve(Wrench::ZERO).unwrap();
     let held = outcome.equilibrium().expect("holds");
     for (i, contact) in held.contacts.iter().take(7).enumerate() {
         assert!((contact.normal_force() - 8.0).abs() < 1e-9, "{i}: {}", contact.normal_force());
@@ -48,7 +48,7 @@ fn a_soft_fingertip_presses_as_its_contact() {
     let contact = |x: f64| jaw::<2>(x, [3e3, 2e3], 0.5).pressed_with(8.0);
     let points: Vec<_> = [-1.0, 1.0].iter().flat_map(|x| tip.contacts(&contact(*x)).unwrap()).collect();
     let half = points.len() / 2;
-    let outcome = Grasp::new(points).unwrap().solve(&grasp_lcp::planar::Wrench::ZERO).unwrap();
+    let outcome = Grasp::new(points).unwrap().solve(grasp_lcp::planar::Wrench::ZERO).unwrap();
     let held = outcome.equilibrium().unwrap();
     let sum: f64 = held.contacts.iter().take(half).map(grasp_lcp::planar::ContactAnswer::normal_force).sum();
     assert!((sum - 8.0).abs() < 1e-13, "{sum}");

@@ -38,7 +38,7 @@ fn derivatives_are_those_of_small_changes() {
     let load = Wrench::new([0.5, -1.0], 0.1);
     for limit in [Limit::Saturates as fn(f64) -> Limit, Limit::Slips] {
         let base = grasp(&DATA, limit);
-        let outcome = base.solve(&load).expect("a load");
+        let outcome = base.solve(load).expect("a load");
         let held = outcome.equilibrium().expect("holds");
         // The first joint yields, the second and the tendon hold.
         let states: Vec<_> = held.joints.iter().map(|j| j.state).collect();
@@ -115,13 +115,13 @@ fn tilted(phi: f64) -> Grasp {
 fn normals_of_a_hand_tilt_with_their_frames() {
     let load = Wrench::new([0.2, -0.5], 0.05);
     let answer = |phi: f64| {
-        let outcome = tilted(phi).solve(&load).expect("a load");
+        let outcome = tilted(phi).solve(load).expect("a load");
         let held = outcome.equilibrium().expect("holds");
         let forces: Vec<f64> = held.contacts.iter().flat_map(|c| [c.force[0], c.force[1]]).collect();
         [forces, held.joints.iter().map(|j| j.displacement).collect()].concat()
     };
     let base = tilted(0.0);
-    let outcome = base.solve(&load).expect("a load");
+    let outcome = base.solve(load).expect("a load");
     let held = outcome.equilibrium().expect("holds");
     let derivative =
         base.sensitivity().of(held, Parameter::Normal { contact: 0, axis: 1 }).expect("a regular piece");

@@ -31,7 +31,7 @@ fn the_elastic_stiffness_is_the_one_that_loads_feel() -> Result<(), Box<dyn std:
     let at = |load: &SVector<f64, 7>| -> Result<_, Box<dyn std::error::Error>> {
         let outcome = grasp
             .with_joint_torques(&load.as_slice()[3..])?
-            .solve(&Wrench::from_components(load.as_slice()))?;
+            .solve(Wrench::from_components(load.as_slice()))?;
         let planar::Outcome::Equilibrium(held) = outcome else { return Err("holds".into()) };
         if held.contacts.iter().any(|c| c.state != planar::ContactState::Sticking) {
             return Err("sticks".into());

@@ -35,7 +35,7 @@ fn one_contact_on_a_fixed_body_has_one_answer_or_up_to_three() {
         let mut most = 0;
         for k in 0..360 {
             let angle = f64::from(k) * std::f64::consts::TAU / 360.0 + 0.003;
-            let all = one(c, mu, [angle.cos(), angle.sin()]).equilibria(&Wrench::ZERO).expect("few states");
+            let all = one(c, mu, [angle.cos(), angle.sin()]).equilibria(Wrench::ZERO).expect("few states");
             assert!(!all.is_empty());
             most = most.max(all.len());
         }
@@ -60,7 +60,7 @@ fn on_a_free_body_several_answers_but_one_that_sticks() {
         };
         let grasp: Grasp = Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed");
         let load = Wrench::new([0.2 * numbers.signed(), 0.2 * numbers.signed()], 0.1 * numbers.signed());
-        let all = grasp.equilibria(&load).expect("few states");
+        let all = grasp.equilibria(load).expect("few states");
         several += usize::from(all.len() > 1);
         let sticking = all
             .iter()
@@ -68,7 +68,7 @@ fn on_a_free_body_several_answers_but_one_that_sticks() {
             .count();
         assert!(sticking <= 1);
         stuck += sticking;
-        let first = grasp.solve(&load).expect("a load").equilibrium().map(|e| e.rule);
+        let first = grasp.solve(load).expect("a load").equilibrium().map(|e| e.rule);
         assert!(sticking == 0 || first == Some(FoundBy::EverythingSticks), "{first:?}");
     }
     assert_met(&[(several, 5), (stuck, 20)]);
@@ -87,7 +87,7 @@ fn the_force_form_stays_copositive() {
             .grasp()
             .expect("well posed");
         let Some(form) =
-            grasp.force_form(&Wrench::force([0.1, -0.2]), &PolygonCone::default()).expect("a load")
+            grasp.force_form(Wrench::force([0.1, -0.2]), &PolygonCone::default()).expect("a load")
         else {
             continue;
         };
@@ -120,7 +120,7 @@ fn held_loads_need_not_include_zero() {
         };
         let grasp: Grasp = Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed");
         let holds = |load: f64| {
-            let outcome = grasp.solve(&Wrench::force([0.0, load])).expect("a load");
+            let outcome = grasp.solve(Wrench::force([0.0, load])).expect("a load");
             outcome.equilibrium().is_some_and(|e| e.contacts.iter().any(|c| c.normal_force() > 1e-3))
         };
         // Both normals point up: pressed on from below the object rests under a weight, and without one it is driven out.

@@ -6,7 +6,7 @@ use grasp_lcp::Limit;
 use grasp_lcp::load_path::Leaver;
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint};
-use grasp_lcp::planar::{Grasp, Wrench};
+use grasp_lcp::planar::{Grasp, Ramp, Wrench};
 use grasp_lcp::squeeze::WeakestDirection;
 
 fn hand(limit: Option<Limit>) -> Grasp {
@@ -31,8 +31,8 @@ fn no_direction_of_a_force_on_a_hand_is_weaker() {
         for (base, point) in [([0.0, 0.0], [0.0, 0.0]), ([0.2, -0.3], [0.1, 0.3])] {
             let base = Wrench::force(base);
             let push = |angle: f64| Wrench::force_at([angle.cos(), angle.sin()], point);
-            let onset = |angle: f64| grasp.onset_of_sliding(&base, &push(angle)).expect("loads");
-            let weakest = grasp.weakest_direction(&base, point).expect("a load");
+            let onset = |angle: f64| grasp.onset(Ramp::load(base, push(angle))).expect("loads");
+            let weakest = grasp.weakest_direction(base, point).expect("a load");
             let WeakestDirection::Force { size, direction: [x, y], leaver, .. } = weakest else {
                 // Some drive is past its limit at rest.
                 assert!(onset(0.0).event().is_none(), "{limit:?} {weakest:?}");

@@ -92,9 +92,9 @@ fn what_does_not_know_it_says_so() -> Tested {
     let grasp = feet(0.4, 0.5)?;
     let leg = Leg::load_to(pull(1.0));
     let refused = [
-        ("solve", grasp.solve(&pull(8.0)).err()),
-        ("follow_in_steps", grasp.follow_in_steps(&pull(0.0), std::slice::from_ref(&leg), 1e-4).err()),
-        ("equilibria", grasp.equilibria(&pull(8.0)).err()),
+        ("solve", grasp.solve(pull(8.0)).err()),
+        ("follow_in_steps", grasp.follow_in_steps(pull(0.0), std::slice::from_ref(&leg), 1e-4).err()),
+        ("equilibria", grasp.equilibria(pull(8.0)).err()),
     ];
     for (name, error) in refused {
         assert!(
@@ -103,7 +103,7 @@ fn what_does_not_know_it_says_so() -> Tested {
         );
     }
     // Where nothing slides friction of rest is all there is to know.
-    assert!(matches!(grasp.solve(&pull(7.0))?, Outcome::Equilibrium(_)));
+    assert!(matches!(grasp.solve(pull(7.0))?, Outcome::Equilibrium(_)));
     Ok(())
 }
 
@@ -138,7 +138,7 @@ fn what_slides_at_rest_slides_with_less() -> Tested {
         .command([0.01, 0.012]);
     let held = |y: f64, k: f64| Contact::new([0.0, y], [0.0, -1.0]).series_stiffness(k, k).bonded();
     let grasp = Grasp::new([dragged, held(0.1, 1e9), held(0.2, 1e9)])?;
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(pull(0.0))])?;
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(pull(0.0))])?;
     let events = path.run();
     let jump = events[0].jump.as_deref().expect("it slides at rest");
     let forces = [&events[0].state, &jump.state].map(|state| state.contacts[0].force[1].abs());

@@ -60,7 +60,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
             assert!(left > 1e-9, "{left} of the load is left at {q}");
         }
         // Who looks for an equilibrium from scratch finds none there, either.
-        if let Some(found) = grasp.solve(&load)?.equilibrium() {
+        if let Some(found) = grasp.solve(load)?.equilibrium() {
             let (q, at) = (found.twist.to_vector(), state.twist.to_vector());
             let by = q - at;
             let moved = Vector2::new(by[0] - by[2] * centroid[1], by[1] + by[2] * centroid[0]);

@@ -33,7 +33,7 @@ fn hanging(weight: f64) -> Wrench {
 #[test]
 fn a_path_ends_where_the_lip_is_open_all_around() -> Tested {
     let beam = beam()?;
-    let mut path = beam.follow(&Wrench::ZERO, &[Leg::load_to(hanging(2.0 * OPENS))])?;
+    let mut path = beam.follow(Wrench::ZERO, &[Leg::load_to(hanging(2.0 * OPENS))])?;
     let events = path.run();
     assert!(events.last().is_some_and(|event| (event.fraction - 0.5).abs() < 1e-12), "{events:?}");
     let loss = path.end().and_then(PathEnd::loss).expect("it lets go");
@@ -55,7 +55,7 @@ fn a_path_ends_where_the_lip_is_open_all_around() -> Tested {
 #[test]
 fn a_path_does_not_begin_there() -> Tested {
     let beam = beam()?;
-    let path = beam.follow(&hanging(1.01 * OPENS), &[Leg::load_to(Wrench::ZERO)])?;
+    let path = beam.follow(hanging(1.01 * OPENS), &[Leg::load_to(Wrench::ZERO)])?;
     let loss = path.end().and_then(PathEnd::loss).expect("it has let go before");
     assert_eq!((loss.kind, path.place()), (LossKind::LetsGo, (0, 0.0)));
     Ok(())
@@ -65,7 +65,7 @@ fn a_path_does_not_begin_there() -> Tested {
 fn an_equilibrium_there_says_that_it_is_none() -> Tested {
     let beam = beam()?;
     for (weight, open) in [(0.99 * OPENS, false), (1.01 * OPENS, true)] {
-        let outcome = beam.solve(&hanging(weight))?;
+        let outcome = beam.solve(hanging(weight))?;
         let Outcome::Equilibrium(state) = &outcome else { panic!("with its vacuum it would hold") };
         let names: Vec<_> = state.open_cups.iter().map(|cup| cup.label.as_str()).collect();
         assert_eq!(names, if open { vec!["near"] } else { Vec::new() });
@@ -79,7 +79,7 @@ fn an_equilibrium_there_says_that_it_is_none() -> Tested {
 #[test]
 fn an_onset_says_what_lies_beyond() -> Tested {
     let beam = beam()?;
-    let onset = beam.onset_of_sliding(&Wrench::ZERO, &hanging(1.0))?;
+    let onset = beam.onset(hanging(1.0))?;
     let Onset::At(event) = onset else { panic!("it opens") };
     assert!((event.factor - OPENS).abs() < 1e-11);
     let beyond = beam.beyond(&event);
@@ -92,7 +92,7 @@ fn an_onset_says_what_lies_beyond() -> Tested {
 fn a_load_that_turns_opens_it_too() -> Tested {
     let beam = beam()?;
     let turn = Turn::new(Wrench::ZERO, Wrench::ZERO, hanging(1.02 * OPENS));
-    let mut path = beam.follow(&Wrench::ZERO, &[Leg::turn(&turn.up_to(1.5))])?;
+    let mut path = beam.follow(Wrench::ZERO, &[Leg::turn(&turn.up_to(1.5))])?;
     path.run();
     let loss = path.end().and_then(PathEnd::loss).expect("it lets go");
     assert_eq!(loss.kind, LossKind::LetsGo);

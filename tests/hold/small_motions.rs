@@ -104,7 +104,7 @@ fn a_load_that_turns_leaves_within_its_piece() -> Tested {
     let most = 2.0 * SPRING * ARM * ARM * 0.1 / 0.8;
     let turn = Turn::new(Wrench::ZERO, Wrench::ZERO, moment(most)).up_to(core::f64::consts::PI);
     let grasp = beam()?;
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::turn(&turn)])?;
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::turn(&turn)])?;
     path.run();
     let end = path.end_of_small_motions().expect("turns by more on the way, and back");
     assert!((end.fraction * core::f64::consts::PI - 0.8_f64.asin()).abs() < 1e-12, "{end:?}");
@@ -118,7 +118,7 @@ fn settings_say_what_is_small() -> Tested {
     let turned = 2.0 * SPRING * ARM * ARM * 0.3;
     let grasp = beam()?;
     let solved = |grasp: &Grasp| -> Result<bool, Error> {
-        Ok(grasp.solve(&moment(0.99 * turned))?.equilibrium().expect("springs").is_beyond_small_motions())
+        Ok(grasp.solve(moment(0.99 * turned))?.equilibrium().expect("springs").is_beyond_small_motions())
     };
     let wider = grasp.with(&Settings::default().with_small_motions(0.3, 0.1));
     assert!(solved(&grasp)? && !solved(&wider)?);
@@ -126,7 +126,7 @@ fn settings_say_what_is_small() -> Tested {
     for (rotation, slip) in [(0.0, 0.1), (f64::NAN, 0.1), (0.1, -1.0), (0.1, f64::INFINITY)] {
         let refused = grasp.with(&Settings::default().with_small_motions(rotation, slip));
         assert!(matches!(refused.hold(moment(1.0)), Err(Error::Argument { .. })), "{rotation} {slip}");
-        assert!(matches!(refused.solve(&moment(1.0)), Err(Error::Argument { .. })));
+        assert!(matches!(refused.solve(moment(1.0)), Err(Error::Argument { .. })));
     }
     Ok(())
 }

@@ -45,7 +45,7 @@ fn both() -> Result<(Grasp, Grasp, Wrench), Error> {
 fn a_vacuum_is_a_load_that_nobody_has_to_name() -> Tested {
     let (grasp, by_hand, pull) = both()?;
     let weight = Wrench::force_at([0.2, 0.3, -4.0], [0.31, -0.09, 0.15]);
-    let [solved, expected] = [grasp.solve(&weight)?, by_hand.solve(&(weight + pull))?];
+    let [solved, expected] = [grasp.solve(weight)?, by_hand.solve(weight + pull)?];
     let [state, expected] = [&solved, &expected].map(|outcome| outcome.equilibrium().expect("held"));
     assert_eq!(state.load, weight);
     assert!(state.residuals.worst() < 1e-14, "{:?}", state.residuals);
@@ -57,12 +57,11 @@ fn a_vacuum_is_a_load_that_nobody_has_to_name() -> Tested {
         is(*one, *other);
     }
     let push = Wrench::force([1.0, 0.5, 0.2]);
-    let factors =
-        [grasp.onset_of_sliding(&weight, &push)?, by_hand.onset_of_sliding(&(weight + pull), &push)?];
+    let factors = [grasp.onset(Ramp::load(weight, push))?, by_hand.onset(Ramp::load(weight + pull, push))?];
     let [factor, by_load] = factors.map(|onset| onset.factor().expect("slides"));
     is(factor, by_load);
     let turn = Turn::tilting([0.0, 0.0, -20.0], [0.3, -0.1, 0.1], [1.0, 0.0, 0.0])?;
-    let angles = [grasp.onset_of_turn(&turn)?, by_hand.onset_of_turn(&turn.beside(pull))?];
+    let angles = [grasp.onset_of_turn(turn)?, by_hand.onset_of_turn(turn.beside(pull))?];
     let [angle, by_load] = angles.map(|found| found.onset.factor().expect("slides"));
     is(angle, by_load);
     let verdicts = [grasp.hold(Ramp::load(weight, push))?, by_hand.hold(Ramp::load(weight + pull, push))?];
@@ -89,7 +88,7 @@ fn one_kind_of_load_alone() -> Tested {
         (Wrench::new([0.0; 3], [0.0, 0.0, 1.0]), FRICTION * VACUUM * RADIUS, 12, true),
     ];
     for (load, factor, leaving, slides) in cases {
-        let onset = plate.onset_of_sliding(&Wrench::ZERO, &load)?;
+        let onset = plate.onset(load)?;
         let event = onset.event().expect("it leaves");
         is(event.factor, factor);
         assert_eq!(event.leaving.len(), leaving);
@@ -136,7 +135,7 @@ fn a_joint_does_not_feel_it() -> Tested {
     let lift = Finger::new([Joint::prismatic([0.0, 1.0]).stiffness(2e3)]).contact(cup);
     let side = |x: f64| jaw::<2>(x, [1e4, 1e-3], 0.0).pressed_with(5.0);
     let grasp = Hand::new([lift, Finger::fixed(side(-0.1)), Finger::fixed(side(0.1))]).grasp()?;
-    let outcome = grasp.solve(&planar::Wrench::force([0.0, -20.0]))?;
+    let outcome = grasp.solve(planar::Wrench::force([0.0, -20.0]))?;
     let state = outcome.equilibrium().expect("it hangs");
     is(state.joints[0].torque.abs(), 20.0);
     is(state.contacts[0].normal_force(), VACUUM - 20.0);

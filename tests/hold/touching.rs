@@ -66,7 +66,7 @@ fn a_stop_below_a_block_in_a_vice_is_told_as_touching() -> Result<(), Error> {
         let pushed =
             grasp.hold(planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -0.1])))?;
         assert!(pushed.state.as_ref().expect("holds").contacts[2].normal_force() > 0.01, "{pushed}");
-        let rest = grasp.solve(&planar::Wrench::ZERO)?;
+        let rest = grasp.solve(planar::Wrench::ZERO)?;
         let rest = rest.equilibrium().expect("holds");
         assert!(rest.contacts[2].doing() == "touches", "{rest}");
     }

@@ -21,8 +21,8 @@ fn are(found: &Identified, values: &[f64]) {
 #[test]
 fn friction_of_a_pinch() -> Tested {
     for slip in [Slip::first, Slip::gross] {
-        let found = Identify::new([Unknown::friction()], [slip(down(6.2)), slip(down(6.2))])
-            .answered_by(&jaws([0.5; 2])?)?;
+        let found = jaws([0.5; 2])?
+            .identify(&Identify::new([Unknown::friction()], [slip(down(6.2)), slip(down(6.2))]))?;
         are(&found, &[0.31]);
         assert_eq!(found.by_differences, 0, "exact derivatives");
     }
@@ -37,8 +37,8 @@ fn friction_of_a_pinch_above_a_floor() -> Tested {
     let floor =
         Contact::new([0.0, -0.02], [0.0, 1.0]).series_stiffness(1e4, 5e3).friction(0.2).clearance(1e-3);
     let contacts = [jaw(-0.03), jaw(0.03), floor];
-    let found = Identify::new([Unknown::friction().of_contacts([0, 1])], [Slip::gross(down(6.2))])
-        .answered_by(&Grasp::new(contacts)?)?;
+    let found = Grasp::new(contacts)?
+        .identify(&Identify::new([Unknown::friction().of_contacts([0, 1])], [Slip::gross(down(6.2))]))?;
     are(&found, &[0.31]);
     assert_eq!(found.by_differences, 0, "exact derivatives");
     Ok(())
@@ -49,12 +49,9 @@ fn friction_of_a_pinch_above_a_floor() -> Tested {
 fn squeeze_of_a_pinch() -> Tested {
     for slip in [Slip::first, Slip::gross] {
         let slips = [slip(down(12.0)), slip(down(12.0))];
-        are(&Identify::new([Unknown::squeeze()], slips.clone()).answered_by(&jaws([0.5; 2])?)?, &[1.2]);
+        are(&jaws([0.5; 2])?.identify(&Identify::new([Unknown::squeeze()], slips.clone()))?, &[1.2]);
         // Pressed by one jaw alone harder, both share: to 1.2 of each it takes 1.4 of one.
-        are(
-            &Identify::new([Unknown::squeeze().of_contacts([1])], slips).answered_by(&jaws([0.5; 2])?)?,
-            &[1.4],
-        );
+        are(&jaws([0.5; 2])?.identify(&Identify::new([Unknown::squeeze().of_contacts([1])], slips))?, &[1.4]);
     }
     Ok(())
 }
@@ -63,7 +60,7 @@ fn squeeze_of_a_pinch() -> Tested {
 #[test]
 fn friction_from_a_squeeze_that_is_loosened() -> Tested {
     let slips = [Slip::gross(down(4.0)).squeezed(0.5)];
-    are(&Identify::new([Unknown::friction()], slips).answered_by(&jaws([0.5; 2])?)?, &[0.4]);
+    are(&jaws([0.5; 2])?.identify(&Identify::new([Unknown::friction()], slips))?, &[0.4]);
     Ok(())
 }
 
@@ -73,8 +70,8 @@ fn friction_from_an_angle() -> Tested {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(0.3);
     let block = Grasp::new([foot(-0.1), foot(0.1)])?;
     let turn = Turn::tilting([0.0, -5.0], [0.0, 0.0]).up_to(0.4_f64.atan());
-    are(&Identify::new([Unknown::friction()], [Slip::gross_on_turn(turn)]).answered_by(&block)?, &[0.4]);
-    are(&Identify::new([Unknown::friction()], [Slip::first_on_turn(turn)]).answered_by(&block)?, &[0.4]);
+    are(&block.identify(&Identify::new([Unknown::friction()], [Slip::gross_on_turn(turn)]))?, &[0.4]);
+    are(&block.identify(&Identify::new([Unknown::friction()], [Slip::first_on_turn(turn)]))?, &[0.4]);
     Ok(())
 }
 
@@ -93,7 +90,7 @@ fn a_ratio_of_stiffnesses_from_first_slip() -> Tested {
         [Unknown::stiffness().of_contacts([0]).starting_at(2.0)],
         [Slip::first(Wrench::force([pull, 0.0]))],
     );
-    let found = asked.answered_by(&feet)?;
+    let found = feet.identify(&asked)?;
     assert!((found.estimates[0].value / ratio - 1.0).abs() < 1e-6, "{found}");
     Ok(())
 }
@@ -104,7 +101,7 @@ fn two_layouts() -> Tested {
     let gently = jaws([0.5; 2])?.squeezed(0.4)?;
     let slips = [Slip::gross(down(6.0)), Slip::gross(down(3.6)).in_layout(1)];
     let unknowns = [Unknown::friction(), Unknown::squeeze().in_layout(1)];
-    let found = Identify::new(unknowns, slips).and_layouts([gently]).answered_by(&jaws([0.5; 2])?)?;
+    let found = jaws([0.5; 2])?.identify(&Identify::new(unknowns, slips).and_layouts([gently]))?;
     are(&found, &[0.3, 1.5]);
     assert!(
         found.to_string().starts_with(

@@ -86,7 +86,7 @@ macro_rules! derivatives {
                 let grasp = grasp(&same);
                 let told = |unknown: Unknown| {
                     let asked = Identify::new([unknown], [slip.clone()]).with_outliers_beyond(f64::INFINITY);
-                    let found = asked.answered_by(&grasp)?;
+                    let found = grasp.identify(&asked)?;
                     let estimate = &found.estimates[0];
                     Ok(estimate
                         .standard_error

@@ -16,7 +16,7 @@ fn loads_of_supports_of_one_log() -> Result<(), Failure> {
     let carried = (0..3).map(|k| Unknown::carried().of_contacts([k]).starting_at(WEIGHT / 3.0));
     let unknowns = std::iter::once(Unknown::friction().starting_at(0.3)).chain(carried);
     let asked = Identify::new(unknowns, own.map(slip)).knowing(1..4, WEIGHT, 1e-3);
-    let found = asked.answered_by(&blocks[3])?;
+    let found = blocks[3].identify(&asked)?;
     println!("{found}");
     assert_eq!(found.by_differences, 0);
     for (estimate, truth) in found.estimates[1..].iter().zip(normal_forces(&supports(3))) {

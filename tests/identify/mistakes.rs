@@ -14,7 +14,7 @@ fn down() -> Wrench {
 fn each_is_refused_by_name() -> Tested {
     let (grasp, slip, mu) = (jaws([0.5; 2])?, Slip::gross(down()), Unknown::friction());
     let refused = |asked: Identify<2>, message: &str| {
-        let error = asked.answered_by(&grasp).expect_err(message);
+        let error = grasp.identify(&asked).expect_err(message);
         assert_eq!(error.to_string(), message);
     };
     let one = |unknown: Unknown| Identify::new([unknown], [slip.clone()]);
@@ -76,7 +76,7 @@ fn a_slip_that_is_not_predicted() -> Tested {
     let other = Contact::new([0.1, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5);
     let block = Grasp::new([wall, other])?;
     let slips = [Slip::gross(Wrench::force_at([0.0, -3.0], [0.05, 0.0]))];
-    let found = Identify::new([Unknown::friction()], slips).answered_by(&block)?;
+    let found = block.identify(&Identify::new([Unknown::friction()], slips))?;
     assert!(matches!(found.ending, Ending::NotPredicted { slip: 0, .. }), "{found}");
     assert_eq!(
         found.to_string(),
@@ -90,12 +90,12 @@ fn a_slip_that_is_not_predicted() -> Tested {
 fn a_search_that_is_cut_short() -> Tested {
     let slips = [5.9, 6.1].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
     let asked = Identify::new([Unknown::friction().starting_at(5.0)], slips);
-    let found = asked.clone().with_iterations(1).answered_by(&jaws([0.5; 2])?)?;
+    let found = jaws([0.5; 2])?.identify(&asked.clone().with_iterations(1))?;
     assert_eq!(found.ending, Ending::NotConverged { iterations: 1 });
     assert!(
         found.to_string().ends_with("NOT CONVERGED in 1 steps: these numbers may still change"),
         "{found}"
     );
-    assert_eq!(asked.answered_by(&jaws([0.5; 2])?)?.ending, Ending::Converged);
+    assert_eq!(jaws([0.5; 2])?.identify(&asked)?.ending, Ending::Converged);
     Ok(())
 }

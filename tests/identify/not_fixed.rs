@@ -25,7 +25,7 @@ fn says(found: &Identified, sentence: &str) {
 #[test]
 fn friction_and_squeeze() -> Tested {
     let found =
-        Identify::new([Unknown::friction(), Unknown::squeeze()], slips()).answered_by(&jaws([0.5; 2])?)?;
+        jaws([0.5; 2])?.identify(&Identify::new([Unknown::friction(), Unknown::squeeze()], slips()))?;
     says(&found, "Friction and squeeze are not fixed apart by these slips: only their product");
     says(&found, "friction not fixed, squeeze not fixed from 5 slips");
     // The product is found all the same.
@@ -39,7 +39,7 @@ fn friction_and_squeeze() -> Tested {
 #[test]
 fn what_is_known_besides_fixes_it() -> Tested {
     let unknowns = [Unknown::friction(), Unknown::squeeze()];
-    let found = Identify::new(unknowns, slips()).knowing([1], 1.0, 0.05).answered_by(&jaws([0.5; 2])?)?;
+    let found = jaws([0.5; 2])?.identify(&Identify::new(unknowns, slips()).knowing([1], 1.0, 0.05))?;
     let [mu, squeeze] = &found.estimates[..] else { panic!("two unknowns") };
     assert!(mu.is_fixed && (mu.value - 0.30).abs() < 0.01 && found.free.is_empty(), "{found}");
     // Five percent of the squeeze and what slips scatter by, 0.9 % of their mean.
@@ -55,7 +55,7 @@ fn what_is_known_besides_fixes_it() -> Tested {
 #[test]
 fn stiffness_from_gross_slip() -> Tested {
     let found =
-        Identify::new([Unknown::stiffness(), Unknown::friction()], slips()).answered_by(&jaws([0.5; 2])?)?;
+        jaws([0.5; 2])?.identify(&Identify::new([Unknown::stiffness(), Unknown::friction()], slips()))?;
     says(&found, "Tangential stiffness is not fixed: these slips do not depend on it");
     assert!(found.estimates[1].is_fixed, "{found}");
     Ok(())
@@ -71,7 +71,7 @@ fn friction_of_each_foot_from_both() -> Tested {
     let slips = pulls
         .map(|newtons| Slip::gross(Wrench::force([newtons, 0.0])).on_top_of(Wrench::force([0.0, -10.0])));
     let each = [0, 1].map(|k| Unknown::friction().of_contacts([k]));
-    let found = Identify::new(each, slips).answered_by(&block)?;
+    let found = block.identify(&Identify::new(each, slips))?;
     says(&found, "Friction of left and friction of right are not fixed apart by these slips: only their sum");
     let sum: f64 = found.estimates.iter().map(|estimate| estimate.value).sum();
     assert!((sum - 0.61).abs() < 0.01, "{sum}");
@@ -82,7 +82,7 @@ fn friction_of_each_foot_from_both() -> Tested {
 #[test]
 fn friction_of_each_jaw_from_the_weaker() -> Tested {
     let each = [0, 1].map(|k| Unknown::friction().of_contacts([k]));
-    let found = Identify::new(each, slips()).answered_by(&jaws([0.5; 2])?)?;
+    let found = jaws([0.5; 2])?.identify(&Identify::new(each, slips()))?;
     says(
         &found,
         "Friction of left and friction of right are not fixed apart by these slips: only what they do together",
@@ -96,10 +96,10 @@ fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
     let known = support::identified::three_feet(12)?;
     let mut draw = support::samples::seeded(3);
     let limits = known.limits()?;
-    let weighed = known.asked(&limits, &mut draw).answered_by(&known.guess)?;
+    let weighed = known.guess.identify(&known.asked(&limits, &mut draw))?;
     assert!(weighed.free.is_empty() && weighed.by_differences == 0, "{weighed}");
     let slips = limits.iter().map(|load| grasp_lcp::identify::Slip::gross(*load));
-    let found = Identify::new(known.unknowns.iter().cloned(), slips).answered_by(&known.guess)?;
+    let found = known.guess.identify(&Identify::new(known.unknowns.iter().cloned(), slips))?;
     let told = "Friction may be greater by any factor where load of contact 0, load of contact 1 and load of contact 2 are smaller by it";
     assert!(found.to_string().contains(told), "{found}");
     // Their shares are found.
@@ -115,7 +115,7 @@ fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
 #[test]
 fn what_scatters_too_much() -> Tested {
     let slips = [0.6, 60.0, 6.0].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
-    let found = Identify::new([Unknown::friction()], slips).answered_by(&jaws([0.5; 2])?)?;
+    let found = jaws([0.5; 2])?.identify(&Identify::new([Unknown::friction()], slips))?;
     assert!(found.to_string().starts_with("friction not fixed from 3 slips"), "{found}");
     assert!(found.to_string().contains("Friction is not fixed: the slips scatter too much"), "{found}");
     Ok(())
@@ -130,7 +130,7 @@ fn what_one_group_tells_alone() -> Result<(), support::Failure> {
     let slip = |k: usize| Slip::first(limits[k] * parts[k % 5]);
     let asked = |group: &dyn Fn(usize) -> usize| {
         let slips = (0..limits.len()).map(|k| slip(k).in_group(group(k)));
-        Identify::new(known.unknowns.iter().cloned(), slips).answered_by(&known.guess)
+        known.guess.identify(&Identify::new(known.unknowns.iter().cloned(), slips))
     };
     let found = asked(&|k| k / 5)?;
     assert!(found.estimates.iter().all(|each| each.is_fixed && each.standard_error.is_none()), "{found}");

@@ -62,7 +62,7 @@ fn slips_are_found_from_a_friction_that_holds_against_them() -> Tested {
         }
         wedged += usize::from(never);
         let slips = loads.into_iter().map(|load| Slip::gross(load).scattering_by(0.05));
-        let told = Identify::new([Unknown::friction()], slips).answered_by(&guess)?;
+        let told = guess.identify(&Identify::new([Unknown::friction()], slips))?;
         assert_eq!(told.ending, Ending::Converged, "{truth}: {told}");
         held +=
             usize::from(told.estimates[0].interval.is_some_and(|[low, high]| low <= truth && truth <= high));
@@ -81,7 +81,7 @@ fn a_weight_lies_there_before_a_block_is_dragged() -> Tested {
     for friction in [0.01, 0.3, 4.0] {
         let table = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(friction);
         let slips = loads.map(|load| Slip::gross(Wrench::force(load)));
-        let told = Identify::new([Unknown::friction()], slips).answered_by(&Grasp::new([table])?)?;
+        let told = Grasp::new([table])?.identify(&Identify::new([Unknown::friction()], slips))?;
         assert!((told.estimates[0].value.ln() - mean).abs() < 1e-5, "{told}");
     }
     Ok(())
@@ -93,7 +93,7 @@ fn it_is_the_same_as_a_base_load() -> Tested {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.2);
     let grasp = Grasp::new([foot(-0.1), foot(0.1)])?;
     let (weight, pull) = (Wrench::force_at([0.0, -10.0], [0.03, 0.0]), Wrench::force([5.1, 0.0]));
-    let found = |slip: Slip<2>| Identify::new([Unknown::friction()], [slip]).answered_by(&grasp);
+    let found = |slip: Slip<2>| grasp.identify(&Identify::new([Unknown::friction()], [slip]));
     let (apart, together) = (found(Slip::gross(pull).on_top_of(weight))?, found(Slip::gross(pull + weight))?);
     let close = |a: f64| (a - 0.51).abs() < 1e-9;
     assert!(close(apart.estimates[0].value) && close(together.estimates[0].value), "{apart} {together}");

@@ -23,7 +23,7 @@ fn logarithms() -> (f64, f64) {
 #[test]
 fn a_mean_and_its_standard_error() -> Tested {
     let asked = Identify::new([Unknown::friction()], LOADS.map(slip)).with_outliers_beyond(f64::INFINITY);
-    let found = asked.answered_by(&jaws([0.5; 2])?)?;
+    let found = jaws([0.5; 2])?.identify(&asked)?;
     let ((mean, s), mu) = (logarithms(), &found.estimates[0]);
     let close = |a: Option<f64>, b: f64| a.is_some_and(|a| (a / b - 1.0).abs() < 1e-6);
     assert!(close(Some(mu.value), mean.exp()) && close(found.scatter, s), "{found}");
@@ -41,7 +41,7 @@ fn a_scatter_that_is_given() -> Tested {
         let slips = LOADS.map(|newtons| slip(newtons).scattering_by(sigma));
         Identify::new([Unknown::friction()], slips).with_outliers_beyond(f64::INFINITY)
     };
-    let found = asked(0.1).answered_by(&jaws([0.5; 2])?)?;
+    let found = jaws([0.5; 2])?.identify(&asked(0.1))?;
     let (mean, s) = logarithms();
     let mu = &found.estimates[0];
     assert!(
@@ -51,7 +51,7 @@ fn a_scatter_that_is_given() -> Tested {
     let half = 1.959_964 * 0.1 / 5.0_f64.sqrt();
     assert!(mu.interval.is_some_and(|[low, _]| (low / (mean - half).exp() - 1.0).abs() < 1e-6), "{found}");
     assert!(found.misfit.is_some_and(|misfit| (misfit / (s / 0.1) - 1.0).abs() < 1e-6), "{found}");
-    let tight = asked(0.01).answered_by(&jaws([0.5; 2])?)?.to_string();
+    let tight = jaws([0.5; 2])?.identify(&asked(0.01))?.to_string();
     assert!(tight.contains("as far off as their scatter says"), "{tight}");
     Ok(())
 }
@@ -62,7 +62,7 @@ fn groups_of_slips() -> Tested {
     let loads = [5.4, 5.6, 5.5, 6.1, 6.0, 6.2, 6.6, 6.5, 6.4];
     let slips = loads.iter().enumerate().map(|(k, newtons)| slip(*newtons).in_group(7 + k / 3));
     let asked = Identify::new([Unknown::friction()], slips).with_outliers_beyond(f64::INFINITY);
-    let found = asked.answered_by(&jaws([0.5; 2])?)?;
+    let found = jaws([0.5; 2])?.identify(&asked)?;
     let logs = loads.map(|newtons: f64| (newtons / 20.0).ln());
     let mean = logs.iter().sum::<f64>() / 9.0;
     let means = logs.chunks(3).map(|three| three.iter().sum::<f64>() / 3.0);
@@ -82,8 +82,8 @@ fn groups_of_one_slip() -> Tested {
     let alone = Identify::new([Unknown::friction()], LOADS.map(slip)).with_outliers_beyond(f64::INFINITY);
     let slips = LOADS.iter().enumerate().map(|(k, newtons)| slip(*newtons).in_group(k));
     let grouped = Identify::new([Unknown::friction()], slips).with_outliers_beyond(f64::INFINITY);
-    let [alone, grouped] = [alone.answered_by(&jaws([0.5; 2])?)?, grouped.answered_by(&jaws([0.5; 2])?)?]
-        .map(|found| {
+    let [alone, grouped] =
+        [jaws([0.5; 2])?.identify(&alone)?, jaws([0.5; 2])?.identify(&grouped)?].map(|found| {
             let mu = &found.estimates[0];
             [mu.standard_error.unwrap_or(f64::NAN), mu.interval.map_or(f64::NAN, |[low, _]| low)]
         });
@@ -96,8 +96,8 @@ fn groups_of_one_slip() -> Tested {
 fn a_slip_far_off_counts_less() -> Tested {
     let loads = [5.9, 6.1, 6.0, 6.2, 5.8, 6.1, 5.9, 6.05, 5.95, 60.0].map(slip);
     let asked = Identify::new([Unknown::friction()], loads);
-    let found = asked.answered_by(&jaws([0.5; 2])?)?;
-    let squares = asked.clone().with_outliers_beyond(f64::INFINITY).answered_by(&jaws([0.5; 2])?)?;
+    let found = jaws([0.5; 2])?.identify(&asked)?;
+    let squares = jaws([0.5; 2])?.identify(&asked.clone().with_outliers_beyond(f64::INFINITY))?;
     let [robust, plain] = [&found, &squares].map(|found| found.estimates[0].value);
     assert!((robust / 0.3 - 1.0).abs() < 0.06 && plain > 0.37, "{robust} {plain}");
     assert!(found.to_string().ends_with("1 slip lies far off and counts less"), "{found}");
@@ -113,7 +113,7 @@ fn a_slip_far_off_counts_less() -> Tested {
 #[test]
 fn errors_go_on_into_needs() -> Tested {
     let asked = Identify::new([Unknown::friction()], LOADS.map(slip));
-    let found = asked.answered_by(&jaws([0.5; 2])?)?;
+    let found = jaws([0.5; 2])?.identify(&asked)?;
     let sure = asked.grasp_with(&jaws([0.5; 2])?, &found)?;
     let mu = &found.estimates[0];
     let low = mu.interval.map_or(f64::NAN, |[low, _]| low);
@@ -129,7 +129,7 @@ fn errors_go_on_into_needs() -> Tested {
     );
     let part = mu.standard_error.map_or(f64::NAN, |error| error / mu.value);
     assert_eq!(found.uncertainty(1).friction, part);
-    let reserve = sure.reserve(&Wrench::ZERO, &found.uncertainty(1), 2.0)?;
+    let reserve = sure.reserve(Wrench::ZERO, &found.uncertainty(1), 2.0)?;
     assert!(format!("{reserve:?}").len() > 10);
     Ok(())
 }

@@ -62,7 +62,7 @@ fn of_first_slips() -> Result<(), grasp_lcp::Error> {
     let loads: Vec<_> = (0..12).map(load).collect();
     let slips = |values: &[f64]| {
         let grasp = grasp(values);
-        let first = |load| grasp.onset_of_sliding(&planar::Wrench::ZERO, load).expect("a load").factor();
+        let first = |load| grasp.onset(load).expect("a load").factor();
         loads.iter().map(|load| first(load).expect("it slides")).collect::<Vec<_>>()
     };
     let values = [0.41, 0.55, 0.5, 1.1, 1.2];
@@ -70,9 +70,8 @@ fn of_first_slips() -> Result<(), grasp_lcp::Error> {
     let seen = seen.map(|(load, at)| Slip::first(*load * at).scattering_by(SCATTER));
     let mut unknowns: Vec<_> = (0..3).map(|k| Unknown::friction().of_contacts([k])).collect();
     unknowns.extend([Unknown::squeeze(), Unknown::stiffness().of_contacts([1])]);
-    let found = Identify::new(unknowns, seen)
-        .with_outliers_beyond(f64::INFINITY)
-        .answered_by(&grasp(&[0.5, 0.5, 0.5, 1.0, 1.0]))?;
+    let found = grasp(&[0.5, 0.5, 0.5, 1.0, 1.0])
+        .identify(&Identify::new(unknowns, seen).with_outliers_beyond(f64::INFINITY))?;
     agree(&found, &values, &from_differences(&slips, &values));
     Ok(())
 }
@@ -123,7 +122,7 @@ fn of_pushes(height: f64) -> Result<(), grasp_lcp::Error> {
     let asked = Identify::new(unknowns, seen).with_outliers_beyond(f64::INFINITY);
     let asked =
         asked.knowing([0, 1], values[0] + values[1], SCATTER).knowing([2, 3], values[2] + values[3], SCATTER);
-    let found = asked.answered_by(&grasp(&[3.0, 3.0, 3.0, 3.0, 0.4, 0.4]))?;
+    let found = grasp(&[3.0, 3.0, 3.0, 3.0, 0.4, 0.4]).identify(&asked)?;
     agree(&found, &values, &from_differences(&slips, &values));
     Ok(())
 }
@@ -148,7 +147,7 @@ fn of_an_angle() -> Result<(), grasp_lcp::Error> {
     let turn = planar::Turn::tilting([0.0, -5.0], [0.0, 0.03]).up_to(mu.atan());
     let slip = Slip::gross_on_turn(turn).scattering_by(SCATTER);
     let asked = Identify::new([Unknown::friction()], [slip]).with_outliers_beyond(f64::INFINITY);
-    let found = asked.answered_by(&block)?;
+    let found = block.identify(&asked)?;
     agree(&found, &[mu], &[SCATTER * (1.0 + mu * mu) * mu.atan() / mu]);
     Ok(())
 }

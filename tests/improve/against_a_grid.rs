@@ -21,7 +21,7 @@ fn loads() -> Vec<Wrench> {
 }
 
 fn first_slip(grasp: &Grasp) -> f64 {
-    let factor = |load: &Wrench| grasp.onset_of_sliding(&Wrench::ZERO, load).expect("a load").factor();
+    let factor = |load: &Wrench| grasp.onset(load).expect("a load").factor();
     loads().iter().map(|load| factor(load).unwrap_or(0.0)).fold(f64::INFINITY, f64::min)
 }
 
@@ -41,7 +41,7 @@ fn starts_from_anywhere_reach_the_best_of_a_grid() {
         let golden = |k: usize| TAU * (0.618_033_988_749_895 * (3 * start + k + 1) as f64).fract();
         let given = grasp([golden(0), golden(1), golden(2)]);
         let question = Improve::new(loads()).along(0, disc()).along(1, disc()).along(2, disc());
-        let improved = question.with_seed(start as u64).answered_by(&given).expect("asked well");
+        let improved = given.improve(&question.with_seed(start as u64)).expect("asked well");
         let reached = improved.after.expect("some start sticks");
         assert!(reached >= best - 1e-6, "start {start}: {reached} below {best}: {improved}");
         let again = first_slip(&improved.placed(&given).expect("three contacts"));

@@ -8,7 +8,7 @@ use support::jaws::jaw;
 fn refusal(question: &Improve<2>) -> String {
     let jaw = |x: f64, name| jaw::<2>(x, [1e3, 8e2], 0.5).name(name).pressed_with(8.0);
     let grasp = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")]).expect("two jaws");
-    question.answered_by(&grasp).map_or_else(|error: Error| error.to_string(), |answer| panic!("{answer}"))
+    grasp.improve(question).map_or_else(|error: Error| error.to_string(), |answer| panic!("{answer}"))
 }
 
 fn asked() -> Improve<2> {

@@ -19,7 +19,7 @@ fn fingers_on_a_can_carry_with_all_their_friction() {
     let can = || Surface::cylinder([0.0, 0.0, -0.03], [0.0, 0.0, 0.03], 0.05);
     let question =
         Improve::new(Wrench::force([0.0, 0.0, -1.0])).along(0, can()).along(1, can()).along(2, can());
-    let improved = question.pressing_at_most(10.0).answered_by(&grasp).expect("asked well");
+    let improved = grasp.improve(&question.pressing_at_most(10.0)).expect("asked well");
     assert!((improved.after.expect("sticks") - 15.0).abs() < CLOSE, "{improved:.12}");
     assert!(improved.is_locally_best(), "{improved}");
 }
@@ -32,7 +32,7 @@ fn fingers_on_a_ball_stand_on_a_great_circle() {
     let any = Loads::AnyForce { base: Wrench::ZERO, size: 1.0, point: [0.0; 3] };
     let question =
         Improve::new(any).along(0, ball()).along(1, ball()).along(2, ball()).pressing_at_most(10.0);
-    let improved = question.answered_by(&grasp).expect("asked well");
+    let improved = grasp.improve(&question).expect("asked well");
     let exact = 30.0 * 0.5 / 1.25_f64.sqrt();
     assert!((improved.after.expect("sticks") - exact).abs() < CLOSE, "{improved:.12} for {exact:.12}");
 }
@@ -61,7 +61,7 @@ fn triangles_and_rectangles_agree() {
             Wrench::force([0.0, 1.0, 0.0]),
             Wrench::force([0.5, -1.0, 0.0]),
         ];
-        let improved = Improve::new(loads).along(3, surface).answered_by(&grasp).expect("asked well");
+        let improved = grasp.improve(&Improve::new(loads).along(3, surface)).expect("asked well");
         assert!(improved.is_locally_best(), "{improved}");
         assert!(improved.contacts[3].moved > 1e-3, "{improved}");
         (improved.after.expect("sticks"), improved.contacts[3].point)
@@ -83,7 +83,7 @@ fn fingers_go_over_the_edges_of_a_mesh() {
     let best = |surface: Surface<3>| {
         let loads = vec![Wrench::force([1.0, 0.0, 0.0]), Wrench::force([0.5, -1.0, 0.0])];
         let question = Improve::new(loads).along(3, surface).with_starts(0);
-        let improved = question.answered_by(&grasp).expect("asked well");
+        let improved = grasp.improve(&question).expect("asked well");
         let moved = &improved.contacts[3];
         assert!(moved.moved > 0.015, "no further than its triangle: {improved}");
         assert!(["rectangle", "mesh"].contains(&moved.surface.as_deref().expect("has one")), "{moved:?}");

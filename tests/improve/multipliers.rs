@@ -14,7 +14,7 @@ fn asked(half: f64, force: f64) -> Improved<2> {
     let edge = |x: f64| Surface::segment([x, -half], [x, half]);
     let load = Wrench::force_at([0.0, -1.0], [0.02, 0.0]);
     let question = Improve::new(load).along(0, edge(-0.03)).along(1, edge(0.03)).pressing_at_most(force);
-    question.answered_by(&grasp).expect("asked well")
+    grasp.improve(&question).expect("asked well")
 }
 
 fn after(improved: &Improved<2>) -> f64 {

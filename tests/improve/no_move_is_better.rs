@@ -66,14 +66,14 @@ fn goal<const C: usize>(
         return None;
     }
     let margin = |load: Wrench<C>| {
-        let outcome = grasp.solve(&(*base + load)).expect("a load");
+        let outcome = grasp.solve(*base + load).expect("a load");
         let margins = outcome.equilibrium()?.contacts.iter().map(|contact| contact.margin);
         Some(margins.fold(f64::INFINITY, f64::min))
     };
     let least = |values: Vec<f64>| values.into_iter().fold(f64::INFINITY, f64::min);
     match (loads, goal) {
         (Loads::Each(all), ImproveGoal::FirstSlip) => {
-            let first = |load: &Wrench<C>| grasp.onset(&Ramp::load(*base, *load)).expect("a load").factor();
+            let first = |load: &Wrench<C>| grasp.onset(Ramp::load(*base, *load)).expect("a load").factor();
             Some(least(all.iter().map(first).collect::<Option<_>>()?))
         }
         (Loads::Each(all), _) => Some(least(all.iter().map(|load| margin(*load)).collect::<Option<_>>()?)),
@@ -106,7 +106,7 @@ fn no_move_gains<const C: usize>(
         .iter()
         .enumerate()
         .fold(question, |question, (k, surface)| question.along(k, surface.clone()));
-    let improved = question.answered_by(&grasp).expect("asked well");
+    let improved = grasp.improve(&question).expect("asked well");
     assert!(improved.is_locally_best(), "{improved}");
     let best = improved.after.expect("sticks");
     let value =

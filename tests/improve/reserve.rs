@@ -21,7 +21,7 @@ fn carried(load: f64, aside: f64) -> Improve<2> {
 /// would be 2 μ e, 10 mm in place of 4.
 #[test]
 fn a_load_aside_is_balanced_as_it_is_and_not_as_it_may_become() {
-    let improved = carried(4.0, 0.01).answered_by(&jaws([0.5; 2]).expect("two jaws")).expect("asked well");
+    let improved = jaws([0.5; 2]).expect("two jaws").improve(&carried(4.0, 0.01)).expect("asked well");
     assert!((improved.after.expect("sticks") - 3.0).abs() < CLOSE, "{improved:.12}");
     assert!(improved.is_locally_best(), "{improved}");
     let higher = improved.contacts[1].point[1] - improved.contacts[0].point[1];
@@ -43,7 +43,7 @@ fn three_fingers_on_a_disc_keep_what_a_third_of_any_force_leaves() {
     let any = Loads::AnyForce { base: Wrench::ZERO, size: 6.0, point: [0.0, 0.0] };
     let question = Improve::new(any).with_goal(ImproveGoal::Reserve).pressing_at_most(10.0);
     let question = (0..3).fold(question, |question, k| question.along(k, Surface::circle([0.0, 0.0], 0.05)));
-    let improved = question.answered_by(&grasp).expect("asked well");
+    let improved = grasp.improve(&question).expect("asked well");
     let exact = 0.5 * 10.0 - 6.0 * 1.25_f64.sqrt() / 3.0;
     assert!((improved.after.expect("sticks") - exact).abs() < CLOSE, "{improved:.12} for {exact:.12}");
     assert!(improved.is_locally_best(), "{improved}");
@@ -64,10 +64,10 @@ fn it_is_the_least_margin_of_the_grasp_under_its_loads() {
     let can = || Surface::cylinder([0.0, 0.0, -0.03], [0.0, 0.0, 0.03], 0.05);
     let question = Improve::new(Loads::Each(loads.clone())).on_top_of(weight).with_goal(ImproveGoal::Reserve);
     let question = (0..3).fold(question, |question, k| question.along(k, can())).pressing_at_most(12.0);
-    let improved = question.answered_by(&grasp).expect("asked well");
+    let improved = grasp.improve(&question).expect("asked well");
     let least = |grasp: &Grasp| {
         let margins = loads.iter().flat_map(|load| {
-            let outcome = grasp.solve(&(weight + *load)).expect("a load");
+            let outcome = grasp.solve(weight + *load).expect("a load");
             let state = outcome.equilibrium().expect("held").clone();
             state.contacts.iter().map(|contact| contact.margin).collect::<Vec<_>>()
         });
@@ -82,9 +82,9 @@ fn it_is_the_least_margin_of_the_grasp_under_its_loads() {
 /// A newton more of either jaw gives half of its friction: `μ N - P / 2`.
 #[test]
 fn its_multipliers_are_what_a_newton_gains() {
-    let improved = carried(4.0, 0.0)
-        .pressing_at_most(12.0)
-        .answered_by(&jaws([0.5; 2]).expect("two jaws"))
+    let improved = jaws([0.5; 2])
+        .expect("two jaws")
+        .improve(&carried(4.0, 0.0).pressing_at_most(12.0))
         .expect("asked well");
     assert!((improved.after.expect("sticks") - 4.0).abs() < CLOSE, "{improved:.12}");
     let gains = improved.in_the_way.iter().filter_map(|way| match way.binds {
@@ -104,9 +104,9 @@ fn its_multipliers_are_what_a_newton_gains() {
 /// The grasp given slides under the load, and is improved all the same.
 #[test]
 fn what_slides_is_improved() {
-    let improved = carried(9.0, 0.01)
-        .pressing_at_most(20.0)
-        .answered_by(&jaws([0.5; 2]).expect("two jaws"))
+    let improved = jaws([0.5; 2])
+        .expect("two jaws")
+        .improve(&carried(9.0, 0.01).pressing_at_most(20.0))
         .expect("asked well");
     assert_eq!(improved.before, None);
     assert!((improved.after.expect("sticks") - 5.5).abs() < CLOSE, "{improved:.12}");
@@ -116,7 +116,7 @@ fn what_slides_is_improved() {
 /// 30 N are more than their friction.
 #[test]
 fn what_no_grasp_carries_is_told_so() {
-    let improved = carried(30.0, 0.0).answered_by(&jaws([0.5; 2]).expect("two jaws")).expect("asked well");
+    let improved = jaws([0.5; 2]).expect("two jaws").improve(&carried(30.0, 0.0)).expect("asked well");
     assert_eq!((improved.before, improved.after), (None, None));
     let words = "NO GRASP on these surfaces was found that sticks under the loads";
     assert!(improved.to_string().starts_with(words), "{improved}");

@@ -17,7 +17,7 @@ fn threads_do_not_change_a_bit() {
     let question = (0..3).fold(Improve::new(loads), |question, k| question.along(k, can()));
     let on = |threads: usize| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        let improved = pool.install(|| question.answered_by(&grasp)).expect("asked well");
+        let improved = pool.install(|| grasp.improve(&question)).expect("asked well");
         // Debug text has every digit.
         format!("{improved:?}")
     };

@@ -50,9 +50,9 @@ fn what_is_called_solved_without_an_equilibrium_solves_the_data_exactly() {
         let grasp = grasp(&mut numbers, 2 + scene % 2, if scene % 4 < 2 { 0.5 } else { 6.0 });
         let pull = [0.1 * numbers.signed(), 0.1 * numbers.signed()];
         let load = planar::Wrench::new(pull, 0.05 * numbers.signed());
-        let holds = grasp.solve(&load).expect("a load in range").equilibrium().is_some();
+        let holds = grasp.solve(load).expect("a load in range").equilibrium().is_some();
         without += usize::from(!holds);
-        let form = grasp.kinematic_form(&load, &PolygonCone::default()).expect("a load in range");
+        let form = grasp.kinematic_form(load, &PolygonCone::default()).expect("a load in range");
         let Some(form) = form else { continue };
         match form.lcp.solve() {
             Outcome::Solved(solution) if !holds => {

@@ -1,6 +1,6 @@
 //! Hundreds of contacts that reach the edge of their cones at once, at a load that is known: `μ Σ F_n`, and `μ Σ F_n R` for a torque.
 
-use grasp_lcp::load_path::{Beyond, LossKind, Onset, PathEnd};
+use grasp_lcp::load_path::{Beyond, LossKind, Onset, PathEnd, Ramp};
 use grasp_lcp::{planar, spatial};
 use support::jaws::around;
 
@@ -32,7 +32,7 @@ fn ends_at_the_limit<const C: usize>(
     asks_beyond: bool,
 ) {
     let nothing = grasp_lcp::grasp::Wrench::ZERO;
-    let onset = grasp.onset_of_sliding(&nothing, &limit).expect("a finite load");
+    let onset = grasp.onset(Ramp::load(nothing, limit)).expect("a finite load");
     let Onset::At(event) = &onset else { panic!("{onset}") };
     assert!((event.factor - 1.0).abs() < 1e-12, "{}", event.factor);
     assert_eq!(event.leaving.len(), grasp.len());
@@ -41,7 +41,7 @@ fn ends_at_the_limit<const C: usize>(
         assert!(matches!(beyond, Beyond::LimitLoad | Beyond::Ends { .. }), "{beyond:?}");
     }
     let legs = [grasp_lcp::load_path::Leg::load_to(limit * OVERLOAD)];
-    let mut path = grasp.follow(&nothing, &legs).expect("a finite load");
+    let mut path = grasp.follow(nothing, &legs).expect("a finite load");
     assert_eq!(path.by_ref().count(), 0, "everything leaves at the end");
     let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{:?}", path.end()) };
     assert!((loss.fraction * OVERLOAD - 1.0).abs() < 1e-12, "{}", loss.fraction);

@@ -39,10 +39,10 @@ fn in_the_plane(text: &str) -> Result<Asked<2>, Box<dyn std::error::Error>> {
 #[test]
 fn a_finger_presses_again_beside_one_on_its_edge() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/pressed_on_again.json"))?;
-    let mut path = grasp.follow(&start, &legs)?;
+    let mut path = grasp.follow(start, &legs)?;
     path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
-    let mut steps = grasp.follow_in_steps(&start, &legs, 1e-7)?;
+    let mut steps = grasp.follow_in_steps(start, &legs, 1e-7)?;
     steps.by_ref().for_each(drop);
     let (last, near) = (path.state().ok_or("at its end")?, steps.state().ok_or("at its end")?);
     let largest = last.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
@@ -56,7 +56,7 @@ fn a_finger_presses_again_beside_one_on_its_edge() -> Tested {
 #[test]
 fn every_fraction_that_was_passed_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/told_everywhere.json"))?;
-    let mut path = grasp.follow(&start, &legs)?;
+    let mut path = grasp.follow(start, &legs)?;
     path.run();
     let (leg, end) = path.place();
     assert!(leg == 0 && end > 0.1);
@@ -81,7 +81,7 @@ fn two_contacts_stay_loaded_in_space() -> Tested {
         [include_str!("scenes/third_finger_opens.json"), include_str!("scenes/fourth_finger_opens.json")]
     {
         let (grasp, start, legs) = in_space(text)?;
-        let mut path = grasp.follow(&start, &legs[..1])?;
+        let mut path = grasp.follow(start, &legs[..1])?;
         let events = path.run();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         let opened = events.last().ok_or("events")?;
@@ -100,7 +100,7 @@ fn two_contacts_stay_loaded_in_space() -> Tested {
 }
 
 fn decided(grasp: &Grasp, start: Wrench, legs: &[Leg]) -> Tested {
-    let mut path: LoadPath<'_> = grasp.follow(&start, legs)?;
+    let mut path: LoadPath<'_> = grasp.follow(start, legs)?;
     path.run();
     assert!(!matches!(path.end(), Some(PathEnd::Undecided { .. })), "{:?}", path.end());
     Ok(())
@@ -115,7 +115,7 @@ fn nothing_presses() -> Tested {
     ] {
         let (grasp, start, legs) = in_the_plane(text)?;
         assert!(start == PlanarWrench::ZERO);
-        let mut path = grasp.follow(&start, &legs)?;
+        let mut path = grasp.follow(start, &legs)?;
         let events = path.run();
         // What is loose between fingers goes from gap to gap as soon as a load acts.
         assert!(events.iter().filter(|event| event.jump.is_none()).count() < 5, "{events:?}");
@@ -133,7 +133,7 @@ fn nothing_presses() -> Tested {
 #[test]
 fn the_other_way_to_begin_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/two_ways_at_the_start.json"))?;
-    let mut path = grasp.follow(&start, &legs)?;
+    let mut path = grasp.follow(start, &legs)?;
     let first = path.next().ok_or("an event at the start")?;
     assert!(first.leg == 0 && first.fraction == 0.0 && first.changes.is_empty());
     assert_eq!(first.other_continuations, Some(1));
@@ -141,7 +141,7 @@ fn the_other_way_to_begin_is_told() -> Tested {
     // The path slides on to a fold; steps find the one that sticks, which goes on.
     let loss = path.end().and_then(PathEnd::loss).ok_or("lost")?;
     assert_eq!(loss.kind, LossKind::Fold);
-    let mut steps = grasp.follow_in_steps(&start, &legs, 1e-6)?;
+    let mut steps = grasp.follow_in_steps(start, &legs, 1e-6)?;
     steps.by_ref().for_each(drop);
     assert!(matches!(steps.end(), Some(PathEnd::Completed)), "{:?}", steps.end());
     Ok(())
@@ -151,10 +151,10 @@ fn the_other_way_to_begin_is_told() -> Tested {
 #[test]
 fn a_slip_dies_out_on_the_edge_of_its_cone() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/slip_dies_out.json"))?;
-    let mut path = grasp.follow(&start, &legs)?;
+    let mut path = grasp.follow(start, &legs)?;
     path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
-    let mut steps = grasp.follow_in_steps(&start, &legs[..1], 1e-7)?;
+    let mut steps = grasp.follow_in_steps(start, &legs[..1], 1e-7)?;
     steps.by_ref().for_each(drop);
     let (there, near) = (path.state_at(0, 1.0).ok_or("has passed")?, steps.state().ok_or("at its end")?);
     for (a, b) in there.contacts.iter().zip(&near.contacts) {
@@ -167,11 +167,11 @@ fn a_slip_dies_out_on_the_edge_of_its_cone() -> Tested {
 #[test]
 fn what_neither_sticks_nor_slides_ends_the_path() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/stops_beside_a_maximum.json"))?;
-    let mut path = grasp.follow(&start, &legs)?;
+    let mut path = grasp.follow(start, &legs)?;
     path.run();
     let lost = path.end().and_then(PathEnd::loss).ok_or("is lost")?;
     assert!(lost.kind == LossKind::Corner && lost.leg == 0, "{lost:?}");
-    let mut steps = grasp.follow_in_steps(&start, &legs, 1e-7)?;
+    let mut steps = grasp.follow_in_steps(start, &legs, 1e-7)?;
     steps.by_ref().for_each(drop);
     let (leg, fraction) = steps.place();
     assert!(leg == 0 && (fraction - lost.fraction).abs() < 1e-3, "{fraction} and {}", lost.fraction);
@@ -189,13 +189,13 @@ fn a_slip_that_comes_and_goes_is_told_however_long_the_leg() -> Tested {
         };
         events.iter().filter(of_it).map(|event| event.load.resultant()[0]).collect()
     };
-    let mut whole = grasp.follow(&start, &legs)?;
+    let mut whole = grasp.follow(start, &legs)?;
     let told = load(&mut whole);
     assert_eq!(told.len(), 2, "{told:?}");
     // The same way in ten legs.
     let part = |k: u8| whole.state_at(0, f64::from(k) / 10.0).map(|state| Leg::load_to(state.load));
     let parts: Option<Vec<_>> = (1..=10).map(part).collect();
-    let in_parts = load(&mut grasp.follow(&start, &parts.ok_or("has passed")?)?);
+    let in_parts = load(&mut grasp.follow(start, &parts.ok_or("has passed")?)?);
     assert_eq!(in_parts.len(), 2, "{in_parts:?}");
     for (a, b) in told.iter().zip(&in_parts) {
         assert!((a - b).abs() < 1e-8, "{told:?} {in_parts:?}");

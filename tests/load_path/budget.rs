@@ -25,7 +25,7 @@ fn a_path_stops_where_its_steps_are_used_up() {
     let followed = |most_steps: usize| {
         let settings = Settings::default().with_most_steps(most_steps);
         let asked = grasp.with(&settings);
-        let mut path = asked.follow(&Wrench::ZERO, &[Leg::load_to(load)]).unwrap();
+        let mut path = asked.follow(Wrench::ZERO, &[Leg::load_to(load)]).unwrap();
         let events = path.run().len();
         (path.end().unwrap().clone(), events)
     };

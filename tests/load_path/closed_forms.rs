@@ -38,7 +38,7 @@ fn a_wedge_locks_at_its_angle() {
         assert!((pulls_out > 0.0) == (mu < tan), "by hand");
         let grasp = wedge(mu);
         let mut path = grasp
-            .follow(&down(0.0), &[planar::Leg::load_to(down(w1)), planar::Leg::load_to(down(0.0))])
+            .follow(down(0.0), &[planar::Leg::load_to(down(w1)), planar::Leg::load_to(down(0.0))])
             .unwrap();
         let mut events = path.run();
         assert!(completed(path.end()), "{mu}: {:?}", path.end());
@@ -95,7 +95,7 @@ fn a_wedge_at_its_locking_angle() {
     let grasp = wedge(mu);
     for (then, holds) in [(w1, true), (-1.0, false)] {
         let legs = [w1, 0.0, then].map(|w| planar::Leg::load_to(down(w)));
-        let mut path = grasp.follow(&down(0.0), &legs).unwrap();
+        let mut path = grasp.follow(down(0.0), &legs).unwrap();
         path.run();
         let unloaded = path.state_at(1, 1.0 - 1e-13).expect("held until the load is gone");
         for contact in &unloaded.contacts[..2] {
@@ -134,7 +134,7 @@ fn a_continuation_lost_by_snapping() {
     };
     let pull = |tau: f64| planar::Wrench::force([-tau, 0.0]);
     let grasp = planar::Grasp::new([foot(13.0), spring(-1.0), spring(1.0)]).unwrap();
-    let mut path = grasp.follow(&pull(0.0), &[planar::Leg::load_to(pull(10.0))]).unwrap();
+    let mut path = grasp.follow(pull(0.0), &[planar::Leg::load_to(pull(10.0))]).unwrap();
     assert!(path.run().is_empty());
     let loss = snap(&path, LossKind::Corner);
     let snap = 912.0 / 109.0;
@@ -149,7 +149,7 @@ fn a_continuation_lost_by_snapping() {
     assert!(x < 0.0);
     assert!(path.energies()[0].residual().abs() < 1e-13);
     // By listing all: stuck, sliding (which meets it at τ*) and open before, only open after.
-    let all = |tau: f64| grasp.equilibria(&pull(tau)).unwrap();
+    let all = |tau: f64| grasp.equilibria(pull(tau)).unwrap();
     assert_eq!((all(snap * 0.999).len(), all(snap * 1.001).len()), (3, 1));
     let open = all(snap * 1.001).remove(0);
     assert_close!(open.twist.translation()[1], snap * 1.001 * 12.0 / 26.0);
@@ -157,7 +157,7 @@ fn a_continuation_lost_by_snapping() {
     // Stuck: [24 12; 12 20]u = (-τ, 24): N = 24 - 3u_y, u_y = 12(τ + 48)/336, T = 14(20τ + 288)/336.
     // Sliding: [10 16.5; 12 20]u = (36 - τ, 24), determinant 2: u_y = (240 - 12(36 - τ))/2 = 6τ - 96, N = 24 - 18τ + 288.
     let soft = planar::Grasp::new([foot(3.0), spring(-1.0), spring(1.0)]).unwrap();
-    let mut path = soft.follow(&pull(0.0), &[planar::Leg::load_to(pull(40.0))]).unwrap();
+    let mut path = soft.follow(pull(0.0), &[planar::Leg::load_to(pull(40.0))]).unwrap();
     let events = path.run();
     assert!(completed(path.end()), "{:?}", path.end());
     // T = 3/2 N: (20τ + 288)/24 = 36 - 4.5(τ + 48)/28.
@@ -194,7 +194,7 @@ fn the_order_of_loading_matters() {
         ),
     ];
     for (legs, expected, friction) in orders {
-        let mut path = grasp.follow(&planar::Wrench::ZERO, &legs).unwrap();
+        let mut path = grasp.follow(planar::Wrench::ZERO, &legs).unwrap();
         assert_story(&path.run(), &expected);
         assert!(completed(path.end()));
         let end = path.state().unwrap();
@@ -219,7 +219,7 @@ fn frictionless_supports_open_one_by_one_and_close_again() {
     let load = |e: f64| planar::Wrench::force_at([0.0, -w], [e, 0.0]);
     let reach = 2.4;
     let mut path = plank
-        .follow(&load(0.0), &[planar::Leg::load_to(load(reach)), planar::Leg::load_to(load(0.0))])
+        .follow(load(0.0), &[planar::Leg::load_to(load(reach)), planar::Leg::load_to(load(0.0))])
         .unwrap();
     let events = path.run();
     assert!(completed(path.end()));
@@ -260,12 +260,12 @@ fn infinite_friction_never_slides() {
     let load = |x: f64, y: f64| planar::Leg::load_to(planar::Wrench::force([x, y]));
     let start = planar::Wrench::ZERO;
     // Any shear at all: nothing happens.
-    let mut path = grasp.follow(&start, &[load(1e6, 0.0), load(-1e6, 0.0), load(0.0, 0.0)]).unwrap();
+    let mut path = grasp.follow(start, &[load(1e6, 0.0), load(-1e6, 0.0), load(0.0, 0.0)]).unwrap();
     assert!(path.run().is_empty() && completed(path.end()));
     // Lifted without shear: it opens at y = a, when λ = kb a, closes there, and sticks with F_t = 0 where it closes.
     let lift = 2.0 * kb * a;
     let legs = [load(0.0, lift), load(p, lift), load(p, 0.0), load(0.0, 0.0)];
-    let mut path = grasp.follow(&start, &legs).unwrap();
+    let mut path = grasp.follow(start, &legs).unwrap();
     assert_story(&path.run(), &[(0, 0.5, vec![(0, "opens")]), (2, 0.5, vec![(0, "closes")])]);
     assert!(completed(path.end()));
     let closed = path.state_at(2, 1.0).unwrap();
@@ -291,7 +291,7 @@ fn infinite_friction_that_has_to_let_go_of_a_force_ends_the_path() {
     let spring = |x: f64| planar::Contact::new([x, 0.0], [3.0, 4.0]).series_stiffness(13.0, 0.5).bonded();
     let grasp = planar::Grasp::new([foot, spring(-1.0), spring(1.0)]).unwrap();
     let load = |x: f64, y: f64| planar::Leg::load_to(planar::Wrench::force([x, y]));
-    let mut path = grasp.follow(&planar::Wrench::ZERO, &[load(40.0, 0.0), load(40.0, 80.0)]).unwrap();
+    let mut path = grasp.follow(planar::Wrench::ZERO, &[load(40.0, 0.0), load(40.0, 80.0)]).unwrap();
     assert!(path.run().is_empty());
     // Without its foot the body sinks onto it again.
     let loss = limit_load(&path);

@@ -52,7 +52,7 @@ fn weight<const C: usize>() -> Wrench<C> {
 fn pulled<const C: usize>(grasp: &Grasp<C>, pull: f64) -> (Vec<Event<C>>, Vec<SVector<f64, C>>) {
     let mut along = [0.0; C];
     along[0] = pull;
-    let mut path = grasp.follow(&weight(), &[Leg::load_by(load(along))]).unwrap();
+    let mut path = grasp.follow(weight(), &[Leg::load_by(load(along))]).unwrap();
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     let balance = path.energies()[0].residual();
@@ -128,7 +128,7 @@ fn other_free_motions_end_at_a_gap_too() {
     let feet_of_two = || feet(&[[-0.1, 0.0], [0.1, 0.0]], 1.0).into_iter();
     let ceiling = |x: f64| Contact::new([x, 0.2], [0.0, -1.0]).series_stiffness(K, K).clearance(GAP);
     let lifted = Grasp::new(feet_of_two().chain([ceiling(-0.1), ceiling(0.1)])).unwrap();
-    let mut path = lifted.follow(&weight(), &[Leg::load_by(load([0.0, 150.0]))]).unwrap();
+    let mut path = lifted.follow(weight(), &[Leg::load_by(load([0.0, 150.0]))]).unwrap();
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)));
     let jump = events.iter().find_map(|event| event.jump.as_ref()).expect("it lifts off");
@@ -140,7 +140,7 @@ fn other_free_motions_end_at_a_gap_too() {
     let wall = Contact::new([0.1, 0.5], [-1.0, 0.0]).series_stiffness(K, K).clearance(GAP);
     let tipped = Grasp::new(feet_of_two().chain([wall])).unwrap();
     let high = Wrench::<2>::new([45.0, 0.0], -45.0 * 0.4);
-    let mut path = tipped.follow(&weight(), &[Leg::load_by(high)]).unwrap();
+    let mut path = tipped.follow(weight(), &[Leg::load_by(high)]).unwrap();
     let events = path.run();
     let tips = events.iter().find(|event| event.jump.is_some()).expect("it tips");
     near(tips.fraction * 45.0, 25.0);
@@ -153,7 +153,7 @@ fn a_gap_that_does_not_close_on_a_small_way_holds_nothing() {
     for (normal, gap) in [([1.0, 0.0], GAP), ([-1.0, 0.0], 0.03), ([0.0, -1.0], GAP)] {
         let contacts = feet(&[[-0.1, 0.0], [0.1, 0.0]], 1.0).into_iter().chain([stop(normal, gap)]);
         let grasp = Grasp::new(contacts).unwrap();
-        let mut path = grasp.follow(&weight(), &[Leg::load_by(load([80.0, 0.0]))]).unwrap();
+        let mut path = grasp.follow(weight(), &[Leg::load_by(load([80.0, 0.0]))]).unwrap();
         assert!(path.run().iter().all(|event| event.jump.is_none()));
         let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{:?}", path.end()) };
         assert_ne!(loss.kind, LossKind::Fold);
@@ -189,7 +189,7 @@ fn nothing_but_friction_works_on_the_way() {
             });
             let grasp = Grasp::new(feet.chain(stops)).unwrap();
             let pulled = Wrench::<2>::new([mirror * pull, 0.0], -mirror * pull * height);
-            let mut path = grasp.follow(&weight(), &[Leg::load_by(pulled)]).unwrap();
+            let mut path = grasp.follow(weight(), &[Leg::load_by(pulled)]).unwrap();
             path.run()
         };
         let events = told(1.0, 1.0);

@@ -45,10 +45,10 @@ fn same_in_pieces<const D: usize, const C: usize>(
     let (more, legs) = cut(scene, places);
     let program = more.legs();
     let asked = grasp.with(&support::programs::polygon());
-    let mut pieces = asked.follow(&more.start(), &program).unwrap();
+    let mut pieces = asked.follow(more.start(), &program).unwrap();
     let again = pieces.run();
     let asked = grasp.with(&support::programs::polygon());
-    let mut continued = asked.follow(&more.start(), &[]).unwrap();
+    let mut continued = asked.follow(more.start(), &[]).unwrap();
     let mut later = continued.run();
     for leg in &program {
         continued.continue_with(std::slice::from_ref(leg)).unwrap();
@@ -92,7 +92,7 @@ fn legs_may_be_cut<const D: usize, const C: usize>(
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
     let asked = grasp.with(&support::programs::polygon());
-    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+    let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let places: Vec<_> = (0..scene.goals.len() - 1).map(|leg| (leg, at)).collect();
@@ -108,7 +108,7 @@ fn legs_may_be_cut_at_events<const D: usize, const C: usize>(
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
     let asked = grasp.with(&support::programs::polygon());
-    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+    let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let lost = path.end().and_then(PathEnd::loss).map(|loss| (loss.leg, loss.fraction));

@@ -46,7 +46,7 @@ fn pulled(grasp: &Grasp, b: f64, most: f64) -> LoadPath<'_> {
     let mut commands = [[0.0; 3]; 6];
     commands[0] = [PRESS, 0.0, b];
     let legs = [Leg::commands_to(commands), Leg::load_to(Wrench::force([most, 0.0, 0.0]))];
-    let mut path = grasp.follow(&Wrench::ZERO, &legs).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &legs).unwrap();
     path.run();
     path
 }

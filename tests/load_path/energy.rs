@@ -15,7 +15,7 @@ fn energy_balances<const D: usize, const C: usize>(
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
     let asked = grasp.with(&support::programs::polygon());
-    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+    let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let (last_leg, last) = path.place();
@@ -77,7 +77,7 @@ fn closes<const D: usize, const C: usize>(
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
     let asked = grasp.with(&support::programs::polygon());
-    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+    let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     for energy in path.energies() {

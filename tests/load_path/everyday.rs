@@ -126,10 +126,10 @@ fn away(state: &Equilibrium, from: &Equilibrium) -> [f64; 2] {
 /// Of a path that ends before it begins, and what is said to lie beyond: at a limit nothing holds just beyond. At a snap what holds there does not come back to the
 /// start as the load does.
 fn check_end_at_rest(scene: &Everyday, grasp: &Grasp, beyond: &Beyond) {
-    let start = grasp.solve(&Wrench::ZERO).unwrap();
+    let start = grasp.solve(Wrench::ZERO).unwrap();
     let start = start.equilibrium().unwrap();
     let [near, nearer] = [1e-6, 1e-8].map(|part| {
-        let outcome = grasp.solve(&(scene.load() * part)).unwrap();
+        let outcome = grasp.solve(scene.load() * part).unwrap();
         outcome.equilibrium().map(|state| away(state, start))
     });
     if matches!(beyond, Beyond::LimitLoad) {
@@ -147,7 +147,7 @@ fn few_everyday_paths_end_undecided() {
     let count = |cell: &Cell<usize>| cell.set(cell.get() + 1);
     for_all(file!(), 120, &everyday(), |scene| {
         let grasp = scene.grasp();
-        let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(scene.load())]).unwrap();
+        let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(scene.load())]).unwrap();
         path.run();
         let end = path.end().unwrap();
         count(&paths);

@@ -15,7 +15,7 @@ fn pulled(
     settings: &Settings,
 ) -> Result<(Equilibrium, PathEnd, Option<Beyond>), Box<dyn Error>> {
     let asked = grasp.with(settings);
-    let mut path = asked.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([pull, 0.0, 0.0]))])?;
+    let mut path = asked.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([pull, 0.0, 0.0]))])?;
     path.by_ref().for_each(drop);
     let end = path.end().ok_or("run to its end")?.clone();
     let state = path.state().ok_or("it starts")?;
@@ -47,7 +47,7 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
 
     // What is there beyond: the thumb, which still pressed, lets go.
     assert!(last.contacts[0].normal_force() > 6e-4);
-    let beyond = grasp.solve(&Wrench::force([most * (1.0 + 1e-9), 0.0, 0.0]))?;
+    let beyond = grasp.solve(Wrench::force([most * (1.0 + 1e-9), 0.0, 0.0]))?;
     let beyond = beyond.equilibrium().ok_or("three fingers hold it")?;
     assert_eq!(beyond.contacts[0].state, ContactState::Separated);
     let largest = last.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);

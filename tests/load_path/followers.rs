@@ -50,8 +50,8 @@ fn they_stand_at_the_same_place() -> Result<(), Error> {
     for _ in 0..samples(20) {
         let (pad, legs) = (pad(&mut numbers)?, program(&mut numbers));
         let start = pulled(0.0, 0.0);
-        let mut path = pad.follow(&start, &[])?;
-        let mut steps = pad.follow_in_steps(&start, &[], ERROR)?;
+        let mut path = pad.follow(start, &[])?;
+        let mut steps = pad.follow_in_steps(start, &[], ERROR)?;
         let at_start = path.state().expect("rests");
         assert_eq!((path.place(), steps.place()), ((0, 0.0), (0, 0.0)));
         for state in [steps.state(), path.state_at(0, 0.0)] {
@@ -87,7 +87,7 @@ fn they_stand_at_the_same_place() -> Result<(), Error> {
         limits += usize::from(matches!(beyond[0], Some(Beyond::LimitLoad)));
 
         // All legs at once end there as well.
-        let mut at_once = pad.follow_in_steps(&start, &legs, ERROR)?;
+        let mut at_once = pad.follow_in_steps(start, &legs, ERROR)?;
         at_once.by_ref().for_each(drop);
         assert_eq!(at_once.forces(), steps.forces());
     }

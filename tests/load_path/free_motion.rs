@@ -31,7 +31,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
         (load(p, -1.0, m), Some(-1.0)),
         (load(-p, 0.0, 2.0 * m), None),
     ] {
-        let mut path = grasp.follow(&start, &away).unwrap();
+        let mut path = grasp.follow(start, &away).unwrap();
         let events = path.run();
         assert_story(&events, &[(2, 0.0, vec![(0, "opens")])]);
         let [free] = &events[0].free_motions[..] else { panic!("{:?}", events[0].free_motions) };
@@ -69,7 +69,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
         }
     }
     // The foot comes back: it touches where it left, and from there takes the body, which weighs nothing, along.
-    let mut path = grasp.follow(&start, &away).unwrap();
+    let mut path = grasp.follow(start, &away).unwrap();
     path.run();
     path.continue_with(&[command(a)]).unwrap();
     let events = path.run();
@@ -106,7 +106,7 @@ fn fingers_dragged_both_ways_hold_all_the_same() {
     let up = |state: &planar::Equilibrium| {
         state.contacts.iter().map(|c| c.force_world[1] / (mu * n)).collect::<Vec<_>>()
     };
-    let mut path = grasp.follow(&planar::Wrench::ZERO, &[drag(2.0 * edge), down(6.0 * mu * n)]).unwrap();
+    let mut path = grasp.follow(planar::Wrench::ZERO, &[drag(2.0 * edge), down(6.0 * mu * n)]).unwrap();
     let events = path.run();
     let all = (0..4).map(|i| (i, "slides")).collect();
     assert_story(&events, &[(0, 0.5, all), (1, 0.0, vec![(2, "sticks"), (3, "sticks")])]);
@@ -172,7 +172,7 @@ fn a_pinch_may_turn_about_its_line() {
     ];
     for (more, way) in cases {
         let legs = [away.clone(), held.clone(), spatial::Leg::load_by(more)];
-        let mut path = grasp.follow(&spatial::Wrench::ZERO, &legs).unwrap();
+        let mut path = grasp.follow(spatial::Wrench::ZERO, &legs).unwrap();
         let events = path.run();
         assert_story(&events, &[(0, 0.5, vec![(2, "opens")])]);
         let [free] = &events[0].free_motions[..] else { panic!("{:?}", events[0].free_motions) };
@@ -213,7 +213,7 @@ fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
     let n0 = K * A * 2.0 * KT / (2.0 * KT + K);
     for side in [1.0, -1.0] {
         let turn = spatial::Leg::load_to(spatial::Wrench::new([0.0; 3], [side * m, 0.0, 0.0]));
-        let mut path = grasp.follow(&spatial::Wrench::ZERO, &[turn, third(-A)]).unwrap();
+        let mut path = grasp.follow(spatial::Wrench::ZERO, &[turn, third(-A)]).unwrap();
         assert!(path.run().is_empty());
         let loss = limit_load(&path);
         assert_eq!((loss.leg, &numbers(&loss.contacts)[..]), (1, &[2][..]));

@@ -47,7 +47,7 @@ fn torsion_follows_masing() {
     let m1 = virgin(most);
     let inside = m1 - 2.0 * virgin(0.6 * strengths[0] / KT);
     let mut path =
-        grasp.follow(&Wrench::ZERO, &[turn(m1), turn(-m1), turn(m1), turn(inside), turn(m1)]).unwrap();
+        grasp.follow(Wrench::ZERO, &[turn(m1), turn(-m1), turn(m1), turn(inside), turn(m1)]).unwrap();
     let events = path.run();
     assert!(completed(path.end()), "{:?}", path.end());
     let (strong, weak) = (strengths[0] / KT, strengths[1] / KT);
@@ -99,7 +99,7 @@ fn fingers_drag_the_body_to_and_fro() {
         let still = std::iter::repeat_n([0.0; 3], 4);
         Leg::commands_to(std::iter::repeat_n([A, 0.0, c], 6).chain(still).collect::<Vec<_>>())
     };
-    let mut path = grasp.follow(&Wrench::ZERO, &[drag(c), drag(-c), drag(c)]).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &[drag(c), drag(-c), drag(c)]).unwrap();
     let events = path.run();
     assert!(completed(path.end()), "{:?}", path.end());
     let all = |what| (0..6).map(|i| (i, what)).collect::<Vec<_>>();
@@ -132,7 +132,7 @@ fn a_table_lifts_its_feet_and_tips() {
     let table = Grasp::new(corners.map(foot).into_iter().chain(guides)).unwrap();
     let at = |e: f64| Leg::load_to(Wrench::force_at([0.0, 0.0, -w], [e, e, 0.0]));
     let start = Wrench::force([0.0, 0.0, -w]);
-    let mut path = table.follow(&start, &[at(0.8), at(0.0), at(1.25)]).unwrap();
+    let mut path = table.follow(start, &[at(0.8), at(0.0), at(1.25)]).unwrap();
     let events = path.run();
     assert_story(
         &events,
@@ -174,7 +174,7 @@ fn a_grip_loses_its_weight_at_once_or_one_after_the_other() {
         let grasp = grip(frictions);
         let limit: f64 = frictions.iter().map(|mu| mu * N).sum();
         let pull = Leg::load_to(Wrench::force([0.0, 0.0, -1.6 * limit]));
-        let mut path = grasp.follow(&Wrench::ZERO, &[pull]).unwrap();
+        let mut path = grasp.follow(Wrench::ZERO, &[pull]).unwrap();
         let events = path.run();
         let carried = |z: f64| frictions.iter().map(|mu| (mu * N).min(KT * z)).sum::<f64>();
         let expected: Vec<_> = before

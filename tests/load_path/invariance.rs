@@ -34,15 +34,15 @@ fn tells_the_same<const D: usize, const C: usize>(
 ) -> Result<(), TestCaseError> {
     let (grasp, there) = (scene.grasp(), other.grasp());
     let asked = grasp.with(&support::programs::polygon());
-    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+    let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let asked = there.with(&support::programs::polygon());
-    let mut path_there = asked.follow(&other.start(), &other.legs()).unwrap();
+    let mut path_there = asked.follow(other.start(), &other.legs()).unwrap();
     let events_there = path_there.run();
     let both = format!("{}\nagainst\n{}", told(&events, &path), told(&events_there, &path_there));
     // Several equilibria to start from, or several continuations: which one is taken may depend on how it is written down.
-    let starts = [grasp.solve(&scene.start()).unwrap(), there.solve(&other.start()).unwrap()];
+    let starts = [grasp.solve(scene.start()).unwrap(), there.solve(other.start()).unwrap()];
     if let [Some(a), Some(b)] = starts.each_ref().map(Outcome::equilibrium) {
         let same = |(i, c): (usize, &ContactAnswer<C>)| {
             let force = contacts[i].iter().fold(SVector::zeros(), |sum, &j| sum + b.contacts[j].force_world);

@@ -42,7 +42,7 @@ fn law_holds<const D: usize, const C: usize>(
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
     let asked = grasp.with(&support::programs::polygon());
-    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+    let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     for event in &events {

@@ -49,7 +49,7 @@ impl Body {
 
     /// Follows a leg that ends on an edge: no event yet.
     fn up_to_the_edge(&self, shear: f64, lift: f64) -> LoadPath<'_> {
-        let mut path = self.grasp.follow(&self.load(0.0, 0.0), &[self.leg(shear, lift)]).unwrap();
+        let mut path = self.grasp.follow(self.load(0.0, 0.0), &[self.leg(shear, lift)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
         path
     }
@@ -76,7 +76,7 @@ fn sliding_at_the_end_of_a_leg() {
         let slides = |leg| (leg, 0.0, vec![(0, "slides")]);
         // Onwards in one program, and in a program that is continued later: the same.
         let legs = [edge, 1.5 * edge].map(|p| body.leg(p, 0.0));
-        let mut path = body.grasp.follow(&body.load(0.0, 0.0), &legs).unwrap();
+        let mut path = body.grasp.follow(body.load(0.0, 0.0), &legs).unwrap();
         assert_story(&path.run(), &[slides(1)]);
         let mut path = body.up_to_the_edge(edge, 0.0);
         let stands = path.state().unwrap();
@@ -106,7 +106,7 @@ fn sliding_at_the_end_of_a_leg() {
         assert!(path.run().is_empty() && completed(path.end()));
         assert!(path.state().unwrap().contacts[0].slip.norm() == 0.0);
         let rest = [body.leg(edge, 0.0), Leg::load_by(Wrench::ZERO), body.leg(1.1 * edge, 0.0)];
-        let mut path = body.grasp.follow(&body.load(0.0, 0.0), &rest).unwrap();
+        let mut path = body.grasp.follow(body.load(0.0, 0.0), &rest).unwrap();
         assert_story(&path.run(), &[slides(2)]);
         // Pressed harder while it is pulled on just enough, it stays on its edge and need not slide: T and μN grow alike.
         let press = 0.1 * body.opens_at();
@@ -156,7 +156,7 @@ fn closing_at_the_end_of_a_leg_elsewhere() {
         let edge = body.opens_at();
         let shear = 3.0 * body.slides_at();
         let legs = [(0.0, 2.0 * edge), (shear, 2.0 * edge), (shear, edge)].map(|(p, l)| body.leg(p, l));
-        let mut path = body.grasp.follow(&body.load(0.0, 0.0), &legs).unwrap();
+        let mut path = body.grasp.follow(body.load(0.0, 0.0), &legs).unwrap();
         assert_story(&path.run(), &[(0, 0.5, vec![(0, "opens")])]);
         assert!(completed(path.end()));
         path.continue_with(&[body.leg(shear, 0.0)]).unwrap();
@@ -177,7 +177,7 @@ fn a_limit_load_at_the_end_of_a_leg() {
         let grasp = Grasp::new([finger(1.0), finger(-1.0)]).unwrap();
         let edge = 2.0 * mu * k * a;
         let leg = |w: f64| Leg::load_to(Wrench::force([0.0, -w]));
-        let mut path = grasp.follow(&Wrench::ZERO, &[leg(edge)]).unwrap();
+        let mut path = grasp.follow(Wrench::ZERO, &[leg(edge)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
         assert_close!(path.state().unwrap().twist.translation()[1] * 2.0 * kt / edge, -1.0);
         path.continue_with(&[Leg::load_by(Wrench::ZERO), leg(0.5 * edge), leg(edge)]).unwrap();

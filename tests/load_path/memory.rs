@@ -16,7 +16,7 @@ fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
     let t = over(600, &planar_scenes(), |scene, tally| {
         let grasp = scene.grasp();
         let asked = grasp.with(&support::programs::polygon());
-        let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+        let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let monotone = |change: &Change<2>| matches!(change, Change::Slides { .. } | Change::Opens);
@@ -27,7 +27,7 @@ fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
         }
         let end = scene.goals.last().unwrap();
         let there = scene.grasp().with_commands(end.commands.iter().copied()).unwrap();
-        let list = there.equilibria(&Wrench::from_components(end.load.as_slice())).unwrap();
+        let list = there.equilibria(Wrench::from_components(end.load.as_slice())).unwrap();
         prop_assert!(!list.is_empty(), "the path found one");
         if list.len() == 1 {
             same_state(&scene, &list[0], &path.state().unwrap(), 1e-9)?;
@@ -48,7 +48,7 @@ fn a_path_without_events_can_be_reversed() {
         scene.goals.extend(scene.goals.clone().into_iter().rev().skip(1));
         let grasp = scene.grasp();
         let asked = grasp.with(&support::programs::polygon());
-        let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+        let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };

@@ -97,13 +97,13 @@ fn in_the_plane_every_event_is_exact() {
     let legs: Vec<_> = loads[1..].iter().map(|pq| Leg::load_to(load(*pq))).collect();
     for (count, exact) in (1..).zip(&exact) {
         let legs = &legs[..count];
-        let mut path = grasp.follow(&load(loads[0]), legs).unwrap();
+        let mut path = grasp.follow(load(loads[0]), legs).unwrap();
         path.run();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         let error = off(&world(&grasp, &path.forces()), &SVector::from([1.0, 0.0]), exact);
 
         assert!(error < 2e-15, "leg {count}: {error:e}");
-        let mut path = grasp.follow_in_steps(&load(loads[0]), legs, 1e-6).unwrap();
+        let mut path = grasp.follow_in_steps(load(loads[0]), legs, 1e-6).unwrap();
         path.run();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         let error = off(&world(&grasp, &path.forces()), &SVector::from([1.0, 0.0]), exact);
@@ -131,13 +131,13 @@ fn on_the_round_cone_events_and_steps_are_exact() {
     let shear = SVector::from([cos, sin, 0.0]);
     for (count, exact) in (1..).zip(&exact) {
         let legs = &legs[..count];
-        let mut path = grasp.follow(&load(loads[0]), legs).unwrap();
+        let mut path = grasp.follow(load(loads[0]), legs).unwrap();
         path.run();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         let error = off(&world(&grasp, &path.forces()), &shear, exact);
 
         assert!(error < 2e-15, "leg {count}: {error:e}");
-        let mut path = grasp.follow_in_steps(&load(loads[0]), legs, 1e-6).unwrap();
+        let mut path = grasp.follow_in_steps(load(loads[0]), legs, 1e-6).unwrap();
         path.run();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         let error = off(&world(&grasp, &path.forces()), &shear, exact);

@@ -21,7 +21,7 @@ fn is_decided<const C: usize>(end: Option<&PathEnd<C>>) -> bool {
 
 /// Follows a program; every state on the way obeys Coulomb's law and balances, as far as steps are exact. Says what is wrong.
 fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
-    let mut path = odd.grasp.follow(&odd.start, &odd.legs).unwrap();
+    let mut path = odd.grasp.follow(odd.start, &odd.legs).unwrap();
     path.run();
     if !is_decided(path.end()) {
         return Err(format!("undecided: {:?} at {:?}", path.end(), path.place()));

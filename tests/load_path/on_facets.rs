@@ -48,7 +48,7 @@ fn pulled(q: Vector2<f64>) -> Wrench {
 /// On the polygon.
 fn follow<'g>(grasp: &'g Grasp, loads: &[Vector2<f64>]) -> (LoadPath<'g>, Vec<Event>) {
     let legs: Vec<_> = loads.iter().map(|q| Leg::load_to(pulled(*q))).collect();
-    let mut path = grasp.follow(&pulled(Vector2::zeros()), &legs).unwrap();
+    let mut path = grasp.follow(pulled(Vector2::zeros()), &legs).unwrap();
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     assert!(path.energies().iter().all(|e| e.residual().abs() < 1e-13 && e.dissipated >= 0.0));
@@ -200,7 +200,7 @@ fn a_ring_turned_about_its_axis_has_one_event() {
         let torque = |m: f64| Leg::load_to(Wrench::new([0.0; 3], [0.0, 0.0, m]));
         let most = 1.25 * lets_go;
         let asked = ring.with(&Settings::default().on_the_polygon());
-        let mut path = asked.follow(&Wrench::ZERO, &[torque(most), torque(-most), torque(most)]).unwrap();
+        let mut path = asked.follow(Wrench::ZERO, &[torque(most), torque(-most), torque(most)]).unwrap();
         let events = path.run();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{n}: {:?}", path.end());
         let got: Vec<_> = events.iter().map(|e| (e.leg, e.changes.len())).collect();

@@ -25,7 +25,7 @@ pub(crate) fn undecided(grasp: &Grasp, sides: &[u8], settings: &Settings) -> usi
         for up in [0.0, 15.0] {
             let push = Wrench::new([50.0 * c, 50.0 * s, up], [0.3 * s, -0.3 * c, 0.05]);
             let asked = grasp.with(settings);
-            let mut path = asked.follow(&Wrench::ZERO, &[Leg::load_to(push)]).unwrap();
+            let mut path = asked.follow(Wrench::ZERO, &[Leg::load_to(push)]).unwrap();
             path.run();
             count += usize::from(matches!(path.end(), Some(PathEnd::Undecided { .. })));
         }

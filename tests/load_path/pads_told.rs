@@ -31,7 +31,7 @@ fn the_first_and_the_last_points_are_told() -> Result<(), grasp_lcp::Error> {
             Wrench::new([random.between(-1.0, 1.0), random.between(-4.0, 4.0)], random.between(-0.12, 0.12))
         };
         let legs = [Leg::load_to(load()), Leg::load_to(load())];
-        let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+        let mut path = grasp.follow(Wrench::ZERO, &legs)?;
         let events = path.run();
         for (i, event) in events.iter().enumerate() {
             let at =

@@ -71,7 +71,7 @@ impl Pad {
 
     fn follow(&self, shears: &[f64]) -> (LoadPath<'_>, Vec<Event>) {
         let legs: Vec<_> = shears.iter().map(|&q| Leg::load_to(self.load(q))).collect();
-        let mut path = self.grasp.follow(&self.load(0.0), &legs).unwrap();
+        let mut path = self.grasp.follow(self.load(0.0), &legs).unwrap();
         let events = path.run();
         (path, events)
     }

@@ -22,7 +22,7 @@ fn a_finger_turns_a_rod_without_force() {
     for_all(file!(), 60, &(100.0..5000.0_f64, 0.2..0.9_f64, 1e-4..5e-3_f64), |(k, arm, a)| {
         let grasp = rod(k, arm).unwrap();
         let down = || Leg::commands_by(vec![[0.0; 3], [0.0; 3], [a, 0.0, 0.0]]);
-        let mut path = grasp.follow(&Wrench::ZERO, &[down()]).unwrap();
+        let mut path = grasp.follow(Wrench::ZERO, &[down()]).unwrap();
         path.run();
         prop_assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         for part in [0.25, 0.5, 1.0] {
@@ -34,11 +34,11 @@ fn a_finger_turns_a_rod_without_force() {
         }
         // A moment that turns it up is held by the third finger, as far as the two do not mind.
         let moment = 0.1 * arm;
-        let mut held = grasp.follow(&Wrench::ZERO, &[down(), turn(moment)]).unwrap();
+        let mut held = grasp.follow(Wrench::ZERO, &[down(), turn(moment)]).unwrap();
         held.run();
         prop_assert!(matches!(held.end(), Some(PathEnd::Completed)), "{:?}", held.end());
         prop_assert!((held.state().unwrap().contacts[2].normal_force() - 0.1).abs() < 1e-9);
-        let mut lost = grasp.follow(&Wrench::ZERO, &[down(), turn(-moment)]).unwrap();
+        let mut lost = grasp.follow(Wrench::ZERO, &[down(), turn(-moment)]).unwrap();
         lost.run();
         let loss = lost.end().and_then(PathEnd::loss).unwrap();
         prop_assert!(loss.leg == 1 && loss.fraction == 0.0);

@@ -45,7 +45,7 @@ fn pushes_end_at_their_limit_loads() {
     let mut random = seeded(7);
     for number in 0..samples(150) {
         let pushed = in_space(Odd::Pushed, &mut random).unwrap();
-        let mut path = pushed.grasp.follow(&pushed.start, &pushed.legs).unwrap();
+        let mut path = pushed.grasp.follow(pushed.start, &pushed.legs).unwrap();
         path.run();
         let Some(loss) = path.end().and_then(PathEnd::loss) else { panic!("{number}: {:?}", path.end()) };
         let first = path.state_at(0, 0.0).unwrap();

@@ -31,7 +31,7 @@ fn to(a: f64, b: f64) -> Leg {
 }
 
 fn follow<'g>(grasp: &'g Grasp, legs: &[Leg]) -> (LoadPath<'g>, Vec<grasp_lcp::planar::Event>) {
-    let mut path = grasp.follow(&Wrench::ZERO, legs).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, legs).unwrap();
     let events = path.run();
     assert!(completed(path.end()), "{:?}", path.end());
     (path, events)
@@ -135,7 +135,7 @@ fn letting_go_drops_the_body() {
     let finger = |x: f64| jaw::<2>(x, [k, kt], mu).command([a, 0.0]);
     let grasp = Grasp::new([finger(1.0), finger(-1.0)]).unwrap();
     let let_go = Leg::commands_to(vec![[0.0, 0.0], [0.0, 0.0]]);
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([0.0, -w])), let_go]).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([0.0, -w])), let_go]).unwrap();
     assert!(path.run().is_empty());
     let loss = limit_load(&path);
     assert_eq!((loss.leg, &numbers(&loss.contacts)[..]), (1, &[0, 1][..]));
@@ -161,7 +161,7 @@ fn drawn_off_while_it_slides_in_space() {
         let grasp = Grasp::new([spring(-1.0, -1.0), spring(1.0, -1.0), spring(0.0, 1.0), finger]).unwrap();
         let to = |command: [f64; 3]| Leg::commands_to([[0.0; 3], [0.0; 3], [0.0; 3], command]);
         let legs = [to([1.0, 1.0, 0.0]), to([-0.5, 1.5, 0.0]), to([1.0, 1.5, 0.3])];
-        let mut path = grasp.follow(&Wrench::ZERO, &legs).unwrap();
+        let mut path = grasp.follow(Wrench::ZERO, &legs).unwrap();
         let events = path.run();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         assert_eq!(events.len(), 3, "{events:?}");

@@ -49,7 +49,7 @@ fn a_torque_takes_all_at_once() {
         let limit = n as f64 * MU * K * A;
         for sign in [1.0, -1.0] {
             let leg = planar::Leg::load_to(planar::Wrench::new([0.0; 2], 1.6 * sign * limit));
-            let mut path = grasp.follow(&planar::Wrench::ZERO, &[leg]).unwrap();
+            let mut path = grasp.follow(planar::Wrench::ZERO, &[leg]).unwrap();
             assert!(path.run().is_empty(), "{n}");
             // Up to 7 contacts all their states are tried beyond; whether among more something else holds is not known.
             let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{n}: {:?}", path.end()) };
@@ -78,7 +78,7 @@ fn squeezed_turned_let_go_and_squeezed_again() {
         let turn = |m: f64| planar::Leg::load_to(planar::Wrench::new([0.0; 2], m));
         let press = |a: f64| planar::Leg::commands_to(squeeze::<2>(n, 2, a));
         let legs = [press(2.0 * A), turn(torque), press(0.5 * A), press(2.0 * A), turn(0.0)];
-        let mut path = grasp.follow(&planar::Wrench::ZERO, &legs).unwrap();
+        let mut path = grasp.follow(planar::Wrench::ZERO, &legs).unwrap();
         let events = path.run();
         assert!(completed(path.end()), "{n}: {:?}", path.end());
         // 2a - 3a/2 f = 1.2 a.
@@ -138,7 +138,7 @@ fn a_side_load_goes_through_mirror_images() {
         let stiffness = BASE + if n == 2 { 2.0 * K } else { 0.5 * n as f64 * (K + KT) };
         let most = 3.0 * x * stiffness;
         let push = |f: f64| planar::Leg::load_to(planar::Wrench::force([f, 0.0]));
-        let mut path = grasp.follow(&planar::Wrench::ZERO, &[push(most), push(-most), push(most)]).unwrap();
+        let mut path = grasp.follow(planar::Wrench::ZERO, &[push(most), push(-most), push(most)]).unwrap();
         let events = path.run();
         assert!(completed(path.end()), "{n}: {:?}", path.end());
         assert_close!(events[0].fraction, 1.0 / 3.0);
@@ -189,7 +189,7 @@ fn a_ring_on_facets_slides_and_turns_as_one() {
             let legs = [pull(most), pull(0.0)];
             let on_facets = Settings::default().on_the_polygon();
             let asked = grasp.with(&on_facets);
-            let mut path = asked.follow(&spatial::Wrench::ZERO, &legs).unwrap();
+            let mut path = asked.follow(spatial::Wrench::ZERO, &legs).unwrap();
             let events = path.run();
             assert!(completed(path.end()), "{n}: {:?}", path.end());
             let expected: [Line; 4] = [
@@ -216,7 +216,7 @@ fn a_ring_in_space_slides_and_sticks_as_one() {
             };
             let slides = MU * K * A * (n as f64 * KT + BASE) / KT;
             let most = 2.5 * slides;
-            let mut path = grasp.follow(&spatial::Wrench::ZERO, &[pull(most), pull(0.0)]).unwrap();
+            let mut path = grasp.follow(spatial::Wrench::ZERO, &[pull(most), pull(0.0)]).unwrap();
             let events = path.run();
             assert!(completed(path.end()), "{n}: {:?}", path.end());
             let expected: [Line; 3] = [
@@ -243,7 +243,7 @@ fn a_ring_in_space_let_go_and_squeezed_again() {
         let pull = |w: f64| spatial::Leg::load_to(spatial::Wrench::force([0.0, 0.0, -w]));
         let press = |a: f64| spatial::Leg::commands_to(squeeze::<3>(n, 8, a));
         let legs = [press(2.0 * A), pull(weight), press(0.5 * A), press(2.0 * A), pull(0.0)];
-        let mut path = grasp.follow(&spatial::Wrench::ZERO, &legs).unwrap();
+        let mut path = grasp.follow(spatial::Wrench::ZERO, &legs).unwrap();
         let events = path.run();
         assert!(completed(path.end()), "{n}: {:?}", path.end());
         assert_story(&events, &[(2, 0.8 / 1.5, all(n, "slides")), (3, 0.0, all(n, "sticks"))]);
@@ -263,7 +263,7 @@ fn a_side_load_in_space_goes_through_mirror_images() {
         let stiffness = 0.5 * BASE + if n == 2 { 2.0 * K } else { 0.5 * n as f64 * (K + KT) };
         let most = 2.0 * x * stiffness;
         let push = |f: f64| spatial::Leg::load_to(spatial::Wrench::force([f, 0.0, 0.0]));
-        let mut path = grasp.follow(&spatial::Wrench::ZERO, &[push(most), push(-most), push(most)]).unwrap();
+        let mut path = grasp.follow(spatial::Wrench::ZERO, &[push(most), push(-most), push(most)]).unwrap();
         let events = path.run();
         assert!(completed(path.end()), "{n}: {:?}", path.end());
         assert_close!(events[0].fraction, 0.5);

@@ -25,7 +25,7 @@ fn to_all_digits() -> Settings {
 fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
     let asked = grasp.with(&to_all_digits());
-    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+    let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let completed = matches!(path.end(), Some(PathEnd::Completed));
@@ -158,7 +158,7 @@ fn same_story(
 
 /// Whether another view of a scene starts from the same equilibrium: of several it may be another.
 fn same_start(start: &Equilibrium<3>, other: &Spatial, contacts: &[usize], press: f64) -> bool {
-    let outcome = other.grasp().solve(&other.start()).unwrap();
+    let outcome = other.grasp().solve(other.start()).unwrap();
     let Some(there) = outcome.equilibrium() else { return false };
     start.contacts.iter().enumerate().all(|(i, c)| {
         let parts = there.contacts.iter().zip(contacts).filter(|(_, of)| **of == i);
@@ -175,13 +175,13 @@ fn frames_and_order_do_not_matter() {
     let t = over(27, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
         let asked = grasp.with(&to_all_digits());
-        let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+        let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         if !clear(&events) || matches!(path.end(), Some(PathEnd::NoStart(_))) {
             return Ok(());
         }
-        let outcome = grasp.solve(&scene.start()).unwrap();
+        let outcome = grasp.solve(scene.start()).unwrap();
         let Some(start) = outcome.equilibrium() else { return Ok(()) };
         let n = scene.spots.len();
         let straight: Vec<usize> = (0..n).collect();
@@ -200,7 +200,7 @@ fn frames_and_order_do_not_matter() {
             }
             let there = other.grasp();
             let asked = there.with(&to_all_digits());
-            let mut path_there = asked.follow(&other.start(), &other.legs()).unwrap();
+            let mut path_there = asked.follow(other.start(), &other.legs()).unwrap();
             let events_there = path_there.run();
             if !clear(&events_there) {
                 continue;
@@ -244,7 +244,7 @@ fn cutting_legs_changes_nothing() {
     let t = over(27, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
         let asked = grasp.with(&to_all_digits());
-        let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+        let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         let mut halves = scene.clone();
@@ -259,7 +259,7 @@ fn cutting_legs_changes_nothing() {
             halves.goals.extend([middle, pair[1].clone()]);
         }
         let asked = grasp.with(&to_all_digits());
-        let mut pieces = asked.follow(&halves.start(), &halves.legs()).unwrap();
+        let mut pieces = asked.follow(halves.start(), &halves.legs()).unwrap();
         let again = pieces.run();
         if !clear(&events) || !clear(&again) {
             return Ok(());
@@ -298,7 +298,7 @@ fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f
             drives[i][0] += spot.clearance;
         }
         let grasp = scene.grasp().with_commands(drives).unwrap();
-        let outcome = grasp.solve(&Wrench::from_components(load.as_slice())).unwrap();
+        let outcome = grasp.solve(Wrench::from_components(load.as_slice())).unwrap();
         let state = outcome.equilibrium()?;
         if !forces.is_empty() {
             let jump = state.contacts.iter().zip(&forces).map(|(c, f)| (c.force - f).norm());
@@ -323,7 +323,7 @@ fn small_steps_lead_to_the_same_end() {
     let t = over(20, &spatial_scenes(), |scene, tally| {
         let grasp = scene.grasp();
         let asked = grasp.with(&to_all_digits());
-        let mut path: LoadPath<'_, 3> = asked.follow(&scene.start(), &scene.legs()).unwrap();
+        let mut path: LoadPath<'_, 3> = asked.follow(scene.start(), &scene.legs()).unwrap();
         let events = path.run();
         tally.count(&events, &path);
         if !matches!(path.end(), Some(PathEnd::Completed)) || path.step_error() == 0.0 {
@@ -355,7 +355,7 @@ fn coarse_steps_end_nearby() {
         let ends = [1e-13, 1e-6].map(|tolerance| {
             let settings = Settings::default().with_step_error(tolerance);
             let asked = grasp.with(&settings);
-            let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+            let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
             let events = path.run();
             tally.count(&events, &path);
             (matches!(path.end(), Some(PathEnd::Completed)), path.step_error(), path.state())

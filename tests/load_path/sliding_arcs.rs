@@ -75,7 +75,7 @@ fn what_is_dragged_follows_a_tractrix() {
         for ahead in [1.0, 1.3] {
             let legs = [drag(0.0, ahead * l), drag(way * l, 0.0)];
             let asked = grasp.with(&to_all_digits());
-            let mut path = asked.follow(&Wrench::ZERO, &legs).unwrap();
+            let mut path = asked.follow(Wrench::ZERO, &legs).unwrap();
             let events = path.run();
             assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
             // One event, at the end of the leash; where that is the end of the leg it is the beginning of the next.
@@ -113,7 +113,7 @@ fn the_heat_of_a_tractrix() {
     let l = leash();
     for way in [0.5, 4.0, 40.0_f64] {
         let asked = grasp.with(&to_all_digits());
-        let mut path = asked.follow(&Wrench::ZERO, &[drag(0.0, l), drag(way * l, 0.0)]).unwrap();
+        let mut path = asked.follow(Wrench::ZERO, &[drag(0.0, l), drag(way * l, 0.0)]).unwrap();
         path.run();
         // ln cosh without overflow.
         let heat = MU * normal_force() * l * (way + (0.5 * (1.0 + (-2.0 * way).exp())).ln());
@@ -137,7 +137,7 @@ fn round_in_a_circle_what_is_dragged_keeps_to_a_smaller_one() {
     let legs: Vec<_> = (0..4 * sides).map(chord).collect();
     let settings = Settings::default().with_step_error(1e-9);
     let asked = grasp.with(&settings);
-    let mut path = asked.follow(&Wrench::ZERO, &legs).unwrap();
+    let mut path = asked.follow(Wrench::ZERO, &legs).unwrap();
     path.run();
     let ((last, _), end) = (path.place(), path.state().unwrap());
     assert_eq!(last + 1, legs.len());
@@ -160,7 +160,7 @@ fn the_error_of_the_steps_is_what_was_asked_for() {
     for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
         let settings = Settings::default().with_step_error(tolerance);
         let asked = grasp.with(&settings);
-        let mut path = asked.follow(&Wrench::ZERO, &legs).unwrap();
+        let mut path = asked.follow(Wrench::ZERO, &legs).unwrap();
         path.run();
         let mut worst = 0.0_f64;
         for part in 1..=20 {
@@ -195,7 +195,7 @@ fn springs_that_differ_along_the_tangents() {
     let r = MU * K * A;
     let (x, y) = (0.4, 1.1 * r / k2);
     let asked = grasp.with(&to_all_digits());
-    let mut path = asked.follow(&Wrench::ZERO, &[drag(0.0, y), drag(x, 0.0)]).unwrap();
+    let mut path = asked.follow(Wrench::ZERO, &[drag(0.0, y), drag(x, 0.0)]).unwrap();
     path.run();
     let end = path.state().unwrap();
     let reference = extrapolated(|n| returned(k1, k2, r, [0.0, y], [x, 0.0], n));
@@ -253,7 +253,7 @@ fn a_leash_at_right_angles_gives_way_at_once() {
     let grasp = dragged();
     let l = leash();
     let asked = grasp.with(&to_all_digits());
-    let mut path = asked.follow(&Wrench::ZERO, &[drag(0.0, l), drag(1e-3 * l, 0.0)]).unwrap();
+    let mut path = asked.follow(Wrench::ZERO, &[drag(0.0, l), drag(1e-3 * l, 0.0)]).unwrap();
     let events = path.run();
     assert_eq!((events[0].leg, events[0].fraction), (1, 0.0));
     let turned = FRAC_PI_2 - 2.0 * (-1e-3_f64).exp().atan();

@@ -26,7 +26,7 @@ const JUMP: f64 = 1e-3;
 fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
     let asked = grasp.with(&support::programs::polygon());
-    let mut path = asked.follow(&scene.start(), &scene.legs()).unwrap();
+    let mut path = asked.follow(scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let Some(start) = path.state_at(0, 0.0) else { return Ok(()) };

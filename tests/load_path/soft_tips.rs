@@ -28,9 +28,9 @@ fn a_pinch_spins_where_friction_works_no_more_than_the_load() {
         let limit = factor(0.5 * (low + high));
         let far = 3.0 * limit;
         let leg = [Leg::load_to(Wrench::new([0.0, 0.0, -f], [m, 0.0, 0.0]) * far)];
-        let mut events = grasp.follow(&Wrench::ZERO, &leg).expect("valid");
+        let mut events = grasp.follow(Wrench::ZERO, &leg).expect("valid");
         events.run();
-        let mut steps = grasp.follow_in_steps(&Wrench::ZERO, &leg, 1e-6).expect("valid");
+        let mut steps = grasp.follow_in_steps(Wrench::ZERO, &leg, 1e-6).expect("valid");
         steps.by_ref().for_each(drop);
         for (end, near) in [(events.end(), 5e-14), (steps.end(), 1e-10)] {
             let Some(PathEnd::Lost(loss)) = end else { panic!("{end:?}") };
@@ -48,9 +48,9 @@ fn both_ways_end_alike() {
     for _ in 0..samples(12) {
         let (grasp, load) = draw(&mut random).expect("valid");
         let leg = [Leg::load_to(load * 100.0)];
-        let mut events = grasp.follow(&Wrench::ZERO, &leg).expect("valid");
+        let mut events = grasp.follow(Wrench::ZERO, &leg).expect("valid");
         events.run();
-        let mut steps = grasp.follow_in_steps(&Wrench::ZERO, &leg, 1e-5).expect("valid");
+        let mut steps = grasp.follow_in_steps(Wrench::ZERO, &leg, 1e-5).expect("valid");
         steps.by_ref().for_each(drop);
         match (events.end(), steps.end()) {
             (Some(PathEnd::Lost(a)), Some(PathEnd::Lost(b))) => {

@@ -19,7 +19,7 @@ fn around(count: u32, up: bool) -> Grasp {
 }
 
 fn follow(grasp: &Grasp, load: Wrench) -> LoadPath<'_> {
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(load)]).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(load)]).unwrap();
     path.run();
     path
 }
@@ -70,7 +70,7 @@ fn fingers_that_do_not_press_carry_nothing() {
 fn what_grows_from_nothing_is_not_lost() {
     for count in 3..=6 {
         let (glass, push) = (around(count, false), Wrench::force([1.0, 0.2, 0.0]));
-        assert!(glass.solve(&push).unwrap().equilibrium().is_some());
+        assert!(glass.solve(push).unwrap().equilibrium().is_some());
         let path = follow(&glass, push);
         let end = path.end().unwrap();
         assert!(end.loss().is_none(), "{count}: {end:?}");
@@ -93,11 +93,11 @@ fn a_cylinder_that_touches_a_wall_is_held_by_it() {
             let grasp = Grasp::new([touch([0.0, -r], [0.0, 1.0]), touch([r, 0.0], [-1.0, 0.0])]).unwrap();
             let most = w * r * mu * (1.0 + mu) / (1.0 + mu * mu);
             let weight = Wrench::force([0.0, -w]);
-            let at_rest = grasp.solve(&weight).unwrap();
+            let at_rest = grasp.solve(weight).unwrap();
             assert!(at_rest.equilibrium().unwrap().contacts[1].gap.abs() < 1e-15);
             for (couple, limit) in [(-1.0, 1.0), (1.0, 0.0)] {
                 let load = Wrench::new([0.0, -w], 2.0 * couple * most);
-                let mut path = grasp.follow(&weight, &[Leg::load_to(load)]).unwrap();
+                let mut path = grasp.follow(weight, &[Leg::load_to(load)]).unwrap();
                 path.run();
                 let loss = path.end().unwrap().loss().unwrap();
                 assert!((2.0 * loss.fraction - limit).abs() < 1e-12, "{mu} {kn} {couple}: {loss:?}");

@@ -55,9 +55,9 @@ fn they_end_where_paths_from_event_to_event_end() -> Result<(), Error> {
             let table = table(3 + scene % 4, across, &mut numbers)?;
             let legs = program(&mut numbers);
             let start = pulled([0.0; 2], 0.0);
-            let mut exact = table.follow(&start, &legs)?;
+            let mut exact = table.follow(start, &legs)?;
             let events = exact.run().len();
-            let mut path = table.follow_in_steps(&start, &legs, error)?;
+            let mut path = table.follow_in_steps(start, &legs, error)?;
             steps += path.by_ref().count();
             let Some(PathEnd::Completed) = exact.end() else {
                 assert!(!matches!(path.end(), Some(PathEnd::Completed)), "scene {scene}");
@@ -126,7 +126,7 @@ fn errors_are_as_large_as_estimated() -> Result<(), Error> {
         let start = pulled([0.0; 2], 0.0);
         let tiny = Settings::default().with_step_error(1e-12);
         let asked = patch.with(&tiny);
-        let mut exact = asked.follow(&start, &[])?;
+        let mut exact = asked.follow(start, &[])?;
         let mut forces = Vec::new();
         for leg in &legs {
             exact.continue_with(std::slice::from_ref(leg))?;
@@ -136,7 +136,7 @@ fn errors_are_as_large_as_estimated() -> Result<(), Error> {
         }
         let mut made = Vec::new();
         for error in [1e-3, 1e-4, 1e-5, 1e-6] {
-            let mut path = patch.follow_in_steps(&start, &[], error)?;
+            let mut path = patch.follow_in_steps(start, &[], error)?;
             let (mut steps, mut off) = (0, 0.0_f64);
             for (leg, exact) in legs.iter().zip(&forces) {
                 path.continue_with(std::slice::from_ref(leg))?;
@@ -169,7 +169,7 @@ fn torsion_slides_ring_by_ring() -> Result<(), Error> {
     let moment =
         |turn: f64| -> f64 { rings.iter().map(|[r, press]| r * (2.0 * r * turn).min(0.5 * press)).sum() };
     let legs = [2.0, -0.5].map(|moment| Leg::load_to(pulled([0.0; 2], moment)));
-    let mut path = grasp.follow_in_steps(&pulled([0.0; 2], 0.0), &legs, 1e-6)?;
+    let mut path = grasp.follow_in_steps(pulled([0.0; 2], 0.0), &legs, 1e-6)?;
     let (mut there, mut compared) = (0.0, 0);
     while let Some(step) = path.next() {
         let turn = path.state().expect("on the way").twist.rotation()[2];
@@ -198,7 +198,7 @@ fn a_ring_that_slides_at_once_holds_to_its_limit() -> Result<(), Error> {
         let ring = Grasp::new((0..count).map(spring))?;
         let limit = 0.5 * count as f64;
         let legs = [Leg::load_to(Wrench::force([0.0, 0.0, -1.25 * limit]))];
-        let mut path = ring.follow_in_steps(&Wrench::ZERO, &legs, 1e-6)?;
+        let mut path = ring.follow_in_steps(Wrench::ZERO, &legs, 1e-6)?;
         let steps = path.by_ref().count();
         let held = path.end().and_then(PathEnd::fraction).expect("not beyond the limit");
         println!("{count} springs: {steps} steps, held to {held}");
@@ -220,9 +220,9 @@ fn they_are_lost_where_paths_from_event_to_event_are() -> Result<(), Error> {
         let table = table(3 + scene % 4, 0.8, &mut numbers)?;
         let [x, y, moment] = [0; 3].map(|_| 12.0 * numbers.signed());
         let (start, legs) = (pulled([0.0; 2], 0.0), [Leg::load_to(pulled([x, y], moment))]);
-        let mut exact = table.follow(&start, &legs)?;
+        let mut exact = table.follow(start, &legs)?;
         let _ = exact.run();
-        let mut path = table.follow_in_steps(&start, &legs, 1e-6)?;
+        let mut path = table.follow_in_steps(start, &legs, 1e-6)?;
         path.by_ref().for_each(drop);
         match [exact.end(), path.end()].map(|end| end.expect("run to its end")) {
             [PathEnd::Completed, PathEnd::Completed] => held += 1,
@@ -261,7 +261,7 @@ fn a_patch_slides_on_without_bound_at_its_limit() -> Result<(), Error> {
     let (grasp, _) = disc(300)?;
     for (shear, torsion) in [([0.0, 0.0], 6.0), ([4.5, 0.0], 1.5), ([0.6, 0.9], 3.0)] {
         let legs = [Leg::load_to(pulled(shear, torsion))];
-        let mut path = grasp.follow_in_steps(&pulled([0.0; 2], 0.0), &legs, 1e-4)?;
+        let mut path = grasp.follow_in_steps(pulled([0.0; 2], 0.0), &legs, 1e-4)?;
         let steps = path.by_ref().count();
         let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{:?}", path.end()) };
         println!("{steps} steps, {}", path.end().expect("lost"));
@@ -283,14 +283,14 @@ fn steps_are_bounded_and_can_be_looked_at_one_by_one() -> Result<(), Error> {
     let start = pulled([0.0; 2], 0.0);
     let few = Settings::default().with_most_steps(5);
     let asked = grasp.with(&few);
-    let mut path = asked.follow_in_steps(&start, &legs, 1e-8)?;
+    let mut path = asked.follow_in_steps(start, &legs, 1e-8)?;
     let steps: Vec<_> = path.by_ref().collect();
     assert!(
         steps.len() <= 5
             && matches!(path.end(), Some(PathEnd::Undecided { fraction, .. }) if *fraction < 1.0)
     );
     assert_eq!(path.end().and_then(PathEnd::fraction), Some(steps.last().map_or(0.0, |step| step.fraction)));
-    let mut path = grasp.follow_in_steps(&start, &legs, 1e-4)?;
+    let mut path = grasp.follow_in_steps(start, &legs, 1e-4)?;
     let mut before = 0.0;
     while let Some(step) = path.next() {
         let state = path.state().expect("on the way");
@@ -322,9 +322,9 @@ fn in_the_plane_they_end_where_every_event_was_found() -> Result<(), Error> {
         let table = planar::Grasp::new((0..4).map(foot).collect::<Vec<_>>())?;
         let pulled = |x: f64| planar::Wrench::new([x, -10.0], -15.0);
         let legs = [3.0, -2.0, 3.5, 0.0].map(|x| planar::Leg::load_to(pulled(x)));
-        let mut exact = table.follow(&pulled(0.0), &legs)?;
+        let mut exact = table.follow(pulled(0.0), &legs)?;
         slid += exact.by_ref().map(|event| event.changes.len()).sum::<usize>();
-        let mut path = table.follow_in_steps(&pulled(0.0), &legs, 1e-6)?;
+        let mut path = table.follow_in_steps(pulled(0.0), &legs, 1e-6)?;
         path.by_ref().for_each(drop);
         let ends = [exact.end(), path.end()].map(|end| matches!(end, Some(PathEnd::Completed)));
         assert_eq!(ends[0], ends[1]);
@@ -345,10 +345,10 @@ fn in_the_plane_they_end_where_every_event_was_found() -> Result<(), Error> {
 fn bad_input_is_named() -> Result<(), Error> {
     let (grasp, _) = disc(5)?;
     for error in [0.0, -1.0, 2.0, f64::NAN] {
-        let told = grasp.follow_in_steps(&Wrench::ZERO, &[], error).unwrap_err().to_string();
+        let told = grasp.follow_in_steps(Wrench::ZERO, &[], error).unwrap_err().to_string();
         assert_eq!(told, format!("error of a leg is {error}, must be from 1e-9 to 1"));
     }
-    let none = grasp.follow_in_steps(&Wrench::force([0.0, 0.0, 1e3]), &[], 1e-3)?;
+    let none = grasp.follow_in_steps(Wrench::force([0.0, 0.0, 1e3]), &[], 1e-3)?;
     assert!(
         matches!(none.end(), Some(PathEnd::NoStart(_))) && none.state().is_none() && none.forces().is_empty()
     );

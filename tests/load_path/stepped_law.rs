@@ -20,11 +20,11 @@ fn the_law_holds<const D: usize, const C: usize>(
     tally: &mut Tally,
 ) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
-    let mut path = grasp.follow(&scene.start(), &scene.legs()).unwrap();
+    let mut path = grasp.follow(scene.start(), &scene.legs()).unwrap();
     let events = path.run();
     tally.count(&events, &path);
     let asked = grasp.with(&Settings::default().with_most_steps(MOST_STEPS));
-    let mut steps = asked.follow_in_steps(&scene.start(), &scene.legs(), ERROR).unwrap();
+    let mut steps = asked.follow_in_steps(scene.start(), &scene.legs(), ERROR).unwrap();
     while let Some(step) = steps.next() {
         let state = steps.state().unwrap();
         let breach = scene.breach_on_the_round_cone(step.leg, step.fraction, &state);

@@ -59,7 +59,7 @@ fn every_spring_is_where_masings_rule_puts_it() {
         // Half of the springs, more or less, slide at the turning point.
         let x0 = 0.6 * MU / C;
         let [most, least] = [pad.virgin(x0), pad.virgin(x0) - 2.0 * pad.virgin(0.9 * x0)];
-        let mut path = pad.grasp.follow_in_steps(&pad.load(0.0), &[], ERROR).unwrap();
+        let mut path = pad.grasp.follow_in_steps(pad.load(0.0), &[], ERROR).unwrap();
         // Each spring holds back by up to its limit on the way there, and then pushes on by up to as much.
         let there = |limit: f64| (C * x0).min(limit);
         let back = |limit: f64| (there(limit) - C * 1.8 * x0).max(-limit);
@@ -86,7 +86,7 @@ fn a_pad_gives_way_when_every_spring_slides() {
         let pad = Pad::new(n);
         let most: f64 = pad.limits.iter().sum();
         let legs = [Leg::load_to(pad.load(1.25 * most))];
-        let mut path = pad.grasp.follow_in_steps(&pad.load(0.0), &legs, ERROR).unwrap();
+        let mut path = pad.grasp.follow_in_steps(pad.load(0.0), &legs, ERROR).unwrap();
         path.by_ref().for_each(drop);
         let loss = path.end().and_then(PathEnd::loss).expect("a loss");
         let off = loss.load.to_vector()[0] / most - 1.0;
@@ -118,7 +118,7 @@ fn pairs_touch_and_part_at_known_loads() {
     let press = |z: f64| Wrench::force([0.0, -load(z)]);
     let first = 0.5 * clearance(1);
     let legs = [Leg::load_to(press(deepest)), Leg::load_to(press(first))];
-    let mut path = grasp.follow_in_steps(&press(first), &legs, ERROR).unwrap();
+    let mut path = grasp.follow_in_steps(press(first), &legs, ERROR).unwrap();
     let mut steps = 0;
     while let Some(Step { load: pressed, open, .. }) = path.next() {
         let state = path.state().unwrap();

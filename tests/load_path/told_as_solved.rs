@@ -44,12 +44,12 @@ fn is_one<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> bool {
 /// Compares states on the way to a load with solutions; how many of them were one, and how many of these had something free.
 fn compared<const C: usize>(contacts: Vec<Contact<C>>, load: Wrench<C>, counts: &mut [usize; 2]) {
     let grasp = Grasp::new(contacts).unwrap();
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_by(load)]).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_by(load)]).unwrap();
     path.run();
     let (_, end) = path.place();
     for fraction in (0..=8).map(|k| f64::from(k) / 8.0 * end) {
         let Some(state) = path.state_at(0, fraction) else { continue };
-        let outcome = grasp.solve(&(load * fraction)).unwrap();
+        let outcome = grasp.solve(load * fraction).unwrap();
         let Some(solved) = outcome.equilibrium().filter(|solved| is_one(solved, &state)) else { continue };
         counts[0] += 1;
         counts[1] += usize::from(!solved.free_motions.is_empty());

@@ -20,7 +20,7 @@ fn a_block_on_a_spring_goes_round_its_hysteresis() -> Result<(), Error> {
     let grasp = Grasp::new([foot(-1.0), foot(1.0), lid, spring])?;
     let angle = TAU * f64::from(turns);
     let turn = Turn::new(Wrench::ZERO, Wrench::ZERO, Wrench::force([pull, 0.0])).up_to(angle);
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::turn(&turn)])?;
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::turn(&turn)])?;
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     assert_eq!(events.len(), 1 + 4 * turns as usize);
@@ -64,7 +64,7 @@ fn radial(sense: f64) -> Turn {
 /// How far the shaft has turned by the end of each turn.
 fn creep(sense: f64, turns: usize) -> Result<Vec<f64>, Error> {
     let grasp = shaft(sense);
-    let mut path = grasp.follow(&Wrench::force([2.4, 0.0]), &vec![Leg::turn(&radial(sense)); turns])?;
+    let mut path = grasp.follow(Wrench::force([2.4, 0.0]), &vec![Leg::turn(&radial(sense)); turns])?;
     path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     Ok((0..turns).filter_map(|leg| path.state_at(leg, 1.0)).map(|state| state.twist.rotation()).collect())
@@ -87,7 +87,7 @@ fn a_shaft_creeps_with_each_turn_of_its_load() -> Result<(), Error> {
 fn one_leg_of_many_turns_is_many_legs() -> Result<(), Error> {
     let grasp = shaft(1.0);
     let legs = creep(1.0, 4)?;
-    let mut path = grasp.follow(&Wrench::force([2.4, 0.0]), &[Leg::turn(&radial(1.0).up_to(4.0 * TAU))])?;
+    let mut path = grasp.follow(Wrench::force([2.4, 0.0]), &[Leg::turn(&radial(1.0).up_to(4.0 * TAU))])?;
     path.run();
     let end = path.state().expect("has passed");
     assert!((end.twist.rotation() - legs[3]).abs() < 1e-14);
@@ -102,7 +102,7 @@ fn chords_close_in_on_a_turn_in_the_plane() -> Result<(), Error> {
         let legs: Vec<_> = (1..=2 * chords)
             .map(|k| Leg::load_to(radial(1.0).load_at(TAU * f64::from(k) / f64::from(chords))))
             .collect();
-        let mut path = grasp.follow(&Wrench::force([2.4, 0.0]), &legs)?;
+        let mut path = grasp.follow(Wrench::force([2.4, 0.0]), &legs)?;
         path.run();
         Ok((path.state().expect("has passed").twist.rotation() - exact).abs())
     };
@@ -143,7 +143,7 @@ fn chords_close_in_on_a_turn_on_the_round_cone() -> Result<(), Error> {
     let start = [spatial::Leg::load_to(turn.load_at(0.0))];
     let settings = Settings::default().with_step_error(1e-13);
     let asked = grasp.with(&settings);
-    let mut path = asked.follow(&weight, &[&start[..], &[spatial::Leg::turn(&turn)]].concat())?;
+    let mut path = asked.follow(weight, &[&start[..], &[spatial::Leg::turn(&turn)]].concat())?;
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     assert!(events.len() > 2, "{events:?}");
@@ -155,7 +155,7 @@ fn chords_close_in_on_a_turn_on_the_round_cone() -> Result<(), Error> {
         let chord = |k: i32| spatial::Leg::load_to(turn.load_at(angle(k)));
         let legs: Vec<_> = start.iter().cloned().chain((1..=chords).map(chord)).collect();
         let asked = grasp.with(&settings);
-        let mut path = asked.follow(&weight, &legs)?;
+        let mut path = asked.follow(weight, &legs)?;
         path.run();
         let end = path.state().expect("has passed");
         let apart = |(a, b): (&spatial::ContactAnswer, &spatial::ContactAnswer)| (a.force - b.force).norm();
@@ -173,8 +173,8 @@ fn what_cannot_be_followed_exactly_is_refused() {
     let grasp = shaft(1.0);
     let turn = radial(1.0);
     let both = Leg::turn(&turn).and_commands_by([[1e-3, 0.0]; 8]);
-    let refused = grasp.follow(&Wrench::ZERO, &[both]).expect_err("refused");
+    let refused = grasp.follow(Wrench::ZERO, &[both]).expect_err("refused");
     assert_eq!(refused.to_string(), "commands or torques of a leg: change while the load turns, must stay");
-    let refused = grasp.follow(&Wrench::ZERO, &[Leg::turn(&turn.up_to(f64::NAN))]).expect_err("refused");
+    let refused = grasp.follow(Wrench::ZERO, &[Leg::turn(&turn.up_to(f64::NAN))]).expect_err("refused");
     assert_eq!(refused.to_string(), "angle of the turn is NaN, must be more than 0 and at most 1e6 rad");
 }

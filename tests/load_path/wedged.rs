@@ -62,14 +62,14 @@ fn in_the_plane_the_height_is_anything_in_an_interval() {
     let grasp = planar_grasp();
     let load = planar::Wrench::new([0.0, 0.0], COUPLE);
     // Without a history an end of the interval will do, where one of the two does not slip yet.
-    let Outcome::Equilibrium(state) = grasp.solve(&load).unwrap() else { panic!("it holds") };
+    let Outcome::Equilibrium(state) = grasp.solve(load).unwrap() else { panic!("it holds") };
     let (theta, room) = by_hand(2.0 * GUIDE);
     assert_close!(state.twist.rotation(), theta);
     assert!(state.twist.translation()[1].abs() <= room * (1.0 + 1e-15));
     for contact in &state.contacts[..2] {
         assert_close!(contact.force[1], -MU * KN * PRESS);
     }
-    let mut path = grasp.follow(&planar::Wrench::ZERO, &[planar::Leg::load_to(load)]).unwrap();
+    let mut path = grasp.follow(planar::Wrench::ZERO, &[planar::Leg::load_to(load)]).unwrap();
     path.run();
     let state = path.state_at(0, 1.0).unwrap();
     check(&state, by_hand(2.0 * GUIDE), 2);
@@ -103,9 +103,9 @@ fn in_space_the_height_is_anything_in_an_interval() {
     ];
     let grasp = spatial::Grasp::new(contacts).unwrap();
     let load = spatial::Wrench::new([0.0; 3], [0.0, 0.0, COUPLE]);
-    let Outcome::Equilibrium(state) = grasp.solve(&load).unwrap() else { panic!("it holds") };
+    let Outcome::Equilibrium(state) = grasp.solve(load).unwrap() else { panic!("it holds") };
     check(&state, by_hand(4.0 * GUIDE), 5);
-    let mut path = grasp.follow(&spatial::Wrench::ZERO, &[spatial::Leg::load_to(load)]).unwrap();
+    let mut path = grasp.follow(spatial::Wrench::ZERO, &[spatial::Leg::load_to(load)]).unwrap();
     path.run();
     let state = path.state_at(0, 1.0).unwrap();
     check(&state, by_hand(4.0 * GUIDE), 5);

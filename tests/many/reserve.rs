@@ -24,7 +24,7 @@ fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<
     let mut onsets: Vec<f64> = grasp.onset_of_samples(&ramp, off, SAMPLES).into_iter().map(slides).collect();
     onsets.sort_by(f64::total_cmp);
     for (sigmas, tail) in TAILS {
-        let held = grasp.reserve(&base, off, sigmas).unwrap().along(&direction);
+        let held = grasp.reserve(base, off, sigmas).unwrap().along(&direction);
         assert!(held <= known, "{held} {known}");
         let below = onsets.iter().filter(|onset| **onset < held).count() as f64;
         let expected = tail * SAMPLES as f64;
@@ -64,7 +64,7 @@ impl Compared {
         for (sigmas, tail) in TAILS {
             let expected = tail * DRAWN as f64;
             let quantile = onsets[expected as usize];
-            let held = grasp.reserve(&Wrench::ZERO, off, sigmas).unwrap().along(&direction);
+            let held = grasp.reserve(Wrench::ZERO, off, sigmas).unwrap().along(&direction);
             let below = onsets.iter().filter(|onset| **onset < held).count() as f64;
             self.asked += 1;
             self.unsafe_ones += usize::from(below > expected + 4.0 * expected.sqrt());
@@ -154,7 +154,7 @@ fn a_reserve_is_smooth_where_friction_is_hardly_known() {
     };
     let grasp = planar::Grasp::new([jaw(-0.04), jaw(0.04)]).unwrap();
     let off = Uncertainty::seeded(0).with_friction(0.2).with_stiffness(0.1).with_squeeze(0.1);
-    let reserve = grasp.reserve(&planar::Wrench::ZERO, &off, 3.0).unwrap();
+    let reserve = grasp.reserve(planar::Wrench::ZERO, &off, 3.0).unwrap();
     let at = |degrees: i32| {
         let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
         reserve.along(&planar::Wrench::force([cos, sin]))
@@ -228,14 +228,14 @@ fn of_two_fingers_either_may_be_the_bad_one() {
     let down = planar::Wrench::force([0.0, -1.0]);
     let sigma = 0.05;
     let held = grasp
-        .reserve(&planar::Wrench::ZERO, &Uncertainty::seeded(1).with_friction(sigma), 3.0)
+        .reserve(planar::Wrench::ZERO, &Uncertainty::seeded(1).with_friction(sigma), 3.0)
         .unwrap()
         .along(&down);
     // Φ(-3.2052) is half of Φ(-3).
     let exact = 10.0 * (-3.2052 * sigma).exp();
     assert!(held <= exact && held > 0.98 * exact, "{held} {exact}");
     // With nothing unknown the reserve is the onset.
-    let held = grasp.reserve(&planar::Wrench::ZERO, &Uncertainty::seeded(1), 3.0).unwrap().along(&down);
+    let held = grasp.reserve(planar::Wrench::ZERO, &Uncertainty::seeded(1), 3.0).unwrap().along(&down);
     assert!((held - 10.0).abs() < 1e-7, "{held}");
 }
 
@@ -265,11 +265,11 @@ fn any_way_around_a_round_cone() {
     let down = spatial::Wrench::force([0.0, 0.0, -1.0]);
     let is_far_below = |weight: f64| {
         let samples =
-            grasp.onset_of_samples(&grasp_lcp::load_path::Ramp::load(down * weight, down), &off, 40_000);
+            grasp.onset_of_samples(grasp_lcp::load_path::Ramp::load(down * weight, down), &off, 40_000);
         samples.into_iter().filter(|onset| onset.as_ref().is_ok_and(|onset| onset.factor().is_none())).count()
     };
     // As much weight as the pad needs to stick with two deviations: found by trial of its base load.
-    let sticks = |weight: f64| grasp.reserve(&(down * weight), &off, 2.0).unwrap().along(&down) > 0.0;
+    let sticks = |weight: f64| grasp.reserve(down * weight, &off, 2.0).unwrap().along(&down) > 0.0;
     let (mut no, mut yes) = (0.0, 10.0);
     for _ in 0..40 {
         let weight = 0.5 * (no + yes);
@@ -290,7 +290,7 @@ fn a_reserve_is_continuous_over_directions() {
             .pressed_with(6.0)
     };
     let grasp = planar::Grasp::new([finger(-0.04, 0.02), finger(-0.04, -0.02), finger(0.04, 0.0)]).unwrap();
-    let reserve = grasp.reserve(&planar::Wrench::ZERO, &everything(), 3.0).unwrap();
+    let reserve = grasp.reserve(planar::Wrench::ZERO, &everything(), 3.0).unwrap();
     let at = |k: i32| {
         let (sin, cos) = (f64::from(k) * TAU / 1440.0).sin_cos();
         reserve.along(&planar::Wrench::force([cos, sin]))
@@ -306,7 +306,7 @@ fn a_wrong_number_of_deviations_is_refused() {
     let contact = planar::Contact::new([0.0; 2], [0.0, 1.0]).series_stiffness(1.0, 1.0).friction(0.5);
     let grasp = planar::Grasp::new([contact]).unwrap();
     for sigmas in [0.0, -1.0, 9.0, f64::NAN] {
-        let refused = grasp.reserve(&planar::Wrench::ZERO, &everything(), sigmas).unwrap_err();
+        let refused = grasp.reserve(planar::Wrench::ZERO, &everything(), sigmas).unwrap_err();
         assert!(
             matches!(refused, Error::Argument { what: "standard deviations in reserve", .. }),
             "{refused}"

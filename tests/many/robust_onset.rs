@@ -122,12 +122,12 @@ fn onsets_of_turns_spread_alike() {
     let (grasp, _) = in_space();
     let turn = spatial::Turn::tilting([0.5, 0.0, -10.0], [0.05, 0.1, 0.0], [0.3, 1.0, 0.2]).unwrap();
     let off = Uncertainty::seeded(6).with_position(0.002).with_normal(0.002).with_squeeze(0.003);
-    let onset = grasp.onset_of_turn(&turn).unwrap().onset;
+    let onset = grasp.onset_of_turn(turn).unwrap().onset;
     let known =
         grasp.sensitivity().onset_spread(onset.event().unwrap(), &off).unwrap().unwrap().deviation.unwrap();
     let angle = |number| {
         let sample = grasp.sample(&off, number).unwrap();
-        sample.onset_of_turn(&turn).unwrap().onset.factor().unwrap()
+        sample.onset_of_turn(turn).unwrap().onset.factor().unwrap()
     };
     let [_, deviation] = moments(&(0..SAMPLES).map(angle).collect::<Vec<_>>());
     assert!((deviation / known - 1.0).abs() < 0.05, "{deviation} {known}");
@@ -199,6 +199,6 @@ fn a_deviation_that_is_no_number_is_refused() {
     let robust = grasp.robust_onset(&ramp, &Uncertainty::seeded(1).with_normal(f64::NAN)).unwrap();
     assert!(robust.spread.unwrap().leaving[0].deviation.is_nan());
     let refused =
-        grasp.reserve(&planar::Wrench::ZERO, &Uncertainty::seeded(1).with_normal(f64::NAN), 3.0).unwrap_err();
+        grasp.reserve(planar::Wrench::ZERO, &Uncertainty::seeded(1).with_normal(f64::NAN), 3.0).unwrap_err();
     assert!(matches!(refused, Error::Contact { field: Field::Normal, .. }), "{refused}");
 }

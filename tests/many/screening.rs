@@ -28,7 +28,7 @@ fn check<const C: usize, const N: usize>(
 ) -> Result<(), TestCaseError> {
     let screened = Fingers::<C, N>::new(contacts).unwrap().onset(&Pull::new(&base, &direction).unwrap());
     let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
-    let onset = grasp.onset(&Ramp::load(base, direction)).unwrap();
+    let onset = grasp.onset(Ramp::load(base, direction)).unwrap();
     count(tally, &format!("{:?}", screened.verdict()));
     if matches!(onset, Onset::Undecided(_)) {
         count(tally, "whole undecided");
@@ -52,7 +52,7 @@ fn check<const C: usize, const N: usize>(
         | (ScreeningVerdict::NotSticking | ScreeningVerdict::Unclear, Onset::Undecided(_)) => {}
         // A contact that is open at the base may well close on the way.
         (ScreeningVerdict::NotSticking, onset) => {
-            let state = grasp.solve(&base).unwrap();
+            let state = grasp.solve(base).unwrap();
             let open = state
                 .equilibrium()
                 .is_some_and(|e| e.contacts.iter().any(|contact| contact.state == ContactState::Separated));

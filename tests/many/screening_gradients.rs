@@ -91,7 +91,7 @@ fn compare<const C: usize>(
     ours: &ScreenedGradient<'_, C>,
     compared: &mut Compared,
 ) -> Option<()> {
-    let onset = grasp.onset(&Ramp::load(pull[0], pull[1])).unwrap();
+    let onset = grasp.onset(Ramp::load(pull[0], pull[1])).unwrap();
     let event = onset.event()?;
     let contact = Leaver::Contact(ours.contact()?);
     let gradients = grasp.sensitivity().onset_gradients(event);

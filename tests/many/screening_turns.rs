@@ -63,7 +63,7 @@ fn check<const C: usize, const N: usize>(
         | (ScreeningVerdict::NotSticking | ScreeningVerdict::Unclear, Onset::Undecided(_)) => {}
         // A contact that is open at the beginning may well close on the way.
         (ScreeningVerdict::NotSticking, onset) => {
-            let state = grasp.solve(&turn.load_at(0.0)).unwrap();
+            let state = grasp.solve(turn.load_at(0.0)).unwrap();
             let open = state
                 .equilibrium()
                 .is_some_and(|e| e.contacts.iter().any(|contact| contact.state == ContactState::Separated));

@@ -37,7 +37,7 @@ fn compare<const D: usize, const C: usize, const N: usize>(grasps: usize) -> [us
         let fingers = Fingers::<C, N>::new(&contacts).unwrap();
         let onset = fingers.onset(&Pull::new(&base, &more).unwrap());
         let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
-        let Some(state) = grasp.solve(&base).unwrap().equilibrium().cloned() else { continue };
+        let Some(state) = grasp.solve(base).unwrap().equilibrium().cloned() else { continue };
         if !matches!(onset.verdict(), ScreeningVerdict::Leaves | ScreeningVerdict::Never) {
             continue;
         }

@@ -5,9 +5,8 @@ use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use grasp_lcp::ask::onset_of_each;
 use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
-use grasp_lcp::sweep::{Uncertainty, map_watched};
+use grasp_lcp::sweep::{Uncertainty, map_in_order, map_watched};
 use grasp_lcp::{Error, Field, Settings};
 use support::jaws::jaw;
 
@@ -66,13 +65,13 @@ fn a_sweep_that_is_stopped_answers_no_more() {
 #[test]
 fn one_bad_question_does_not_stop_the_rest() {
     let grasps = [pinch(K), pinch(2.0 * K), pinch(3.0 * K)];
-    for (k, onset) in onset_of_each(&grasps, &weight()).iter().enumerate() {
+    for (k, onset) in map_in_order(&grasps, |grasp| grasp.onset(weight())).iter().enumerate() {
         let expected = 2.0 * MU * K * A * (k + 1) as f64;
         assert!((factor(onset) / expected - 1.0).abs() < 1e-14);
     }
     // Where a standard deviation is so large that some friction overflows, others do not.
     let wild = Uncertainty::seeded(1).with_friction(500.0);
-    let onsets = pinch(K).onset_of_samples(&weight(), &wild, 300);
+    let onsets = pinch(K).onset_of_samples(weight(), &wild, 300);
     let errors = onsets.iter().filter(|o| matches!(o, Err(Error::Contact { .. }))).count();
     assert!(errors > 10 && errors < 290, "{errors}");
     let nan = Uncertainty::seeded(1).with_stiffness(f64::NAN);
@@ -84,7 +83,7 @@ fn one_bad_question_does_not_stop_the_rest() {
 fn samples_are_distributed_as_they_should_be() {
     let (grasp, settings, count) = (pinch(K), Settings::default(), 4000_u64);
     let off = Uncertainty::seeded(42).with_friction(0.2);
-    let onsets = grasp.with(&settings).onset_of_samples(&weight(), &off, count);
+    let onsets = grasp.with(&settings).onset_of_samples(weight(), &off, count);
     let nominal = 2.0 * MU * K * A;
     // c and Φ(-ln c / 0.2).
     for (c, phi) in
@@ -102,7 +101,7 @@ fn samples_are_distributed_as_they_should_be() {
         let k: Vec<f64> = sample.contacts().iter().map(|c| c.series_stiffness_of_axes()[0]).collect();
         let press = k[0] * k[1] / (k[0] + k[1]) * 2.0 * A;
         let expected = 2.0 * MU * press;
-        let found = factor(&sample.with(&settings).onset(&weight()));
+        let found = factor(&sample.with(&settings).onset(weight()));
         assert!((found / expected - 1.0).abs() < 1e-13, "{found} {expected}");
     }
 }
@@ -113,11 +112,11 @@ fn samples_depend_on_seed_and_number_alone() {
     let seeded = |seed| Uncertainty::seeded(seed).with_friction(0.2).with_stiffness(0.1).with_squeeze(0.05);
     let off = seeded(9);
     let sweep = || -> Vec<u64> {
-        let onsets = grasp.with(&settings).onset_of_samples(&weight(), &off, 300);
+        let onsets = grasp.with(&settings).onset_of_samples(weight(), &off, 300);
         onsets.iter().map(|o| factor(o).to_bits()).collect()
     };
     let one_by_one: Vec<u64> = (0..300)
-        .map(|i| factor(&grasp.sample(&off, i).unwrap().with(&settings).onset(&weight())).to_bits())
+        .map(|i| factor(&grasp.sample(&off, i).unwrap().with(&settings).onset(weight())).to_bits())
         .collect();
     assert_eq!(sweep(), one_by_one);
     #[cfg(feature = "parallel")]
@@ -126,7 +125,7 @@ fn samples_depend_on_seed_and_number_alone() {
         assert_eq!(pool.install(sweep), one_by_one);
     }
     let other = seeded(10);
-    let others = grasp.with(&settings).onset_of_samples(&weight(), &other, 300);
+    let others = grasp.with(&settings).onset_of_samples(weight(), &other, 300);
     assert!(others.iter().zip(&one_by_one).all(|(o, bits)| factor(o).to_bits() != *bits));
     let mut distinct = one_by_one.clone();
     distinct.sort_unstable();

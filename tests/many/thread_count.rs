@@ -2,6 +2,7 @@
 
 use grasp_lcp::Settings;
 use grasp_lcp::spatial::{Contact, Grasp, Ramp, Turn, Wrench};
+use grasp_lcp::sweep::map_in_order;
 
 fn grasp() -> Grasp {
     let finger = |i: u8| {
@@ -32,7 +33,9 @@ fn onsets_do_not_depend_on_who_computes_them() {
     let (grasp, ramps, settings) = (grasp(), ramps(), Settings::default());
     let one_by_one: Vec<String> =
         ramps.iter().map(|ramp| format!("{:?}", grasp.with(&settings).onset(ramp).unwrap())).collect();
-    let swept = || grasp.with(&settings).onset_each(&ramps).into_iter().map(|o| format!("{:?}", o.unwrap()));
+    let swept = || {
+        map_in_order(&ramps, |ramp| format!("{:?}", grasp.with(&settings).onset(ramp).unwrap())).into_iter()
+    };
     assert!(one_by_one.iter().any(|o| o.starts_with("At")), "the ramps must reach an onset");
     // Debug prints floats so that they read back to the same bits.
     assert!(swept().eq(one_by_one.iter().cloned()));
@@ -59,8 +62,10 @@ fn onsets_of_turns_do_not_depend_on_who_computes_them() {
         .map(|turn| format!("{:?}", grasp.with(&settings).onset_of_turn(turn).unwrap()))
         .collect();
     assert!(one_by_one.iter().any(|o| o.contains("onset: At")), "the turns must reach an onset");
-    let swept =
-        || grasp.with(&settings).onset_of_turn_each(&turns).into_iter().map(|o| format!("{:?}", o.unwrap()));
+    let swept = || {
+        map_in_order(&turns, |turn| format!("{:?}", grasp.with(&settings).onset_of_turn(turn).unwrap()))
+            .into_iter()
+    };
     assert!(swept().eq(one_by_one.iter().cloned()));
     #[cfg(feature = "parallel")]
     for threads in [1, 2, 3, 7] {
@@ -74,7 +79,7 @@ fn onsets_of_turns_do_not_depend_on_who_computes_them() {
 fn answers_come_in_the_order_of_the_questions() {
     let grasp = grasp();
     let loads: Vec<_> = (0..50).map(|i| Wrench::force([0.0, 0.0, -0.01 * f64::from(i)])).collect();
-    let answers = grasp.solve_each(&loads);
+    let answers = map_in_order(&loads, |load| grasp.solve(load));
     for (load, answer) in loads.iter().zip(answers) {
         assert_eq!(answer.unwrap().equilibrium().expect("holds").load, *load);
     }
@@ -96,7 +101,7 @@ fn paths_in_steps_do_not_depend_on_who_computes_them() {
     let press = f64::from(n) * 0.8;
     let legs = [planar::Leg::load_by(planar::Wrench::new([0.1 * press, 0.0], 0.0))];
     let followed = || {
-        let mut path = grasp.follow_in_steps(&planar::Wrench::new([0.0, -press], 0.0), &legs, 1e-2).unwrap();
+        let mut path = grasp.follow_in_steps(planar::Wrench::new([0.0, -press], 0.0), &legs, 1e-2).unwrap();
         let steps: Vec<_> = path.by_ref().collect();
         assert!(steps.last().is_some_and(|step| step.sliding > 100), "{steps:?}");
         format!("{steps:?} {:?}", path.state())

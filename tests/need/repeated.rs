@@ -68,7 +68,7 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
                 0.02 * random.between(-1.0, 1.0),
             )
         });
-        let found = drawn.grasp.statics().shakedown(&drawn.base, &loads)?;
+        let found = drawn.grasp.statics().shakedown(drawn.base, &loads)?;
         let need = Need::load(loads.to_vec()).on_top_of(drawn.base).if_lower_by(0.0, 0.0).with_scan(0);
         let (Some(most), Amount::Bound { does, .. }) =
             (found, drawn.grasp.need(&need.clone().to_rest())?.amount)

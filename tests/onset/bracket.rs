@@ -36,14 +36,14 @@ fn check_order(
 ) -> Result<(), TestCaseError> {
     let (grasp, ramp) = (scene.grasp(), change.ramp(scene));
     let on_circumscribed = polygon(8, Fit::Circumscribed).on_the_polygon();
-    if !sticks(&grasp.with(&on_circumscribed).solve(&scene.wrench()).unwrap()) {
+    if !sticks(&grasp.with(&on_circumscribed).solve(scene.wrench()).unwrap()) {
         return Ok(());
     }
     let round = grasp.onset(&ramp).unwrap();
     for facets in [3, 8] {
         let on = |fit| grasp.with(&polygon(facets, fit).on_the_polygon()).onset(&ramp).unwrap();
         let (inside, outside) = (on(Fit::Inscribed), on(Fit::Circumscribed));
-        let base = grasp.with(&polygon(facets, Fit::Inscribed)).bracket(&scene.wrench()).unwrap();
+        let base = grasp.with(&polygon(facets, Fit::Inscribed)).bracket(scene.wrench()).unwrap();
         for (base, less, more) in [(&base.inscribed, &inside, &round), (&base.round, &round, &outside)] {
             if !sticks(base) {
                 continue;
@@ -73,7 +73,7 @@ fn polygons_bracket_the_onset() {
 /// If everything sticks on the inscribed polygon the three answers are one, and the inscribed polygon sticks only where the
 /// others do.
 fn check_sticking(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result<(), TestCaseError> {
-    let bracket = scene.grasp().with(&polygon(5, Fit::Balanced)).bracket(&scene.wrench()).unwrap();
+    let bracket = scene.grasp().with(&polygon(5, Fit::Balanced)).bracket(scene.wrench()).unwrap();
     let [inside, round, outside] = [&bracket.inscribed, &bracket.round, &bracket.circumscribed].map(sticks);
     prop_assert!(inside <= round && round <= outside, "{inside}, {round}, {outside}");
     if inside {
@@ -124,7 +124,7 @@ fn the_spread_of_a_sliding_foot() {
             };
             let force = from_round(f[0]).max(from_round(f[1])).max(f[1] - f[0]);
             let settings = polygon(m as usize, Fit::Inscribed);
-            let spread = grasp.with(&settings).bracket(&load).unwrap().spread.expect("three equilibria");
+            let spread = grasp.with(&settings).bracket(load).unwrap().spread.expect("three equilibria");
             assert_close!(spread.force / w, force / w);
             assert_close!(spread.displacement * c / w, force / w);
             let most = mu * normal * step;
@@ -140,7 +140,7 @@ fn in_the_plane_there_is_nothing_to_bracket() {
     let finger = |side: f64| jaw::<2>(side, [100.0, 80.0], 0.5).command([0.1, 0.02 * side]);
     let grasp = planar::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     for load in [1.0, 20.0] {
-        let bracket = grasp.bracket(&planar::Wrench::force([0.0, -load])).unwrap();
+        let bracket = grasp.bracket(planar::Wrench::force([0.0, -load])).unwrap();
         let holds = load < 10.0;
         assert_eq!(bracket.spread.map(|s| (s.force, s.displacement)), holds.then_some((0.0, 0.0)));
         assert_eq!(bracket.round.equilibrium().is_some(), holds);

@@ -6,7 +6,7 @@ use grasp_lcp::{Settings, spatial};
 use support::jaws::{around, jaw};
 
 fn onset(grasp: &Grasp, base: Wrench, direction: Wrench) -> Onset {
-    grasp.onset_of_sliding(&base, &direction).expect("valid loads")
+    grasp.onset(Ramp::load(base, direction)).expect("valid loads")
 }
 
 /// Fingers at ±1 pressing inwards by `a`: N = k a each.
@@ -75,7 +75,7 @@ fn gives_way() {
     let finger = |x: f64| jaw::<3>(x, [10.0, 5.0], 0.5).command([0.1, 0.0, 0.0]);
     let grasp = spatial::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     let twist = spatial::Wrench::new([0.0, 0.0, -1.0], [0.3, 0.0, 0.0]);
-    let outcome = grasp.onset_of_sliding(&spatial::Wrench::ZERO, &twist).unwrap();
+    let outcome = grasp.onset(twist).unwrap();
     let spatial::Onset::GivesWay { factor, reason } = outcome else { panic!("{outcome:?}") };
     assert_eq!(factor, 0.0);
     assert!(matches!(reason.proof, spatial::Proof::FreeMotion { work, .. } if work > 0.0));
@@ -139,9 +139,9 @@ fn along_commands_and_both_at_once() {
     let load = Wrench::force([0.0, -w]);
     let release = [[-1.0, 0.0]; 2];
     let settings = Settings::default();
-    let alone = grasp.with(&settings).onset(&Ramp::commands(load, release)).unwrap();
+    let alone = grasp.with(&settings).onset(Ramp::commands(load, release)).unwrap();
     assert!((alone.factor().unwrap() - (a - w / (2.0 * mu * k))).abs() < 1e-15);
-    let both = grasp.with(&settings).onset(&Ramp::load(load, load).with_commands(release)).unwrap();
+    let both = grasp.with(&settings).onset(Ramp::load(load, load).with_commands(release)).unwrap();
     assert!((both.factor().unwrap() - (mu * k * a - w / 2.0) / (w / 2.0 + mu * k)).abs() < 1e-15);
     // At the onset the state is the equilibrium of the commands there.
     let event = both.event().unwrap();
@@ -149,7 +149,7 @@ fn along_commands_and_both_at_once() {
     assert!(state.residuals.worst() < 1e-15);
     let there = event.factor;
     let moved = grasp.clone().with_commands([[a - there, 0.0]; 2]).unwrap();
-    let again = moved.solve(&event.load).unwrap();
+    let again = moved.solve(event.load).unwrap();
     let again = again.equilibrium().expect("on the edge");
     for (x, y) in again.contacts.iter().zip(&state.contacts) {
         assert!((x.force - y.force).norm() < 1e-14);

@@ -23,13 +23,13 @@ fn pull(angle: f64) -> Wrench {
 }
 
 fn onset(grasp: &Grasp, angle: f64) -> Result<f64, Failure> {
-    Ok(grasp.onset_of_sliding(&Wrench::ZERO, &pull(angle))?.factor().ok_or("sticks without load")?)
+    Ok(grasp.onset(pull(angle))?.factor().ok_or("sticks without load")?)
 }
 
 /// Rows (c, g) with c + g·W >= 0 while nothing slides or opens, from the equilibria under three small loads.
 fn half_planes(grasp: &Grasp) -> Result<Vec<(f64, [f64; 2])>, Failure> {
     let slacks = |load: [f64; 2]| -> Result<Vec<f64>, Failure> {
-        let outcome = grasp.solve(&Wrench::force(load))?;
+        let outcome = grasp.solve(Wrench::force(load))?;
         let state = outcome.equilibrium().ok_or("holds")?;
         let rows = grasp.contacts().iter().zip(&state.contacts).flat_map(|(contact, answer)| {
             let (room, t) =
@@ -70,7 +70,7 @@ fn onsets_lie_on_the_polygon_of_plain_equilibria() -> Result<(), Failure> {
 
 /// How the load path towards a large force in a direction ends; that no equilibrium lies beyond where it is lost.
 fn end(grasp: &Grasp, angle: f64) -> Result<PathEnd, Failure> {
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(pull(angle) * MOST)])?;
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(pull(angle) * MOST)])?;
     path.by_ref().for_each(drop);
     assert!(matches!(path.beyond(), None | Some(Beyond::LimitLoad)), "{angle}: {:?}", path.beyond());
     Ok(path.end().ok_or("an end")?.clone())
@@ -81,8 +81,7 @@ const MOST: f64 = 4.0;
 #[test]
 fn the_papers_grasp_is_mirrored_and_has_its_onset_downwards() -> Result<(), Failure> {
     let grasp = support::paper::two_fingers()?;
-    let down =
-        grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?.factor().ok_or("slides")?;
+    let down = grasp.onset(Wrench::force([0.0, -1.0]))?.factor().ok_or("slides")?;
     assert!((down - 65f64.sqrt() / 66.0).abs() < 1e-15);
     let mut limits = 0;
     for angle in angles(90) {
@@ -122,7 +121,7 @@ fn a_limit_is_no_less_than_the_onset_and_nothing_holds_beyond() -> Result<(), Fa
         if let PathEnd::Lost(loss) = end(&grasp, angle)? {
             let limit = MOST * loss.fraction;
             assert!(limit >= onset(&grasp, angle)? * (1.0 - 1e-12));
-            let beyond = grasp.solve(&(pull(angle) * (limit * (1.0 + 1e-6))))?;
+            let beyond = grasp.solve(pull(angle) * (limit * (1.0 + 1e-6)))?;
             assert!(matches!(beyond, planar::Outcome::NoEquilibrium(_)), "{angle}: {beyond:?}");
             limits += 1;
         }

@@ -93,9 +93,9 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     fn onset(&self, turns: bool) -> Onset<C> {
         let grasp = self.grasp();
         if turns {
-            grasp.onset_of_turn(&self.turn()).unwrap().onset
+            grasp.onset_of_turn(self.turn()).unwrap().onset
         } else {
-            grasp.onset(&self.ramp()).unwrap()
+            grasp.onset(self.ramp()).unwrap()
         }
     }
 
@@ -139,7 +139,7 @@ fn compare_equilibria<const D: usize, const C: usize>(
         let scene = Scene::<D, C>::random(&mut dice, contacts, place);
         let solve = |scene: &Scene<D, C>| {
             let load = scene.wrenches()[0] + scene.wrenches()[1];
-            scene.grasp().solve(&load).unwrap().equilibrium().cloned()
+            scene.grasp().solve(load).unwrap().equilibrium().cloned()
         };
         let Some(here) = solve(&scene) else { continue };
         if !here.free_motions.is_empty() {

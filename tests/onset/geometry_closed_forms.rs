@@ -28,7 +28,7 @@ fn a_palm_that_tilts() {
     };
     for phi in [0.0, 0.1, 0.3] {
         let grasp = tilted(phi);
-        let onset = grasp.onset(&weight()).unwrap();
+        let onset = grasp.onset(weight()).unwrap();
         let event = onset.event().unwrap();
         assert!((event.factor - closed(phi)).abs() < 1e-13, "{phi}: {}", event.factor);
         let gradient = &grasp.sensitivity().onset_gradients_by_geometry(event).unwrap()[0];
@@ -46,7 +46,7 @@ fn a_palm_that_is_elsewhere() {
         let left = planar::Contact::new([-l, 0.0], [1.0, 0.0]);
         let left = left.series_stiffness(800.0, 800.0).friction(MU).pressed_with(PRESS);
         let grasp = planar::Grasp::new([left, palm(1.0)]).unwrap();
-        let onset = grasp.onset(&weight()).unwrap();
+        let onset = grasp.onset(weight()).unwrap();
         for gradient in grasp.sensitivity().onset_gradients_by_geometry(onset.event().unwrap()).unwrap() {
             let left_slides = gradient.leaving == grasp_lcp::load_path::Leaver::Contact(0);
             let by_l = if left_slides { MU * PRESS } else { -MU * PRESS / (l * l) };
@@ -65,7 +65,7 @@ fn a_grasp_that_turns_as_a_whole() {
             .command([0.01, 0.001])
     };
     let grasp = planar::Grasp::new([at(0.2, 0.5), at(2.2, 0.7), at(4.4, 0.6)]).unwrap();
-    let onset = grasp.onset(&weight()).unwrap();
+    let onset = grasp.onset(weight()).unwrap();
     let event = onset.event().unwrap();
     let gradient = &grasp.sensitivity().onset_gradients_by_geometry(event).unwrap()[0];
     // From x to y: a point p moves by (-y, x), and the normal tilts away from t.
@@ -87,8 +87,8 @@ fn commands_along_the_coordinate_axes() {
         let left = planar::Contact::new([-1.0, 0.2], [phi.cos(), -phi.sin()]).command_world([0.011, 0.002]);
         planar::Grasp::new([left.series_stiffness(800.0, 500.0).friction(0.45), palm(1.0)]).unwrap()
     };
-    let factor = |phi: f64| grasp(phi).onset(&weight()).unwrap().factor().unwrap();
-    let onset = grasp(0.0).onset(&weight()).unwrap();
+    let factor = |phi: f64| grasp(phi).onset(weight()).unwrap().factor().unwrap();
+    let onset = grasp(0.0).onset(weight()).unwrap();
     let event = onset.event().unwrap();
     let by_command = grasp(0.0).sensitivity().onset_gradients(event)[0].command[0];
     let in_the_frame = grasp(0.0).sensitivity().onset_gradients_by_geometry(event).unwrap()[0].normal[0][1];
@@ -132,7 +132,7 @@ fn a_motion_that_another_geometry_holds() {
     // Three points on a line, pressed together along z; the third moves along z, as its force.
     let fingers = [at(-1.0, 1.0), at(1.0, 1.0), at(0.0, -1.0)].map(|c| c.pressed_with(PRESS));
     let grasp = spatial::Grasp::new(fingers).unwrap();
-    let outcome = grasp.solve(&spatial::Wrench::force([0.1, 0.0, 0.0])).unwrap();
+    let outcome = grasp.solve(spatial::Wrench::force([0.1, 0.0, 0.0])).unwrap();
     let held = outcome.equilibrium().expect("holds");
     assert!(!held.free_motions.is_empty());
     assert!(grasp.sensitivity().of(held, Parameter::Point { contact: 2, axis: 2 }).is_none());
@@ -142,7 +142,7 @@ fn a_motion_that_another_geometry_holds() {
 #[test]
 fn what_there_is_not_has_no_derivative() {
     let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
-    let outcome = grasp.solve(&planar::Wrench::ZERO).unwrap();
+    let outcome = grasp.solve(planar::Wrench::ZERO).unwrap();
     let held = outcome.equilibrium().unwrap();
     for by in [
         Parameter::Point { contact: 2, axis: 0 },
@@ -159,7 +159,7 @@ fn what_there_is_not_has_no_derivative() {
 #[test]
 fn the_whole_load_times_a_number() {
     let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
-    let onset = grasp.onset(&weight()).unwrap();
+    let onset = grasp.onset(weight()).unwrap();
     let event = onset.event().unwrap();
     assert!((grasp.sensitivity().onset_gradients(event)[0].load_scale + event.factor).abs() < 1e-12);
     let load = planar::Wrench::new([0.3, -1.0], 0.2);
@@ -167,8 +167,8 @@ fn the_whole_load_times_a_number() {
         planar::Ramp::load(load * times, planar::Wrench::force([0.2, -1.0]) * times)
             .with_commands([[1e-3, 0.0], [0.0, 1e-4]])
     };
-    let factor = |times: f64| grasp.onset(&ramp(times)).unwrap().factor().unwrap();
-    let onset = grasp.onset(&ramp(1.0)).unwrap();
+    let factor = |times: f64| grasp.onset(ramp(times)).unwrap().factor().unwrap();
+    let onset = grasp.onset(ramp(1.0)).unwrap();
     let known = grasp.sensitivity().onset_gradients(onset.event().unwrap())[0].load_scale;
     let difference = (factor(1.0 + 1e-6) - factor(1.0 - 1e-6)) / 2e-6;
     assert!((difference - known).abs() < 1e-7, "{difference} {known}");
@@ -180,7 +180,7 @@ fn a_hand_is_refused_by_name() -> Result<(), Error> {
     use grasp_lcp::planar::{Ramp, Wrench};
     let jaw = |x: f64| Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3)]).contact(palm(x));
     let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
-    let onset = grasp.onset(&Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
+    let onset = grasp.onset(Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
     let refused =
         grasp.sensitivity().onset_gradients_by_geometry(onset.event().expect("slides")).unwrap_err();
     assert_eq!(refused, Error::NotForHands { question: "onset_gradients_by_geometry" });

@@ -50,8 +50,8 @@ fn check_image<const D: usize, const C: usize>(
     let image = transform.scene(scene);
     let image_change = Change { load, commands };
     let settings = Settings::default();
-    let onset = scene.grasp().with(&settings).onset(&change.ramp(scene)).expect("a finite ramp");
-    let seen = image.grasp().with(&settings).onset(&image_change.ramp(&image)).expect("a finite ramp");
+    let onset = scene.grasp().with(&settings).onset(change.ramp(scene)).expect("a finite ramp");
+    let seen = image.grasp().with(&settings).onset(image_change.ramp(&image)).expect("a finite ramp");
     let (a, b) = (onset.factor(), seen.factor());
     prop_assert!(a.zip(b).is_some_and(|(a, b)| close(a, b)), "{onset:?}\n{seen:?}");
     if let (Some(event), Some(seen)) = (onset.event(), seen.event()) {
@@ -75,8 +75,8 @@ fn check_split<const D: usize, const C: usize>(
     split.contacts.push(split.contacts[0]);
     split_change.commands.push(change.commands[0]);
     let settings = Settings::default();
-    let onset = scene.grasp().with(&settings).onset(&change.ramp(scene)).expect("a finite ramp");
-    let halves = split.grasp().with(&settings).onset(&split_change.ramp(&split)).expect("a finite ramp");
+    let onset = scene.grasp().with(&settings).onset(change.ramp(scene)).expect("a finite ramp");
+    let halves = split.grasp().with(&settings).onset(split_change.ramp(&split)).expect("a finite ramp");
     let (a, b) = (onset.factor(), halves.factor());
     prop_assert!(a.zip(b).is_some_and(|(a, b)| close(a, b)), "{onset:?}\n{halves:?}");
     tally.count(&onset);

@@ -17,7 +17,7 @@ fn jaw(x: f64, name: &str) -> Contact {
 fn with_friction_it_would_have_to_pull() -> Tested {
     let grasp = Grasp::new([jaw(-0.05, "left").kept_closed(), jaw(0.05, "right").kept_closed()])?;
     let push = Wrench::force([1.0, 0.0]);
-    let Onset::At(event) = grasp.onset(&push.into())? else { panic!("ends at 10 N") };
+    let Onset::At(event) = grasp.onset(push)? else { panic!("ends at 10 N") };
     assert!((event.factor - 10.0).abs() < 1e-13, "{}", event.factor);
     let [left] = &event.leaving[..] else { panic!("the left one alone") };
     assert_eq!((left.contact.text().as_str(), left.how), ("left", Departure::WouldPull));
@@ -29,7 +29,7 @@ fn with_friction_it_would_have_to_pull() -> Tested {
     );
     // One that may open does.
     let loose = Grasp::new([jaw(-0.05, "left"), jaw(0.05, "right")])?;
-    let Onset::At(event) = loose.onset(&push.into())? else { panic!("opens at 10 N") };
+    let Onset::At(event) = loose.onset(push)? else { panic!("opens at 10 N") };
     assert_eq!(event.leaving[0].how, Departure::Opens);
     Ok(())
 }
@@ -42,7 +42,7 @@ fn on_the_round_cone_too() -> Tested {
         contact.friction(0.5).pressed_with(5.0).kept_closed()
     };
     let grasp = spatial::Grasp::new([jaw(-0.05, "left"), jaw(0.05, "right")])?;
-    let Onset::At(event) = grasp.onset(&spatial::Wrench::force([1.0, 0.0, 0.0]).into())? else {
+    let Onset::At(event) = grasp.onset(spatial::Wrench::force([1.0, 0.0, 0.0]))? else {
         panic!("ends at 10 N")
     };
     assert!((event.factor - 10.0).abs() < 1e-13);
@@ -56,8 +56,8 @@ fn a_guide_without_friction_pulls() -> Tested {
     let guide = jaw(-0.05, "guide").friction(0.0).kept_closed();
     let grasp = Grasp::new([guide, jaw(0.05, "right").friction(0.0).kept_closed()])?;
     let push = Wrench::force([1.0, 0.0]);
-    assert!(matches!(grasp.onset(&push.into())?, Onset::Never));
-    let outcome = grasp.solve(&(push * 20.0))?;
+    assert!(matches!(grasp.onset(push)?, Onset::Never));
+    let outcome = grasp.solve(push * 20.0)?;
     let forces: Vec<_> =
         outcome.equilibrium().expect("held").contacts.iter().map(|contact| contact.force[0]).collect();
     assert!((forces[0] + 5.0).abs() < 1e-12 && (forces[1] - 15.0).abs() < 1e-12, "{forces:?}");
@@ -70,7 +70,7 @@ fn a_guide_without_load_is_not_told_to_open() -> Tested {
     let guide = Contact::new([0.0, 0.0], [1.0, 0.0]).name("guide").series_stiffness(1e6, 5e5).kept_closed();
     let rock =
         Contact::new([0.03, -0.007], [-1.0, 0.0]).name("rock").series_stiffness(1e6, 5e5).friction(0.2);
-    let Onset::At(event) = Grasp::new([guide, rock])?.onset(&Wrench::force([0.0, -1.0]).into())? else {
+    let Onset::At(event) = Grasp::new([guide, rock])?.onset(Wrench::force([0.0, -1.0]))? else {
         panic!("at once")
     };
     let names: Vec<_> = event.leaving.iter().map(|leaving| leaving.contact.text()).collect();
@@ -99,7 +99,7 @@ fn none_of_many_opens() -> Tested {
             [random.between(-1.0, 1.0), random.between(-1.0, 1.0)],
             [random.between(-0.05, 0.05), 0.0],
         );
-        let Onset::At(event) = Grasp::new(contacts)?.onset(&load.into())? else { continue };
+        let Onset::At(event) = Grasp::new(contacts)?.onset(load)? else { continue };
         for leaving in &event.leaving {
             let is_kept = leaving.contact.index < 2;
             assert!(!(is_kept && leaving.how == Departure::Opens), "{event}");

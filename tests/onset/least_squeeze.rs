@@ -1,7 +1,7 @@
 //! The least squeeze and the weakest direction against dense sampling from both sides.
 
 use grasp_lcp::equilibrium::{FoundBy, Outcome};
-use grasp_lcp::load_path::Leaver;
+use grasp_lcp::load_path::{Leaver, Ramp};
 use grasp_lcp::squeeze::{LeastSqueeze, Loads, WeakestDirection};
 use grasp_lcp::{Error, planar, spatial};
 use support::jaws::jaw;
@@ -54,13 +54,13 @@ fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
         let base = spatial::Wrench::force(numbers.vector());
         let point = numbers.vector().map(|x| 0.2 * x);
         let WeakestDirection::Force { size, direction, load, leaver, .. } =
-            grasp.weakest_direction(&base, point)?
+            grasp.weakest_direction(base, point)?
         else {
             continue;
         };
         found += 1;
         let push = |direction: [f64; 3]| spatial::Wrench::force_at(direction, point);
-        let onset = |direction: [f64; 3]| grasp.onset_of_sliding(&base, &push(direction));
+        let onset = |direction: [f64; 3]| grasp.onset(Ramp::load(base, push(direction)));
         let there = onset(direction)?;
         let event = there.event().expect("slides");
         assert!((event.factor - size).abs() < 1e-13 * size, "{number}: {} {size}", event.factor);
@@ -149,18 +149,18 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
     let off = Loads::AnyForce { base: spatial::Wrench::ZERO, size: 1.0, point: [0.0, 0.1, 0.0] };
     assert!(matches!(pinch.least_squeeze(&off)?, LeastSqueeze::GivesWay { .. }));
     assert!(matches!(
-        pinch.weakest_direction(&spatial::Wrench::ZERO, [0.0, 0.1, 0.0])?,
+        pinch.weakest_direction(spatial::Wrench::ZERO, [0.0, 0.1, 0.0])?,
         WeakestDirection::GivesWay { .. }
     ));
     // On the line it is as strong all round: μ F_n at each finger across, and nearer in between, as in the plane.
-    let WeakestDirection::Force { size, .. } = pinch.weakest_direction(&spatial::Wrench::ZERO, [0.0; 3])?
+    let WeakestDirection::Force { size, .. } = pinch.weakest_direction(spatial::Wrench::ZERO, [0.0; 3])?
     else {
         panic!("slides")
     };
     assert!((size - 0.8_f64.sqrt()).abs() < 1e-15, "{size}");
     // A base load that slides already.
     let heavy = spatial::Wrench::force([0.0, 0.0, -1.5]);
-    assert!(matches!(pinch.weakest_direction(&heavy, [0.0; 3])?, WeakestDirection::NotSticking));
+    assert!(matches!(pinch.weakest_direction(heavy, [0.0; 3])?, WeakestDirection::NotSticking));
     Ok(())
 }
 
@@ -185,7 +185,7 @@ fn what_is_no_set_of_loads_is_refused() {
     );
     let turn = planar::Turn::tilting([0.0, -1.0], [0.0, 0.0]).up_to(0.0);
     assert_eq!(told(Loads::Turn(turn)), "angle of the turn is 0, must be more than 0 and at most 1e6 rad");
-    let refused = palms.weakest_direction(&planar::Wrench::ZERO, [0.0, f64::INFINITY]).unwrap_err();
+    let refused = palms.weakest_direction(planar::Wrench::ZERO, [0.0, f64::INFINITY]).unwrap_err();
     assert_eq!(refused.to_string(), "point of the force is inf, must be finite and at most 1e50 in size");
 }
 

@@ -98,7 +98,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     let Some(beyond) = beyond.filter(|slack| *slack < -2e-12) else { return Ok(()) };
     let solve = |part: f64| {
         let there = change.at(scene, event.factor * part);
-        there.grasp().with(&settings).solve(&there.wrench()).expect("a finite load")
+        there.grasp().with(&settings).solve(there.wrench()).expect("a finite load")
     };
     let below = solve(1.0 - 1e-9);
     let sticks = below.equilibrium().is_some_and(|e| e.rule == FoundBy::EverythingSticks);

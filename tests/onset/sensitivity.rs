@@ -54,7 +54,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 
     fn solve(&self) -> Option<Equilibrium<C>> {
-        let outcome = self.grasp().solve(&Wrench::from_components(self.load.as_slice())).unwrap();
+        let outcome = self.grasp().solve(Wrench::from_components(self.load.as_slice())).unwrap();
         outcome.equilibrium().cloned()
     }
 
@@ -217,7 +217,7 @@ fn position_control_of_a_pinch() {
     let (k, kt) = (30.0, 10.0);
     let grasp =
         planar::Grasp::new([-1.0, 1.0].map(|x| jaw::<2>(x, [k, kt], 0.5).command([0.1, 0.0]))).unwrap();
-    let outcome = grasp.solve(&planar::Wrench::ZERO).unwrap();
+    let outcome = grasp.solve(planar::Wrench::ZERO).unwrap();
     let response = grasp.sensitivity().response(outcome.equilibrium().unwrap()).unwrap();
     assert!((response.twist[(0, 0)] - 0.5).abs() < 1e-15, "finger 1 pushes the object along x");
     assert!((response.twist[(0, 2)] + 0.5).abs() < 1e-15);
@@ -231,7 +231,7 @@ fn position_control_of_a_pinch() {
     // A spatial pinch cannot turn the object about its line.
     let pinch =
         spatial::Grasp::new([-1.0, 1.0].map(|x| jaw::<3>(x, [k, kt], 0.5).command([0.1, 0.0, 0.0]))).unwrap();
-    let outcome = pinch.solve(&spatial::Wrench::ZERO).unwrap();
+    let outcome = pinch.solve(spatial::Wrench::ZERO).unwrap();
     let response = pinch.sensitivity().response(outcome.equilibrium().unwrap()).unwrap();
     let turn = |axis: usize| {
         let mut q = SVector::<f64, 6>::zeros();

@@ -31,7 +31,7 @@ fn an_edge_that_is_touched_is_told() {
         (1.0 + 1e-3, false, true),
     ] {
         let (grasp, turn) = box_on_its_side(least * part);
-        let answer = grasp.onset_of_turn(&turn).unwrap();
+        let answer = grasp.onset_of_turn(turn).unwrap();
         assert_eq!(answer.onset.event().is_some(), slides, "{part}: {answer:?}");
         assert_eq!(!answer.touches.is_empty(), touches, "{part}: {answer:?}");
         if let Some(touch) = answer.touches.first() {
@@ -52,7 +52,7 @@ fn an_edge_that_is_touched_is_told() {
 #[test]
 fn a_turn_ends_where_it_is_told_to() {
     let (grasp, turn) = box_on_its_side(12.0);
-    let onset = |turn: Turn| grasp.onset_of_turn(&turn).unwrap().onset.factor().unwrap();
+    let onset = |turn: Turn| grasp.onset_of_turn(turn).unwrap().onset.factor().unwrap();
     let whole = onset(turn);
     for angle in [7.0 * TAU, whole * (1.0 + 1e-9)] {
         assert!((onset(turn.up_to(angle)) - whole).abs() < 1e-15);
@@ -71,9 +71,9 @@ fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
         .clearance(2e-3);
     let grasp = planar::Grasp::new([palm(-1.0), palm(1.0), below]).unwrap();
     let turn = Turn::force_at([9.5, 0.0], [0.0, 0.0]).reversed();
-    let alone = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap().onset_of_turn(&turn).unwrap();
+    let alone = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap().onset_of_turn(turn).unwrap();
     assert!(alone.onset.factor().unwrap() < 1.0);
-    let onset = grasp.onset_of_turn(&turn).unwrap().onset;
+    let onset = grasp.onset_of_turn(turn).unwrap().onset;
     let event = onset.event().expect("opens");
     assert!((event.factor - (PI - (3.2_f64 / 9.5).asin())).abs() < 1e-15, "{}", event.factor);
     let leaving: Vec<_> = event.leaving.iter().map(|leaving| (leaving.contact.index, leaving.how)).collect();
@@ -83,7 +83,7 @@ fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
     let error = |chords: usize| {
         let at = |k: usize| turn.load_at(3.0 * k as f64 / chords as f64);
         let legs: Vec<_> = (1..=chords).map(|k| planar::Leg::load_to(at(k))).collect();
-        let mut path = grasp.follow(&at(0), &legs).unwrap();
+        let mut path = grasp.follow(at(0), &legs).unwrap();
         let event = path.find(|event| changes(event).contains(&(2, planar::Change::Opens))).expect("opens");
         (3.0 * (event.leg as f64 + event.fraction) / chords as f64 - angle).abs()
     };
@@ -100,13 +100,13 @@ fn what_nothing_resists_gives_way_at_once() {
     let finger = |x: f64| jaw::<3>(x, [1000.0, 800.0], 0.5).pressed_with(10.0);
     let grasp = spatial::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     let off_the_line = spatial::Turn::tilting([0.0, 0.0, -2.0], [0.0, 0.0, -0.1], [1.0, 0.0, 0.0]).unwrap();
-    let answer = grasp.onset_of_turn(&off_the_line).unwrap();
+    let answer = grasp.onset_of_turn(off_the_line).unwrap();
     assert!(matches!(answer.onset, spatial::Onset::GivesWay { factor: 0.0, .. }), "{answer:?}");
     // About the same line the weight on it tilts as in the plane.
     let on_the_line = spatial::Turn::force_at([12.0, 0.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]).unwrap();
     let (plane, turn) = box_on_its_side(12.0);
-    let known = plane.onset_of_turn(&turn).unwrap().onset.factor().unwrap();
-    let angle = grasp.onset_of_turn(&on_the_line).unwrap().onset.factor().unwrap();
+    let known = plane.onset_of_turn(turn).unwrap().onset.factor().unwrap();
+    let angle = grasp.onset_of_turn(on_the_line).unwrap().onset.factor().unwrap();
     assert!((angle - known).abs() < 1e-15, "{angle} {known}");
 }
 
@@ -121,11 +121,11 @@ fn polygons_close_in_on_the_round_cone() {
     };
     let grasp = spatial::Grasp::new([0.3, 2.1, 4.4].map(finger)).unwrap();
     let turn = spatial::Turn::tilting([0.5, 0.0, -7.5], [0.05, 0.1, 0.0], [0.3, 1.0, 0.2]).unwrap();
-    let round = grasp.onset_of_turn(&turn).unwrap().onset.factor().unwrap();
+    let round = grasp.onset_of_turn(turn).unwrap().onset.factor().unwrap();
     let facets = |count: usize| {
         let cone = PolygonCone::new(count, grasp_lcp::Fit::Inscribed).unwrap();
         let settings = Settings::default().on_the_polygon().with_cone(cone);
-        grasp.with(&settings).onset_of_turn(&turn).unwrap().onset.factor().unwrap()
+        grasp.with(&settings).onset_of_turn(turn).unwrap().onset.factor().unwrap()
     };
     let [coarse, fine] = [16, 128].map(facets);
     assert!(round.is_finite() && coarse < round && fine < round, "{coarse} {fine} {round}");
@@ -135,7 +135,7 @@ fn polygons_close_in_on_the_round_cone() {
 #[test]
 fn the_state_at_the_onset_and_what_comes_beyond() {
     let (grasp, turn) = box_on_its_side(12.0);
-    let onset = grasp.onset_of_turn(&turn).unwrap().onset;
+    let onset = grasp.onset_of_turn(turn).unwrap().onset;
     let event = onset.event().unwrap();
     let state = grasp.state_at_onset(event).expect("its own");
     assert!((state.contacts[0].friction_used() - 0.5).abs() < 1e-15 && state.residuals.worst() < 1e-15);
@@ -144,7 +144,7 @@ fn the_state_at_the_onset_and_what_comes_beyond() {
     assert!(matches!(grasp.beyond(event), Some(planar::Beyond::LimitLoad)));
     // A short chord from just before ends there too.
     let near = |angle: f64| turn.load_at(event.factor + angle);
-    let mut path = grasp.follow(&near(-1e-4), &[planar::Leg::load_to(near(1e-4))]).unwrap();
+    let mut path = grasp.follow(near(-1e-4), &[planar::Leg::load_to(near(1e-4))]).unwrap();
     path.run();
     assert!(matches!(path.end(), Some(PathEnd::Lost(loss)) if (loss.fraction - 0.5).abs() < 1e-4));
 }
@@ -169,8 +169,8 @@ fn gradients_are_those_of_small_changes() {
     };
     let data = [0.6, 1000.0, 6e-3];
     let angle =
-        |data: [f64; 3], aside: f64| grasp(data).onset_of_turn(&turn(aside)).unwrap().onset.factor().unwrap();
-    let onset = grasp(data).onset_of_turn(&turn(0.0)).unwrap().onset;
+        |data: [f64; 3], aside: f64| grasp(data).onset_of_turn(turn(aside)).unwrap().onset.factor().unwrap();
+    let onset = grasp(data).onset_of_turn(turn(0.0)).unwrap().onset;
     let gradient = &grasp(data).sensitivity().onset_gradients(onset.event().expect("slides"))[0];
     let by_axis = gradient.stiffness[0];
     let stiffness = by_axis[0] + 0.7 * (by_axis[1] + by_axis[2]);
@@ -195,7 +195,7 @@ fn gradients_are_those_of_small_changes() {
 fn what_is_no_turn_is_refused() {
     let (grasp, turn) = box_on_its_side(12.0);
     for angle in [0.0, -1.0, f64::NAN, f64::INFINITY, 2e6] {
-        let refused = grasp.onset_of_turn(&turn.up_to(angle)).unwrap_err();
+        let refused = grasp.onset_of_turn(turn.up_to(angle)).unwrap_err();
         assert!(matches!(refused, Error::Argument { what: "angle of the turn", .. }), "{refused}");
         assert_eq!(
             refused.to_string(),
@@ -208,7 +208,7 @@ fn what_is_no_turn_is_refused() {
         (Turn::new(Wrench::ZERO, bad, Wrench::ZERO), "cosine of the load"),
         (Turn::new(Wrench::ZERO, Wrench::ZERO, bad), "sine of the load"),
     ] {
-        let refused = grasp.onset_of_turn(&turn).unwrap_err();
+        let refused = grasp.onset_of_turn(turn).unwrap_err();
         assert!(
             matches!(refused, Error::Wrench { what: told, component: 0, .. } if told == what),
             "{refused}"
@@ -220,5 +220,5 @@ fn what_is_no_turn_is_refused() {
     }
     // A quarter turn of nothing changes nothing.
     let still = Turn::new(Wrench::force([0.0, -1.0]), Wrench::ZERO, Wrench::ZERO).up_to(FRAC_PI_2.max(PI));
-    assert!(grasp.onset_of_turn(&still).unwrap().onset.factor().unwrap().is_infinite());
+    assert!(grasp.onset_of_turn(still).unwrap().onset.factor().unwrap().is_infinite());
 }

@@ -213,7 +213,7 @@ impl Tally {
         data: &[Datum<C>],
         turn: &Turn<C>,
     ) -> Result<(), Error> {
-        let rest = grasp.solve(&turn.load_at(0.0))?;
+        let rest = grasp.solve(turn.load_at(0.0))?;
         if rest.equilibrium().is_none_or(|rest| rest.rule != FoundBy::EverythingSticks) {
             return Ok(());
         }

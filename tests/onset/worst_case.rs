@@ -25,7 +25,7 @@ fn two_palms_in_closed_form() {
         .with_base(planar::Wrench::force([0.0, 0.7]))
         .with_direction(planar::Wrench::force([0.0, 0.1]));
     let LeastOnset::At { factor, commands, ramp, .. } =
-        palms().least_onset_within(&weight(), &bounds).unwrap()
+        palms().least_onset_within(weight(), &bounds).unwrap()
     else {
         panic!("slides")
     };
@@ -64,7 +64,7 @@ fn least_of_corners<const D: usize, const C: usize>(
         }
         let [base, direction] = loads.map(|w| Wrench::from_components(w.as_slice()));
         let held = grasp.clone().with_commands(held).unwrap();
-        let onset = held.with(settings).onset(&Ramp::load(base, direction)).unwrap();
+        let onset = held.with(settings).onset(Ramp::load(base, direction)).unwrap();
         least = least.min(onset.factor().unwrap());
     }
     least
@@ -148,7 +148,7 @@ fn without_bounds_it_is_the_onset() {
 #[test]
 fn what_does_not_stick_in_some_case_is_told() {
     let open = planar::Bounds::none().with_commands([[0.011, 0.0]; 2]);
-    let answer = palms().least_onset_within(&weight(), &open).unwrap();
+    let answer = palms().least_onset_within(weight(), &open).unwrap();
     assert!(matches!(answer, LeastOnset::NotSticking { .. }), "{answer:?}");
     // Pressed further together however far the load goes.
     let tighter = planar::Ramp::commands(planar::Wrench::ZERO, [[1e-3, 0.0]; 2]);
@@ -166,7 +166,7 @@ fn what_does_not_stick_in_some_case_is_told() {
 
 #[test]
 fn bounds_that_are_none_are_refused() {
-    let ask = |bounds: planar::Bounds| palms().least_onset_within(&weight(), &bounds).unwrap_err();
+    let ask = |bounds: planar::Bounds| palms().least_onset_within(weight(), &bounds).unwrap_err();
     for bad in [-1.0, f64::NAN, f64::INFINITY] {
         let refused = ask(planar::Bounds::none().with_base(planar::Wrench::force([0.0, bad])));
         assert!(matches!(refused, Error::Argument { what: "bound of the base load", .. }), "{refused}");

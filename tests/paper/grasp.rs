@@ -2,7 +2,7 @@
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::FoundBy;
-use grasp_lcp::planar::{Beyond, ContactState, Departure, Onset, Outcome, Proof, Ramp, Wrench};
+use grasp_lcp::planar::{Beyond, ContactState, Departure, Onset, Outcome, Proof, Ramp};
 use support::paper::{
     DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
 };
@@ -14,7 +14,7 @@ const PRINTED: f64 = 0.5001e-4;
 fn second_table_to_the_digits_printed() {
     let grasp = two_fingers().unwrap();
     for (index, row) in TWO_FINGER_TABLE.iter().enumerate() {
-        let outcome = grasp.solve(&(down() * row[0])).unwrap();
+        let outcome = grasp.solve(down() * row[0]).unwrap();
         if row[0] > 0.125 {
             // The QP's clamped rows: there is no equilibrium.
             let Outcome::NoEquilibrium(none) = outcome else { panic!("{outcome:?}") };
@@ -40,7 +40,7 @@ fn second_table_to_the_digits_printed() {
 fn second_grasp_slides_first_at_root_65_over_66() {
     let grasp = two_fingers().unwrap();
     let exact = 65f64.sqrt() / 66.0;
-    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &down()).unwrap();
+    let onset = grasp.onset(down()).unwrap();
     let event = onset.event().expect("finite onset");
     assert!((event.factor - exact).abs() < 4.0 * f64::EPSILON * exact, "{}", event.factor);
     let state = grasp.state_at_onset(event).expect("its own event");
@@ -63,10 +63,10 @@ fn w_star_is_the_limit_load_to_one_part_in_a_thousand_million() {
     let grasp = two_fingers().unwrap();
     let exact = 65f64.sqrt() / 66.0;
     for part in [1e-9, 1e-6, 1e-3, 1.0, 100.0] {
-        let above = grasp.solve(&(down() * (exact * (1.0 + part)))).unwrap();
+        let above = grasp.solve(down() * (exact * (1.0 + part))).unwrap();
         assert!(matches!(above, Outcome::NoEquilibrium(_)), "{part}: {above:?}");
     }
-    let below = grasp.solve(&(down() * (exact * (1.0 - 1e-9)))).unwrap();
+    let below = grasp.solve(down() * (exact * (1.0 - 1e-9))).unwrap();
     let state = below.equilibrium().expect("holds");
     assert_eq!((state.rule, state.work.pivots), (FoundBy::EverythingSticks, 0));
 }
@@ -77,7 +77,7 @@ fn four_equilibria_below_w_star() {
     let grasp = two_fingers().unwrap();
     let settings = Settings::default();
     for w in [0.05, 0.1, 0.12, 0.122] {
-        let list = grasp.with(&settings).equilibria(&(down() * w)).unwrap();
+        let list = grasp.with(&settings).equilibria(down() * w).unwrap();
         assert_eq!(list.len(), 4, "W = {w}");
         let slide = |c: &grasp_lcp::planar::ContactAnswer| matches!(c.state, ContactState::Sliding { .. });
         let mut kinds: Vec<_> = list.iter().map(|e| (slide(&e.contacts[0]), slide(&e.contacts[1]))).collect();
@@ -87,7 +87,7 @@ fn four_equilibria_below_w_star() {
             assert!(state.residuals.worst() < 1e-14, "{:?}", state.residuals);
         }
     }
-    assert!(grasp.with(&settings).equilibria(&(down() * 0.1222)).unwrap().is_empty());
+    assert!(grasp.with(&settings).equilibria(down() * 0.1222).unwrap().is_empty());
 }
 
 /// Both fingers commanded deeper by the same amount raise the onset; the factor along a command ramp agrees with the
@@ -99,7 +99,7 @@ fn more_squeeze_carries_more() {
     // At 1.2 W* nothing holds; squeezing along the normals from there is no base. Start below and release the squeeze.
     let load = down() * (0.9 * exact);
     let release = vec![[-0.01, 0.0]; 2];
-    let onset = grasp.onset(&Ramp::commands(load, release.clone())).unwrap();
+    let onset = grasp.onset(Ramp::commands(load, release.clone())).unwrap();
     let Onset::At(event) = onset else { panic!("{onset:?}") };
     // F_n falls by 5 · 0.01 τ · (normal parts balance in x): F_n = F_n(0) - 0.05 τ, F_t rises to keep W: solve by hand
     // for the symmetric pair with n = (8, -1)/√65, t = (-1, -8)/√65: F_n n_x + F_t t_x cancels, W = 2 (F_n n_y + F_t t_y).
@@ -114,14 +114,14 @@ fn more_squeeze_carries_more() {
         })
         .collect();
     let at = two_fingers().unwrap().with_commands(released).unwrap();
-    let again = at.onset_of_sliding(&Wrench::ZERO, &down()).unwrap().factor().unwrap();
+    let again = at.onset(down()).unwrap().factor().unwrap();
     assert!((again - 0.9 * exact).abs() < 1e-14, "{again}");
 }
 
 #[test]
 fn first_table_but_for_its_rounded_dy() {
     let grasp = disk(true).unwrap();
-    let outcome = grasp.solve(&disk_load()).unwrap();
+    let outcome = grasp.solve(disk_load()).unwrap();
     let state = outcome.equilibrium().expect("holds");
     let parts = grasp.statics().decompose(state);
     // dy was rounded to 0.0013 before the forces were computed: 50 N/m times what is missing, for every contact.

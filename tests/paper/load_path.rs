@@ -32,7 +32,7 @@ fn row_of_feet(limits: &[f64], kt: f64) -> Grasp {
 }
 
 fn run<'g>(grasp: &'g Grasp, legs: &[Leg]) -> (LoadPath<'g>, Vec<Event>) {
-    let mut path = grasp.follow(&Wrench::ZERO, legs).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, legs).unwrap();
     let events = path.run();
     (path, events)
 }
@@ -155,7 +155,7 @@ fn a_support_lets_go_and_takes_hold_again() {
     let guide = Contact::new([0.0, 0.0], [1.0, 0.0]).series_stiffness(k, k).kept_closed();
     let bar = Grasp::new([support(-1.0), support(0.0), support(1.0), guide]).unwrap();
     let load = |e: f64| Wrench::force_at([0.0, -w], [e, 0.0]);
-    let mut path = bar.follow(&load(0.0), &[Leg::load_to(load(0.9)), Leg::load_to(load(0.0))]).unwrap();
+    let mut path = bar.follow(load(0.0), &[Leg::load_to(load(0.9)), Leg::load_to(load(0.0))]).unwrap();
     let events = path.run();
     assert_eq!(events.len(), 2);
     assert_close!(events[0].fraction, 2.0 / 2.7);

@@ -36,7 +36,7 @@ fn two_fingers_as_printed() {
     let [nb, tb, nf, tf] = SPRINGS;
     let (alpha, beta, gamma) = (nf / nb, tf / tb, tb / nb);
     let load = Wrench::new([0.3, -0.7], 0.2);
-    let qp = grasp(SPRINGS).energy().printed_qp(&load, &PolygonCone::default()).unwrap();
+    let qp = grasp(SPRINGS).energy().printed_qp(load, &PolygonCone::default()).unwrap();
     let program = &qp.program;
 
     let [[q17, q18], [q27, q28]] = COMMANDS;
@@ -116,7 +116,7 @@ fn two_fingers_as_printed() {
 fn the_cost_is_the_energy_of_the_springs() {
     let grasp = grasp(SPRINGS);
     let load = Wrench::new([0.3, -0.7], 0.2);
-    let qp = grasp.energy().printed_qp(&load, &PolygonCone::default()).unwrap();
+    let qp = grasp.energy().printed_qp(load, &PolygonCone::default()).unwrap();
     let x = DVector::from_fn(15, |i, _| ((i * i + 3) as f64 * 0.7).sin());
     let mut energy = -load.to_vector().dot(&qp.twist(&x).to_vector());
     for (i, command) in COMMANDS.into_iter().enumerate() {
@@ -149,7 +149,7 @@ fn shapes_in_space_and_of_other_contacts() {
         contact(3.0).bonded(),
     ];
     let grasp = spatial::Grasp::new(contacts).unwrap();
-    let qp = grasp.energy().printed_qp(&spatial::Wrench::ZERO, &PolygonCone::default()).unwrap();
+    let qp = grasp.energy().printed_qp(spatial::Wrench::ZERO, &PolygonCone::default()).unwrap();
     let program = &qp.program;
     assert_eq!(program.g.len(), 5 * 9 + 6);
     let count = |contact: usize, of: &dyn Fn(&Equality) -> Option<usize>| {
@@ -193,16 +193,15 @@ fn shapes_in_space_and_of_other_contacts() {
 fn rigid_sides_and_loads_that_are_no_numbers_are_refused() {
     let contact = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).friction(0.5);
     let cone = PolygonCone::default();
-    let refused =
-        |c: Contact| Grasp::new([c]).unwrap().energy().printed_qp(&Wrench::ZERO, &cone).unwrap_err();
+    let refused = |c: Contact| Grasp::new([c]).unwrap().energy().printed_qp(Wrench::ZERO, &cone).unwrap_err();
     let field = |e: Error| if let Error::Contact { field, .. } = e { field } else { panic!("{e}") };
     assert_eq!(field(refused(contact(1.0).finger_stiffness(1.0, 1.0))), Field::BodyStiffness);
     assert_eq!(field(refused(contact(1.0).body_stiffness(1.0, 1.0))), Field::FingerStiffness);
     assert_eq!(field(refused(contact(1.0).series_stiffness(1.0, 1.0))), Field::SeriesStiffness);
     let bad = Wrench::new([f64::NAN, 0.0], 0.0);
     assert!(matches!(
-        grasp(SPRINGS).energy().printed_qp(&bad, &cone),
+        grasp(SPRINGS).energy().printed_qp(bad, &cone),
         Err(Error::Wrench { component: 0, .. })
     ));
-    assert!(matches!(grasp(SPRINGS).energy().compare(&bad), Err(Error::Wrench { .. })));
+    assert!(matches!(grasp(SPRINGS).energy().compare(bad), Err(Error::Wrench { .. })));
 }

@@ -54,7 +54,7 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
     let grasp = two_fingers().unwrap();
     let onset = 65f64.sqrt() / 66.0;
     for w in [0.13, 0.14, 0.5, 3.0] {
-        let comparison = grasp.energy().compare(&(down() * w)).unwrap();
+        let comparison = grasp.energy().compare(down() * w).unwrap();
         let minimum = comparison.minimum.minimum().unwrap();
         for c in &minimum.contacts {
             assert!((c.force[0] - 65.0 / 132.0).abs() < 1e-14, "{}", c.force[0]);
@@ -77,7 +77,7 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
         let sum: SVector<f64, 2> = minimum.contacts.iter().map(|c| c.force_world).sum();
         assert!((sum[1] - w - missing[1]).abs() < 1e-14);
     }
-    let text = grasp.energy().compare(&(down() * 0.14)).unwrap().verdict.to_string();
+    let text = grasp.energy().compare(down() * 0.14).unwrap().verdict.to_string();
     assert_eq!(text, "out of equilibrium by 0.017845 N, 0.000000 N m; no equilibrium exists");
 }
 
@@ -86,7 +86,7 @@ fn up_to_the_onset_both_agree() {
     let grasp = two_fingers().unwrap();
     let onset = 65f64.sqrt() / 66.0;
     for w in [0.0, 0.05, 0.12, onset * (1.0 - 1e-9), onset] {
-        let comparison = grasp.energy().compare(&(down() * w)).unwrap();
+        let comparison = grasp.energy().compare(down() * w).unwrap();
         assert_eq!(comparison.verdict, ComparisonVerdict::Agree, "W = {w}");
         assert!(comparison.difference.unwrap().relative() < 1e-14);
     }
@@ -101,7 +101,7 @@ fn up_to_the_onset_both_agree() {
 #[test]
 fn the_first_table() {
     let grasp = disk(true).unwrap();
-    let comparison = grasp.energy().compare(&disk_load()).unwrap();
+    let comparison = grasp.energy().compare(disk_load()).unwrap();
     assert_eq!(comparison.verdict, ComparisonVerdict::Agree);
     let minimum = comparison.minimum.minimum().unwrap();
     let missing = 50.0 * (minimum.twist.translation()[1] - 0.0013);

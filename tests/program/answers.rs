@@ -29,7 +29,7 @@ fn a_force_at_a_point_with_a_moment() {
         json(&["solve", &file, "--force", "0.02,-0.05", "--at", "1,2", "--moment", "0.01", "--json"]);
     let load = planar::Wrench::force_at([0.02, -0.05], [1.0, 2.0]) + planar::Wrench::new([0.0, 0.0], 0.01);
     let grasp = support::paper::two_fingers().expect("the paper's");
-    let state = grasp.solve(&load).expect("a load");
+    let state = grasp.solve(load).expect("a load");
     let expected = state.equilibrium().expect("holds");
     for (told, contact) in
         answers[0]["solve"]["contacts"].as_array().expect("two").iter().zip(&expected.contacts)

@@ -46,7 +46,7 @@ fn planar_grasps_read_back_to_the_bit() {
         let Space::Planar(back) = there_and_back(&Scene::from(&grasp)).space else { panic!("was planar") };
         let back = back.grasp().unwrap();
         same(&grasp.contacts(), &back.contacts())?;
-        same(&grasp.solve(&drawn.wrench()), &back.solve(&drawn.wrench()))
+        same(&grasp.solve(drawn.wrench()), &back.solve(drawn.wrench()))
     });
 }
 
@@ -58,7 +58,7 @@ fn spatial_grasps_read_back_to_the_bit() {
         let Space::Spatial(back) = there_and_back(&Scene::from(&grasp)).space else { panic!("was spatial") };
         let back = back.grasp().unwrap();
         same(&grasp.contacts(), &back.contacts())?;
-        same(&grasp.solve(&drawn.wrench()), &back.solve(&drawn.wrench()))
+        same(&grasp.solve(drawn.wrench()), &back.solve(drawn.wrench()))
     });
 }
 
@@ -87,7 +87,7 @@ where
     let back: Vec<Answer<C>> = serde_json::from_str(&text).unwrap();
     same(&answers, &back)?;
     let grasp = setup.grasp().unwrap();
-    let direct = grasp.with(&setup.settings).solve(&load).unwrap();
+    let direct = grasp.with(&setup.settings).solve(load).unwrap();
     let written: Value = serde_json::from_str(&text).unwrap();
     let solved = &written[0]["solve"];
     match direct.equilibrium() {
@@ -270,7 +270,7 @@ fn soft_fingertips_are_spread() {
     let mut change = vec![nalgebra::Vector3::new(0.001, 0.0, 0.0); 8];
     change.push(nalgebra::Vector3::zeros());
     let ramp = spatial::Ramp::load(Wrench::ZERO, spatial::Wrench::new([0.0; 3], [0.01, 0.0, 0.0]));
-    let expected = grasp.onset(&ramp.with_commands(change)).unwrap();
+    let expected = grasp.onset(ramp.with_commands(change)).unwrap();
 
     let Space::Spatial(back) = there_and_back(&setup.clone().into()).space else { panic!("was spatial") };
     assert_eq!(back, setup);
@@ -318,7 +318,7 @@ fn an_answer_that_was_read_has_nothing_more_to_say() {
     let jaw = |side: f64| jaw::<2>(side, [1e3, 8e2], 0.5);
     let grasp = planar::Grasp::new([-1.0, 1.0].map(|side| jaw(side).pressed_with(8.0).name("jaw"))).unwrap();
     let load = planar::Wrench::force([0.0, -4.0]);
-    let outcome = grasp.solve(&load).unwrap();
+    let outcome = grasp.solve(load).unwrap();
     let written = serde_json::to_value(&outcome).unwrap();
     let setup = Setup::from(&grasp).ask(Question::solve(load));
     let mut told = serde_json::to_value(setup.answers().unwrap()).unwrap()[0]["solve"].take();

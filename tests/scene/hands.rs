@@ -104,7 +104,7 @@ fn a_written_hand_reads_back_and_answers_as_the_one_that_is_built() -> Tested {
     else {
         return Err(format!("{answers:?}").into());
     };
-    let outcome = grasp.solve(&Wrench::new([0.25, -0.5], 0.125))?;
+    let outcome = grasp.solve(Wrench::new([0.25, -0.5], 0.125))?;
     let state = outcome.equilibrium().ok_or("holds")?;
     assert!(told.residuals.equilibrium < 1e-14);
     for (a, b) in told.contacts.iter().zip(&state.contacts) {
@@ -123,7 +123,7 @@ fn a_written_hand_reads_back_and_answers_as_the_one_that_is_built() -> Tested {
     assert_eq!(told.tendons[0].tendon.name.as_deref(), Some("flexor"));
 
     let Answer::Onset(scene::OnsetAnswer::At(told)) = onset else { return Err(format!("{onset:?}").into()) };
-    let Onset::At(event) = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, 1.0]))? else {
+    let Onset::At(event) = grasp.onset(Wrench::force([0.0, 1.0]))? else {
         return Err("slides".into());
     };
     assert!((told.at.factor - event.factor).abs() < 1e-12);
@@ -135,7 +135,7 @@ fn a_written_hand_reads_back_and_answers_as_the_one_that_is_built() -> Tested {
         Leg::load_to(Wrench::force([0.0, 6.0])),
         Leg::torques_by([0.05, 0.0, 0.0, 0.5]).and_load_by(Wrench::force([0.0, -1.0])),
     ];
-    let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+    let mut path = grasp.follow(Wrench::ZERO, &legs)?;
     let events = path.run();
     assert_eq!(told.events.len(), events.len());
     assert!(events.iter().any(|event| !event.drives.is_empty()), "a motor stalls on the way");
@@ -171,7 +171,7 @@ fn hands_of_every_size_are_answered() -> Tested {
         let Space::Spatial(setup) = &scene.space else { return Err("spatial".into()) };
         let coordinates = setup.hand()?.coordinates();
         let direct = setup.hand()?.grasp()?;
-        let direct = direct.solve(&spatial::Wrench::force([0.1, 0.2, -1.0]))?;
+        let direct = direct.solve(spatial::Wrench::force([0.1, 0.2, -1.0]))?;
         let direct = direct.equilibrium().ok_or("holds")?;
         let Answers::Spatial(answers) = scene.answers()? else { return Err("spatial".into()) };
         let [Answer::Solve(SolveAnswer { outcome: Outcome::Equilibrium(told), .. })] = &answers[..] else {
@@ -322,7 +322,7 @@ fn a_finger_presses_with_the_force_of_its_contact() -> Tested {
     let soft =
         read(&|s| s["fingers"][2]["contacts"][0]["soft"] = json!({ "pad": { "width": 0.02, "strips": 2 } }))?;
     let Space::Planar(setup) = &soft.space else { return Err("planar".into()) };
-    let state = setup.grasp()?.solve(&Wrench::ZERO)?;
+    let state = setup.grasp()?.solve(Wrench::ZERO)?;
     let state = state.equilibrium().ok_or("holds")?;
     // Its points are one joint, on which the force acts.
     assert!(state.joints.len() == 4 && (state.joints[3].torque - 2.5).abs() < 1e-12);

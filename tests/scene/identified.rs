@@ -34,7 +34,7 @@ fn the_answer_is_that_of_the_grasp() -> Tested {
     let Answers::Planar(answers) = scene().answers()? else { panic!("in the plane") };
     let [Answer::Identify(told)] = &answers[..] else { panic!("{answers:?}") };
     let same = asked().and_layouts([grasp_lcp::planar::Grasp::new(feet(0.2))?]);
-    let found = same.answered_by(&grasp_lcp::planar::Grasp::new(feet(0.1))?)?;
+    let found = grasp_lcp::planar::Grasp::new(feet(0.1))?.identify(&same)?;
     assert_eq!(told.identified, found);
     assert_eq!(told.says, found.to_string());
     assert!(told.says.starts_with("rubber 0.30"), "{}", told.says);

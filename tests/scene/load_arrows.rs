@@ -57,7 +57,7 @@ fn a_planar_force_of_any_size_has_an_arrow() -> Result<(), Failure> {
         (4.0, "load 4 N"),
     ] {
         let state =
-            grasp.solve(&planar::Wrench::force([0.0, -newtons]))?.equilibrium().cloned().ok_or("it holds")?;
+            grasp.solve(planar::Wrench::force([0.0, -newtons]))?.equilibrium().cloned().ok_or("it holds")?;
         let svg = draw_grasp(&grasp, &state, None, "A load")?;
         let shapes = shapes(&svg)?;
         let arrows = arrows(&shapes, 3.0);
@@ -74,7 +74,7 @@ fn a_load_that_nothing_holds_has_an_arrow() -> Result<(), Failure> {
         (planar::Wrench::force([0.0, -1e9]), "load 1e9 N"),
         (planar::Wrench::force_at([0.0, -1e9], [1e3, 0.0]), "moment −1e12 N m"),
     ] {
-        assert!(grasp.solve(&load)?.equilibrium().is_none());
+        assert!(grasp.solve(load)?.equilibrium().is_none());
         let svg = PlanarPicture::new(&grasp, "Too much").load(load).to_svg()?;
         let shapes = shapes(&svg)?;
         assert!(arrows(&shapes, 3.0).iter().all(|long| *long >= LEAST) && says(&shapes, words), "{words}");
@@ -89,7 +89,7 @@ fn a_spatial_force_of_any_size_and_place_has_an_arrow_beside_a_grasp_that_is_see
     let grasp = fingers()?;
     for (newtons, arm) in [(1e-9, 0.0), (1e-3, 0.0), (0.5, 0.0), (1e-3, 0.05), (1e-5, 20.0), (1e-9, 1e5)] {
         let load = spatial::Wrench::force_at([0.0, 0.0, -newtons], [arm, 0.0, 0.0]);
-        let page = SpatialPage::new(&grasp, "A load").outcome("held", &grasp.solve(&load)?);
+        let page = SpatialPage::new(&grasp, "A load").outcome("held", &grasp.solve(load)?);
         let svg = page.to_svg(Some(0), View::default())?;
         let shapes = shapes(&svg)?;
         let arrows = arrows(&shapes, 3.0);
@@ -109,7 +109,7 @@ fn a_moment_alone_has_an_arrow() -> Result<(), Failure> {
     let grasp = fingers()?;
     for moment in [1e-9, 1e-4] {
         let load = spatial::Wrench::new([0.0; 3], [moment, 0.0, 0.0]);
-        let page = SpatialPage::new(&grasp, "A moment").outcome("held", &grasp.solve(&load)?);
+        let page = SpatialPage::new(&grasp, "A moment").outcome("held", &grasp.solve(load)?);
         let shapes = shapes(&page.to_svg(Some(0), View::FRONT)?)?;
         let arrows = arrows(&shapes, 2.0);
         assert!(arrows.len() == 1 && arrows[0] >= LEAST - 9.0, "{moment}: {arrows:?}");
@@ -125,7 +125,7 @@ fn a_load_that_points_to_the_eye_is_a_circle_with_a_dot_or_a_cross() -> Result<(
     let eye = [yaw.sin() * pitch.cos(), -yaw.cos() * pitch.cos(), pitch.sin()];
     for (side, lines) in [(0.3, 0), (-0.3, 2)] {
         let load = spatial::Wrench::force(eye.map(|x| side * x));
-        let page = SpatialPage::new(&grasp, "To the eye").outcome("held", &grasp.solve(&load)?);
+        let page = SpatialPage::new(&grasp, "To the eye").outcome("held", &grasp.solve(load)?);
         let shapes = shapes(&page.to_svg(Some(0), View::default())?)?;
         let black = |tag: &str| {
             let of = |shape: &&Shape| shape.tag == tag && shape.ink == LOAD && shape.points[0][0] < LEGEND;
@@ -141,7 +141,7 @@ fn a_load_that_points_to_the_eye_is_a_circle_with_a_dot_or_a_cross() -> Result<(
 fn where_there_is_no_equilibrium_the_load_is_drawn_all_the_same() -> Result<(), Failure> {
     let grasp = fingers()?;
     let load = spatial::Wrench::force([0.0, 0.0, -1e9]);
-    let page = SpatialPage::new(&grasp, "Too much").outcome("lost", &grasp.solve(&load)?).under(load);
+    let page = SpatialPage::new(&grasp, "Too much").outcome("lost", &grasp.solve(load)?).under(load);
     let svg = page.to_svg(Some(0), View::default())?;
     assert_eq!(arrows(&shapes(&svg)?, 3.0).len(), 1);
     let html = page.to_html()?;

@@ -325,10 +325,10 @@ fn the_papers_grasps_are_those_of_the_paper() {
     };
     let grasp = fingers.grasp().unwrap();
     let down = grasp_lcp::planar::Wrench::force([0.0, -1.0]);
-    let onset = grasp.onset_of_sliding(&grasp_lcp::planar::Wrench::ZERO, &down).unwrap();
+    let onset = grasp.onset(down).unwrap();
     assert!((onset.factor().unwrap() - 65f64.sqrt() / 66.0).abs() < 1e-15);
     let Space::Planar(disk) = read(&folder.join("paper_disk.json")).space else { panic!("is planar") };
-    let state = disk.grasp().unwrap().solve(&grasp_lcp::planar::Wrench::new([0.1, 0.2], 0.3)).unwrap();
+    let state = disk.grasp().unwrap().solve(grasp_lcp::planar::Wrench::new([0.1, 0.2], 0.3)).unwrap();
     let forces = state.equilibrium().unwrap().contacts.iter().map(|c| c.force_world).collect::<Vec<_>>();
     // As printed, to what the printed normals are off.
     for (force, printed) in forces.iter().zip([[4.2496, 2.5216], [-4.4164, 2.3483], [0.0666, -5.0651]]) {

@@ -44,7 +44,7 @@ fn planar_names_keep_apart() -> Result<(), Failure> {
         ("a heap", heap(12)?, 12),
         ("a heap of 30", heap(30)?, 30),
     ] {
-        let state = grasp.solve(&load)?.equilibrium().cloned().ok_or("it holds")?;
+        let state = grasp.solve(load)?.equilibrium().cloned().ok_or("it holds")?;
         let svg = draw_grasp(&grasp, &state, None, what)?;
         check(&svg, what)?;
         let start = if what == "long names" {
@@ -63,7 +63,7 @@ fn planar_names_keep_apart() -> Result<(), Failure> {
 #[test]
 fn what_has_no_name_is_counted() -> Result<(), Failure> {
     let grasp = planar_ring(60, "support")?;
-    let state = grasp.solve(&planar::Wrench::ZERO)?.equilibrium().cloned().ok_or("it holds")?;
+    let state = grasp.solve(planar::Wrench::ZERO)?.equilibrium().cloned().ok_or("it holds")?;
     let svg = draw_grasp(&grasp, &state, None, "Very many")?;
     check(&svg, "very many")?;
     assert!(shapes(&svg)?.iter().any(|shape| shape.words == "60 names have no room here"));
@@ -80,7 +80,7 @@ fn spatial_names_keep_apart() -> Result<(), Failure> {
             at.name(format!("{LONG} {k}")).series_stiffness(2000.0, 1500.0).friction(0.5).pressed_with(5.0)
         };
         let grasp = spatial::Grasp::new((0..count).map(support).collect::<Vec<_>>())?;
-        let outcome = grasp.solve(&spatial::Wrench::force([1.0, 0.0, -3.0]))?;
+        let outcome = grasp.solve(spatial::Wrench::force([1.0, 0.0, -3.0]))?;
         let page = SpatialPage::new(&grasp, LONG.repeat(3)).outcome("held", &outcome).says(LONG.repeat(5));
         for view in [View::default(), View::FRONT, View::ABOVE] {
             let svg = page.to_svg(Some(0), view)?;
@@ -103,7 +103,7 @@ fn a_pad_of_twelve_points_has_one_name() -> Result<(), Failure> {
     let grasp = planar::Grasp::new(
         [pad.contacts(&jaw("left pad", -0.04))?, pad.contacts(&jaw("right pad", 0.04))?].concat(),
     )?;
-    let state = grasp.solve(&planar::Wrench::force([0.0, -4.0]))?.equilibrium().cloned().ok_or("it holds")?;
+    let state = grasp.solve(planar::Wrench::force([0.0, -4.0]))?.equilibrium().cloned().ok_or("it holds")?;
     let svg = draw_grasp(&grasp, &state, None, "Pads")?;
     check(&svg, "pads")?;
     let names: Vec<_> =

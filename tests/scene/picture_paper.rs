@@ -59,14 +59,14 @@ fn pictures() -> Result<Vec<String>, Failure> {
         at.series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0])
     };
     let flat = planar::Grasp::new([finger(-1.0), finger(1.0)])?;
-    let state = flat.solve(&planar::Wrench::new([0.0, -3.0], 0.0))?;
+    let state = flat.solve(planar::Wrench::new([0.0, -3.0], 0.0))?;
     let tip = |x: f64| {
         let at = spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]);
         at.series_stiffness(1000.0, 600.0).friction(0.5).command([0.004, 0.0, 0.0])
     };
     let pinch = spatial::Grasp::new([tip(-0.03), tip(0.03)])?;
-    let page = SpatialPage::new(&pinch, LONG)
-        .outcome(LONG, &pinch.solve(&spatial::Wrench::force([0.0, 0.0, -0.5]))?);
+    let page =
+        SpatialPage::new(&pinch, LONG).outcome(LONG, &pinch.solve(spatial::Wrench::force([0.0, 0.0, -0.5]))?);
     let turn = planar::Turn::force_at([8.0, 0.0], [0.0, 0.0]).up_to(6.0);
     let mut pictures = vec![
         draw_grasp(&flat, state.equilibrium().ok_or("it holds")?, None, LONG)?,

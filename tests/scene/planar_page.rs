@@ -14,7 +14,7 @@ fn jaws(name: &str) -> Result<Grasp, grasp_lcp::Error> {
 }
 
 fn under(grasp: &Grasp, load: f64) -> Result<Equilibrium, Failure> {
-    Ok(grasp.solve(&Wrench::force([0.0, -load]))?.equilibrium().ok_or("it holds")?.clone())
+    Ok(grasp.solve(Wrench::force([0.0, -load]))?.equilibrium().ok_or("it holds")?.clone())
 }
 
 fn page_of(name: &str) -> Result<String, Failure> {

@@ -87,7 +87,7 @@ fn all_points_of_a_soft_fingertip_follow_its_command() -> Tested {
     let grasp = jaws(0.03)?;
     assert_eq!(grasp.len(), 3);
     let end = |leg: Leg| -> Result<_, Error> {
-        let mut path = grasp.follow(&Wrench::ZERO, &[leg])?;
+        let mut path = grasp.follow(Wrench::ZERO, &[leg])?;
         path.run();
         Ok(path.state())
     };
@@ -96,7 +96,7 @@ fn all_points_of_a_soft_fingertip_follow_its_command() -> Tested {
     assert_eq!(Some(by), end(Leg::commands_by([change; 3]))?);
     assert_eq!(end(Leg::commands_to([change; 2]))?, end(Leg::commands_to([change; 3]))?);
     let onset =
-        |rows| grasp.onset(&Ramp::load(Wrench::ZERO, down(1.0)).with_commands(vec![[-0.0001, 0.0]; rows]));
+        |rows| grasp.onset(Ramp::load(Wrench::ZERO, down(1.0)).with_commands(vec![[-0.0001, 0.0]; rows]));
     assert_eq!(onset(2)?.factor().ok_or("slides")?, onset(3)?.factor().ok_or("slides")?);
     let refused = Error::Size { what: "command changes", given: 1, expected: 2 };
     assert_eq!(onset(1).expect_err("one row for two contacts"), refused);
@@ -117,7 +117,7 @@ fn friction_of_a_soft_fingertip_is_that_of_all_its_points() -> Tested {
     let slips = [6.1, 5.8, 6.4].map(|newtons| Slip::gross(down(newtons)));
     let [both, each] = [Unknown::friction(), Unknown::friction().of_contacts([0, 1])]
         .map(|unknown| Identify::new([unknown.named("rubber")], slips.clone()));
-    assert_eq!(both.answered_by(&grasp)?, each.answered_by(&grasp)?);
+    assert_eq!(grasp.identify(&both)?, grasp.identify(&each)?);
     Ok(())
 }
 
@@ -128,12 +128,11 @@ fn contacts_of_a_layout_are_moved() -> Tested {
     let slips =
         [Slip::gross(down(6.1)), Slip::gross(Wrench::force_at([0.0, -5.0], [0.01, 0.0])).in_layout(1)];
     let asked = Identify::new([Unknown::friction()], slips);
-    let by_points = asked.clone().with_points([[-0.05, 0.0], [0.05, 0.0]]).answered_by(&grasp)?;
-    let by_grasps = asked.clone().and_layouts([jaws(0.05)?]).answered_by(&grasp)?;
+    let by_points = grasp.identify(&asked.clone().with_points([[-0.05, 0.0], [0.05, 0.0]]))?;
+    let by_grasps = grasp.identify(&asked.clone().and_layouts([jaws(0.05)?]))?;
     let [a, b] = [by_points, by_grasps].map(|found| found.estimates[0].value);
     assert!((a - b).abs() < 1e-12 * b, "{a} and {b}");
-    let error =
-        asked.with_points([[-0.05, 0.0]]).answered_by(&grasp).expect_err("one point for two contacts");
+    let error = grasp.identify(&asked.with_points([[-0.05, 0.0]])).expect_err("one point for two contacts");
     assert_eq!(error, Error::Size { what: "points of a layout", given: 1, expected: 2 });
     Ok(())
 }

@@ -34,7 +34,7 @@ fn neither_arrows_nor_tables_of_a_page_show_it() -> Result<(), Failure> {
     };
     let grasp = spatial::Grasp::new([finger(180.0), finger(60.0), finger(-60.0)])?;
     let mut state =
-        grasp.solve(&spatial::Wrench::force([0.0, 0.0, -1.0]))?.equilibrium().ok_or("it holds")?.clone();
+        grasp.solve(spatial::Wrench::force([0.0, 0.0, -1.0]))?.equilibrium().ok_or("it holds")?.clone();
     let drawn = |state: &spatial::Equilibrium| -> Result<(String, usize), Failure> {
         let page = SpatialPage::new(&grasp, "Three fingers").frame("held", state);
         let svg = page.to_svg(Some(0), View::default())?;

@@ -24,7 +24,7 @@ fn pinch() -> Result<(Grasp, Equilibrium), Failure> {
         Grasp::new([tip.contacts(&finger("thumb", -0.03))?, tip.contacts(&finger("index", 0.03))?].concat())?;
     assert_eq!(grasp.len(), TIPS * POINTS);
     // Its weight acts beside the line of the pinch, so that pressure is not even.
-    let state = grasp.solve(&Wrench::force_at([0.0, 0.0, -1.0], [0.02, 0.0, 0.0]))?;
+    let state = grasp.solve(Wrench::force_at([0.0, 0.0, -1.0], [0.02, 0.0, 0.0]))?;
     let state = state.equilibrium().ok_or("it holds")?.clone();
     assert!(state.contacts.iter().all(|c| matches!(c.state, spatial::ContactState::Sticking)));
     Ok((grasp, state))
@@ -117,7 +117,7 @@ fn a_planar_fingertip_has_one_force() -> Result<(), Failure> {
     let grasp = planar::Grasp::new(
         [tip.contacts(&finger("thumb", -0.03))?, tip.contacts(&finger("index", 0.03))?].concat(),
     )?;
-    let state = grasp.solve(&planar::Wrench::force([0.0, -1.0]))?;
+    let state = grasp.solve(planar::Wrench::force([0.0, -1.0]))?;
     let state = state.equilibrium().ok_or("it holds")?;
     let svg = draw_grasp(&grasp, state, None, "A pinch")?;
     assert_eq!(thick(&shapes(&svg)?, STICKING).len(), TIPS);

@@ -24,9 +24,9 @@ fn jar(name: &str) -> Result<Grasp, grasp_lcp::Error> {
 
 fn page_of(name: &str) -> Result<(String, Grasp, Equilibrium), Failure> {
     let grasp = jar(name)?;
-    let state = grasp.solve(&Wrench::force_at([0.05, 0.1, -0.3], [0.005, 0.0, 0.0]))?;
+    let state = grasp.solve(Wrench::force_at([0.05, 0.1, -0.3], [0.005, 0.0, 0.0]))?;
     let state = state.equilibrium().ok_or_else(|| format!("{state:?}"))?.clone();
-    let far = grasp.solve(&Wrench::force([0.0, 0.0, -100.0]))?;
+    let far = grasp.solve(Wrench::force([0.0, 0.0, -100.0]))?;
     let page = SpatialPage::new(&grasp, name)
         .outline([[0.03, 0.0, 0.05], [0.0, 0.03, 0.05], [-0.03, 0.0, 0.05]])
         .frame(name, &state)
@@ -166,7 +166,7 @@ fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
         .map(|contact| tip.contacts(contact))
         .collect::<Result<Vec<_>, _>>()?;
     let grasp = Grasp::new(pads.concat())?;
-    let state = grasp.solve(&Wrench::force([0.05, 0.1, -0.3]))?.equilibrium().cloned().ok_or("it holds")?;
+    let state = grasp.solve(Wrench::force([0.05, 0.1, -0.3]))?.equilibrium().cloned().ok_or("it holds")?;
     let page = SpatialPage::new(&grasp, "A jar").frame("held", &state).to_html()?;
     assert_eq!(page.matches("<tr data-contact=\"").count(), 3 + 36);
     assert_eq!(page.matches(" class=\"point\"").count(), 36);

@@ -47,7 +47,7 @@ fn jar(quarters: u32) -> Result<Grasp, grasp_lcp::Error> {
 /// One of its contacts slides.
 fn slid(grasp: &Grasp, quarters: u32) -> Result<Equilibrium, Failure> {
     let turn = |v| turned(quarters, v);
-    match grasp.solve(&Wrench::force_at(turn([0.5, 0.4, -3.7]), turn([0.01, 0.02, 0.0])))? {
+    match grasp.solve(Wrench::force_at(turn([0.5, 0.4, -3.7]), turn([0.01, 0.02, 0.0])))? {
         Outcome::Equilibrium(state) => Ok(*state),
         other => Err(format!("{other:?}").into()),
     }
@@ -81,7 +81,7 @@ fn from_the_front_the_thumb_is_on_the_left() -> Result<(), Failure> {
 #[test]
 fn forces_and_cones_have_their_lengths() -> Result<(), Failure> {
     let grasp = pinch()?;
-    let page = SpatialPage::new(&grasp, "A pinch").outcome("no load", &grasp.solve(&Wrench::ZERO)?);
+    let page = SpatialPage::new(&grasp, "A pinch").outcome("no load", &grasp.solve(Wrench::ZERO)?);
     let svg = page.to_svg(Some(0), View::FRONT)?;
     // The axis of its free turn, one and a half times as long as the grasp is wide, fills the room.
     assert!(svg.contains("turns freely"));
@@ -158,7 +158,7 @@ fn everything_is_inside_from_every_side() -> Result<(), Failure> {
     let grasp = jar(0)?;
     let steep = Grasp::new(grasp.contacts().iter().map(|c| c.clone().friction(40.0)).collect::<Vec<_>>())?;
     for grasp in [grasp, steep] {
-        let far = grasp.solve(&Wrench::force_at([0.0, 0.0, -0.1], [0.2, 0.0, 0.0]))?;
+        let far = grasp.solve(Wrench::force_at([0.0, 0.0, -0.1], [0.2, 0.0, 0.0]))?;
         let page = page(&grasp, 0).frame("slides", &slid(&grasp, 0)?).outcome("far", &far);
         for k in 0..12_u32 {
             let view = View::default().with_yaw(0.7 * f64::from(k)).with_pitch(0.3 * f64::from(k) - 1.5);
@@ -220,7 +220,7 @@ fn contacts_have_the_colours_of_what_they_do() -> Result<(), Failure> {
     // Nothing resists a moment about the line of a pinch: without forces the picture says why.
     let pinch = pinch()?;
     let none = SpatialPage::new(&pinch, "x")
-        .outcome("turned", &pinch.solve(&Wrench::new([0.0; 3], [0.1, 0.0, 0.0]))?);
+        .outcome("turned", &pinch.solve(Wrench::new([0.0; 3], [0.1, 0.0, 0.0]))?);
     let svg = none.to_svg(Some(0), View::default())?;
     assert!(svg.contains("No equilibrium exists."));
     assert_eq!((circles(&svg, GREY)?.len(), circles(&svg, STICKING)?.len()), (2, 0));

@@ -65,7 +65,7 @@ fn a_cup_is_the_one_of_the_crate() {
     let Space::Spatial(points) = back.space else { panic!("in space") };
     let load = grasp_lcp::spatial::Wrench::force([3.0, 0.0, -20.0]);
     let [one, other] =
-        [points.grasp().unwrap(), setup.grasp().unwrap()].map(|grasp| grasp.solve(&load).unwrap());
+        [points.grasp().unwrap(), setup.grasp().unwrap()].map(|grasp| grasp.solve(load).unwrap());
     let forces = |outcome: &grasp_lcp::spatial::Outcome| {
         outcome.equilibrium().unwrap().contacts.iter().map(|c| c.force).collect::<Vec<_>>()
     };

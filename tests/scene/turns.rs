@@ -88,13 +88,13 @@ fn read_back_and_answered<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -
     let written: Value = serde_json::from_str(&text).unwrap();
 
     let grasp: Grasp<C> = setup.grasp().unwrap();
-    let direct = grasp.onset_of_turn(&turn).unwrap();
+    let direct = grasp.onset_of_turn(turn).unwrap();
     let told = &written[0]["onset_of_turn"];
     same(&told["angle_rad"].as_f64(), &direct.onset.factor().filter(|angle| angle.is_finite()))?;
     assert!(told.get("factor").is_none(), "{told}");
     same(&told["touches"].as_array().map(Vec::len), &Some(direct.touches.len()))?;
     let legs = [Leg::turn(&turn), Leg::turn(&turn.reversed())];
-    let events = grasp.follow(&turn.load_at(0.0), &legs).unwrap().run();
+    let events = grasp.follow(turn.load_at(0.0), &legs).unwrap().run();
     let places: Vec<_> = events.iter().map(|event| (event.leg, event.fraction)).collect();
     let of = |event: &Value| {
         (usize::try_from(event["leg"].as_u64().unwrap()).unwrap(), event["fraction"].as_f64().unwrap())
@@ -219,7 +219,7 @@ fn turns_on_hands_are_answered_as_by_calls() -> Tested {
     };
     let grasp: planar::Grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
     let turn = planar::Turn::new(Wrench::ZERO, Wrench::ZERO, planar::Wrench::force([5.0, 0.0])).up_to(4.0);
-    let direct = grasp.onset_of_turn(&turn)?.onset;
+    let direct = grasp.onset_of_turn(turn)?.onset;
     let [Answer::OnsetOfTurn(TurnAnswer { onset: OnsetAnswer::At(event), .. }), Answer::Follow(path)] =
         &answers[..]
     else {
@@ -228,7 +228,7 @@ fn turns_on_hands_are_answered_as_by_calls() -> Tested {
     assert!((event.at.angle - direct.factor().ok_or("stalls")?).abs() < 1e-14);
     assert!((event.at.angle - (2.0 * (6.0 - 4.0 / 1.1) / 5.0_f64).asin()).abs() < 1e-13);
     assert_eq!(event.drives[0].part.part, HandPart::Joint(1));
-    let events = grasp.follow(&Wrench::ZERO, &[planar::Leg::turn(&turn)])?.run();
+    let events = grasp.follow(Wrench::ZERO, &[planar::Leg::turn(&turn)])?.run();
     assert!(events.len() > 1 && events.len() == path.events.len());
     for (told, direct) in path.events.iter().zip(&events) {
         assert!((told.fraction - direct.fraction).abs() < 1e-14);

@@ -26,7 +26,7 @@ fn judge<const C: usize>(
     let (mut wrong, mut followed) = (Vec::new(), Vec::new());
     for k in 0..many {
         let cycle = draw(&mut random)?;
-        let shaken = cycle.grasp.shake(&cycle.base, &cycle.legs)?;
+        let shaken = cycle.grasp.shake(cycle.base, &cycle.legs)?;
         counts[match &shaken.repeats {
             Repeats::Rests { .. } => 0,
             Repeats::DiesOut { .. } => 1,

@@ -31,7 +31,7 @@ fn feet_in_a_row_rest_up_to_it_and_not_beyond() -> Result<(), Error> {
         let base = Wrench::force_at([random.between(-1.0, 1.0), -10.0], [middle, 0.0]);
         let loads = [1.0, -1.0]
             .map(|sign| Wrench::new([random.between(-0.5, 0.5), 0.0], sign * random.between(0.5, 1.0)));
-        let Some(found) = grasp.statics().shakedown(&base, &loads)? else { continue };
+        let Some(found) = grasp.statics().shakedown(base, &loads)? else { continue };
         assert!(!found.slips_change_normal_forces && found.factor > 0.0);
         assert_eq!([0.98, 1.02].map(|part| found.rests(part * found.factor)), [Some(true), Some(false)]);
         // No foot may open: what the loads do to normal forces is less than what is there.
@@ -70,7 +70,7 @@ fn no_path_rests_beyond_it_while_contacts_are_closed() -> Result<(), Error> {
             )
         });
         let rests = drawn.grasp.hold(drawn.base)?.holds() == Some(true);
-        let Some(found) = drawn.grasp.statics().shakedown(&drawn.base, &loads)? else {
+        let Some(found) = drawn.grasp.statics().shakedown(drawn.base, &loads)? else {
             kept[usize::from(rests)] += 1;
             continue;
         };
@@ -81,9 +81,9 @@ fn no_path_rests_beyond_it_while_contacts_are_closed() -> Result<(), Error> {
         coupled += usize::from(found.slips_change_normal_forces);
         let legs: Vec<_> =
             loads.iter().flat_map(|load| Leg::there_and_back(*load * (1.02 * found.factor))).collect();
-        let shaken = drawn.grasp.shake(&drawn.base, &legs)?;
+        let shaken = drawn.grasp.shake(drawn.base, &legs)?;
         let cycles = vec![legs; shaken.cycles.clamp(2, 300)].concat();
-        let mut path = drawn.grasp.follow(&drawn.base, &cycles)?;
+        let mut path = drawn.grasp.follow(drawn.base, &cycles)?;
         let is_open = path.state().is_none_or(|rest| rest.contacts.iter().any(|contact| contact.gap > 0.0));
         let is_opening = |change: &ContactChange<2>| change.what == Change::Opens;
         let opens = path.run().iter().any(|event| event.changes.iter().any(is_opening));
@@ -107,7 +107,7 @@ fn with_less_friction_once_they_slide_the_order_decides() -> Result<(), Error> {
     let rocked = [1.0, -1.0].map(|moment| Wrench::new([0.0, 0.0], moment));
     let base = Wrench::new([1.5, -10.0], 0.0);
     let asked = |feet: [Contact; 2]| -> Result<_, Error> {
-        let found = Grasp::new(feet)?.statics().shakedown(&base, &rocked)?.expect("rests");
+        let found = Grasp::new(feet)?.statics().shakedown(base, &rocked)?.expect("rests");
         Ok([0.5, 1.01].map(|part| found.rests(part * found.factor)))
     };
     assert_eq!(asked([foot(-1.0), foot(1.0)])?, [Some(true), Some(false)]);
@@ -124,7 +124,7 @@ fn in_space_a_polygon_around_the_cone_bounds_it() -> Result<(), Error> {
     let table = spatial::Grasp::new([foot(1.0, 1.0), foot(-1.0, 1.0), foot(1.0, -1.0), foot(-1.0, -1.0)])?;
     let base = spatial::Wrench::force([3.0, 0.0, -10.0]);
     let rocked = [1.0, -1.0].map(|moment| spatial::Wrench::new([0.0; 3], [0.0, moment, 0.0]));
-    let found = table.statics().shakedown(&base, &rocked)?.expect("rests without rocking");
+    let found = table.statics().shakedown(base, &rocked)?.expect("rests without rocking");
     // Slips share the pull as they like: four times μ (2.5 - λ / 4), by the octagon around the cone 1 / cos 22.5° as much along a corner.
     let corner = (std::f64::consts::PI / 8.0).cos();
     let exact = 4.0 * (2.5 - 3.0 * corner / (4.0 * 0.5));
@@ -198,7 +198,7 @@ fn an_interior_point_method_finds_the_same() -> Result<(), Error> {
                 0.02 * random.between(-1.0, 1.0),
             )
         });
-        let Some(found) = drawn.grasp.statics().shakedown(&drawn.base, &loads)? else { continue };
+        let Some(found) = drawn.grasp.statics().shakedown(drawn.base, &loads)? else { continue };
         if !found.factor.is_finite() {
             continue;
         }

@@ -24,7 +24,7 @@ fn foot() -> Contact {
 
 fn to_and_fro(grasp: &Grasp) -> (f64, f64) {
     let shaken =
-        grasp.shake(&Wrench::ZERO, &Leg::there_and_back(Wrench::force([24.0, 0.0]))).expect("well posed");
+        grasp.shake(Wrench::ZERO, &Leg::there_and_back(Wrench::force([24.0, 0.0]))).expect("well posed");
     let Repeats::Alternates { way, dissipated, .. } = shaken.repeats else { panic!("{shaken}") };
     (way, dissipated)
 }
@@ -64,7 +64,7 @@ fn what_is_caught_comes_to_rest() {
     let rail = |x: f64| Contact::new([x, 0.1], [0.0, -1.0]).series_stiffness(1e3, 1.0).pressed_with(10.0);
     let grasp = Grasp::new([foot(-0.1, 1e3), foot(0.1, 5e2), rail(-0.1), rail(0.1)]).expect("well posed");
     let shaken =
-        grasp.shake(&Wrench::ZERO, &Leg::there_and_back(Wrench::force([8.0, 0.0]))).expect("well posed");
+        grasp.shake(Wrench::ZERO, &Leg::there_and_back(Wrench::force([8.0, 0.0]))).expect("well posed");
     let Repeats::Rests { after: 1, slid } = &shaken.repeats else { panic!("{shaken}") };
     assert_eq!(slid.len(), 1, "{shaken}");
 }

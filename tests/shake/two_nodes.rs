@@ -141,7 +141,7 @@ fn rests(system: &System, loads: &[Vector3<f64>], times: f64) -> Result<Vec<bool
     for (k, l) in (-8..=8).flat_map(|k| (-8..=8).map(move |l| (k, l))) {
         let slips = [f64::from(k), f64::from(l)].map(|part| 1e-3 * part);
         if at_rest.iter().all(|(a, c)| a + c.dot(&Vector2::from(slips)) > 0.0) {
-            let shaken = system.grasp(slips)?.shake(&Wrench::ZERO, &legs)?;
+            let shaken = system.grasp(slips)?.shake(Wrench::ZERO, &legs)?;
             found.push(shaken.rests().unwrap_or_else(|| panic!("{shaken}")));
         }
     }
@@ -161,7 +161,7 @@ fn what_it_remembers_decides_between_two_limits() -> Result<(), Error> {
         let found = system
             .grasp([0.0; 2])?
             .statics()
-            .shakedown(&Wrench::ZERO, &loads.map(|load| Wrench::new([load.x, load.y], load.z)))?;
+            .shakedown(Wrench::ZERO, &loads.map(|load| Wrench::new([load.x, load.y], load.z)))?;
         let found = found.expect("holds at rest");
         assert!(found.slips_change_normal_forces);
         assert!((found.factor - some).abs() <= 1e-8 * some, "{} {some}", found.factor);

@@ -16,7 +16,7 @@ fn walk(p: f64, q: f64, m: f64, mu: f64, k_t: f64) -> Repeats<2> {
     // Two feet at a distance of two carry half of the moment more and less each.
     let cycle =
         [2.0 * m, -2.0 * m].map(|moment| Leg::there_and_back(Wrench::new([0.0, 0.0], moment))).concat();
-    block.shake(&pulled, &cycle).expect("well posed").repeats
+    block.shake(pulled, &cycle).expect("well posed").repeats
 }
 
 proptest! {

@@ -58,7 +58,7 @@ fn a_walk_is_told_by_the_cycles_to_come() {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 0.4).friction(0.5);
     let block = Grasp::new([foot(-1.0), foot(1.0)]).expect("well posed");
     let cycle = [4.0, -4.0].map(|rocked| Leg::there_and_back(Wrench::<2>::new([0.0, 0.0], rocked))).concat();
-    let shaken = block.shake(&Wrench::<2>::new([3.5, -10.0], 0.0), &cycle).expect("well posed");
+    let shaken = block.shake(Wrench::<2>::new([3.5, -10.0], 0.0), &cycle).expect("well posed");
     let Repeats::Walks { by, .. } = &shaken.repeats else { panic!("{shaken}") };
     // 1 mm a cycle at a stiffness of 1 000 N/m, as far as the softness makes it.
     assert!((by[0].twist.translation()[0] - 2.5).abs() < 1e-9, "{shaken}");

@@ -71,7 +71,7 @@ impl Tally {
             load_limit(&maps, &DVector::zeros(D), &scaled(&base), bound).expect("nothing can be balanced");
         let known = load_limit(&maps, &scaled(&base), &scaled(&rate), bound).filter(|_| times > 1.0);
         let [base, rate] = [base, rate].map(|w| Wrench::from_components(w.as_slice()));
-        match (grasp.statics().load_limit(&base, &rate, budget).expect("valid"), known) {
+        match (grasp.statics().load_limit(base, rate, budget).expect("valid"), known) {
             (LoadLimit::Factor { at_least, at_most, forces, motion, .. }, Some(known)) => {
                 self.factors += 1;
                 self.worst = self.worst.max((at_most - known).abs() / known.abs().max(1.0));
@@ -177,23 +177,23 @@ fn a_pinch_carries_what_turns_about_its_line_not_at_all() -> Result<(), Error> {
     let pinch = spatial::Grasp::new([finger(-1.0), finger(1.0)])?;
     let weight = spatial::Wrench::force([0.0, 0.0, -1.0]);
     let LoadLimit::Factor { at_least, at_most, .. } =
-        pinch.statics().load_limit(&spatial::Wrench::ZERO, &weight, Budget::Each(10.0))?
+        pinch.statics().load_limit(spatial::Wrench::ZERO, weight, Budget::Each(10.0))?
     else {
         panic!("nothing is on it yet")
     };
     assert!((at_least - 10.0).abs() < 1e-8 && (at_most - 10.0).abs() < 1e-12, "{at_least} {at_most}");
     let twist = spatial::Wrench::new([0.0; 3], [1.0, 0.0, 0.0]);
     let LoadLimit::Factor { at_most, motion, .. } =
-        pinch.statics().load_limit(&weight, &twist, Budget::Each(10.0))?
+        pinch.statics().load_limit(weight, twist, Budget::Each(10.0))?
     else {
         panic!("the weight is carried")
     };
     assert!(at_most == 0.0 && motion.to_vector()[3].abs() > 0.99, "{motion:?}");
     assert!(matches!(
-        pinch.statics().load_limit(&twist, &weight, Budget::Each(10.0))?,
+        pinch.statics().load_limit(twist, weight, Budget::Each(10.0))?,
         LoadLimit::NoBase { .. }
     ));
-    assert_eq!(pinch.statics().budget_needed(&twist, Budget::Each(1.0))?, [f64::INFINITY; 2]);
+    assert_eq!(pinch.statics().budget_needed(twist, Budget::Each(1.0))?, [f64::INFINITY; 2]);
     Ok(())
 }
 
@@ -203,7 +203,7 @@ fn a_direction_of_nothing_is_refused() -> Result<(), Error> {
     let pinch = planar::Grasp::new([finger(-1.0), finger(1.0)])?;
     let refused = pinch
         .statics()
-        .load_limit(&planar::Wrench::ZERO, &planar::Wrench::ZERO, Budget::Each(1.0))
+        .load_limit(planar::Wrench::ZERO, planar::Wrench::ZERO, Budget::Each(1.0))
         .unwrap_err();
     assert_eq!(refused.to_string(), "size of the load direction is 0, must be more than 0");
     Ok(())

@@ -62,8 +62,7 @@ fn the_ball_is_about_no_load_and_beside_the_vacuum() -> Tested {
 fn lips_must_bear_the_vacuum() -> Tested {
     let ball = cups()?.statics().ferrari_canny(Budget::Each(50.0))?;
     assert_eq!((ball.at_least, ball.at_most), (0.0, 0.0));
-    let limit =
-        cups()?.statics().load_limit(&Wrench::ZERO, &Wrench::force([0.0, -1.0]), Budget::Each(50.0))?;
+    let limit = cups()?.statics().load_limit(Wrench::ZERO, Wrench::force([0.0, -1.0]), Budget::Each(50.0))?;
     // 20 N more than lips bear have to be taken off them; none of it is there yet.
     assert!(matches!(limit, LoadLimit::NoBase { .. }), "{limit:?}");
     Ok(())
@@ -79,7 +78,7 @@ fn limits_along_a_load() -> Tested {
         // Peel about the far lip, at the near one: W (a + b) = 2 a V for b = a.
         (Wrench::force_at([0.0, -1.0], [ASIDE, 0.0]), VACUUM),
     ] {
-        let limit = plate.statics().load_limit(&Wrench::ZERO, &load, Budget::Each(1e3))?;
+        let limit = plate.statics().load_limit(Wrench::ZERO, load, Budget::Each(1e3))?;
         let LoadLimit::Factor { at_least, at_most, .. } = limit else { panic!("{limit:?}") };
         assert!(
             (at_least - expected).abs() < 1e-6 && (at_most - expected).abs() < 1e-6,

@@ -94,7 +94,7 @@ fn steps_of_many_contacts_allocate_nothing() {
         spatial::Wrench::new([x * 0.3 * pressed, 0.0, -pressed], [0.0, 0.0, turn * 0.3 * pressed])
     };
     let cycle = [[0.5, 0.2], [-0.3, 0.2], [0.0, 0.0]].map(|part| spatial::Leg::load_to(pull(part)));
-    let mut path = disc.follow_in_steps(&pull([0.0; 2]), &cycle, 1e-3).expect("a program");
+    let mut path = disc.follow_in_steps(pull([0.0; 2]), &cycle, 1e-3).expect("a program");
     path.by_ref().for_each(drop);
     let mut steps = 0;
     for round in 0..4 {

@@ -37,7 +37,7 @@ fn compare<const D: usize, const C: usize>(
     let workspace = RefCell::new(workspace);
     for_all(file!(), cases, &scene::<D, C>(count, Spread::Narrow, 0.3), |scene| {
         let (grasp, load) = (scene.grasp(), scene.wrench());
-        let outcome = grasp.with(&settings).solve(&load).expect("finite");
+        let outcome = grasp.with(&settings).solve(load).expect("finite");
         let mut workspace = workspace.borrow_mut();
         let Search::Found(view) = workspace.solve(&grasp, &load).expect("finite") else { return Ok(()) };
         let [same, other, alone, moves] = &mut *tally.borrow_mut();
@@ -212,9 +212,9 @@ fn an_overloaded_patch() {
         };
         let grasp = planar::Grasp::new((0..n).map(contact)).expect("valid");
         let press = n as f64;
-        let held = grasp.solve(&planar::Wrench::new([0.29 * press, -press], 0.0)).expect("finite");
+        let held = grasp.solve(planar::Wrench::new([0.29 * press, -press], 0.0)).expect("finite");
         assert!(held.equilibrium().is_some());
-        let outcome = grasp.solve(&planar::Wrench::new([0.31 * press, -press], 0.0)).expect("finite");
+        let outcome = grasp.solve(planar::Wrench::new([0.31 * press, -press], 0.0)).expect("finite");
         let planar::Outcome::NoEquilibrium(none) = outcome else { panic!("{outcome:?}") };
         assert!(matches!(none.proof, planar::Proof::SeparatingMotion { .. }));
         let mut workspace = Workspace::default();

@@ -85,12 +85,12 @@ fn main() -> Result<(), Failure> {
     }
     let grasp = Grasp::new(contacts)?;
 
-    let outcome = grasp.solve(&(pull(-DVec3::Z, centre) * WEIGHT))?;
+    let outcome = grasp.solve(pull(-DVec3::Z, centre) * WEIGHT)?;
     let held = outcome.equilibrium().ok_or("the mug is not held")?;
     report(&grasp, held, &mug)?;
     directions(&grasp, centre)?;
     moved_hands(&mug, centre)?;
-    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &pull(-DVec3::Z, centre))?;
+    let onset = grasp.onset(pull(-DVec3::Z, centre))?;
     let slides = onset.event().and_then(|event| {
         Some((format!("first slides, at {:.3} N", event.factor), grasp.state_at_onset(event)?))
     });
@@ -179,12 +179,10 @@ fn moved_hands(mug: &Compound, centre: DVec3) -> Result<(), Failure> {
         let contacts = contacts(&hand, mug)?;
         let tips = contacts.len();
         let reserve = match Grasp::new(contacts) {
-            Ok(grasp) => {
-                match grasp.onset_of_sliding(&Wrench::ZERO, &(pull(-DVec3::Z, centre) * WEIGHT))?.factor() {
-                    Some(factor) => format!("at {factor:.3} times"),
-                    None => "slides by the squeeze alone".into(),
-                }
-            }
+            Ok(grasp) => match grasp.onset(pull(-DVec3::Z, centre) * WEIGHT)?.factor() {
+                Some(factor) => format!("at {factor:.3} times"),
+                None => "slides by the squeeze alone".into(),
+            },
             Err(Error::EmptyGrasp) => "nothing is touched".into(),
             Err(error) => return Err(error.into()),
         };

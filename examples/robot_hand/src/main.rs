@@ -166,7 +166,7 @@ fn of_grasp(
     let grasp = with_joints(fingers, palm)?;
     let springs = with_springs(fingers, palm, &grasp)?;
     println!("{title}: {} contacts, {} joints", grasp.len(), grasp.joint_commands().len());
-    let outcome = grasp.solve(&Wrench::ZERO)?;
+    let outcome = grasp.solve(Wrench::ZERO)?;
     let rest = outcome.equilibrium().ok_or("the hand does not hold the ball without a load")?;
     let carried: Vec<String> = rest.contacts.iter().map(|c| format!("{:.2}", c.normal_force())).collect();
     println!("  at rest: normal forces {} N", carried.join(" "));
@@ -192,9 +192,7 @@ fn of_grasp(
             let contacts = event.leaving.iter().map(|leaving| leaving.contact.text());
             contacts.chain(event.drives.iter().map(|drive| drive.part.text())).collect::<Vec<_>>().join(", ")
         });
-        let told = springs
-            .onset_of_sliding(&spatial::Wrench::ZERO, &spatial::Wrench::force_at(direction, at))?
-            .factor();
+        let told = springs.onset(spatial::Wrench::force_at(direction, at))?.factor();
         let Reach { force, stalled, state } = limit(&grasp, &pull(direction))?;
         if let Some(state) = state.filter(|_| stalled.len() > most_stalled) {
             most_stalled = stalled.len();
@@ -210,13 +208,13 @@ fn of_grasp(
         );
     }
     // If contacts slide under the squeeze alone, no onset exists to draw.
-    if grasp.onset(&Ramp::load(Wrench::ZERO, pull([0.0, 0.0, 1.0])))?.factor().is_some() {
+    if grasp.onset(Ramp::load(Wrench::ZERO, pull([0.0, 0.0, 1.0])))?.factor().is_some() {
         draw_map(title, name, &grasp, &springs, ball)?;
     }
     // Run time of one equilibrium with joints, against the same contacts with springs.
     let (load, told) = (pull([0.0, 0.0, -0.5]), spatial::Wrench::force_at([0.0, 0.0, -0.5], at));
-    let joints = microseconds(|| grasp.solve(&load).map(drop))?;
-    let alone = microseconds(|| springs.solve(&told).map(drop))?;
+    let joints = microseconds(|| grasp.solve(load).map(drop))?;
+    let alone = microseconds(|| springs.solve(told).map(drop))?;
     println!(
         "  one equilibrium: {joints:.0} µs with joints, {:.1} times that of springs alone",
         joints / alone
@@ -266,7 +264,7 @@ fn draw_map(
     ball: &Ball,
 ) -> Result<(), Failure> {
     let onset = |direction: [f64; 3]| {
-        let onset = grasp.onset(&Ramp::load(Wrench::ZERO, Wrench::force_at(direction, ball.centre)))?;
+        let onset = grasp.onset(Ramp::load(Wrench::ZERO, Wrench::force_at(direction, ball.centre)))?;
         let stalls = onset.event().is_some_and(|event| !event.drives.is_empty());
         Ok::<_, Failure>(onset.factor().map(|factor| (factor, stalls)))
     };
@@ -277,8 +275,7 @@ fn draw_map(
     for direction in &directions {
         let told = spatial::Wrench::force_at(*direction, ball.centre);
         let (with_joints, stalled) = onset(*direction)?.unwrap_or((f64::NAN, false));
-        let with_springs =
-            springs.onset_of_sliding(&spatial::Wrench::ZERO, &told)?.factor().unwrap_or(f64::NAN);
+        let with_springs = springs.onset(told)?.factor().unwrap_or(f64::NAN);
         stalls += usize::from(stalled);
         values.push(with_joints);
         ratios.push(with_springs / with_joints);
@@ -319,7 +316,7 @@ struct Reach {
 }
 
 fn limit(grasp: &Grasp, pull: &Wrench) -> Result<Reach, Failure> {
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(*pull * MOST)])?;
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(*pull * MOST)])?;
     let events = path.run();
     let yields = |drive: &PartChange| (drive.what == DriveChange::Yields).then(|| drive.part.clone());
     let stalled = events.iter().flat_map(|event| event.drives.iter().filter_map(yields)).collect();

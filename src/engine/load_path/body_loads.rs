@@ -31,7 +31,7 @@ impl<const C: usize> Leg<C> {
     /// // The upper one is pulled back by 2.9 N, then the lower one forth: by 17.9 N before the table lets go.
     /// let pull = |newtons: f64, y: f64| Wrench::force_at([newtons, 0.0], [0.0, y]);
     /// let legs = [Leg::body_load_to("upper", pull(-2.9, 0.21)), Leg::load_to(pull(20.0, 0.01))];
-    /// let mut path = boxes.follow(&Wrench::ZERO, &legs)?;
+    /// let mut path = boxes.follow(Wrench::ZERO, &legs)?;
     /// path.run();
     /// let lost = path.end().and_then(|end| end.loss()).expect("slides on the table");
     /// assert!(lost.leg == 1 && (lost.load.resultant()[0] - 17.9).abs() < 1e-12);

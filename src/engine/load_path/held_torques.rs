@@ -25,7 +25,7 @@ impl<const C: usize> Leg<C> {
     /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
     /// // Both press with 20 N, and then a weight is hung on: it is lost at 2 · 0.5 · 20 N.
     /// let legs = [Leg::torques_by([10.0, 10.0]), Leg::load_to(Wrench::force([0.0, -40.0]))];
-    /// let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+    /// let mut path = grasp.follow(Wrench::ZERO, &legs)?;
     /// path.run();
     /// let lost = path.end().and_then(|end| end.loss()).expect("both slide at last");
     /// assert!(lost.leg == 1 && (lost.fraction - 0.5).abs() < 1e-14);

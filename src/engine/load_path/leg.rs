@@ -34,7 +34,7 @@ use crate::prelude::*;
 ///     Leg::load_to(Wrench::force([0.0, -12.0])),
 ///     Leg::commands_to(press(0.0075)).and_load_to(Wrench::ZERO),
 /// ];
-/// let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+/// let mut path = grasp.follow(Wrench::ZERO, &legs)?;
 /// assert!(path.run().is_empty()); // 6 N on each side, of 0.5 · 15 N
 /// let squeezed = path.state_at(0, 1.0).expect("has passed");
 /// assert!((squeezed.contacts[0].normal_force() - 15.0).abs() < 1e-13);
@@ -94,7 +94,7 @@ impl<const C: usize> Leg<C> {
     /// let guide = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
     /// let block = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25), guide])?;
     /// let pull = Turn::new(Wrench::ZERO, Wrench::ZERO, Wrench::force([0.6, 0.0]));
-    /// let events = block.follow(&Wrench::ZERO, &[Leg::turn(&pull)])?.run();
+    /// let events = block.follow(Wrench::ZERO, &[Leg::turn(&pull)])?.run();
     /// // The second foot slides when it carries 0.25 · 50/51 N, half of the pull, and sticks where the pull turns back.
     /// let angle = |event: usize| events[event].fraction * TAU;
     /// assert!((angle(0) - (0.5 * 50.0 / 51.0 / 0.6_f64).asin()).abs() < 1e-14);
@@ -157,7 +157,7 @@ impl<const C: usize> Leg<C> {
     /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?.with_joint_commands(&[0.01, 0.01])?;
     /// // Close by 10 mm more, then pull: two springs of 1000 N/m in series carry 10 N.
     /// let legs = [Leg::joints_by([0.01, 0.01]), Leg::load_to(Wrench::force([0.0, -20.0]))];
-    /// let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+    /// let mut path = grasp.follow(Wrench::ZERO, &legs)?;
     /// path.run();
     /// let lost = path.end().and_then(|end| end.loss()).expect("both slide at last");
     /// assert!((lost.fraction - 0.5).abs() < 1e-14); // at 2 · 0.5 · 10 N

@@ -37,7 +37,7 @@ pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 /// };
 /// let guide = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
 /// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25), guide])?;
-/// let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([0.6, 0.0]))])?;
+/// let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([0.6, 0.0]))])?;
 /// let events: Vec<_> = path.by_ref().collect();
 /// assert_eq!(events[0].changes[0].contact.index, 1);
 /// // The guide gives way by 1/51: F_n = 50/51 N. Each foot carries half of the pull, up to 0.25 F_n.

@@ -143,6 +143,12 @@ impl<const C: usize> From<Wrench<C>> for Ramp<C> {
     }
 }
 
+impl<const C: usize> From<&Wrench<C>> for Ramp<C> {
+    fn from(load: &Wrench<C>) -> Self {
+        Self::from(*load)
+    }
+}
+
 impl<const C: usize> From<&Self> for Ramp<C> {
     fn from(ramp: &Self) -> Self {
         ramp.clone()

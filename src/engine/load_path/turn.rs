@@ -38,6 +38,12 @@ pub struct Turn<const C: usize> {
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
+impl<const C: usize> From<&Self> for Turn<C> {
+    fn from(turn: &Self) -> Self {
+        *turn
+    }
+}
+
 impl<const C: usize> Turn<C> {
     /// A turn from its three parts, N and N m; one full turn.
     #[must_use]

@@ -30,7 +30,7 @@ pub(super) struct Drawn<'a, const C: usize> {
 impl<const C: usize> Drawn<'_, C> {
     /// The chart with one curve per contact, from the start to the end of the path. The first slip or opening and the end are marked.
     pub(super) fn chart(&self, title: &str) -> Result<Chart, Error> {
-        let mut path = self.grasp.follow(&self.start, self.legs)?;
+        let mut path = self.grasp.follow(self.start, self.legs)?;
         let events = path.run();
         let tips = fingertips(self.grasp.contacts());
         let states = self.states(&path, &events);

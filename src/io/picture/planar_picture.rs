@@ -137,7 +137,7 @@ impl<'a> PlanarPicture<'a> {
 ///
 /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
 /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-/// let outcome = grasp.solve(&Wrench::force([0.0, -6.0]))?;
+/// let outcome = grasp.solve(Wrench::force([0.0, -6.0]))?;
 /// let state = outcome.equilibrium().ok_or("it holds")?;
 /// let svg = draw_grasp(&grasp, state, Some(&[[-1.0, -0.5], [1.0, -0.5], [1.0, 0.5], [-1.0, 0.5]]), "A pinch")?;
 /// assert!(svg.starts_with("<svg"));

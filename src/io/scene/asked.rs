@@ -149,7 +149,7 @@ impl<const C: usize> Setup<C> {
                 Answer::Need(NeedAnswer::of(needed, words))
             }
             Question::Improve(asked) => {
-                Answer::Improve(ImproveAnswer::of(self.improve(asked)?.answered_by(grasp)?, words))
+                Answer::Improve(ImproveAnswer::of(grasp.improve(&self.improve(asked)?)?, words))
             }
             Question::Solve { load, .. } => {
                 Answer::Solve(labels.solve(grasp, load, grasp.solve(load)?, words)?)
@@ -179,9 +179,7 @@ impl<const C: usize> Setup<C> {
             Question::Shakedown { base, loads } => {
                 Answer::Shakedown(ShakedownAnswer::of(grasp.statics().shakedown(base, loads)?, words))
             }
-            Question::Identify(asked) => {
-                Answer::Identify(IdentifyAnswer::of(asked.answered_by(grasp)?, words))
-            }
+            Question::Identify(asked) => Answer::Identify(IdentifyAnswer::of(grasp.identify(asked)?, words)),
         })
     }
 }

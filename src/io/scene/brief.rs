@@ -90,7 +90,7 @@ impl<const C: usize> Setup<C> {
         Ok(match &*self.meant(question)? {
             Question::Hold { .. } => held_briefly(&grasp.hold(question.ramp()?)?),
             Question::Need(asked) => needed_briefly(&grasp.need(asked)?),
-            Question::Improve(asked) => improved_briefly(&self.improve(asked)?.answered_by(grasp)?),
+            Question::Improve(asked) => improved_briefly(&grasp.improve(&self.improve(asked)?)?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
             Question::Compare { base, load } => {
                 compared_briefly(&labels.compared(grasp, base, load, Words::default())?)
@@ -117,7 +117,7 @@ impl<const C: usize> Setup<C> {
             Question::Shakedown { base, loads } => {
                 shakedown_briefly(grasp.statics().shakedown(base, loads)?.as_ref())
             }
-            Question::Identify(asked) => identified_briefly(&asked.answered_by(grasp)?),
+            Question::Identify(asked) => identified_briefly(&grasp.identify(asked)?),
         })
     }
 }

@@ -38,10 +38,10 @@ impl SceneNames {
         words: Words,
     ) -> Result<CompareAnswer<C>, Error> {
         let energy = grasp.energy();
-        let mut comparison = energy.compare(&(*base + *load))?;
+        let mut comparison = energy.compare(*base + *load)?;
         let is_loaded = *load != Wrench::ZERO;
         let agrees_up_to =
-            if is_loaded { energy.agreement(&Ramp::load(*base, *load))?.factor() } else { None };
+            if is_loaded { energy.agreement(Ramp::load(*base, *load))?.factor() } else { None };
         let mut says = said(&comparison, words);
         if let Some(factor) = agrees_up_to.filter(|factor| factor.is_finite() && *factor > 0.0) {
             let amount = match load.measure() {

@@ -138,14 +138,14 @@ impl<const C: usize> Setup<C> {
             }
             Question::Need(asked) => Ok(vec![grasp.need(asked)?.amount.bound().unwrap_or(f64::INFINITY)]),
             Question::Improve(asked) => {
-                Ok(vec![self.improve(asked)?.answered_by(grasp)?.after.unwrap_or(f64::INFINITY)])
+                Ok(vec![grasp.improve(&self.improve(asked)?)?.after.unwrap_or(f64::INFINITY)])
             }
             Question::Solve { load, .. } => Ok(match grasp.solve(load)? {
                 Outcome::Equilibrium(state) => mapped(&state.contacts, &ContactAnswer::normal_force),
                 _ => Vec::new(),
             }),
             Question::Identify(asked) => {
-                let found = asked.answered_by(grasp)?;
+                let found = grasp.identify(asked)?;
                 Ok(mapped(&found.estimates, &|estimate| estimate.value))
             }
             Question::Onset { .. }

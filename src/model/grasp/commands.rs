@@ -58,7 +58,7 @@ impl<const C: usize> Contact<C> {
     /// // Two fingers that each press with 8 N; μ = 0.5. One is 2 mm away before.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(8.0);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0).clearance(0.002)])?;
-    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
+    /// let onset = grasp.onset(Wrench::force([0.0, -1.0]))?;
     /// assert!((onset.factor().expect("slides") - 8.0).abs() < 1e-13);
     /// assert!((grasp.contacts()[1].commanded()[0] - 0.010).abs() < 1e-16);
     /// # Ok::<(), grasp_lcp::Error>(())
@@ -82,7 +82,7 @@ impl<const C: usize> Contact<C> {
     /// // 8 N against a jaw that stands still: they stay 8 N whatever pushes along them, and the jaw carries the rest.
     /// let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
     /// let grasp = Grasp::new([pad(-1.0).force(8.0), pad(1.0)])?;
-    /// let outcome = grasp.solve(&Wrench::force([3.0, 0.0]))?;
+    /// let outcome = grasp.solve(Wrench::force([3.0, 0.0]))?;
     /// let held = outcome.equilibrium().expect("holds");
     /// assert!((held.contacts[0].normal_force() - 8.0).abs() < 1e-13);
     /// assert!((held.contacts[1].normal_force() - 11.0).abs() < 1e-13);
@@ -110,7 +110,7 @@ impl<const C: usize> Contact<C> {
     /// let finger = Contact::new([0.0, 0.0], [1.0, 0.0]).body_stiffness(1000.0, 1000.0).finger_stiffness(1000.0, 1000.0);
     /// let post = Contact::new([1.0, 0.0], [-1.0, 0.0]).series_stiffness(1e12, 1e12).bonded();
     /// let force = |finger: Contact| {
-    ///     let outcome = Grasp::new([finger, post.clone()])?.solve(&Wrench::ZERO)?;
+    ///     let outcome = Grasp::new([finger, post.clone()])?.solve(Wrench::ZERO)?;
     ///     Ok::<_, grasp_lcp::Error>(outcome.equilibrium().expect("holds").contacts[0].normal_force())
     /// };
     /// // It comes 10 mm and meets the post 2 mm away: 8 mm · 500 N/m.

@@ -50,7 +50,7 @@ pub enum Hold {
 ///
 /// // The object is glued to a wall. The finger's force on it is that of the springs, k (command - displacement).
 /// let glue = |y: f64| Contact::new([0.03, y], [-1.0, 0.0]).series_stiffness(1e9, 1e9).bonded();
-/// let outcome = Grasp::new([left, glue(-0.01), glue(0.01)])?.solve(&Wrench::ZERO)?;
+/// let outcome = Grasp::new([left, glue(-0.01), glue(0.01)])?.solve(Wrench::ZERO)?;
 /// let carried = &outcome.equilibrium().expect("within friction").contacts[0];
 /// assert!((carried.force[0] - 2.0).abs() < 1e-5 && (carried.force_world[0] - 2.0).abs() < 1e-5);
 /// assert!((carried.force[1] - 2.0 / 3.0).abs() < 1e-5 && (carried.force_world[1] + 2.0 / 3.0).abs() < 1e-5);

@@ -71,7 +71,7 @@ use crate::prelude::*;
 /// let pinch = Grasp::new([tip.contacts(&finger(-0.03))?, tip.contacts(&finger(0.03))?].concat())?;
 ///
 /// // About the line of the pinch the two tips share a moment (N m), which two points would not carry at all.
-/// let state = pinch.solve(&Wrench::new([0.0; 3], [0.01, 0.0, 0.0]))?;
+/// let state = pinch.solve(Wrench::new([0.0; 3], [0.01, 0.0, 0.0]))?;
 /// let turn = state.equilibrium().expect("within friction").twist.rotation()[0];
 /// let k_theta = 2.0 / 5.0 * 1000.0 * 0.006_f64.powi(2);
 /// assert!((turn - 0.01 / (2.0 * k_theta)).abs() < 1e-12);

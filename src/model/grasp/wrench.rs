@@ -99,6 +99,12 @@ macro_rules! vector_like {
             }
         }
 
+        impl<const C: usize> From<&Self> for $name<C> {
+            fn from(given: &Self) -> Self {
+                *given
+            }
+        }
+
         impl<const C: usize> fmt::Debug for $name<C> {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.debug_tuple(stringify!($name)).field(&self.components()).finish()

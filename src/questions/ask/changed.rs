@@ -35,7 +35,7 @@ impl<const C: usize> Grasp<C> {
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// let squeezed = grasp.with_commands([[0.03, 0.0]; 2])?;
-    /// let outcome = squeezed.solve(&Wrench::ZERO)?;
+    /// let outcome = squeezed.solve(Wrench::ZERO)?;
     /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 30.0).abs() < 1e-13);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
@@ -62,7 +62,7 @@ impl<const C: usize> Grasp<C> {
     ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e9, 1e9).friction(0.5))
     /// };
     /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?.with_joint_commands(&[0.01, 0.01])?;
-    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// let outcome = grasp.solve(Wrench::ZERO)?;
     /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 10.0).abs() < 1e-4);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
@@ -86,7 +86,7 @@ impl<const C: usize> Grasp<C> {
     ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e9, 1e9).friction(0.5).clearance(-1e-12))
     /// };
     /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?.with_joint_torques(&[5.0, 5.0])?;
-    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// let outcome = grasp.solve(Wrench::ZERO)?;
     /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 5.0).abs() < 1e-4);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```

@@ -21,7 +21,7 @@ impl<const C: usize> Grasp<C> {
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
-    /// let all = grasp.equilibria(&Wrench::force([0.0, -4.0]))?;
+    /// let all = grasp.equilibria(Wrench::force([0.0, -4.0]))?;
     /// assert_eq!(all.len(), 1); // a pinch with horizontal normals has no other
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
@@ -29,8 +29,8 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// [`Error::TooManyStates`] beyond [`Settings::most_states`](crate::Settings::most_states) combinations, [`Error::Wrench`] if the load is not
     /// finite, or beyond 1e50; [`Error::KineticFriction`] as for [`Self::solve`].
-    pub fn equilibria(&self, load: &Wrench<C>) -> Result<Vec<Equilibrium<C>>, Error> {
-        self.engine.equilibria(&inside(load), &self.settings).map(outside)
+    pub fn equilibria(&self, load: impl Into<Wrench<C>>) -> Result<Vec<Equilibrium<C>>, Error> {
+        self.engine.equilibria(&inside(&load.into()), &self.settings).map(outside)
     }
 
     /// Estimated error of an equilibrium of this grasp, and its dependence on the last digits of the question: two more passes over the contacts in
@@ -43,7 +43,7 @@ impl<const C: usize> Grasp<C> {
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let outcome = grasp.solve(Wrench::force([0.0, -4.0]))?;
     ///
     /// let accuracy = grasp.accuracy(outcome.equilibrium().expect("holds")).expect("its own answer");
     /// assert!(accuracy.force < 1e-14 && accuracy.condition < 10.0);
@@ -68,7 +68,7 @@ impl<const C: usize> Grasp<C> {
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     /// let distinct = |load: f64| -> Result<Option<Vec<bool>>, grasp_lcp::Error> {
-    ///     Ok(grasp.solve(&Wrench::force([0.0, -load]))?.equilibrium().and_then(|held| grasp.distinct(held)))
+    ///     Ok(grasp.solve(Wrench::force([0.0, -load]))?.equilibrium().and_then(|held| grasp.distinct(held)))
     /// };
     /// assert_eq!(distinct(9.0)?, Some(vec![true, true]));
     /// assert_eq!(distinct(10.0)?, Some(vec![false, false]));
@@ -92,15 +92,15 @@ impl<const C: usize> Grasp<C> {
     /// let grasp = Grasp::new([finger(-1.0, -1.0), finger(1.0, -1.0), finger(0.0, 2.0)])?;
     ///
     /// // Below 6 cos(π/8) N everything sticks on every polygon of 8 facets, and the three answers are one.
-    /// let bracket = grasp.bracket(&Wrench::force([5.5, 0.0, -12.0]))?;
+    /// let bracket = grasp.bracket(Wrench::force([5.5, 0.0, -12.0]))?;
     /// assert!(bracket.spread.expect("three equilibria").force < 1e-14);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn bracket(&self, load: &Wrench<C>) -> Result<Bracket<C>, Error> {
-        self.engine.bracket(&inside(load), &self.settings).map(outside)
+    pub fn bracket(&self, load: impl Into<Wrench<C>>) -> Result<Bracket<C>, Error> {
+        self.engine.bracket(&inside(&load.into()), &self.settings).map(outside)
     }
 
     /// The proof, case by case, that no equilibrium exists under a load on the round cone. `None` without a proof: an equilibrium exists,
@@ -121,14 +121,14 @@ impl<const C: usize> Grasp<C> {
     /// assert!(proof.check(&jar, &load)?.is_some_and(|escape| escape > 1e4));
     /// // It says nothing about a load that is held.
     /// assert!(proof.check(&jar, &Wrench::force([0.0, 0.0, -1.0]))?.is_none());
-    /// assert!(jar.refutation(&Wrench::force([0.0, 0.0, -1.0]))?.is_none());
+    /// assert!(jar.refutation(Wrench::force([0.0, 0.0, -1.0]))?.is_none());
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn refutation(&self, load: &Wrench<C>) -> Result<Option<Refutation<C>>, Error> {
-        self.engine.refutation(&inside(load), &self.settings).map(outside)
+    pub fn refutation(&self, load: impl Into<Wrench<C>>) -> Result<Option<Refutation<C>>, Error> {
+        self.engine.refutation(&inside(&load.into()), &self.settings).map(outside)
     }
 
     /// The [kinematic form](crate::forms) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything sticks. `None`
@@ -145,7 +145,7 @@ impl<const C: usize> Grasp<C> {
     /// let floor = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(100.0, 100.0);
     /// let grasp = Grasp::new([spring, floor])?;
     ///
-    /// let form = grasp.kinematic_form(&Wrench::force([0.0, 1.0]), &PolygonCone::default())?.expect("the floor has a row");
+    /// let form = grasp.kinematic_form(Wrench::force([0.0, 1.0]), &PolygonCone::default())?.expect("the floor has a row");
     /// let Outcome::Solved(solution) = form.lcp.solve() else { panic!("it lifts off") };
     /// let row = form.position(Row::Gap { contact: 1 }).expect("may open");
     /// assert!((form.z_unit[row] * solution.z[row] - 0.01).abs() < 1e-17);
@@ -154,8 +154,12 @@ impl<const C: usize> Grasp<C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn kinematic_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
-        self.engine.kinematic_form(&inside(load), cone)
+    pub fn kinematic_form(
+        &self,
+        load: impl Into<Wrench<C>>,
+        cone: &PolygonCone,
+    ) -> Result<Option<Form>, Error> {
+        self.engine.kinematic_form(&inside(&load.into()), cone)
     }
 
     /// The [force form](crate::forms) under a load: forces as unknowns, the twist free and split in two halves
@@ -172,7 +176,7 @@ impl<const C: usize> Grasp<C> {
     /// let floor = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(100.0, 100.0);
     /// let grasp = Grasp::new([spring, floor])?;
     ///
-    /// let form = grasp.force_form(&Wrench::force([0.0, -1.0]), &PolygonCone::default())?.expect("moderate numbers");
+    /// let form = grasp.force_form(Wrench::force([0.0, -1.0]), &PolygonCone::default())?.expect("moderate numbers");
     /// let Outcome::Solved(solution) = form.lcp.solve() else { panic!("it rests") };
     /// let row = form.position(Row::NormalForce { contact: 1 }).expect("may open");
     /// assert!((form.z_unit[row] * solution.z[row] - 0.5).abs() < 1e-15);
@@ -181,8 +185,8 @@ impl<const C: usize> Grasp<C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn force_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
-        self.engine.force_form(&inside(load), cone)
+    pub fn force_form(&self, load: impl Into<Wrench<C>>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
+        self.engine.force_form(&inside(&load.into()), cone)
     }
 }
 
@@ -193,7 +197,7 @@ impl<const C: usize> Refutation<C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
-    pub fn check(&self, grasp: &Grasp<C>, load: &Wrench<C>) -> Result<Option<f64>, Error> {
-        grasp.engine.check_refutation(&inside(self), &inside(load))
+    pub fn check(&self, grasp: &Grasp<C>, load: impl Into<Wrench<C>>) -> Result<Option<f64>, Error> {
+        grasp.engine.check_refutation(&inside(self), &inside(&load.into()))
     }
 }

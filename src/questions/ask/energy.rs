@@ -33,8 +33,8 @@ impl<const C: usize> Energy<'_, C> {
     ///
     /// # Errors
     /// As for [`Self::onset`](Grasp::onset).
-    pub fn agreement(&self, ramp: &Ramp<C>) -> Result<Agreement<C>, Error> {
-        self.0.engine.agreement_with_minimum_energy(&inside(ramp), &self.0.settings).map(outside)
+    pub fn agreement(&self, ramp: impl Into<Ramp<C>>) -> Result<Agreement<C>, Error> {
+        self.0.engine.agreement_with_minimum_energy(&inside(&ramp.into()), &self.0.settings).map(outside)
     }
 
     /// Compares complementarity with the paper's quadratic program; in space on the polygonal cone of the settings.
@@ -47,18 +47,18 @@ impl<const C: usize> Energy<'_, C> {
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
-    /// let within = grasp.energy().compare(&Wrench::force([0.0, -4.0]))?;
+    /// let within = grasp.energy().compare(Wrench::force([0.0, -4.0]))?;
     /// assert_eq!(within.verdict, ComparisonVerdict::Agree);
     /// // Beyond 10 N nothing holds, but the program returns numbers.
-    /// let beyond = grasp.energy().compare(&Wrench::force([0.0, -11.0]))?;
+    /// let beyond = grasp.energy().compare(Wrench::force([0.0, -11.0]))?;
     /// assert!(matches!(beyond.verdict, ComparisonVerdict::NoEquilibrium { force, .. } if force > 0.1));
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn compare(&self, load: &Wrench<C>) -> Result<Comparison<C>, Error> {
-        self.0.engine.compare_with_minimum_energy(&inside(load), &self.0.settings).map(outside)
+    pub fn compare(&self, load: impl Into<Wrench<C>>) -> Result<Comparison<C>, Error> {
+        self.0.engine.compare_with_minimum_energy(&inside(&load.into()), &self.0.settings).map(outside)
     }
 
     /// The minimum of the paper's quadratic program under a load; in space on the polygonal cone of the settings.
@@ -73,7 +73,7 @@ impl<const C: usize> Energy<'_, C> {
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
-    /// let outcome = grasp.energy().minimum(&Wrench::force([0.0, -6.0]))?;
+    /// let outcome = grasp.energy().minimum(Wrench::force([0.0, -6.0]))?;
     /// let minimum = outcome.minimum().expect("everything sticks");
     /// assert!((minimum.contacts[0].force[0] - 10.0).abs() < 1e-14 && (minimum.contacts[0].force[1].abs() - 3.0).abs() < 1e-14);
     /// assert!(minimum.imbalance.to_vector().amax() < 1e-14);
@@ -84,8 +84,8 @@ impl<const C: usize> Energy<'_, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub fn minimum(&self, load: &Wrench<C>) -> Result<MinimumOutcome<C>, Error> {
-        self.0.engine.minimum_energy(&inside(load), &self.0.settings).map(outside)
+    pub fn minimum(&self, load: impl Into<Wrench<C>>) -> Result<MinimumOutcome<C>, Error> {
+        self.0.engine.minimum_energy(&inside(&load.into()), &self.0.settings).map(outside)
     }
 
     /// The paper's quadratic program under a load (section 5.1), in all displacements; `cone` replaces the round cone in space.
@@ -103,7 +103,7 @@ impl<const C: usize> Energy<'_, C> {
     ///         .command([0.01, 0.0])
     /// };
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let printed = grasp.energy().printed_qp(&Wrench::force([0.0, -6.0]), &PolygonCone::default())?;
+    /// let printed = grasp.energy().printed_qp(Wrench::force([0.0, -6.0]), &PolygonCone::default())?;
     /// let outcome = printed.program.solve()?;
     /// let minimum = outcome.minimum().ok_or("everything sticks")?;
     /// assert!((printed.force_on_object(&minimum.equality_multipliers, 0)[0] - 10.0).abs() < 1e-12);
@@ -116,8 +116,8 @@ impl<const C: usize> Energy<'_, C> {
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; [`Error::Contact`] for a contact of which one side is rigid (or its stiffness
     /// not from 1e-50 to 1e50) or whose stiffness is only known in series: the paper's program has a spring on both sides.
-    pub fn printed_qp(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<PrintedQp<C>, Error> {
-        self.0.engine.printed_qp(&inside(load), cone).map(outside)
+    pub fn printed_qp(&self, load: impl Into<Wrench<C>>, cone: &PolygonCone) -> Result<PrintedQp<C>, Error> {
+        self.0.engine.printed_qp(&inside(&load.into()), cone).map(outside)
     }
 
     /// Stability of an equilibrium of this grasp, with its contacts at their initial places (displacements are small).
@@ -130,7 +130,7 @@ impl<const C: usize> Energy<'_, C> {
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
-    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// let outcome = grasp.solve(Wrench::ZERO)?;
     /// let stability = grasp.energy().stability(outcome.equilibrium().expect("holds"));
     /// assert_eq!(stability.verdict, StabilityVerdict::Stable);
     /// // Along y two tangential springs. A turn stretches them at arms of 1 m, and the pinch of 10 N pushes it on at each: 2 (800 - 10).

@@ -27,20 +27,23 @@ use crate::prelude::*;
 /// |---|---|
 /// | does it hold a load, and how much more of it | [`hold`](Self::hold) |
 /// | motion of the object and contact forces under a load, or the proof that no equilibrium exists | [`solve`](Self::solve) |
-/// | the load at first slip | [`onset_of_sliding`](Self::onset_of_sliding), with commands [`onset`](Self::onset) |
+/// | the load at first slip | [`onset`](Self::onset) |
 /// | the angle at which it slides while a weight is tilted | [`onset_of_turn`](Self::onset_of_turn) |
 /// | the behaviour just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
 /// | every event of a load program, with slip memory | [`follow`](Self::follow); of thousands of contacts, in steps, [`follow_in_steps`](Self::follow_in_steps) |
 /// | how much squeeze, friction, load, arm or angle it takes | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
-/// | where the fingers should be, and how hard they should press | [`Improve`](crate::improve::Improve) |
+/// | where the fingers should be, and how hard they should press | [`improve`](Self::improve) |
+/// | friction, squeeze and loads that explain the slips that were seen | [`identify`](Self::identify) |
 /// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
 /// | how far an onset spreads where data are not known exactly | [`robust_onset`](Self::robust_onset), [`least_onset_within`](Self::least_onset_within) |
 /// | whether any contact forces could hold it | [`statics`](Self::statics) |
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
-/// | many questions on all cores | [`solve_each`](Self::solve_each), [`onset_each`](Self::onset_each), [`sweep`](crate::sweep) |
-/// | the paper's quadratic program, other laws of friction | [`energy`](Self::energy) |
+/// | many questions on all cores | [`sweep`](crate::sweep) |
+/// | the paper's quadratic program | [`energy`](Self::energy) |
 /// | any of these for another cone, or with other limits on work | [`with`](Self::with) settings |
+///
+/// Questions take a load, a [`Ramp`] or a [`Turn`](crate::load_path::Turn) by value or by reference. A load in the place of a ramp grows from zero.
 #[derive(Debug, Clone)]
 pub struct Grasp<const C: usize> {
     pub(super) engine: Arc<Engine>,
@@ -192,20 +195,20 @@ impl<const C: usize> Grasp<C> {
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
     /// // 4 N downwards stretch two tangential springs of 800 N/m; each contact carries half.
-    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let outcome = grasp.solve(Wrench::force([0.0, -4.0]))?;
     /// let held = outcome.equilibrium().expect("friction carries up to 10 N");
     /// assert!((held.twist.translation()[1] - -4.0 / 1600.0).abs() < 1e-15);
     /// assert!((held.contacts[0].friction_used() - 2.0 / 10.0).abs() < 1e-15);
     ///
-    /// assert!(matches!(grasp.solve(&Wrench::force([0.0, -11.0]))?, Outcome::NoEquilibrium(_)));
+    /// assert!(matches!(grasp.solve(Wrench::force([0.0, -11.0]))?, Outcome::NoEquilibrium(_)));
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50; [`Error::KineticFriction`] if a contact slides whose friction is
     /// [lower](crate::grasp::Contact::kinetic) then.
-    pub fn solve(&self, load: &Wrench<C>) -> Result<Outcome<C>, Error> {
-        self.engine.solve(&inside(load), &self.settings).map(outside)
+    pub fn solve(&self, load: impl Into<Wrench<C>>) -> Result<Outcome<C>, Error> {
+        self.engine.solve(&inside(&load.into()), &self.settings).map(outside)
     }
 
     /// Refuses a question if there are joints or several bodies.
@@ -255,7 +258,7 @@ impl<const C: usize> Grasp<C> {
         Sensitivity(self)
     }
 
-    /// The paper's quadratic programs and laws of friction other than Coulomb's, and stability.
+    /// The paper's quadratic program beside complementarity, and stability.
     #[must_use]
     pub fn energy(&self) -> Energy<'_, C> {
         Energy(self)

@@ -59,7 +59,7 @@ impl<const C: usize> Grasp<C> {
 
     /// The given tensions less those with these commands and without load, N.
     fn missing(&self, commands: &[[f64; C]], told: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
-        let outcome = self.with_commands(commands.iter().copied())?.solve(&Wrench::ZERO)?;
+        let outcome = self.with_commands(commands.iter().copied())?.solve(Wrench::ZERO)?;
         let state = outcome.equilibrium().ok_or_else(|| self.not_held(told[0].0, told[0].1))?;
         // The gap of a slack link counts as missing tension, too, so that the difference depends on its command there.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];

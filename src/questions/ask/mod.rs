@@ -26,7 +26,6 @@ pub use grasp::Grasp;
 pub(crate) use grasp::check_contact;
 #[cfg(feature = "serde")]
 pub(crate) use growing::check_growing;
-pub use many::onset_of_each;
 pub use sensitivity::Sensitivity;
 pub use statics::Statics;
 pub use workspace::{OnsetWorkspace, Workspace};

@@ -3,37 +3,12 @@
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
-use crate::grasp::{Wrench, inside, outside};
+use crate::grasp::{inside, outside};
 use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 
 impl<const C: usize> Grasp<C> {
-    /// The onset of sliding from a base load along a load direction: exact in the plane, on
-    /// the round cone in space. See [`Self::onset`].
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// // Both contacts slide when half the load is μ N = 5 N.
-    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
-    /// let event = onset.event().expect("friction is finite");
-    /// assert!((event.factor - 10.0).abs() < 1e-14);
-    /// assert_eq!(event.leaving.len(), 2);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Wrench`] if a load is not finite, or beyond 1e50.
-    #[doc(alias = "first slip")]
-    pub fn onset_of_sliding(&self, base: &Wrench<C>, direction: &Wrench<C>) -> Result<Onset<C>, Error> {
-        self.onset(&Ramp::load(*base, *direction))
-    }
-
-    /// The factor at which the first contact stops sticking along a [`Ramp`], and which contacts leave and how: in
-    /// the plane exact, in space on the round cone. No stepping and no bisection: a linear equation for each facet in the plane, a quadratic
+    /// The factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`], and which contacts leave and how: in the
+    /// plane exact, in space on the round cone. No stepping and no bisection: a linear equation for each facet in the plane, a quadratic
     /// one for each contact on the round cone.
     ///
     /// The equilibrium at the onset and the behaviour beyond it need one more call: [`Self::state_at_onset`], [`Self::beyond`].
@@ -44,6 +19,12 @@ impl<const C: usize> Grasp<C> {
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // Both contacts slide when half the load is μ N = 5 N.
+    /// let onset = grasp.onset(Wrench::force([0.0, -1.0]))?;
+    /// let event = onset.event().expect("friction is finite");
+    /// assert!((event.factor - 10.0).abs() < 1e-14);
+    /// assert_eq!(event.leaving.len(), 2);
     ///
     /// // The fingers let go under 4 N: F_t = 2 N needs F_n = 4 N, which is left after 6 mm.
     /// let release = Ramp::commands(Wrench::force([0.0, -4.0]), [[-1.0, 0.0]; 2]);
@@ -56,8 +37,8 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::Wrench`] if a load of the ramp, [`Error::Contact`] if a command change is not finite or beyond 1e50; [`Error::Size`] if
     /// there are more or fewer command changes than contacts.
     #[doc(alias = "first slip", alias = "slip margin", alias = "incipient slip")]
-    pub fn onset(&self, ramp: &Ramp<C>) -> Result<Onset<C>, Error> {
-        self.engine.onset(&inside(ramp), &self.settings).map(outside)
+    pub fn onset(&self, ramp: impl Into<Ramp<C>>) -> Result<Onset<C>, Error> {
+        self.engine.onset(&inside(&ramp.into()), &self.settings).map(outside)
     }
 
     /// The equilibrium at an onset: everything sticks, and the leaving contacts are on the edge of their cone. `None` for the event of a grasp with
@@ -69,7 +50,7 @@ impl<const C: usize> Grasp<C> {
     /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
+    /// let onset = grasp.onset(Wrench::force([0.0, -1.0]))?;
     ///
     /// let state = grasp.state_at_onset(onset.event().expect("slides")).expect("its own event");
     /// assert!((state.contacts[0].friction_used() - 0.5).abs() < 1e-15);
@@ -96,12 +77,12 @@ impl<const C: usize> Grasp<C> {
     /// // A box of 2 N between two palms that press with 10 N each, μ = 0.5, tilted: its weight comes to lie on one of them.
     /// let palm = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
     /// let palms = Grasp::new([palm(-1.0), palm(1.0)])?;
-    /// let light = palms.onset_of_turn(&Turn::tilting([0.0, -2.0], [0.0, 0.0]))?;
+    /// let light = palms.onset_of_turn(Turn::tilting([0.0, -2.0], [0.0, 0.0]))?;
     /// assert!(matches!(light.onset, Onset::Never));
     ///
     /// // 12 N would slide at once on its side: the palm above carries F_n = 10 - 6 sin θ and F_t = 6 cos θ. μ F_n = F_t where
     /// // 6 cos θ + 3 sin θ = 5; upright it needs 6 N of 5 N.
-    /// let heavy = palms.onset_of_turn(&Turn::tilting([0.0, -12.0], [0.0, 0.0]))?;
+    /// let heavy = palms.onset_of_turn(Turn::tilting([0.0, -12.0], [0.0, 0.0]))?;
     /// assert!(matches!(heavy.onset, Onset::AlreadySliding(_) | Onset::NoBase(_)));
     /// let from_its_side = Turn::tilting([12.0, 0.0], [0.0, 0.0]).reversed();
     /// let onset = palms.onset_of_turn(&from_its_side)?.onset;
@@ -114,7 +95,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// [`Error::Wrench`] if a part of the load is not finite, or beyond 1e50. [`Error::Argument`] unless the angle is more than zero, and at
     /// most 1e6.
-    pub fn onset_of_turn(&self, turn: &Turn<C>) -> Result<TurnOnset<C>, Error> {
-        self.engine.onset_of_turn(&inside(turn), &self.settings).map(outside)
+    pub fn onset_of_turn(&self, turn: impl Into<Turn<C>>) -> Result<TurnOnset<C>, Error> {
+        self.engine.onset_of_turn(&inside(&turn.into()), &self.settings).map(outside)
     }
 }

@@ -18,8 +18,8 @@ impl<const C: usize> Grasp<C> {
     /// commands than there are contacts. A missing equilibrium at the start is no error: the path ends with
     /// [`PathEnd::NoStart`](crate::load_path::PathEnd::NoStart).
     #[doc(alias = "gross slip")]
-    pub fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>]) -> Result<LoadPath<'_, C>, Error> {
-        Ok(path_outside(self.engine.follow(&inside(start), &all_inside(legs), &self.settings)?))
+    pub fn follow(&self, start: impl Into<Wrench<C>>, legs: &[Leg<C>]) -> Result<LoadPath<'_, C>, Error> {
+        Ok(path_outside(self.engine.follow(&inside(&start.into()), &all_inside(legs), &self.settings)?))
     }
 
     /// Whether the grasp survives a load that repeats: from rest under `base` a closed cycle of legs is followed again and again. The grasp comes to
@@ -48,8 +48,8 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// As for [`Self::follow`]; [`Error::NotClosed`] for a cycle that does not end where it begins.
     #[doc(alias = "shakedown", alias = "ratcheting", alias = "vibration", alias = "cyclic load")]
-    pub fn shake(&self, base: &Wrench<C>, cycle: &[Leg<C>]) -> Result<Shaken<C>, Error> {
-        self.engine.shake(&inside(base), &all_inside(cycle), &self.settings).map(outside)
+    pub fn shake(&self, base: impl Into<Wrench<C>>, cycle: &[Leg<C>]) -> Result<Shaken<C>, Error> {
+        self.engine.shake(&inside(&base.into()), &all_inside(cycle), &self.settings).map(outside)
     }
 
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is sheared and
@@ -89,11 +89,12 @@ impl<const C: usize> Grasp<C> {
     /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::KineticFriction`]; [`Error::Argument`] unless `error` is from 1e-9 to 1.
     pub fn follow_in_steps(
         &self,
-        start: &Wrench<C>,
+        start: impl Into<Wrench<C>>,
         legs: &[Leg<C>],
         error: f64,
     ) -> Result<SteppedPath<'_, C>, Error> {
-        let path = self.engine.follow_in_steps(&inside(start), &all_inside(legs), error, &self.settings)?;
+        let path =
+            self.engine.follow_in_steps(&inside(&start.into()), &all_inside(legs), error, &self.settings)?;
         Ok(path_outside(path))
     }
 }

@@ -55,7 +55,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// // Two fingers that each press with 10 N, μ = 0.5, under a weight whose line is the middle: each carries half of it.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let onset = grasp.onset(&Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
+    /// let onset = grasp.onset(Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0])))?;
     ///
     /// // The left finger comes nearer to that line by d: its share is 1 / (2 - d), the onset 2 μ N (1 - d/2).
     /// let gradient = &grasp.sensitivity().onset_gradients_by_geometry(onset.event().expect("slides"))?[0];
@@ -83,7 +83,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
-    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let outcome = grasp.solve(Wrench::force([0.0, -4.0]))?;
     /// let response = grasp.sensitivity().response(outcome.equilibrium().expect("holds")).expect("regular");
     /// // The left finger moves on by 1 m: the object goes half the way, its force grows by half its stiffness.
     /// assert!((response.twist[(0, 0)] - 0.5).abs() < 1e-14);
@@ -112,7 +112,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5))
     /// };
     /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
-    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// let outcome = grasp.solve(Wrench::ZERO)?;
     /// let response = grasp.sensitivity().joint_response(outcome.equilibrium().expect("holds")).expect("regular");
     /// // 1 mm to the right: the left jaw closes by as much as the right one opens.
     /// let commands = response.smallest_command(&Twist::new([1e-3, 0.0], 0.0)).expect("can be reached");
@@ -137,7 +137,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
-    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let outcome = grasp.solve(Wrench::force([0.0, -4.0]))?;
     /// let held = outcome.equilibrium().expect("holds");
     /// let by_weight = grasp.sensitivity().of(held, Parameter::Load { component: 1 }).expect("a component");
     /// assert!((by_weight.twist.translation()[1] - 1.0 / 1600.0).abs() < 1e-15); // two springs of 800 N/m
@@ -179,7 +179,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     ///
     /// # Errors
     /// As for [`Grasp::onset`].
-    pub fn sticking_range(&self, ramp: &Ramp<C>) -> Result<Option<StickingRange>, Error> {
-        self.0.engine.sticking_range(&inside(ramp), &self.0.settings)
+    pub fn sticking_range(&self, ramp: impl Into<Ramp<C>>) -> Result<Option<StickingRange>, Error> {
+        self.0.engine.sticking_range(&inside(&ramp.into()), &self.0.settings)
     }
 }

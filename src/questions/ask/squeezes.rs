@@ -64,8 +64,12 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// As for [`Self::onset`]; [`Error::Argument`] or [`Error::Size`] for bounds below zero or beyond 1e50, or of another number of contacts;
     /// [`Error::NotForHands`] for a grasp by a hand.
-    pub fn least_onset_within(&self, ramp: &Ramp<C>, bounds: &Bounds<C>) -> Result<LeastOnset<C>, Error> {
-        self.engine.least_onset_within(&inside(ramp), &inside(bounds), &self.settings).map(outside)
+    pub fn least_onset_within(
+        &self,
+        ramp: impl Into<Ramp<C>>,
+        bounds: &Bounds<C>,
+    ) -> Result<LeastOnset<C>, Error> {
+        self.engine.least_onset_within(&inside(&ramp.into()), &inside(bounds), &self.settings).map(outside)
     }
 
     /// The direction in which the least force through a point (m) makes a contact stop sticking, in addition to a base load; in space on the round
@@ -83,7 +87,7 @@ impl<const C: usize> Grasp<C> {
     /// // finger carries F_n = 10 + x/2, F_t = y/2: y/2 = 5 + x/4 is nearest at x = -4, y = 8.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 1000.0).friction(0.5).pressed_with(10.0);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let WeakestDirection::Force { size, direction, .. } = grasp.weakest_direction(&Wrench::ZERO, [0.0, 0.0])? else { panic!("it slides") };
+    /// let WeakestDirection::Force { size, direction, .. } = grasp.weakest_direction(Wrench::ZERO, [0.0, 0.0])? else { panic!("it slides") };
     /// assert!((size - 80_f64.sqrt()).abs() < 1e-14);
     /// assert!((direction[0].abs() - 0.2_f64.sqrt()).abs() < 1e-15 && (direction[1].abs() - 0.8_f64.sqrt()).abs() < 1e-15);
     /// # Ok::<(), grasp_lcp::Error>(())
@@ -93,9 +97,11 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::Wrench`] if the base load, [`Error::Argument`] if the point is not finite or beyond 1e50.
     pub fn weakest_direction(
         &self,
-        base: &Wrench<C>,
+        base: impl Into<Wrench<C>>,
         point: impl Into<[f64; C]>,
     ) -> Result<WeakestDirection<C>, Error> {
-        self.engine.weakest_direction(&inside(base), point.into().enter(), &self.settings).map(outside)
+        self.engine
+            .weakest_direction(&inside(&base.into()), point.into().enter(), &self.settings)
+            .map(outside)
     }
 }

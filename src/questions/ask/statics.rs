@@ -74,7 +74,7 @@ impl<const C: usize> Statics<'_, C> {
     /// // Two fingers that face each other carry 2 · 0.5 · 10 N, if none may press with more than 10 N.
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
     /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let limit = pinch.statics().load_limit(&Wrench::ZERO, &Wrench::force([0.0, -1.0]), Budget::Each(10.0))?;
+    /// let limit = pinch.statics().load_limit(Wrench::ZERO, &Wrench::force([0.0, -1.0]), Budget::Each(10.0))?;
     /// let LoadLimit::Factor { at_least, at_most, forces, .. } = limit else { panic!("nothing is on it yet") };
     /// assert!((at_least - 10.0).abs() < 1e-9 && (at_most - 10.0).abs() < 1e-9);
     /// assert!(forces.iter().all(|force| (force[0] - 10.0).abs() < 1e-9));
@@ -86,11 +86,14 @@ impl<const C: usize> Statics<'_, C> {
     /// contact that is bonded, pulls or never slides; [`Error::NotForHands`] for a grasp by a hand.
     pub fn load_limit(
         &self,
-        base: &Wrench<C>,
-        direction: &Wrench<C>,
+        base: impl Into<Wrench<C>>,
+        direction: impl Into<Wrench<C>>,
         budget: Budget,
     ) -> Result<LoadLimit<C>, Error> {
-        self.0.engine.load_limit(&inside(base), &inside(direction), budget, &self.0.settings).map(outside)
+        self.0
+            .engine
+            .load_limit(&inside(&base.into()), &inside(&direction.into()), budget, &self.0.settings)
+            .map(outside)
     }
 
     /// The measure ε of Ferrari and Canny for normal forces within a budget, with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round
@@ -142,15 +145,15 @@ impl<const C: usize> Statics<'_, C> {
     ///
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5);
     /// let pinch = Grasp::new([finger(-1.0), finger(1.0)])?;
-    /// let [at_least, at_most] = pinch.statics().budget_needed(&Wrench::force([0.0, -3.0]), Budget::Each(1.0))?;
+    /// let [at_least, at_most] = pinch.statics().budget_needed(Wrench::force([0.0, -3.0]), Budget::Each(1.0))?;
     /// assert!((at_least - 3.0).abs() < 1e-9 && (at_most - 3.0).abs() < 1e-9);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// As for [`Statics::load_limit`](crate::ask::Statics::load_limit).
-    pub fn budget_needed(&self, load: &Wrench<C>, budget: Budget) -> Result<[f64; 2], Error> {
-        Ok(match self.load_limit(&Wrench::ZERO, load, budget)? {
+    pub fn budget_needed(&self, load: impl Into<Wrench<C>>, budget: Budget) -> Result<[f64; 2], Error> {
+        Ok(match self.load_limit(Wrench::ZERO, load, budget)? {
             LoadLimit::Factor { at_least, at_most, .. } => [1.0 / at_most, 1.0 / at_least],
             LoadLimit::NoBase { .. } | LoadLimit::Undecided => [0.0, f64::INFINITY],
         })
@@ -171,7 +174,7 @@ impl<const C: usize> Statics<'_, C> {
     /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
     /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
     ///
-    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let outcome = grasp.solve(Wrench::force([0.0, -4.0]))?;
     /// let split = grasp.statics().decompose(outcome.equilibrium().expect("holds"));
     /// assert!((split.equilibrating[0] - Vector2::new(0.0, 2.0)).norm() < 1e-14);
     /// assert!((split.interaction[0] - Vector2::new(10.0, 0.0)).norm() < 1e-14);
@@ -196,14 +199,18 @@ impl<const C: usize> Statics<'_, C> {
     /// let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1000.0, 1000.0).friction(0.5);
     /// let block = Grasp::new([foot(-1.0), foot(1.0)])?;
     /// let rocked = [3.0, -3.0].map(|moment| Wrench::new([0.0, 0.0], moment));
-    /// let found = block.statics().shakedown(&Wrench::force([3.5, -10.0]), &rocked)?.expect("rests without rocking");
+    /// let found = block.statics().shakedown(Wrench::force([3.5, -10.0]), &rocked)?.expect("rests without rocking");
     /// assert!((found.factor - 1.5 / 1.5).abs() < 1e-9 && !found.slips_change_normal_forces);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load is not finite, or beyond 1e50.
-    pub fn shakedown(&self, base: &Wrench<C>, loads: &[Wrench<C>]) -> Result<Option<Shakedown<C>>, Error> {
-        self.0.engine.shakedown(&inside(base), &all_inside(loads), &self.0.settings).map(outside)
+    pub fn shakedown(
+        &self,
+        base: impl Into<Wrench<C>>,
+        loads: &[Wrench<C>],
+    ) -> Result<Option<Shakedown<C>>, Error> {
+        self.0.engine.shakedown(&inside(&base.into()), &all_inside(loads), &self.0.settings).map(outside)
     }
 }

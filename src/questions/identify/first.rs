@@ -14,10 +14,10 @@ pub(super) fn predicted<const C: usize>(
     seen: &SlipToPredict<'_, C>,
 ) -> Result<Result<Predicted, NoSlip>, Error> {
     let onset = match seen.slip.grown() {
-        Grown::Load(load) => seen.grasp.onset(&Ramp::load(seen.base, load))?,
+        Grown::Load(load) => seen.grasp.onset(Ramp::load(seen.base, load))?,
         Grown::Turn(turn) => {
             let around = turn.beside(seen.base).up_to(turn.angle().max(TAU));
-            seen.grasp.onset_of_turn(&around)?.onset
+            seen.grasp.onset_of_turn(around)?.onset
         }
     };
     Ok(match &onset {

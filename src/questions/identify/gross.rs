@@ -31,7 +31,7 @@ pub(super) fn predicted<const C: usize>(
             (around.load_at(0.0), Leg::turn(&around), most)
         }
     };
-    let mut path = seen.grasp.follow(&start, &[leg])?;
+    let mut path = seen.grasp.follow(start, &[leg])?;
     let told = |at: f64, motion: Option<&Twist<C>>, forces: &[SVector<f64, C>]| {
         let motion = motion.filter(|_| seen.derivatives);
         let leaving = motion.and_then(|motion| GrossSlip::from_end(seen, at, motion, forces));

@@ -1,7 +1,7 @@
 //! Friction, the loads of supports, squeeze and stiffness ratios of a grasp from observed slips, with their errors.
 //!
 //! A [`Slip`] is a load, or an angle, at which first or gross slip was observed. An [`Unknown`] is a number of the grasp that is sought. [`Identify`]
-//! holds both, and [`Identify::answered_by`] a grasp returns [`Identified`]: every number with its standard error and its confidence interval of
+//! holds both, and [`Grasp::identify`](crate::ask::Grasp::identify) returns [`Identified`]: every number with its standard error and its confidence interval of
 //! 95 %, and the combinations that the slips do not determine.
 //!
 //! | sought | meaning | unit |

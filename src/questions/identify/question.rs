@@ -145,7 +145,7 @@ impl<const C: usize> Identify<C> {
     /// start of the search, or one that fits the others.
     ///
     /// # Errors
-    /// As for [`Self::answered_by`].
+    /// As for [`Grasp::identify`].
     pub fn grasp_with(&self, grasp: &Grasp<C>, found: &Identified) -> Result<Grasp<C>, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?;
@@ -248,8 +248,8 @@ pub(crate) const LAYOUTS_OF_HANDS: Error = Error::Question {
     fault: "are given, must be left out of a grasp with joints or of several bodies",
 };
 
-impl<const C: usize> Identify<C> {
-    /// The unknowns of this grasp by the slips. See [the room](crate::identify).
+impl<const C: usize> Grasp<C> {
+    /// The unknowns of this grasp by the slips that were seen. See [the room](crate::identify).
     ///
     /// ```
     /// use grasp_lcp::identify::{Identify, Slip, Unknown};
@@ -261,7 +261,7 @@ impl<const C: usize> Identify<C> {
     /// let gripper = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])?;
     /// let slid_at = [6.1, 5.8, 6.4, 6.0, 6.2].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
     /// let asked = Identify::new([Unknown::friction()], slid_at);
-    /// let found = asked.answered_by(&gripper)?;
+    /// let found = gripper.identify(&asked)?;
     /// assert_eq!(found.to_string(), "friction 0.3048 ± 0.0050 (95 %: 0.2913 to 0.3190) from 5 slips, which scatter by 3.8 %");
     ///
     /// // The load is 2 μ N. How hard must it press on, if friction is as low as the slips allow?
@@ -276,9 +276,9 @@ impl<const C: usize> Identify<C> {
     #[doc(alias = "calibrate")]
     #[doc(alias = "estimate")]
     #[doc(alias = "fit")]
-    pub fn answered_by(&self, grasp: &Grasp<C>) -> Result<Identified, Error> {
-        let layouts = self.layouts(grasp)?;
-        let asked = &self.of_points(&layouts)?.with_weights_at_rest(&layouts);
+    pub fn identify(&self, question: &Identify<C>) -> Result<Identified, Error> {
+        let layouts = question.layouts(self)?;
+        let asked = &question.of_points(&layouts)?.with_weights_at_rest(&layouts);
         let model = Model { layouts: &layouts, asked };
         let fit = fitted(&model)?;
         Ok(told(&model, &fit))

@@ -16,7 +16,7 @@ use crate::numerics::{Draw, in_order, increasing};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
-impl<const C: usize> Improve<C> {
+impl<const C: usize> Grasp<C> {
     /// Finds places and squeezes of the fingers of this grasp for which the first slip comes as late as possible, or most friction is left.
     ///
     /// Friction cones are round in space. The result has the same bits for any number of threads.
@@ -30,7 +30,7 @@ impl<const C: usize> Improve<C> {
     /// let gripper = Grasp::new([jaw(-0.03, 0.0, "left"), jaw(0.03, 0.01, "right")])?;
     /// let edge = |x: f64| Surface::segment([x, -0.02], [x, 0.02]);
     /// let question = Improve::new(Wrench::force([0.0, -1.0])).along(0, edge(-0.03)).along(1, edge(0.03)).pressing_at_most(10.0);
-    /// let improved = question.answered_by(&gripper)?;
+    /// let improved = gripper.improve(&question)?;
     ///
     /// // Level with each other both slide at once: 2 μ N.
     /// assert!((improved.after.expect("sticks at rest") - 10.0).abs() < 1e-9);
@@ -47,21 +47,21 @@ impl<const C: usize> Improve<C> {
     /// [`Error::Contact`] and [`Error::Question`] for loads, forces and contacts that this search does not accept. [`Error::NotForHands`] for a grasp
     /// by a hand.
     #[doc(alias = "grasp synthesis", alias = "fixture design", alias = "optimise", alias = "best grasp")]
-    pub fn answered_by(&self, grasp: &Grasp<C>) -> Result<Improved<C>, Error> {
-        self.check(grasp)?;
-        let mut settings = *grasp.settings();
+    pub fn improve(&self, question: &Improve<C>) -> Result<Improved<C>, Error> {
+        question.check(self)?;
+        let mut settings = *self.settings();
         settings.round = true;
-        let grasp = grasp.with(&settings);
-        let loads = self.given_loads()?;
-        let loaded = Loaded::of(self, &loads);
-        let (choice, given) = Choice::of(&grasp, self)?;
+        let grasp = self.with(&settings);
+        let loads = question.given_loads()?;
+        let loaded = Loaded::of(question, &loads);
+        let (choice, given) = Choice::of(&grasp, question)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
         // The best of 24 random placings for each start become starts.
-        let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
+        let numbers: Vec<u64> = (0..(question.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             // A stream apart from the random numbers of other questions.
-            let drawn = choice.drawn(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
+            let drawn = choice.drawn(&given, &mut Draw::new([question.seed.unwrap_or(0), *number, 48]));
             // Only places are kept here: the forces of thousands of them would take much memory.
             Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.value, held.placing)))
         });
@@ -73,7 +73,7 @@ impl<const C: usize> Improve<C> {
             }
         }
         let mut placings = vec![given.clone()];
-        for k in increasing(&values).into_iter().take(self.starts()) {
+        for k in increasing(&values).into_iter().take(question.starts()) {
             placings.push(places[k].clone());
         }
         let ascents = in_order(&placings, &|placing| {
@@ -104,7 +104,7 @@ impl<const C: usize> Improve<C> {
             _ => None,
         };
         let mut answer = Improved {
-            goal: self.goal(),
+            goal: question.goal(),
             before,
             after: None,
             force,

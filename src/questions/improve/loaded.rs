@@ -39,7 +39,7 @@ impl<const C: usize> Loaded<C> {
     /// The least first slip of a grasp; `None` where a contact slides at rest, or nothing holds.
     pub(super) fn first_slip(&self, grasp: &Grasp<C>) -> Result<Option<f64>, Error> {
         if let Some((point, size)) = self.any {
-            return Ok(match grasp.weakest_direction(&self.base, point)? {
+            return Ok(match grasp.weakest_direction(self.base, point)? {
                 WeakestDirection::Force { size: least, .. } => Some(least / size),
                 WeakestDirection::Never => Some(f64::INFINITY),
                 _ => None,
@@ -47,7 +47,7 @@ impl<const C: usize> Loaded<C> {
         }
         let mut least = f64::INFINITY;
         for load in &self.loads {
-            let onset = grasp.onset(&Ramp::load(self.base, *load))?;
+            let onset = grasp.onset(Ramp::load(self.base, *load))?;
             let (Onset::At(_) | Onset::Never | Onset::GivesWay { .. }) = onset else { return Ok(None) };
             let Some(factor) = onset.factor() else { return Ok(None) };
             least = least.min(factor);

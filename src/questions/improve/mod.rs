@@ -1,7 +1,7 @@
 //! Optimal finger placement: positions on given curves or surfaces and squeezes within force limits, such that the first slip comes as late as
 //! possible, or most friction is left.
 //!
-//! An [`Improve`] states the loads, the contacts that may move along a [`Surface`], and how hard they may press. [`Improve::answered_by`] a grasp
+//! An [`Improve`] states the loads, the contacts that may move along a [`Surface`], and how hard they may press. [`Grasp::improve`](crate::ask::Grasp::improve)
 //! returns an [`Improved`]: places, squeezes, the value of the [`ImproveGoal`] before and after, and the active events and bounds.
 //!
 //! While every contact sticks, forces are linear in the load and in the squeeze, `F = F⁰ + τ F¹`. Each condition `a·F >= 0` of each contact and load

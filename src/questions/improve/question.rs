@@ -129,7 +129,7 @@ impl<const C: usize> Improve<C> {
     /// let gripper = Grasp::new([jaw(-0.03), jaw(0.03)])?;
     /// let edge = |x: f64| Surface::segment([x, -0.02], [x, 0.02]);
     /// let question = Improve::new(Wrench::force_at([0.0, -4.0], [0.01, 0.0])).along(0, edge(-0.03)).along(1, edge(0.03));
-    /// let improved = question.with_goal(ImproveGoal::Reserve).answered_by(&gripper)?;
+    /// let improved = gripper.improve(&question.with_goal(ImproveGoal::Reserve))?;
     /// assert!((improved.after.expect("sticks") - 3.0).abs() < 1e-9);
     /// assert!(improved.to_string().starts_with("RESERVE of 3 N instead of"), "{improved}");
     /// # Ok::<(), grasp_lcp::Error>(())

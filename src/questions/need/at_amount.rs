@@ -44,7 +44,7 @@ impl<const C: usize> Grasp<C> {
                 let base = *besides + *base * *times;
                 // The force in the weakest direction with the size of the need.
                 let part = |most: f64| size * times / most;
-                let load = match grasp.weakest_direction(&base, *point)? {
+                let load = match grasp.weakest_direction(base, *point)? {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {
                         (load - base) * part(most)
                     }
@@ -54,7 +54,7 @@ impl<const C: usize> Grasp<C> {
             }
             Loads::Turn(turn) => {
                 let turn = loading.so_many(turn);
-                let mut path = grasp.follow(&turn.load_at(0.0), &[Leg::turn(&turn)])?;
+                let mut path = grasp.follow(turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
                 // A sought angle is the end of the turn.
                 if matches!(posed.sought, Sought::Angle { .. }) {

@@ -294,7 +294,7 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
 /// The normal force of each contact at rest with its squeeze multiplied by `squeeze`, N, and the joints and tendons whose drives are at their limit.
 fn presses<const C: usize>(grasp: &Grasp<C>, squeeze: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
     let squeezed = grasp.squeezed(squeeze)?;
-    let Outcome::Equilibrium(state) = squeezed.solve(&Wrench::ZERO)? else { return Ok(Default::default()) };
+    let Outcome::Equilibrium(state) = squeezed.solve(Wrench::ZERO)? else { return Ok(Default::default()) };
     let parts = WholeContacts::of(grasp.contacts());
     let forces = parts.sum(&|i| state.contacts[i].force[0]);
     let mut presses = Vec::new();

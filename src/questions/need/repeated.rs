@@ -19,7 +19,7 @@ impl<const C: usize> Loading<C> {
         let Some((base, legs)) = self.cycle() else {
             return Ok(Trial::Unknown("a force of any direction comes in no order".to_owned()));
         };
-        let shaken = self.grasp.shake(&base, &legs)?;
+        let shaken = self.grasp.shake(base, &legs)?;
         let does = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
         Ok(match does {
             Some(true) => Trial::Does { carried: f64::INFINITY },

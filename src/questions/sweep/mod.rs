@@ -10,7 +10,6 @@ mod caught;
 mod courses;
 mod datum;
 mod failure;
-mod grasps;
 mod in_order;
 mod margin;
 mod off;
@@ -22,7 +21,6 @@ mod tolerances;
 mod uncertainty;
 
 pub use batch::{least_squeezes_of_batch, onset_gradients_of_batch, onsets_of_batch, turn_onsets_of_batch};
-pub(crate) use caught::each_answered;
 #[cfg(feature = "json")]
 pub(crate) use caught::fault_in;
 pub use in_order::map_in_order;

@@ -92,7 +92,7 @@ fn every_equilibrium_of_a_hand_is_found_and_none_is_denied() {
         let load = Wrench::new([scene.load[0], scene.load[1]], scene.load[2]);
         let Verdict::Clear(list) = scene.census() else { continue };
         clear += 1;
-        match grasp.solve(&load).expect("a load") {
+        match grasp.solve(load).expect("a load") {
             Outcome::Equilibrium(found) => {
                 held += 1;
                 let nearest = list.iter().map(|e| apart(e, &found)).fold(f64::INFINITY, f64::min);
@@ -106,7 +106,7 @@ fn every_equilibrium_of_a_hand_is_found_and_none_is_denied() {
             }
             _ => undecided += 1,
         }
-        let all = grasp.equilibria(&load).expect("few states");
+        let all = grasp.equilibria(load).expect("few states");
         assert_eq!(all.len(), list.len(), "{number}");
         several += usize::from(list.len() > 1);
         for e in &list {

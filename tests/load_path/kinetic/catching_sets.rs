@@ -67,7 +67,7 @@ fn jumps_end_where_rationals_say() {
         let grasp = Grasp::new(scene.contacts.iter().map(Datum::contact)).unwrap();
         // Twice as far as the first slip.
         let goal = scene.load(2.0 * part.to_f64().unwrap());
-        let mut path = grasp.follow(&scene.load(0.0), &[Leg::load_to(goal)]).unwrap();
+        let mut path = grasp.follow(scene.load(0.0), &[Leg::load_to(goal)]).unwrap();
         let catches = scene.catches(&part, first);
         if let Some(event) = path.next() {
             assert!((event.fraction - 0.5).abs() < 1e-12, "{looked}: {event:?}");

@@ -14,7 +14,7 @@ fn feet(n: f64, friction: [f64; 2], stiffness: [f64; 2]) -> Grasp {
 }
 
 fn pulled(grasp: &Grasp, force: f64) -> (Vec<Event>, Option<PathEnd>, f64) {
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([force, 0.0]))]).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([force, 0.0]))]).unwrap();
     let events = path.run();
     let end = path.end().cloned();
     (events, end, path.place().1 * force)
@@ -100,7 +100,7 @@ fn a_slider_drops_twice_a_period_for_a_thousand_periods() {
         let none = [0.0, 0.0];
         Leg::commands_by([none, none, [x, 0.0], [x, 0.0]])
     };
-    let mut path = grasp.follow(&Wrench::ZERO, &[to(0.02)]).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &[to(0.02)]).unwrap();
     assert_eq!(path.run().len(), 1);
     for period in 0..1000 {
         for back in [-0.04, 0.04] {
@@ -124,7 +124,7 @@ fn a_load_that_turns_jumps_as_a_straight_one() {
     let none = Wrench::ZERO;
     let turn =
         grasp_lcp::planar::Turn::new(none, none, Wrench::force([8.5, 0.0])).up_to(std::f64::consts::PI);
-    let mut path = grasp.follow(&none, &[Leg::turn(&turn)]).unwrap();
+    let mut path = grasp.follow(none, &[Leg::turn(&turn)]).unwrap();
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)));
     assert!((8.5 * (events[0].fraction * std::f64::consts::PI).sin() - 7.5).abs() < 1e-12);
@@ -142,7 +142,7 @@ fn a_pause_lets_friction_of_rest_come_back() {
     let grasp = slider(1000.0);
     let none = [0.0, 0.0];
     let by = |x: f64| Leg::commands_by([none, none, [x, 0.0], [x, 0.0]]);
-    let mut path = grasp.follow(&Wrench::ZERO, &[by(0.0045)]).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &[by(0.0045)]).unwrap();
     assert!(path.run().is_empty());
     for step in 0..1000 {
         // From 4 N to 5 N and the drop takes (μ_s - μ_k) N / k = 1 mm.

@@ -11,7 +11,7 @@ fn pressed_on<const C: usize>(along: [f64; C], wall: Contact<C>, arm: Vec<Contac
     )
     .unwrap();
     let commands = (0..grasp.len()).map(|i| if i == 0 { [0.0; C] } else { along });
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::commands_by(commands)]).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::commands_by(commands)]).unwrap();
     let events = path.run();
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     let closes = |change: &Change<C>| matches!(change, Change::ClosesSliding { .. });

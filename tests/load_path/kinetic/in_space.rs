@@ -39,13 +39,13 @@ fn a_planar_jump_in_space_is_the_same() {
             let ((a, b), (c, d)) = (wrench(base), wrench(more));
             ([a, c], [b, d])
         };
-        let mut path = flat.follow(&from, &[planar::Leg::load_by(there)]).unwrap();
+        let mut path = flat.follow(from, &[planar::Leg::load_by(there)]).unwrap();
         let first = path.next();
         let lost = path.end().and_then(|end| end.loss()).map(|loss| loss.jumped.len());
         // The cone with eight facets is exact in this plane, too: it has a corner there.
         for cone in [*round.settings(), round.settings().on_the_polygon()] {
             let in_space = round.with(&cone);
-            let mut in_space = in_space.follow(&to, &[spatial::Leg::load_by(beyond)]).unwrap();
+            let mut in_space = in_space.follow(to, &[spatial::Leg::load_by(beyond)]).unwrap();
             let second = in_space.next();
             let is_lost = in_space.end().and_then(|end| end.loss()).map(|loss| loss.jumped.len());
             assert_eq!(lost, is_lost, "{number}: {:?} {:?}", path.end(), in_space.end());

@@ -1,6 +1,6 @@
 //! As friction of sliding comes near that of rest, paths and their events come near those without, in proportion.
 
-use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd};
+use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd, Ramp};
 use support::kinetic::{Datum, Scene};
 use support::samples::{assert_met, samples, seeded};
 
@@ -63,7 +63,7 @@ fn paths_converge_in_proportion() {
                 kinetic.map_or(contact.clone(), |part| contact.kinetic(datum.friction[0] * (1.0 - part)))
             };
             let grasp = Grasp::new(scene.contacts.iter().map(contact)).unwrap();
-            let mut path = grasp.follow(&scene.load(0.0), &legs).unwrap();
+            let mut path = grasp.follow(scene.load(0.0), &legs).unwrap();
             let events: Vec<_> = path.by_ref().take(MOST).collect();
             (events, matches!(path.end(), Some(PathEnd::Completed)).then(|| path.state()).flatten())
         };
@@ -110,7 +110,7 @@ fn friction_of_rest_given_twice_is_given_once() {
                 if twice { contact.kinetic(datum.friction[0]) } else { contact }
             };
             let grasp = Grasp::new(scene.contacts.iter().map(contact)).unwrap();
-            let mut path = grasp.follow(&scene.load(0.0), &[Leg::load_to(scene.load(1.0))]).unwrap();
+            let mut path = grasp.follow(scene.load(0.0), &[Leg::load_to(scene.load(1.0))]).unwrap();
             let events = path.run();
             (events, path.place(), path.forces())
         });
@@ -127,8 +127,7 @@ fn the_first_slip_is_a_matter_of_rest() {
         let scene = Scene::random(&mut random);
         let [plain, falling] = [Datum::plain, Datum::contact].map(|contact| {
             let grasp = Grasp::new(scene.contacts.iter().map(contact)).unwrap();
-            let onset =
-                grasp.onset_of_sliding(&scene.load(0.0), &(scene.load(1.0) - scene.load(0.0))).unwrap();
+            let onset = grasp.onset(Ramp::load(scene.load(0.0), scene.load(1.0) - scene.load(0.0))).unwrap();
             (onset.factor().map(f64::to_bits), onset.to_string())
         });
         slides += usize::from(plain.0.is_some());

@@ -127,7 +127,7 @@ fn compare<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
         let made = contacts.iter().zip(&kinetic).map(|(datum, mu)| datum.contact().kinetic(*mu));
         let grasp = Grasp::new(made).expect("a grasp");
         let load = |w: &SVector<f64, D>| Wrench::<C>::from_components(w.as_slice());
-        let mut path = grasp.follow(&load(&base), &[Leg::load_by(load(&(more * 4.0)))]).expect("finite");
+        let mut path = grasp.follow(load(&base), &[Leg::load_by(load(&(more * 4.0)))]).expect("finite");
         let first = path.next();
         // State at the first slip, and the jump from there.
         let lost = path.end().and_then(PathEnd::loss).cloned();

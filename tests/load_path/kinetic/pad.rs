@@ -25,7 +25,7 @@ fn lost_at(points: usize, r: f64) -> f64 {
     let rail = |x: f64| Contact::new([x, 0.1], [0.0, 1.0]).series_stiffness(1e3, 1.0).kept_closed();
     let grasp = Grasp::new((0..points).map(point).chain([rail(-1.0), rail(1.0)])).unwrap();
     let pulled = |force: f64| Wrench::new([force, -total], 0.0);
-    let mut path = grasp.follow(&pulled(0.0), &[Leg::load_to(pulled(1.0))]).unwrap();
+    let mut path = grasp.follow(pulled(0.0), &[Leg::load_to(pulled(1.0))]).unwrap();
     path.run();
     assert!(matches!(path.end(), Some(PathEnd::Lost(_))), "{:?}", path.end());
     path.place().1

@@ -45,7 +45,7 @@ fn programs<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
         let size = 0.3 + random.uniform();
         let mut goal = || load(base + SVector::from_fn(|_, _| size * random.normal()));
         let legs: Vec<_> = (0..4).map(|_| Leg::load_to(goal())).chain([Leg::load_to(load(base))]).collect();
-        let mut path = grasp.follow(&load(base), &legs).expect("finite");
+        let mut path = grasp.follow(load(base), &legs).expect("finite");
         let mut begun = true;
         for event in path.by_ref() {
             let context = format!("{number}: leg {} at {}", event.leg, event.fraction);

@@ -56,7 +56,7 @@ fn followed<const C: usize>(
 ) {
     let Ok(grasp) = ask::Grasp::new(contacts) else { return };
     let legs = Leg::there_and_back(more);
-    let mut path = grasp.follow(&start, &legs).unwrap();
+    let mut path = grasp.follow(start, &legs).unwrap();
     for event in path.run() {
         let slides =
             |change: &Change<C>| matches!(change, Change::Slides { .. } | Change::ClosesSliding { .. });
@@ -116,7 +116,7 @@ fn a_turned_plate_slips_and_is_caught() {
     let grasp = planar::Grasp::new([finger(-1.0, -1.0, 0.5), finger(-1.0, 1.0, 0.5), finger(1.0, -1.0, 0.4)]);
     let grasp = grasp.unwrap();
     let turned = planar::Wrench::new([0.0; 2], 40.0);
-    let events = grasp.follow(&planar::Wrench::ZERO, &[Leg::load_by(turned)]).unwrap().run();
+    let events = grasp.follow(planar::Wrench::ZERO, &[Leg::load_by(turned)]).unwrap().run();
     let jump = events[0].jump.as_ref().unwrap();
     assert!(obeys(&grasp, &jump.state), "{jump:?}");
     assert!((events[0].fraction * 40.0 - 100.0 / 3.0).abs() < 1e-12, "{}", events[0].fraction);

@@ -13,7 +13,7 @@ fn rail(x: f64) -> Contact {
 }
 
 fn jumps(grasp: &Grasp, close: f64) {
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([12.0, 0.0]))]).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([12.0, 0.0]))]).unwrap();
     let events = path.run();
     let event = events.iter().find(|event| event.jump.is_some()).expect("the stiff foot slides");
     assert!((12.0 * event.fraction - 7.5).abs() < close, "{}", event.fraction);
@@ -38,7 +38,7 @@ fn as_compliant_fingers_of_a_hand() {
     let fixed = [rail(-0.1), rail(0.1)].map(Finger::fixed);
     let grasp =
         Hand::new([finger(-0.1, 1000.0), finger(0.1, 500.0)].into_iter().chain(fixed)).grasp().unwrap();
-    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([8.0, 0.0]))]).unwrap();
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([8.0, 0.0]))]).unwrap();
     let events = path.run();
     let jump = events[0].jump.as_deref().expect("the stiff foot slides");
     assert!((8.0 * events[0].fraction - 7.5).abs() < 1e-11);

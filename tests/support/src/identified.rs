@@ -120,7 +120,7 @@ impl<const C: usize> Known<C> {
         let mut draw = seeded(47);
         let [mut held, mut told] = [vec![0; self.unknowns.len()], vec![0; self.unknowns.len()]];
         for _ in 0..draws {
-            let found = self.asked(&limits, &mut draw).answered_by(&self.guess)?;
+            let found = self.guess.identify(&self.asked(&limits, &mut draw))?;
             // A search that does not converge, or an unknown without an interval, makes no claim to check.
             if found.ending != Ending::Converged {
                 continue;

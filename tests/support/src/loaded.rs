@@ -42,7 +42,7 @@ impl Scene {
     pub fn trial(&self, factor: f64) -> Result<Equilibrium, Failure> {
         let stuck = Grasp::new(self.contacts.iter().map(|c| c.clone().bonded()))?;
         let stuck = stuck.with_commands(self.commands_at(factor))?;
-        let held = stuck.solve(&(self.base + self.direction * factor))?;
+        let held = stuck.solve(self.base + self.direction * factor)?;
         Ok(held.equilibrium().ok_or("bonded contacts hold")?.clone())
     }
 

@@ -122,7 +122,7 @@ pub fn blocks() -> Result<Vec<Grasp>, grasp_lcp::Error> {
 pub fn limit(blocks: &[Grasp], push: &Push) -> Result<Limit, Failure> {
     let weight = Wrench::force([0.0, 0.0, -WEIGHT]);
     let load = Wrench::new([push.load.x, push.load.y, 0.0], [0.0, 0.0, push.load.z]);
-    let mut path = blocks[push.layout].follow(&weight, &[Leg::load_by(load * FAR)])?;
+    let mut path = blocks[push.layout].follow(weight, &[Leg::load_by(load * FAR)])?;
     path.by_ref().for_each(drop);
     let end = path.end().ok_or("no end")?;
     let loss = end.loss().ok_or_else(|| end.to_string())?;

@@ -116,9 +116,9 @@ fn wrench_of<const C: usize>(point: &SVector<f64, C>, direction: &SVector<f64, C
     let moment = |a: usize, b: usize| p[a] * f[b] - p[b] * f[a];
     let mut wrench = f.to_vec();
     if C == 2 {
-        wrench.push(moment(0, 1))
+        wrench.push(moment(0, 1));
     } else {
-        wrench.extend([moment(1, 2), moment(2, 0), moment(0, 1)])
+        wrench.extend([moment(1, 2), moment(2, 0), moment(0, 1)]);
     }
     wrench
 }

@@ -127,7 +127,7 @@ pub fn roller_rests_up_to(springs: i32, w: f64) -> Result<Option<f64>, Error> {
     for _ in 0..10 {
         let middle = 0.5 * (below + above);
         let cycle = roller(springs, w, middle)?;
-        match cycle.grasp.shake(&cycle.base, &cycle.legs)?.rests() {
+        match cycle.grasp.shake(cycle.base, &cycle.legs)?.rests() {
             Some(true) => below = middle,
             Some(false) => above = middle,
             None => return Ok(None),
@@ -195,7 +195,7 @@ pub fn fault<const C: usize>(
     };
     // If the verdict refers to more than `MOST` cycles, only the first 100 are followed, and checked for a loss alone.
     let (is_all, cycles) = (cycles <= MOST, if cycles <= MOST { cycles } else { 100 });
-    let mut path = cycle.grasp.follow(&cycle.base, &[])?;
+    let mut path = cycle.grasp.follow(cycle.base, &[])?;
     path.by_ref().for_each(drop);
     if !matches!(path.end(), Some(PathEnd::Completed)) {
         let right = matches!(shaken.repeats, Repeats::NoRest { .. });

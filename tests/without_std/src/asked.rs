@@ -42,8 +42,8 @@ fn answers<const C: usize>(
 ) -> Result<Asked, Error> {
     let grasp = Grasp::new(contacts)?;
     let mut numbers = Vec::new();
-    numbers.extend(grasp.onset_of_sliding(&Wrench::ZERO, &load)?.factor());
-    if let Some(equilibrium) = grasp.solve(&load)?.equilibrium() {
+    numbers.extend(grasp.onset(load)?.factor());
+    if let Some(equilibrium) = grasp.solve(load)?.equilibrium() {
         let mut forces = [[0.0; C]; 3];
         for (force, contact) in forces.iter_mut().zip(&equilibrium.contacts) {
             *force = contact.force_world.into();

@@ -23,7 +23,7 @@ fn two_fingers_of_the_paper_slide_at_the_root_of_65_over_66() {
             .command([0.1, 0.0125 * side])
     };
     let grasp = planar::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
-    let onset = grasp.onset_of_sliding(&planar::Wrench::ZERO, &planar::Wrench::force([0.0, -1.0])).unwrap();
+    let onset = grasp.onset(planar::Wrench::force([0.0, -1.0])).unwrap();
     assert!((onset.factor().unwrap() - 65f64.sqrt() / 66.0).abs() < 1e-15);
 }
 
@@ -33,7 +33,7 @@ fn a_load_that_turns_slides_at_its_angle() {
     let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
     let turn = planar::Turn::tilting([12.0, 0.0], [0.0, 0.0]).reversed();
     let closed = (5.0 / 45_f64.sqrt()).asin() - 3_f64.atan2(6.0);
-    assert!((grasp.onset_of_turn(&turn).unwrap().onset.factor().unwrap() - closed).abs() < 1e-14);
+    assert!((grasp.onset_of_turn(turn).unwrap().onset.factor().unwrap() - closed).abs() < 1e-14);
     let screened = planar::Fingers::new(&[palm(-1.0), palm(1.0)]).unwrap();
     let screened = screened.onset_of_turn(&planar::TurningPull::new(&turn).unwrap());
     assert!((screened.angle().unwrap() - closed).abs() < 1e-14);
@@ -61,7 +61,7 @@ fn a_pinch_in_space_holds_what_its_round_cones_allow() {
     for direction in [0.0, PI / 7.0, PI / 3.0, 2.0] {
         let (sin, cos) = direction.sin_cos();
         let pull = spatial::Wrench::force([0.0, cos, sin]);
-        let onset = grasp.onset_of_sliding(&spatial::Wrench::ZERO, &pull).unwrap();
+        let onset = grasp.onset(pull).unwrap();
         assert!((onset.factor().unwrap() - 10.0).abs() < 1e-13);
         let verdict = grasp.hold(pull * 12.0).unwrap().to_string();
         assert!(verdict.starts_with("SLIDES") || verdict.contains("10 N"), "{verdict}");

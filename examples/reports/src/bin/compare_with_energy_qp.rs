@@ -15,7 +15,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
 fn main() -> Result<()> {
     let grasp = two_fingers()?;
-    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &down())?.factor().ok_or("has an onset")?;
+    let onset = grasp.onset(down())?.factor().ok_or("has an onset")?;
     along_the_load(&grasp, onset)?;
     beyond_first_order(&grasp)?;
     power()?;
@@ -30,7 +30,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
     let (mut printed_off, mut interior_off) = (0.0_f64, 0.0_f64);
     for row in TWO_FINGER_TABLE {
         let load = down() * row[0];
-        let comparison = grasp.energy().compare(&load)?;
+        let comparison = grasp.energy().compare(load)?;
         let minimum = comparison.minimum.minimum().ok_or("the program has a minimum")?;
         print!("{:5.2}", row[0]);
         match comparison.equilibrium.equilibrium() {
@@ -46,7 +46,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
         println!("   {:.6}       {}", minimum.out_of_balance().0, comparison.verdict);
 
         // The same program in all displacements, by Lemke's method and by an interior-point method.
-        let printed = grasp.energy().printed_qp(&load, &settings.cone)?;
+        let printed = grasp.energy().printed_qp(load, &settings.cone)?;
         let QpOutcome::Minimum(lemke) = printed.program.solve()? else { return Err("no minimum".into()) };
         let Oracle::Minimum(interior, _) = interior_point(&printed.program) else {
             return Err("the interior-point method finds no minimum".into());
@@ -63,7 +63,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
         "method on its optimality conditions, below {:.0e} N by an interior-point method",
         ceil(interior_off)
     );
-    let ends = grasp.with(&settings).energy().agreement(&Ramp::load(Wrench::ZERO, down()))?;
+    let ends = grasp.with(&settings).energy().agreement(Ramp::load(Wrench::ZERO, down()))?;
     let Agreement::UpTo { factor, .. } = ends else { return Err("the agreement ends".into()) };
     println!("\nfirst friction constraint binds at W = {factor:.15}");
     println!("onset of sliding, found directly   W* = {onset:.15}");
@@ -77,7 +77,7 @@ fn ceil(x: f64) -> f64 {
 
 fn beyond_first_order(grasp: &Grasp) -> Result<()> {
     let load = down() * 0.1 + Wrench::new([0.0, 0.0], 0.05);
-    let outcome = grasp.solve(&load)?;
+    let outcome = grasp.solve(load)?;
     let first = grasp.energy().stability(outcome.equilibrium().ok_or("there is one")?);
     println!("\nWhat first order leaves out, at W = 0.1 N with a moment of 0.05 N m\n");
     println!("  turning stiffness: elastic   {:.4} N m", first.elastic[(2, 2)]);
@@ -101,13 +101,13 @@ fn power() -> Result<()> {
     for (slope, name) in [(0.0, "level"), (0.125, "slope 1/8")] {
         let grasp = two_fingers_on_rests(slope)?;
         let load = down() * 0.5;
-        let outcome = grasp.solve(&load)?;
+        let outcome = grasp.solve(load)?;
         let coulomb = outcome.equilibrium().ok_or("holds")?;
         let stuck = Grasp::new(grasp.contacts().iter().enumerate().map(|(i, c)| {
             let c = c.clone();
             if i < 2 { c.friction(f64::INFINITY) } else { c }
         }))?;
-        let sticking = stuck.solve(&load)?;
+        let sticking = stuck.solve(load)?;
         let sticking = sticking.equilibrium().ok_or("holds")?;
         let mut normal: Vec<f64> = sticking.contacts.iter().map(|c| c.force[0]).collect();
         let before = normal[0];
@@ -156,7 +156,7 @@ fn picture(grasp: &Grasp, onset: f64) -> Result<()> {
     let (mut coulomb, mut program, mut missing) = (vec![], vec![], vec![]);
     for step in 0..=32 {
         let w = if step == 32 { onset } else { 0.005 * f64::from(step) };
-        let comparison = grasp.energy().compare(&(down() * w))?;
+        let comparison = grasp.energy().compare(down() * w)?;
         if let Some(state) = comparison.equilibrium.equilibrium() {
             coulomb.push((w, state.contacts.iter().map(|c| c.force_world[1]).sum::<f64>()));
         }

@@ -25,7 +25,7 @@ struct Followed {
 fn follow(grasp: &Grasp, legs: &[Leg], settings: &Settings) -> Result<Followed, Box<dyn Error>> {
     let asked = grasp.with(settings);
     let (path, time) = timed(|| {
-        let mut path = asked.follow(&Wrench::ZERO, legs)?;
+        let mut path = asked.follow(Wrench::ZERO, legs)?;
         path.run();
         Ok(path)
     })?;

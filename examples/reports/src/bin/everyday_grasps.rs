@@ -127,11 +127,11 @@ fn main() -> Result<(), Failure> {
             for _ in 0..each {
                 let grasp = grasp(place, count, &mut numbers)?;
                 let direction = load(kind, &mut numbers);
-                let onset = grasp.onset_of_sliding(&Wrench::ZERO, &direction)?;
+                let onset = grasp.onset(direction)?;
                 let Some(onset) = onset.factor().filter(|factor| factor.is_finite()) else { continue };
                 for (part, tally) in PARTS.into_iter().zip(&mut tallies) {
                     let (load, start) = (direction * (part * onset), Instant::now());
-                    let outcome = grasp.solve(&load)?;
+                    let outcome = grasp.solve(load)?;
                     tally.add(answer(&outcome), start);
                     if let Outcome::NoEquilibrium(none) = &outcome
                         && let Proof::EveryCaseContradicted { escape: this, .. } = none.proof
@@ -156,7 +156,7 @@ fn main() -> Result<(), Failure> {
                 let grasp = grasp(place, count, &mut numbers)?;
                 let leg = Leg::load_to(load(kind, &mut numbers));
                 let start = Instant::now();
-                let mut path = grasp.follow(&Wrench::ZERO, &[leg])?;
+                let mut path = grasp.follow(Wrench::ZERO, &[leg])?;
                 path.run();
                 tally.add(end(path.end()), start);
                 let start = Instant::now();
@@ -207,7 +207,7 @@ fn followed<const C: usize>(
     [untold, asked]: &mut [usize; 2],
 ) -> Result<(), Failure> {
     let start = Instant::now();
-    let mut path = odd.grasp.follow(&odd.start, &odd.legs)?;
+    let mut path = odd.grasp.follow(odd.start, &odd.legs)?;
     path.run();
     tally.add(end(path.end()), start);
     let (last, most) = path.place();
@@ -233,18 +233,18 @@ fn soft_tips(count: usize) -> Result<(), Failure> {
         let (grasp, load) = draw(&mut random)?;
         let leg = [Leg::load_to(load * 100.0)];
         let start = Instant::now();
-        let mut path = grasp.follow(&Wrench::ZERO, &leg)?;
+        let mut path = grasp.follow(Wrench::ZERO, &leg)?;
         path.run();
         events.add(end(path.end()), start);
         let start = Instant::now();
-        let mut stepped = grasp.follow_in_steps(&Wrench::ZERO, &leg, 1e-6)?;
+        let mut stepped = grasp.follow_in_steps(Wrench::ZERO, &leg, 1e-6)?;
         stepped.by_ref().for_each(drop);
         steps.add(end(stepped.end()), start);
         let [limit, near] = [path.end(), stepped.end()].map(|end| end.and_then(PathEnd::loss));
         let Some(limit) = limit else { continue };
         apart = near.map_or(apart, |near| apart.max((near.fraction / limit.fraction - 1.0).abs()));
         let start = Instant::now();
-        let overload = grasp.solve(&(load * (150.0 * limit.fraction)))?;
+        let overload = grasp.solve(load * (150.0 * limit.fraction))?;
         loads.add(answer(&overload), start);
     }
     events.print("soft tips, every event");

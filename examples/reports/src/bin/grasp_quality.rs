@@ -76,12 +76,12 @@ fn main() -> Result<(), Failure> {
         };
         let [total, each] =
             [Budget::Total(1.0), Budget::Each(1.0)].map(|budget| grasp.statics().ferrari_canny(budget));
-        let carry = match grasp.statics().load_limit(&Wrench::ZERO, &weight, Budget::Each(MOST))? {
+        let carry = match grasp.statics().load_limit(Wrench::ZERO, weight, Budget::Each(MOST))? {
             LoadLimit::Factor { at_least, .. } => Some(WEIGHT * at_least),
             _ => None,
         };
-        let [_, needed] = grasp.statics().budget_needed(&weight, Budget::Each(1.0))?;
-        let onset = grasp.onset(&weight.into())?;
+        let [_, needed] = grasp.statics().budget_needed(weight, Budget::Each(1.0))?;
+        let onset = grasp.onset(weight)?;
         let verdict = grasp.hold(weight)?;
         println!(
             "  {name:21} {closed:6} {:7.4} {:7.4} | {:>9} {:>10} | {:>10} {:>8}",

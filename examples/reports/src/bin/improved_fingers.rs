@@ -35,7 +35,7 @@ fn pinch() -> Result<(), grasp_lcp::Error> {
     for aside in [0.0, 0.01] {
         let load = Wrench::force_at([0.0, -1.0], [aside, 0.0]);
         let question = Improve::new(load).along(0, edge(-0.03)).along(1, edge(0.03)).pressing_at_most(10.0);
-        let improved = question.answered_by(&Grasp::new([jaw(-0.03), jaw(0.03)])?)?;
+        let improved = Grasp::new([jaw(-0.03), jaw(0.03)])?.improve(&question)?;
         told(&format!("pinch, the load {} mm aside", 1e3 * aside), improved.after, 10.0, improved.residual);
     }
     Ok(())
@@ -45,7 +45,7 @@ fn pinch() -> Result<(), grasp_lcp::Error> {
 fn disc() -> Result<(), grasp_lcp::Error> {
     let fingers = [0.3, 1.9, 4.4].map(|angle| finger(angle, 1e3));
     let any = Loads::AnyForce { base: Wrench::ZERO, size: 1.0, point: [0.0; 2] };
-    let improved = around(any).pressing_at_most(10.0).answered_by(&Grasp::new(fingers)?)?;
+    let improved = Grasp::new(fingers)?.improve(&around(any).pressing_at_most(10.0))?;
     told("three fingers on a disc, any force", improved.after, 15.0 / 1.25_f64.sqrt(), improved.residual);
     Ok(())
 }
@@ -61,7 +61,7 @@ fn can() -> Result<(), grasp_lcp::Error> {
     let question = Improve::new(spatial::Wrench::force([0.0, 0.0, -1.0]));
     let question = (0..3).fold(question, |question, k| question.along(k, can())).pressing_at_most(10.0);
     let start = [finger(0.2, 0.01), finger(2.0, -0.012), finger(4.5, 0.004)];
-    let improved = question.answered_by(&spatial::Grasp::new(start)?)?;
+    let improved = spatial::Grasp::new(start)?.improve(&question)?;
     told("three fingers on a can, its weight", improved.after, 15.0, improved.residual);
     Ok(())
 }
@@ -82,7 +82,7 @@ fn against_a_grid() -> Result<(), grasp_lcp::Error> {
     let loads = [Wrench::force([0.0, -1.0]), Wrench::new([0.5, 0.0], 0.01)];
     let first_slip = |angles: [f64; 3]| {
         let grasp = Grasp::new(angles.map(|angle| finger(angle, 7e2))).ok()?;
-        let factor = |load: &Wrench| grasp.onset_of_sliding(&Wrench::ZERO, load).ok()?.factor();
+        let factor = |load: &Wrench| grasp.onset(load).ok()?.factor();
         loads.iter().map(factor).try_fold(f64::INFINITY, |least, factor| Some(least.min(factor?)))
     };
     let angle = |k: usize| TAU * k as f64 / STEPS as f64;
@@ -101,7 +101,7 @@ fn against_a_grid() -> Result<(), grasp_lcp::Error> {
     for start in 0..STARTS {
         let fingers = [0, 1, 2].map(|k| finger(golden(3 * start + k), 7e2));
         let question = around(loads.to_vec()).with_seed(start as u64);
-        let improved = question.answered_by(&Grasp::new(fingers)?)?;
+        let improved = Grasp::new(fingers)?.improve(&question)?;
         let after = improved.after.unwrap_or(0.0);
         least = least.min(after);
         below += usize::from(after < grid - 1e-6);

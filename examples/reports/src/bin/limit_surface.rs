@@ -119,7 +119,7 @@ impl Patch {
         for i in 0..=DIRECTIONS {
             let (sin, cos) = (FRAC_PI_2 * i as f64 / DIRECTIONS as f64).sin_cos();
             let motion = (far * cos, far * sin / RADIUS);
-            let mut path = self.grasp.follow_in_steps(&Self::weight(), &[self.leg(motion)], 1e-4)?;
+            let mut path = self.grasp.follow_in_steps(Self::weight(), &[self.leg(motion)], 1e-4)?;
             steps += path.by_ref().count();
             if !matches!(path.end(), Some(PathEnd::Completed)) {
                 return Err(format!("dragged along {i}: {:?}", path.end().map(ToString::to_string)).into());
@@ -152,7 +152,7 @@ impl Patch {
         };
         for part in [0.1, 0.3, 0.5, 0.8, 1.0] {
             let legs = [self.leg((0.0, part * most)), self.leg((0.0, -0.4 * part * most))];
-            let mut path = self.grasp.follow_in_steps(&Self::weight(), &legs, 1e-5)?;
+            let mut path = self.grasp.follow_in_steps(Self::weight(), &legs, 1e-5)?;
             let mut told = [0.0; 2];
             while let Some(step) = path.next() {
                 told[step.leg] = -self.pull(&path.forces()).1;
@@ -188,7 +188,7 @@ fn ring() -> Result<(), grasp_lcp::Error> {
         for _ in 0..repeats(REPEATS) {
             let start = Instant::now();
             let beyond = [Leg::load_to(Wrench::force([0.0, 0.0, -1.25 * limit]))];
-            let mut path = jar.follow_in_steps(&Wrench::ZERO, &beyond, 1e-6)?;
+            let mut path = jar.follow_in_steps(Wrench::ZERO, &beyond, 1e-6)?;
             path.by_ref().for_each(drop);
             best = best.min(start.elapsed().as_secs_f64());
             held = path.end().and_then(PathEnd::fraction).unwrap_or(1.0);
@@ -203,14 +203,14 @@ fn ring() -> Result<(), grasp_lcp::Error> {
 fn at_once(jar: &Grasp, limit: f64) -> Result<(), grasp_lcp::Error> {
     let pull = |part: f64| Wrench::force([0.0, 0.0, -part * limit]);
     let start = Instant::now();
-    let onset = jar.onset_of_sliding(&Wrench::ZERO, &pull(1.0))?;
+    let onset = jar.onset(pull(1.0))?;
     let found = start.elapsed().as_secs_f64();
-    let mut path = jar.follow(&Wrench::ZERO, &[Leg::load_to(pull(1.25))])?;
+    let mut path = jar.follow(Wrench::ZERO, &[Leg::load_to(pull(1.25))])?;
     path.by_ref().for_each(drop);
     let followed = start.elapsed().as_secs_f64();
     let beyond = onset.event().and_then(|event| jar.beyond(event));
     let asked = start.elapsed().as_secs_f64();
-    let above = jar.solve(&pull(1.25))?;
+    let above = jar.solve(pull(1.25))?;
     let solved = start.elapsed().as_secs_f64();
     let words = match beyond {
         Some(Beyond::LimitLoad) => "a limit load",
@@ -251,10 +251,10 @@ fn cost(surface: &[(f64, f64)], most: usize) -> Result<(), Box<dyn Error>> {
         let patch = Patch::new(count, 0)?;
         let follow = |error: f64| {
             let (mut best, mut steps) = (f64::INFINITY, 0);
-            let mut path = patch.grasp.follow_in_steps(&Patch::weight(), &legs, error)?;
+            let mut path = patch.grasp.follow_in_steps(Patch::weight(), &legs, error)?;
             for _ in 0..if error < 1e-5 { 1 } else { repeats(REPEATS) } {
                 let start = Instant::now();
-                path = patch.grasp.follow_in_steps(&Patch::weight(), &legs, error)?;
+                path = patch.grasp.follow_in_steps(Patch::weight(), &legs, error)?;
                 steps = path.by_ref().count();
                 best = best.min(start.elapsed().as_secs_f64());
             }

@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let grasp = bar()?;
     let pull = |newton: f64| Leg::load_to(Wrench::force([newton, 0.0]));
     let legs = [pull(13.0), pull(0.0), pull(-9.0), pull(0.0), pull(20.0)];
-    let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+    let mut path = grasp.follow(Wrench::ZERO, &legs)?;
 
     println!("Pull along x to 13 N, release, push to -9 N, release, pull to 20 N\n");
     println!("  no.  leg  fraction of the leg     load (N)   what happens");

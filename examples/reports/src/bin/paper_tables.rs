@@ -89,7 +89,7 @@ fn two_finger_table() -> Result<(), Box<dyn std::error::Error>> {
     let grasp = two_fingers()?;
     for (index, row) in TWO_FINGER_TABLE.iter().enumerate() {
         print!("{:5.2}", row[0]);
-        match grasp.solve(&(down() * row[0]))? {
+        match grasp.solve(down() * row[0])? {
             Outcome::Equilibrium(state) => {
                 for (c, printed) in state.contacts.iter().zip(row[1..].chunks(2)) {
                     for (ours, printed) in [c.normal_force(), c.tangential_force()].into_iter().zip(printed) {

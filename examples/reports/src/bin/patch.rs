@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut steps, mut best) = (0, f64::INFINITY);
     for _ in 0..5 {
         let start = Instant::now();
-        let mut path = pad.grasp.follow_in_steps(&pad.load(0.0), &pad.legs(), ERROR)?;
+        let mut path = pad.grasp.follow_in_steps(pad.load(0.0), &pad.legs(), ERROR)?;
         steps = path.by_ref().count();
         best = best.min(start.elapsed().as_secs_f64());
         if !matches!(path.end(), Some(PathEnd::Completed)) {
@@ -164,7 +164,7 @@ impl Pad {
 
     /// The cycle at the end of each step.
     fn looks(&self) -> Result<Vec<Look>, Box<dyn Error>> {
-        let mut path = self.grasp.follow_in_steps(&self.load(0.0), &self.legs(), ERROR)?;
+        let mut path = self.grasp.follow_in_steps(self.load(0.0), &self.legs(), ERROR)?;
         let mut looks = Vec::new();
         while let Some(step) = path.next() {
             let (way, part) = (ENDS[step.leg].0, step.load.to_vector()[0] / self.limit);

@@ -31,7 +31,7 @@ fn main() -> Result<(), Failure> {
     let mut pivots = 0;
     for row in TWO_FINGER_TABLE {
         print!("{:5.2}", row[0]);
-        match grasp.solve(&(down() * row[0]))? {
+        match grasp.solve(down() * row[0])? {
             Outcome::Equilibrium(state) => {
                 pivots += state.work.pivots;
                 for c in &state.contacts {
@@ -46,7 +46,7 @@ fn main() -> Result<(), Failure> {
     }
     println!("pivots spent on all rows together: {pivots}");
 
-    let onset = grasp.onset_of_sliding(&Wrench::ZERO, &down())?;
+    let onset = grasp.onset(down())?;
     let event = onset.event().ok_or("the paper's grasp has an onset")?;
     let exact = 65f64.sqrt() / 66.0;
     println!("\nOnset of sliding, found directly");
@@ -77,7 +77,7 @@ fn main() -> Result<(), Failure> {
         other => println!("  beyond: {other:?}"),
     }
     for factor in [1.0 - 1e-9, 1.0 + 1e-9, 1.1, 10.0] {
-        let word = match grasp.solve(&(down() * (exact * factor)))? {
+        let word = match grasp.solve(down() * (exact * factor))? {
             Outcome::Equilibrium(_) => "holds",
             Outcome::NoEquilibrium(_) => "no equilibrium",
             _ => "undecided",
@@ -91,7 +91,7 @@ fn main() -> Result<(), Failure> {
     support::save("predict_sliding_grasp.svg", &draw_grasp(&grasp, &state, Some(&outline), &title)?)?;
 
     // Forces are linear in the load up to the onset: two solves draw the exact lines.
-    let start = grasp.solve(&Wrench::ZERO)?;
+    let start = grasp.solve(Wrench::ZERO)?;
     let start = start.equilibrium().ok_or("holds without load")?;
     let (first, last) = (&start.contacts[0], &state.contacts[0]);
     let line = |y0: f64, y1: f64| vec![(0.0, y0), (event.factor, y1)];

@@ -147,7 +147,7 @@ impl Tally {
         let Some(onset) = robust.onset.factor().filter(|onset| *onset > 0.0 && onset.is_finite()) else {
             return Ok(());
         };
-        let reserve = grasp.reserve(&Wrench::ZERO, off, SIGMAS)?;
+        let reserve = grasp.reserve(Wrench::ZERO, off, SIGMAS)?;
         let start = Instant::now();
         let held = reserve.along(&direction);
         self.microseconds.push(1e6 * start.elapsed().as_secs_f64());

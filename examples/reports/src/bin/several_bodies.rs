@@ -90,7 +90,7 @@ fn falling_walls(rows: usize) -> Result<(), Failure> {
 /// Time to prove that nothing holds them.
 fn fall<const C: usize>(name: &str, bodies: Bodies<C>) -> Result<(), Failure> {
     let grasp = bodies.grasp()?;
-    let (outcome, time) = once(|| Ok(grasp.solve(&Wrench::ZERO)?))?;
+    let (outcome, time) = once(|| Ok(grasp.solve(Wrench::ZERO)?))?;
     println!("{name:<24}{:>10}{:>12.1}   {outcome}", grasp.len(), 1e3 * time);
     Ok(())
 }
@@ -103,7 +103,7 @@ fn timed<const C: usize>(
     load: Wrench<C>,
 ) -> Result<(), Failure> {
     let grasp = bodies.grasp()?;
-    let (rests, solving) = once(|| Ok(grasp.solve(&Wrench::ZERO)?))?;
+    let (rests, solving) = once(|| Ok(grasp.solve(Wrench::ZERO)?))?;
     let (verdict, holding) = once(|| Ok(grasp.hold(load)?))?;
     let says = match (rests.equilibrium().is_some(), verdict.holds()) {
         (false, _) => "does not stand",
@@ -126,8 +126,7 @@ fn arches() -> Result<(), Failure> {
         let (mut falls, mut stands) = (0.0, 0.3);
         while stands - falls > 1e-9 {
             let thickness = 0.5 * (falls + stands);
-            let outcome =
-                Arch { stones, thickness }.voussoirs().bodies(10.0).grasp()?.solve(&Wrench::ZERO)?;
+            let outcome = Arch { stones, thickness }.voussoirs().bodies(10.0).grasp()?.solve(Wrench::ZERO)?;
             *(if outcome.equilibrium().is_some() { &mut stands } else { &mut falls }) = thickness;
         }
         println!("{stones:<12}{:>20.9}{stands:>20.9}", Arch::least_thickness(stones));

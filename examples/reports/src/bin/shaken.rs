@@ -54,9 +54,9 @@ fn kind<const C: usize>(
     let (mut counts, mut wrong, mut costs) = ([0; 6], 0, Vec::new());
     for _ in 0..each {
         let cycle = draw(&mut random)?;
-        let (shaken, time) = once(|| Ok(cycle.grasp.shake(&cycle.base, &cycle.legs)?))?;
+        let (shaken, time) = once(|| Ok(cycle.grasp.shake(cycle.base, &cycle.legs)?))?;
         let (_, one) = once(|| {
-            let mut path = cycle.grasp.follow(&cycle.base, &cycle.legs)?;
+            let mut path = cycle.grasp.follow(cycle.base, &cycle.legs)?;
             Ok(path.by_ref().count())
         })?;
         costs.push(time / one);
@@ -93,7 +93,7 @@ fn shake_test(grasps: usize) -> Result<(), Failure> {
     let cycle: Vec<_> = pulls.flat_map(Leg::there_and_back).collect();
     let start = Instant::now();
     let answers: Vec<_> =
-        drawn.par_iter().map(|grasp| grasp.shake(&weight, &cycle)).collect::<Result<_, _>>()?;
+        drawn.par_iter().map(|grasp| grasp.shake(weight, &cycle)).collect::<Result<_, _>>()?;
     let seconds = start.elapsed().as_secs_f64();
     let count = |rests: Option<bool>| answers.iter().filter(|shaken| shaken.stays() == rests).count();
     println!(

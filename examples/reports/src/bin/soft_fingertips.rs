@@ -33,7 +33,7 @@ fn spin(moment: f64) -> Wrench {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let points = Grasp::new([finger("thumb", -1.0), finger("index", 1.0)])?;
-    let spun = points.solve(&spin(1e-6))?;
+    let spun = points.solve(spin(1e-6))?;
     let resisted = if spun.equilibrium().is_some() { "something resists" } else { "nothing resists" };
     println!("Two point contacts under a moment about their line: {resisted}.\n");
 
@@ -50,9 +50,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut chart = Chart::new("A pinch turned about its line", "turn (degrees)", "moment / 2 μ N R");
     for (name, tip) in &tips {
         let (grasp, one) = (pinch(tip)?, finger("", 1.0));
-        let onset = grasp.onset_of_sliding(&Wrench::ZERO, &spin(whole))?.factor().ok_or("sticks at rest")?;
+        let onset = grasp.onset(spin(whole))?.factor().ok_or("sticks at rest")?;
         let limit = tip.torsional_limit(&one, SQUEEZE) * 2.0 / whole;
-        let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(spin(1.5 * whole))])?;
+        let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(spin(1.5 * whole))])?;
         path.run();
         if matches!(path.end(), Some(PathEnd::Completed)) {
             return Err("friction has a limit".into());

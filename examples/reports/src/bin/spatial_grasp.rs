@@ -59,7 +59,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         other => println!("  beyond: {other:?}"),
     }
 
-    let beyond = grasp.bracket(&(direction * (BEYOND * event.factor)))?;
+    let beyond = grasp.bracket(direction * (BEYOND * event.factor))?;
     let Outcome::Equilibrium(state) = &beyond.round else { return Err(format!("{:?}", beyond.round).into()) };
     println!(
         "\nAt {BEYOND} of it, on the round cone by {:?}: residual {:.0e}",
@@ -122,7 +122,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     let at_onset = grasp.state_at_onset(event).ok_or("its own event")?;
-    let part = |factor: f64| grasp.solve(&(direction * (factor * event.factor)));
+    let part = |factor: f64| grasp.solve(direction * (factor * event.factor));
     let page = page
         .outcome("no load", &part(0.0)?)
         .outcome("half the onset", &part(0.5)?)

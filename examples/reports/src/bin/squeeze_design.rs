@@ -57,7 +57,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let event = onset.event().ok_or("slides at some load")?;
     println!("  onset of sliding with it: {:.12} times the weight", event.factor);
     if let WeakestDirection::Force { size, direction: [x, y], .. } =
-        grasp.weakest_direction(&weight, [0.0, 0.0])?
+        grasp.weakest_direction(weight, [0.0, 0.0])?
     {
         println!("  beside the weight a force of {size:.6} N slides first, towards ({x:.6}, {y:.6})");
     }

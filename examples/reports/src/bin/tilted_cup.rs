@@ -7,6 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use grasp_lcp::picture::{Chart, Stroke, chart_of_turn};
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Onset, PathEnd, Ramp, Turn, Wrench};
+use grasp_lcp::sweep::map_in_order;
 use support::Failure;
 use support::best_time::best_in_turns;
 
@@ -47,7 +48,7 @@ fn slides_towards(grasp: &Grasp, weight: f64, height: f64) -> Result<Vec<(f64, f
     let turns: Result<Vec<_>, _> =
         directions.iter().map(|degrees| tilted(weight, height, *degrees)).collect();
     let mut slides = Vec::new();
-    for (degrees, onset) in directions.iter().zip(grasp.onset_of_turn_each(&turns?)) {
+    for (degrees, onset) in directions.iter().zip(map_in_order(&turns?, |turn| grasp.onset_of_turn(turn))) {
         let angle = angle_of(&onset?.onset)?;
         if angle.is_finite() {
             slides.push((*degrees, angle.to_degrees()));
@@ -70,7 +71,7 @@ fn main() -> Result<(), Failure> {
     );
     for (name, weight, height) in cups {
         let at = |degrees: f64| -> Result<f64, Failure> {
-            let onset = grasp.onset_of_turn(&tilted(weight, height, degrees)?)?.onset;
+            let onset = grasp.onset_of_turn(tilted(weight, height, degrees)?)?.onset;
             Ok(angle_of(&onset)?.to_degrees())
         };
         let shown = |degrees: f64| -> Result<String, Failure> {
@@ -86,12 +87,12 @@ fn main() -> Result<(), Failure> {
     }
 
     let turn = tilted(6.0, 0.0, 270.0)?;
-    let exact = angle_of(&grasp.onset_of_turn(&turn)?.onset)?;
+    let exact = angle_of(&grasp.onset_of_turn(turn)?.onset)?;
     println!("\nA quarter turn of the full cup towards the index finger in chords, each a straight ramp:");
     for chords in [9_u32, 90, 900] {
         let at = |k: u32| turn.load_at(FRAC_PI_2 * f64::from(k) / f64::from(chords));
         let legs: Vec<_> = (1..=chords).map(|k| Leg::load_to(at(k))).collect();
-        let mut path = grasp.follow(&at(0), &legs)?;
+        let mut path = grasp.follow(at(0), &legs)?;
         let first = path.next().map(|event| (event.leg, event.fraction));
         let (leg, fraction) = first.or(path.end().and_then(place)).ok_or("it slides")?;
         let angle = FRAC_PI_2 * (leg as f64 + fraction) / f64::from(chords);
@@ -104,7 +105,7 @@ fn main() -> Result<(), Failure> {
 
     let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -0.4, -1.0]));
     let mut straight = || grasp.onset(&ramp).map(drop).map_err(Failure::from);
-    let mut turning = || grasp.onset_of_turn(&turn).map(drop).map_err(Failure::from);
+    let mut turning = || grasp.onset_of_turn(turn).map(drop).map_err(Failure::from);
     let [straight, turning] = best_in_turns([&mut straight, &mut turning])?;
     println!(
         "\nAn onset takes {:.1} µs along a ramp, and {:.1} times that while the load turns.",

@@ -66,7 +66,7 @@ pub(super) fn shown<const C: usize>(
         Question::Improve(asked) => improved(setup, grasp, asked)?,
         Question::Solve { load, .. } => vec![solved(grasp, load)?],
         Question::Compare { base, load } => {
-            let (load, compared) = (*base + *load, grasp.energy().compare(&(*base + *load))?);
+            let (load, compared) = (*base + *load, grasp.energy().compare(*base + *load)?);
             let says = compared.to_string();
             vec![match compared.equilibrium {
                 Outcome::Equilibrium(found) => Shown { says: vec![says], ..state("under the load", *found) },
@@ -166,7 +166,7 @@ fn improved<const C: usize>(
     grasp: &Grasp<C>,
     asked: &Improve<C>,
 ) -> Result<Vec<Shown<C>>, Failure> {
-    let improved = setup.improve(asked)?.answered_by(grasp)?;
+    let improved = grasp.improve(&setup.improve(asked)?)?;
     let says = improved.to_string();
     let base = asked.base();
     let (times, when): (fn(f64) -> f64, _) = match improved.goal {

@@ -74,7 +74,7 @@ pub(crate) fn last<const C: usize>(
     most: f64,
 ) -> Result<Last, Error> {
     let grasp = grasp.with(&grasp.settings().with_step_error(STEP_ERROR));
-    let mut path = grasp.follow(&base, &[Leg::load_by(direction * most)])?;
+    let mut path = grasp.follow(base, &[Leg::load_by(direction * most)])?;
     path.run_while_small();
     let too_far = path.end_of_small_motions().map(|far| far.fraction);
     let (end, fraction) = match path.end() {

@@ -49,7 +49,7 @@ pub(crate) fn map(
             "no direction has an onset above zero: the grasp carries nothing more".to_owned(),
         ));
     }
-    let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
+    let reserve = grasp.reserve(base, &unsure.uncertainty(), unsure.sigmas)?;
     let kept: Vec<f64> = angles.iter().copied().step_by(RESERVE_EVERY).collect();
     let reserves = watch
         .sweep("reserves", &kept, MOST_SWEEP_TIME, |angle| Ok(reserve.along(&pull(*angle))))?

@@ -57,7 +57,7 @@ pub(crate) fn map(
     let coarse = SphereGrid::new(PATH_GRID.0, PATH_GRID.1);
     let most = FOLLOWED_TO * largest;
     let ways = coarse.directions();
-    let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
+    let reserve = grasp.reserve(base, &unsure.uncertainty(), unsure.sigmas)?;
     let reserves = watch
         .sweep("reserves", &ways, MOST_SWEEP_TIME, |d| Ok(reserve.along(&pull(*d))))?
         .ok_or_else(ask::too_long)?;

@@ -1,5 +1,7 @@
 //! One mark of a spatial picture: its shape in the coordinates of the grasp, and its JSON for the script of a page.
 
+use std::fmt::Write;
+
 use nalgebra::Vector3;
 use plotters::style::RGBColor;
 
@@ -159,10 +161,10 @@ impl Mark {
             Shape::Name { at, words } => format!("\"name\":{},\"words\":{}", row(at)?, json_string(words)),
         };
         if let Some(layer) = self.layer {
-            parts += &format!(",\"layer\":\"{}\"", layer.word());
+            let _ = write!(parts, ",\"layer\":\"{}\"", layer.word());
         }
         if let Some(tip) = self.tip {
-            parts += &format!(",\"tip\":{tip}");
+            let _ = write!(parts, ",\"tip\":{tip}");
         }
         Ok(format!("{{{parts}}}"))
     }

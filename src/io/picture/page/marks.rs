@@ -55,18 +55,15 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
     let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
     for (k, tip) in drawing.tips.iter().enumerate() {
         let first = tip.contacts.start;
-        match (frame, state) {
-            (Some(frame), Some(state)) => {
-                let axes = [0, 1, 2].map(|axis| frames[first].column(axis).into_owned());
-                let slope = frame.slope(first, slope(&contacts[first]));
-                let of_tip = marks_of_a_fingertip(drawing, slope, axes, &tip.resultant(contacts, state));
-                marks.extend(of_tip.into_iter().chain(dots(contacts, state, tip)).map(|mark| mark.of(k)));
-            }
-            _ => {
-                let at = tip.middle(contacts);
-                let dot = Shape::Dot { at, radius: SPATIAL.contact, ink: GREY, open: true };
-                marks.push(dot.always().of(k));
-            }
+        if let (Some(frame), Some(state)) = (frame, state) {
+            let axes = [0, 1, 2].map(|axis| frames[first].column(axis).into_owned());
+            let slope = frame.slope(first, slope(&contacts[first]));
+            let of_tip = marks_of_a_fingertip(drawing, slope, axes, &tip.resultant(contacts, state));
+            marks.extend(of_tip.into_iter().chain(dots(contacts, state, tip)).map(|mark| mark.of(k)));
+        } else {
+            let at = tip.middle(contacts);
+            let dot = Shape::Dot { at, radius: SPATIAL.contact, ink: GREY, open: true };
+            marks.push(dot.always().of(k));
         }
     }
     if let Some(load) = frame.and_then(Frame::load) {

@@ -41,13 +41,13 @@ use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome, Wrench};
 ///         .command([0.004, 0.0, 0.0])
 /// };
 /// let grasp = Grasp::new([finger("thumb", 180.0), finger("index", 60.0), finger("middle", -60.0)])?;
-/// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, 0.0, -1.0]))?;
+/// let onset = grasp.onset(Wrench::force([0.0, 0.0, -1.0]))?;
 /// let event = onset.event().ok_or("slides at some load")?;
 ///
 /// let state = grasp.state_at_onset(event).ok_or("its own event")?;
 /// let page = SpatialPage::new(&grasp, "A jar in three fingers")
 ///     .frame("onset of sliding", &state)
-///     .outcome("twice as much", &grasp.solve(&(event.load * 2.0))?)
+///     .outcome("twice as much", &grasp.solve(event.load * 2.0)?)
 ///     .to_html()?;
 /// assert!(page.starts_with("<!DOCTYPE html>"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

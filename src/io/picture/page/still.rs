@@ -31,7 +31,7 @@ impl SpatialPage {
     ///
     /// let finger = |x: f64| Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(1000.0, 600.0).friction(0.5).command([0.004, 0.0, 0.0]);
     /// let grasp = Grasp::new([finger(-0.03), finger(0.03)])?;
-    /// let page = SpatialPage::new(&grasp, "A pinch").outcome("0.5 N", &grasp.solve(&Wrench::force([0.0, 0.0, -0.5]))?);
+    /// let page = SpatialPage::new(&grasp, "A pinch").outcome("0.5 N", &grasp.solve(Wrench::force([0.0, 0.0, -0.5]))?);
     ///
     /// let svg = page.to_svg(Some(0), View::default())?;
     /// assert!(svg.starts_with("<svg") && svg.contains("turns freely"));

@@ -156,7 +156,7 @@ impl<const C: usize> Link<C> {
     /// // A lamp of 30 N on two ropes under 45°; they meet in one point.
     /// let rope = |x: f64, name: &str| Link::cable([0.0, 0.0], [x, 1.0]).name(name).contacts();
     /// let lamp = Grasp::new([rope(-1.0, "left")?, rope(1.0, "right")?].concat())?;
-    /// let hangs = lamp.solve(&Wrench::force([0.0, -30.0]))?;
+    /// let hangs = lamp.solve(Wrench::force([0.0, -30.0]))?;
     /// let told = hangs.to_string();
     /// assert!(told.contains("left pulls with 21.2132 N"), "{told}");
     /// # Ok::<(), grasp_lcp::Error>(())
@@ -212,7 +212,7 @@ impl<const C: usize> Link<C> {
     ///     .contacts([Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.5).on("crate")])
     ///     .links([Link::cable([0.0, 1.0], [0.0, 0.0]).stiffness(1e4).tension(100.0).to_ground("crate")])
     ///     .grasp()?;
-    /// let state = crated.solve(&Wrench::ZERO)?;
+    /// let state = crated.solve(Wrench::ZERO)?;
     /// assert!((state.equilibrium().expect("lies").contacts[0].normal_force() - 100.0).abs() < 1e-9);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```

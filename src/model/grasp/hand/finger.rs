@@ -36,7 +36,7 @@ pub(super) struct Carried<const C: usize> {
 ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e5, 1e5).friction(0.5))
 /// };
 /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?; // three coordinates of the object, two joints
-/// let outcome = grasp.solve(&Wrench::ZERO)?;
+/// let outcome = grasp.solve(Wrench::ZERO)?;
 /// let squeezed = outcome.equilibrium().expect("holds");
 /// assert!((squeezed.joints[0].torque - 10.0 / 1.01).abs() < 1e-12); // the pads take a hundredth
 /// # Ok::<(), grasp_lcp::Error>(())
@@ -82,7 +82,7 @@ impl<const C: usize> Finger<C> {
     /// let coordinates = hand.coordinates();
     /// assert_eq!(coordinates, 7);
     /// let grasp = hand.grasp()?;
-    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// let outcome = grasp.solve(Wrench::ZERO)?;
     /// // Nothing pulls along the tangents: 20 mm over 2 mm/N.
     /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 10.0).abs() < 1e-12);
     /// # Ok::<(), grasp_lcp::Error>(())

@@ -21,7 +21,7 @@ use crate::prelude::*;
 /// };
 /// let hand = Hand::new([jaw(-1.0), jaw(1.0)]).tendon(Tendon::new([0.5, 0.5]).tension(20.0));
 /// // The object may be anywhere between the jaws: nothing says where, and the forces are known all the same.
-/// let outcome = hand.grasp()?.solve(&Wrench::ZERO)?;
+/// let outcome = hand.grasp()?.solve(Wrench::ZERO)?;
 /// let held = outcome.equilibrium().expect("holds");
 /// assert!((held.contacts[0].normal_force() - 10.0).abs() < 1e-13);
 /// assert_eq!(held.free_motions.len(), 1);

@@ -44,9 +44,9 @@ struct Measured {
 
 /// The onset on a turned polygon: the first polygon's tractions at its onset give the directions.
 fn turned_onset(scene: &Scene, settings: &Settings) -> Result<f64, Failure> {
-    let first = Grasp::new(scene.contacts.clone())?.with(&settings.on_the_polygon()).onset(&scene.ramp())?;
+    let first = Grasp::new(scene.contacts.clone())?.with(&settings.on_the_polygon()).onset(scene.ramp())?;
     let there = scene.turned(first.factor().ok_or("a sticking base")?)?;
-    let second = Grasp::new(there.contacts.clone())?.with(&settings.on_the_polygon()).onset(&there.ramp())?;
+    let second = Grasp::new(there.contacts.clone())?.with(&settings.on_the_polygon()).onset(there.ramp())?;
     Ok(second.factor().ok_or("a sticking base")?)
 }
 
@@ -82,7 +82,7 @@ fn measure_onset(scene: &Scene) -> Result<Measured, Failure> {
 fn measure_sliding(scene: &Scene) -> Result<Measured, Failure> {
     let factor = scene.deep * onset_by_hand(scene)?;
     let (grasp, load) = scene.at(factor)?;
-    let held = |grasp: &Grasp, settings: &Settings| Ok(grasp.with(settings).solve(&load)?);
+    let held = |grasp: &Grasp, settings: &Settings| Ok(grasp.with(settings).solve(load)?);
     let (outcome, time) = timed(|| held(&grasp, &Settings::default()))?;
     let exact = outcome.equilibrium().ok_or_else(|| format!("no equilibrium: {outcome:?}"))?;
     let residual = residual(&grasp, &load, exact);

@@ -66,13 +66,13 @@ struct Times {
 fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
     let scene = random_fingers(count, random);
     let (grasp, _) = scene.at(0.0)?;
-    let Ok(onset) = grasp.onset(&scene.ramp()) else { return Ok(None) };
+    let Ok(onset) = grasp.onset(scene.ramp()) else { return Ok(None) };
     let Some(onset) = onset.factor() else { return Ok(None) };
     let factor = scene.deep * onset;
     let (grasp, load) = scene.turned(factor)?.at(factor)?;
     let round = Settings::default();
     let polygon = Settings::default().on_the_polygon();
-    let answers = [grasp.with(&polygon).solve(&load)?, grasp.with(&round).solve(&load)?];
+    let answers = [grasp.with(&polygon).solve(load)?, grasp.with(&round).solve(load)?];
     let [Some(flat), Some(answer)] = answers.each_ref().map(|outcome| outcome.equilibrium()) else {
         return Ok(None);
     };
@@ -89,13 +89,13 @@ fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
                 black_box(workspace.solve(&grasp, &load)?);
                 return Ok(());
             }
-            let form = grasp.kinematic_form(&load, &PolygonCone::default())?.ok_or("rows to pivot on")?;
+            let form = grasp.kinematic_form(load, &PolygonCone::default())?.ok_or("rows to pivot on")?;
             black_box(form.lcp.solve_with(&lemke));
             Ok(())
         },
-        &mut || grasp.with(&polygon).solve(&load).map(drop).map_err(Failure::from),
-        &mut || grasp.with(&round).solve(&load).map(drop).map_err(Failure::from),
-        &mut || stuck.solve(&load).map(drop).map_err(Failure::from),
+        &mut || grasp.with(&polygon).solve(load).map(drop).map_err(Failure::from),
+        &mut || grasp.with(&round).solve(load).map(drop).map_err(Failure::from),
+        &mut || stuck.solve(load).map(drop).map_err(Failure::from),
     ])?;
     Ok(Some(Times { sliding: sliding as f64, pivoting, polygon, round, bonded }))
 }

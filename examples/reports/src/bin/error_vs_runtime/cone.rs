@@ -75,7 +75,7 @@ fn sliding() -> Result<Panel, Failure> {
     for (name, fit) in FITS {
         for facets in FACETS {
             let settings = on(facets, fit)?.on_the_polygon();
-            let (outcome, time) = timed(|| Ok(grasp.with(&settings).solve(&load)?))?;
+            let (outcome, time) = timed(|| Ok(grasp.with(&settings).solve(load)?))?;
             let error = outcome.equilibrium().map_or(f64::NAN, off);
             if let Outcome::Undecided(why) = &outcome {
                 panel.notes.push(format!("{name}, {facets} facets: {:?}", why.doubt));
@@ -85,7 +85,7 @@ fn sliding() -> Result<Panel, Failure> {
     }
     for facets in [8, 16, 32] {
         let settings = on(facets, Fit::Inscribed)?;
-        let (outcome, time) = timed(|| Ok(grasp.with(&settings).solve(&load)?))?;
+        let (outcome, time) = timed(|| Ok(grasp.with(&settings).solve(load)?))?;
         let answer = outcome.equilibrium().ok_or("the scene was made to have one")?;
         if facets == 8 {
             let slide = |c: &&ContactAnswer| matches!(c.state, ContactState::Sliding { .. });

@@ -30,7 +30,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
     let (start, legs) = (load([0.0; 2]), LEGS.map(|part| Leg::load_to(load(part))));
     let followed = |step_error: f64| -> Result<Vec<Vector3<f64>>, Failure> {
         let asked = grasp.with(&Settings::default().with_step_error(step_error));
-        let mut path = asked.follow(&start, &legs)?;
+        let mut path = asked.follow(start, &legs)?;
         path.by_ref().for_each(drop);
         let state = path.state().ok_or("it starts")?;
         Ok(state.contacts.iter().map(|contact| contact.force).collect())
@@ -51,7 +51,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
     }
     for error in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
         let (forces, time) = timed(|| {
-            let mut path = grasp.follow_in_steps(&start, &legs, error)?;
+            let mut path = grasp.follow_in_steps(start, &legs, error)?;
             path.by_ref().for_each(drop);
             Ok(path.forces())
         })?;
@@ -61,7 +61,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
         let cone = PolygonCone::new(facets, Fit::Balanced)?;
         let (forces, time) = timed(|| {
             let asked = grasp.with(&Settings::default().on_the_polygon().with_cone(cone));
-            let mut path = asked.follow(&start, &legs)?;
+            let mut path = asked.follow(start, &legs)?;
             path.by_ref().for_each(drop);
             let state = path.state().ok_or("it starts")?;
             Ok(state.contacts.iter().map(|contact| contact.force).collect::<Vec<_>>())

@@ -117,7 +117,7 @@ fn pad() -> Result<Panel, Failure> {
         found
     };
     let (slides, time) = timed(|| {
-        let events = grasp.follow(&load(0.0), &legs)?.run();
+        let events = grasp.follow(load(0.0), &legs)?.run();
         let slides = events.iter().flat_map(|e| {
             let sliding = e.changes.iter().filter(|change| self::slides(&change.what));
             let contacts = sliding.map(|change| change.contact.index);
@@ -168,7 +168,7 @@ fn dragged() -> Result<Panel, Failure> {
         let settings = Settings::default().with_step_error(tolerance);
         let grasp = grasp.with(&settings);
         let (path, time) = timed(|| {
-            let mut path = grasp.follow(&spatial::Wrench::ZERO, &legs)?;
+            let mut path = grasp.follow(spatial::Wrench::ZERO, &legs)?;
             path.run();
             Ok(path)
         })?;

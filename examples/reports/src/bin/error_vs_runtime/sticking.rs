@@ -62,7 +62,7 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
     };
     let mut panel = Panel::new("sticking", title, "error of a contact force / largest force");
 
-    let (outcome, time) = timed(|| Ok(grasp.solve(&load)?))?;
+    let (outcome, time) = timed(|| Ok(grasp.solve(load)?))?;
     let answer = outcome.equilibrium().ok_or("it holds")?;
     let world: Vec<_> = answer.contacts.iter().map(|c| c.force_world).collect();
     panel.add("Grasp::solve, with its answer as physics", "", off(&world), time);
@@ -78,7 +78,7 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
     panel.add("textbook, (G K Gᵀ)⁻¹ by Cholesky", "", off(&at(&grasp, &twist, &[])), time);
 
     let cone = PolygonCone::default();
-    let printed = || grasp.energy().printed_qp(&load, &cone);
+    let printed = || grasp.energy().printed_qp(load, &cone);
     let reduced = || ReducedProgram::new(&grasp, &load, &cone);
     let meaning = (printed()?, reduced());
     let by_printed = |x: &DVector<f64>| {
@@ -99,7 +99,7 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
         let error = if let Oracle::Minimum(x, _) = oracle { off(&by_reduced(&x)) } else { f64::NAN };
         panel.add("reduced QP by Clarabel", format!("{tolerance:.0e}"), error, time);
     }
-    let held = grasp.energy().minimum(&load)?;
+    let held = grasp.energy().minimum(load)?;
     let binding = held.minimum().map_or(usize::MAX, |minimum| minimum.binding.len());
     if binding > 0 {
         return Err("a friction row binds: the programs would answer another question".into());

@@ -40,7 +40,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
         "relative error of the angle of onset",
     );
     let (angle, time) =
-        timed(|| Ok(grasp.onset_of_turn(&turn)?.onset.factor().ok_or("it slides within a turn")?))?;
+        timed(|| Ok(grasp.onset_of_turn(turn)?.onset.factor().ok_or("it slides within a turn")?))?;
     panel.add("direct, Grasp::onset_of_turn", "", off(angle), time);
     for chords in CHORDS {
         let (angle, time) = timed(|| {
@@ -63,7 +63,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
             let (mut below, mut above) = (0.0, FRICTION.atan());
             while above - below > tolerance * above {
                 let middle = 0.5 * (below + above);
-                let outcome = grasp.solve(&weight(middle))?;
+                let outcome = grasp.solve(weight(middle))?;
                 let sticks = outcome
                     .equilibrium()
                     .is_some_and(|state| state.contacts.iter().all(|c| c.state == ContactState::Sticking));

@@ -31,7 +31,7 @@ pub(crate) fn identified(
     };
     let carried = (0..3).map(|k| Unknown::carried().of_contacts([k]).starting_at(WEIGHT / 3.0));
     let unknowns = std::iter::once(Unknown::friction().starting_at(0.3)).chain(carried);
-    Identify::new(unknowns, own.iter().map(slip)).knowing(1..4, WEIGHT, 1e-3).answered_by(block)
+    block.identify(&Identify::new(unknowns, own.iter().map(slip)).knowing(1..4, WEIGHT, 1e-3))
 }
 
 /// A push in the plane of the supports.

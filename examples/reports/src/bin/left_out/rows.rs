@@ -75,7 +75,7 @@ fn reason(why: Why) -> &'static str {
 /// Solves a scene both ways, in space on the same polygon.
 pub fn measure<const C: usize>(scene: &Scene<C>) -> Result<Measured, Failure> {
     let settings = Settings::default().on_the_polygon();
-    let (outcome, time) = timed(|| Ok(scene.grasp.with(&settings).solve(&scene.load)?))?;
+    let (outcome, time) = timed(|| Ok(scene.grasp.with(&settings).solve(scene.load)?))?;
     let answer = outcome.equilibrium().ok_or_else(|| format!("{}: {outcome:?}", scene.name))?;
     let ((full_rows, full), full_time) = timed(|| {
         let full = Full::new(scene)?;

@@ -134,7 +134,7 @@ pub fn whole_solve(most: usize) -> Outcome {
         let (grasp, load) = planar_patch(n)?;
         let mut worst = f64::NAN;
         let solve = best(|| {
-            if let Ok(outcome) = grasp.with(&Settings::default()).solve(&load) {
+            if let Ok(outcome) = grasp.with(&Settings::default()).solve(load) {
                 worst = outcome.equilibrium().map_or(f64::NAN, |e| e.residuals.worst());
             }
         });
@@ -148,7 +148,7 @@ pub fn whole_solve(most: usize) -> Outcome {
 /// Time to assemble the reduced quadratic program and solve it once by an interior-point method. Its friction law is another one: only the time
 /// compares.
 fn program_once<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> f64 {
-    best(|| drop(black_box(sticks(grasp, load))))
+    best(|| _ = black_box(sticks(grasp, load)))
 }
 
 /// Time to assemble and solve the kinematic form as a dense problem, without check of the answer as physics.

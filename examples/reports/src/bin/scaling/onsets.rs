@@ -90,7 +90,7 @@ fn family<const C: usize, const N: usize>(
         }
     }) / few.len() as f64;
     let mut found = 0.0;
-    let today = best(|| found = bisected_onset(&grasps[0], direction).unwrap_or(f64::NAN));
+    let today = best(|| found = bisected_onset(&grasps[0], direction));
     let bisected = (found / few[0].1 - 1.0).abs();
 
     row(&format!("making ready {name}, with its validation"), ready, Beside::NOTHING, "");

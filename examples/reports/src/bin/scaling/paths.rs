@@ -53,7 +53,7 @@ fn round_a_ball(n: usize) -> Outcome {
     let legs = [Leg::load_to(load * 10.0)];
     let mut remark = String::new();
     let time = best(|| {
-        let Ok(mut path) = grasp.follow(&Wrench::ZERO, &legs) else { return };
+        let Ok(mut path) = grasp.follow(Wrench::ZERO, &legs) else { return };
         let events = path.run().len();
         remark = format!("{events} events, {}, error {:.0e}", how(path.end()), path.step_error());
     });
@@ -72,14 +72,14 @@ fn whole_path<const D: usize, const C: usize>(
     let press = Wrench::from_components(press.as_slice());
     let there_and_back = [Leg::load_to(*load), Leg::load_to(press)];
     for (name, legs) in [("", &there_and_back[..1]), (" and back", &there_and_back)] {
-        let mut path = grasp.follow_in_steps(&press, legs, ERROR)?;
+        let mut path = grasp.follow_in_steps(press, legs, ERROR)?;
         let steps = path.by_ref().count();
         let residual = path.state().map_or(f64::NAN, |state| state.residuals.worst());
         let how = how(path.end());
         let time = best(|| {
-            black_box(grasp.follow_in_steps(&press, legs, ERROR).map_or(0, Iterator::count));
+            black_box(grasp.follow_in_steps(press, legs, ERROR).map_or(0, Iterator::count));
         });
-        let whole = || grasp.follow(&press, legs).map(|mut path| path.run().len());
+        let whole = || grasp.follow(press, legs).map(|mut path| path.run().len());
         let long = if affordable { best(|| drop(black_box(whole()))) } else { f64::NAN };
         row(
             &format!("load path{name}, patch {place}, n = {}", grasp.len()),

@@ -13,27 +13,24 @@ const ACTIVE: f64 = 1e-6;
 const HALVINGS: usize = 20;
 
 /// Solves the program once under a load; returns whether no friction row is active.
-pub fn sticks<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<bool, grasp_lcp::Error> {
+pub fn sticks<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> bool {
     let reduced = ReducedProgram::new(grasp, load, &PolygonCone::default());
-    let Oracle::Minimum(x, _) = interior_point(&reduced.program) else { return Ok(false) };
+    let Oracle::Minimum(x, _) = interior_point(&reduced.program) else { return false };
     let slack = &reduced.program.b * x - &reduced.program.d;
     let friction = || reduced.friction.iter().zip(&slack).filter(|(contact, _)| contact.is_some());
     let largest = friction().map(|(_, slack)| slack.abs()).fold(0.0, f64::max);
-    Ok(friction().all(|(_, slack)| *slack > ACTIVE * largest))
+    friction().all(|(_, slack)| *slack > ACTIVE * largest)
 }
 
 /// The factor of the load at which a friction row of the program becomes active, by doubling and halving.
-pub fn bisected_onset<const C: usize>(
-    grasp: &Grasp<C>,
-    direction: &Wrench<C>,
-) -> Result<f64, grasp_lcp::Error> {
+pub fn bisected_onset<const C: usize>(grasp: &Grasp<C>, direction: &Wrench<C>) -> f64 {
     let (mut below, mut above) = (0.0, 1.0);
-    while sticks(grasp, &(*direction * above))? && above < 1e12 {
+    while sticks(grasp, &(*direction * above)) && above < 1e12 {
         (below, above) = (above, 2.0 * above);
     }
     for _ in 0..HALVINGS {
         let middle = 0.5 * (below + above);
-        *(if sticks(grasp, &(*direction * middle))? { &mut below } else { &mut above }) = middle;
+        *(if sticks(grasp, &(*direction * middle)) { &mut below } else { &mut above }) = middle;
     }
-    Ok(below)
+    below
 }

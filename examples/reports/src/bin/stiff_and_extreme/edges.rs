@@ -1,6 +1,5 @@
 //! Scenes in which the last digits decide: loads next to the onset of sliding, and wedges next to their locking angle.
 
-use grasp_lcp::grasp::Wrench;
 use nalgebra::SVector;
 
 use crate::Failure;
@@ -40,7 +39,7 @@ fn onset<const D: usize, const C: usize>(
     case: &'static str,
     scene: &Scene<D, C>,
 ) -> Result<(), Failure> {
-    let factor = scene.grasp().onset_of_sliding(&Wrench::ZERO, &scene.wrench())?.factor();
+    let factor = scene.grasp().onset(scene.wrench())?.factor();
     let factor = factor.ok_or("the fingers slide at some load")?;
     for value in parts() {
         let mut scene = scene.clone();

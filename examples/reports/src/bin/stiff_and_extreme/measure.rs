@@ -93,7 +93,7 @@ impl Table {
         scene: &Scene<D, C>,
         grasp: &Grasp<C>,
     ) -> Result<Option<Equilibrium<C>>, Failure> {
-        let outcome = grasp.solve(&scene.wrench())?;
+        let outcome = grasp.solve(scene.wrench())?;
         let mut row = Row {
             outcome: describe(&outcome),
             place: if C == 2 { "plane" } else { "space" },
