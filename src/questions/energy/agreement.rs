@@ -27,7 +27,7 @@ pub enum Agreement<const C: usize> {
     UpTo {
         /// The load factor τ >= 0, no unit.
         factor: f64,
-        /// Contact and facet of every constraint that begins to bind, numbered as in [`ReducedRow::Friction`](super::ReducedRow::Friction). The facet
+        /// Contact and facet of every constraint that begins to bind, numbered as in [`PolygonCone`](crate::PolygonCone). The facet
         /// is `None` for F_n = 0 at infinite friction.
         binding: Vec<(usize, Option<usize>)>,
     },

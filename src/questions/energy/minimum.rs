@@ -138,7 +138,7 @@ pub struct Binding {
     /// The contact, counted from 0.
     pub contact: usize,
     /// The facet of the cone, in the plane 0 for F_t = μ F_n and 1 for F_t = -μ F_n, in space as in
-    /// [`ReducedRow::Friction`](super::ReducedRow::Friction); `None` for F_n = 0 at infinite friction.
+    /// [`PolygonCone`](crate::PolygonCone); `None` for F_n = 0 at infinite friction.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub facet: Option<usize>,
     /// Multiplier λ >= 0, m: energy per unit of `μ F_n - h·F_t`. Zero if the force only touches the edge.
