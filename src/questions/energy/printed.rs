@@ -67,7 +67,7 @@ pub enum Inequality {
         /// The contact.
         contact: usize,
         /// The facet: in the plane 0 for F_t <= μ F_n, 1 for -F_t <= μ F_n; in space as in
-        /// [`PolygonCone`](crate::PolygonCone).
+        /// [`PolygonCone`].
         facet: usize,
     },
 }
