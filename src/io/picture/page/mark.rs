@@ -9,11 +9,9 @@ use super::text::{json_list, json_row, json_string};
 use crate::picture::error::PictureError;
 use crate::picture::palette::hex;
 
-pub(super) type Point = Vector3<f64>;
-
 /// The parts of a picture that the page shows or hides.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Layer {
+pub(super) enum MarkLayer {
     Forces,
     Cones,
     Load,
@@ -25,7 +23,7 @@ pub(super) enum Layer {
     Pointed,
 }
 
-impl Layer {
+impl MarkLayer {
     /// The word of the layer in the page's legend.
     fn word(self) -> &'static str {
         match self {
@@ -43,39 +41,39 @@ impl Layer {
 
 /// One mark of a picture.
 pub(super) struct Mark {
-    pub(super) shape: Shape,
+    pub(super) shape: MarkShape,
     /// The layer of the mark; without one it is always shown.
-    pub(super) layer: Option<Layer>,
+    pub(super) layer: Option<MarkLayer>,
     /// The index of the fingertip to which the mark belongs.
     pub(super) tip: Option<usize>,
 }
 
 /// The shape of a mark. Widths and dashes are in pixels, places in metres.
-pub(super) enum Shape {
+pub(super) enum MarkShape {
     Line {
-        corners: Vec<Point>,
+        corners: Vec<Vector3<f64>>,
         ink: RGBColor,
         width: f64,
         dashes: Option<(f64, f64)>,
     },
     Arrow {
-        from: Point,
-        along: Point,
+        from: Vector3<f64>,
+        along: Vector3<f64>,
         ink: RGBColor,
         width: f64,
         heads: usize,
     },
     /// A round cone: `radii` are two orthogonal vectors from the middle of its rim to the rim.
     Cone {
-        apex: Point,
-        middle: Point,
-        radii: [Point; 2],
+        apex: Vector3<f64>,
+        middle: Vector3<f64>,
+        radii: [Vector3<f64>; 2],
         ink: RGBColor,
     },
     /// The arrow of a load, lengthened if it would be too short to be visible.
     Load {
-        from: Point,
-        along: Point,
+        from: Vector3<f64>,
+        along: Vector3<f64>,
         width: f64,
         heads: usize,
         /// Its name where the arrow is to scale; empty if another arrow has the name.
@@ -85,30 +83,30 @@ pub(super) enum Shape {
     },
     /// An edge of the object, darker where it is nearer to the eye.
     Edge {
-        corners: Vec<Point>,
+        corners: Vec<Vector3<f64>>,
     },
     /// A convex part of the object, behind everything else.
     Body {
-        corners: Vec<Point>,
+        corners: Vec<Vector3<f64>>,
     },
     Dot {
-        at: Point,
+        at: Vector3<f64>,
         radius: f64,
         ink: RGBColor,
         open: bool,
     },
     Name {
-        at: Point,
+        at: Vector3<f64>,
         words: String,
     },
 }
 
-impl Shape {
+impl MarkShape {
     pub(super) fn always(self) -> Mark {
         Mark { shape: self, layer: None, tip: None }
     }
 
-    pub(super) fn on(self, layer: Layer) -> Mark {
+    pub(super) fn on(self, layer: MarkLayer) -> Mark {
         Mark { shape: self, layer: Some(layer), tip: None }
     }
 }
@@ -118,47 +116,51 @@ impl Mark {
         Self { tip: Some(tip), ..self }
     }
 
-    pub(super) fn points(&self) -> Vec<Point> {
+    pub(super) fn points(&self) -> Vec<Vector3<f64>> {
         match &self.shape {
-            Shape::Line { corners, .. } | Shape::Edge { corners } | Shape::Body { corners } => {
+            MarkShape::Line { corners, .. } | MarkShape::Edge { corners } | MarkShape::Body { corners } => {
                 corners.clone()
             }
-            Shape::Arrow { from, along, .. } | Shape::Load { from, along, .. } => vec![*from, from + along],
-            Shape::Cone { apex, middle, radii: [a, b], .. } => {
+            MarkShape::Arrow { from, along, .. } | MarkShape::Load { from, along, .. } => {
+                vec![*from, from + along]
+            }
+            MarkShape::Cone { apex, middle, radii: [a, b], .. } => {
                 vec![*apex, middle + a, middle - a, middle + b, middle - b]
             }
-            Shape::Dot { at, .. } | Shape::Name { at, .. } => vec![*at],
+            MarkShape::Dot { at, .. } | MarkShape::Name { at, .. } => vec![*at],
         }
     }
 
     /// The mark as a JSON object; the key of its place names its kind.
     pub(super) fn json(&self) -> Result<String, PictureError> {
-        let line = |corners: &[Point]| json_list(corners, &row);
+        let line = |corners: &[Vector3<f64>]| json_list(corners, &row);
         let mut parts = match &self.shape {
-            Shape::Line { corners, ink, width, dashes } => {
+            MarkShape::Line { corners, ink, width, dashes } => {
                 let dashes = dashes.map_or(String::new(), |(on, off)| format!(",\"dashes\":[{on},{off}]"));
                 format!("\"line\":{},{}{dashes}", line(corners)?, stroke(*ink, *width))
             }
-            Shape::Arrow { from, along, ink, width, heads } => {
+            MarkShape::Arrow { from, along, ink, width, heads } => {
                 let (from, along) = (row(from)?, row(along)?);
                 format!("\"arrow\":{from},\"along\":{along},{},\"heads\":{heads}", stroke(*ink, *width))
             }
-            Shape::Cone { apex, middle, radii, ink } => {
+            MarkShape::Cone { apex, middle, radii, ink } => {
                 let (apex, middle, radii) = (row(apex)?, row(middle)?, line(radii)?);
                 format!("\"cone\":{apex},\"middle\":{middle},\"radii\":{radii},\"ink\":\"{}\"", hex(*ink))
             }
-            Shape::Load { from, along, width, heads, name, otherwise } => {
+            MarkShape::Load { from, along, width, heads, name, otherwise } => {
                 let (from, along, otherwise) = (row(from)?, row(along)?, json_string(otherwise));
                 format!(
                     "\"load\":{from},\"along\":{along},\"width\":{width},\"heads\":{heads},\"name\":\"{name}\",\"otherwise\":{otherwise}"
                 )
             }
-            Shape::Edge { corners } => format!("\"edge\":{}", line(corners)?),
-            Shape::Body { corners } => format!("\"body\":{}", line(corners)?),
-            Shape::Dot { at, radius, ink, open } => {
+            MarkShape::Edge { corners } => format!("\"edge\":{}", line(corners)?),
+            MarkShape::Body { corners } => format!("\"body\":{}", line(corners)?),
+            MarkShape::Dot { at, radius, ink, open } => {
                 format!("\"dot\":{},\"radius\":{radius},\"ink\":\"{}\",\"open\":{open}", row(at)?, hex(*ink))
             }
-            Shape::Name { at, words } => format!("\"name\":{},\"words\":{}", row(at)?, json_string(words)),
+            MarkShape::Name { at, words } => {
+                format!("\"name\":{},\"words\":{}", row(at)?, json_string(words))
+            }
         };
         if let Some(layer) = self.layer {
             let _ = write!(parts, ",\"layer\":\"{}\"", layer.word());
@@ -170,7 +172,7 @@ impl Mark {
     }
 }
 
-fn row(point: &Point) -> Result<String, PictureError> {
+fn row(point: &Vector3<f64>) -> Result<String, PictureError> {
     json_row(point.as_slice())
 }
 

@@ -6,7 +6,7 @@ use plotters::style::RGBColor;
 use super::drawing::{Drawing, goes};
 use super::frame::Frame;
 use super::leaving::MovedLines;
-use super::mark::{Layer, Mark, Point, Shape};
+use super::mark::{Mark, MarkLayer, MarkShape};
 use crate::numerics::mapped;
 use crate::picture::contact_look::{cone_size, ink, slope, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
@@ -19,22 +19,22 @@ use crate::spatial::{Contact, ContactState, Equilibrium, Wrench};
 pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
     let page = drawing.page;
     let mut marks: Vec<Mark> =
-        mapped(&drawing.bodies, &|corners| Shape::Body { corners: points(corners) }.always());
+        mapped(&drawing.bodies, &|corners| MarkShape::Body { corners: points(corners) }.always());
     for corners in &page.fixtures {
         marks.extend(closed(points(corners)).map(|corners| line(corners, FIXTURE, None).always()));
     }
     for outline in &page.outlines {
-        marks.extend(closed(points(&outline.corners)).map(|corners| Shape::Edge { corners }.always()));
+        marks.extend(closed(points(&outline.corners)).map(|corners| MarkShape::Edge { corners }.always()));
     }
     let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
-    let names = if drawing.tips.len() > MARKS.most_named { Layer::Pointed } else { Layer::Names };
+    let names = if drawing.tips.len() > MARKS.most_named { MarkLayer::Pointed } else { MarkLayer::Names };
     for (k, tip) in drawing.tips.iter().enumerate() {
         // The finger behind its contact, or a link.
         let at = tip.middle(contacts);
         let tail = at - frames[tip.contacts.start].column(0) * (SPATIAL.finger * drawing.span);
         let corners = tip.ends_of_link(contacts).map_or(vec![tail, at], |ends| ends.to_vec());
-        marks.push(Shape::Line { corners, ink: GREY, width: 5.0, dashes: None }.always());
-        marks.push(Shape::Name { at: tail, words: tip.name.clone() }.on(names).of(k));
+        marks.push(MarkShape::Line { corners, ink: GREY, width: 5.0, dashes: None }.always());
+        marks.push(MarkShape::Name { at: tail, words: tip.name.clone() }.on(names).of(k));
     }
     marks
 }
@@ -45,10 +45,12 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
     let mut marks = Vec::new();
     if let Some(state) = state {
         for outline in &page.outlines {
-            let moved = |corner: &Point| corner + goes(state, outline.body, corner) * drawing.displacement;
+            let moved =
+                |corner: &Vector3<f64>| corner + goes(state, outline.body, corner) * drawing.displacement;
             marks.extend(
-                closed(mapped(&points(&outline.corners), &moved))
-                    .map(|corners| line(corners, PINK, Some(SPATIAL.moved_dashes)).on(Layer::Displacements)),
+                closed(mapped(&points(&outline.corners), &moved)).map(|corners| {
+                    line(corners, PINK, Some(SPATIAL.moved_dashes)).on(MarkLayer::Displacements)
+                }),
             );
         }
     }
@@ -62,7 +64,7 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
             marks.extend(of_tip.into_iter().chain(dots(contacts, state, tip)).map(|mark| mark.of(k)));
         } else {
             let at = tip.middle(contacts);
-            let dot = Shape::Dot { at, radius: SPATIAL.contact, ink: GREY, open: true };
+            let dot = MarkShape::Dot { at, radius: SPATIAL.contact, ink: GREY, open: true };
             marks.push(dot.always().of(k));
         }
     }
@@ -74,17 +76,18 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
     }
     if let Some(state) = state {
         for (name, at) in page.actuators.that_yield(state).filter_map(|(name, at)| Some((name, at?))) {
-            marks.push(Shape::Dot { at, radius: SPATIAL.contact, ink: VERMILION, open: false }.always());
-            marks.push(Shape::Name { at, words: format!("{name} yields") }.on(Layer::Names));
+            marks.push(MarkShape::Dot { at, radius: SPATIAL.contact, ink: VERMILION, open: false }.always());
+            marks.push(MarkShape::Name { at, words: format!("{name} yields") }.on(MarkLayer::Names));
         }
         for motion in &state.free_motions {
             let axis = drawing.axis(&motion.object);
             let half = axis.along * (SPATIAL.axis * drawing.span);
             let corners = vec![axis.at - half, axis.at + half];
             let dashes = Some((9.0, 6.0));
-            marks.push(Shape::Line { corners, ink: SKY, width: 2.0, dashes }.on(Layer::FreeMotions));
+            marks.push(MarkShape::Line { corners, ink: SKY, width: 2.0, dashes }.on(MarkLayer::FreeMotions));
             let words = if axis.turns { "turns freely" } else { "moves freely" };
-            marks.push(Shape::Name { at: axis.at + half, words: words.into() }.on(Layer::FreeMotions));
+            marks
+                .push(MarkShape::Name { at: axis.at + half, words: words.into() }.on(MarkLayer::FreeMotions));
         }
     }
     marks
@@ -94,22 +97,26 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
 fn marks_of_a_fingertip(
     drawing: &Drawing,
     slope: f64,
-    [n, t, b]: [Point; 3],
+    [n, t, b]: [Vector3<f64>; 3],
     resultant: &Resultant<3>,
 ) -> Vec<Mark> {
     let (from, ink) = (resultant.at, ink(resultant.word));
     let mut marks = Vec::new();
     if let Some([high, wide]) = cone_size(slope, resultant.normal_force * drawing.force, 0.5 * drawing.size) {
         let radii = [t * wide, b * wide];
-        marks.push(Shape::Cone { apex: from, middle: from + n * high, radii, ink }.on(Layer::Cones));
+        marks.push(MarkShape::Cone { apex: from, middle: from + n * high, radii, ink }.on(MarkLayer::Cones));
     }
-    let mut arrow = |along: Point, ink, width, layer: Option<Layer>| {
+    let mut arrow = |along: Vector3<f64>, ink, width, layer: Option<MarkLayer>| {
         if along.amax() > 0.0 {
-            marks.push(Mark { shape: Shape::Arrow { from, along, ink, width, heads: 1 }, layer, tip: None });
+            marks.push(Mark {
+                shape: MarkShape::Arrow { from, along, ink, width, heads: 1 },
+                layer,
+                tip: None,
+            });
         }
     };
-    arrow(resultant.force * drawing.force, ink, 3.0, Some(Layer::Forces));
-    arrow(resultant.displacement * drawing.displacement, PINK, 2.0, Some(Layer::Displacements));
+    arrow(resultant.force * drawing.force, ink, 3.0, Some(MarkLayer::Forces));
+    arrow(resultant.displacement * drawing.displacement, PINK, 2.0, Some(MarkLayer::Displacements));
     if let Some(direction) = resultant.slides {
         arrow(direction * (SPATIAL.slip * drawing.span), BROWN, 2.0, None);
     }
@@ -122,7 +129,7 @@ fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactGroup) -> Vec<Ma
     let dot = |i: usize| {
         let answer = &state.contacts[i];
         let open = answer.state == ContactState::Separated;
-        Shape::Dot { at: contacts[i].point(), radius, ink: ink(word(answer)), open }.always()
+        MarkShape::Dot { at: contacts[i].point(), radius, ink: ink(word(answer)), open }.always()
     };
     tip.contacts.clone().map(dot).collect()
 }
@@ -131,10 +138,10 @@ fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactGroup) -> Vec<Ma
 fn marks_of_the_load(drawing: &Drawing, load: &Wrench) -> Vec<Mark> {
     let load = drawing.load(load);
     let [force, moment] = [load.force.norm(), load.moment.norm()];
-    let arrow = |along: Point, size: f64, heads, unit: &str, [name, otherwise]: [&'static str; 2]| {
+    let arrow = |along: Vector3<f64>, size: f64, heads, unit: &str, [name, otherwise]: [&'static str; 2]| {
         let width = if heads == 1 { 3.0 } else { 2.0 };
         let otherwise = format!("{otherwise} {} {unit}, not to scale", short(size));
-        Shape::Load { from: load.at, along, width, heads, name, otherwise }.on(Layer::Load)
+        MarkShape::Load { from: load.at, along, width, heads, name, otherwise }.on(MarkLayer::Load)
     };
     let mut marks = Vec::new();
     if force > 0.0 {
@@ -151,21 +158,23 @@ fn marks_of_the_way_out(way: &MovedLines) -> Vec<Mark> {
     let mut marks = Vec::new();
     for corners in way.lines.iter().filter_map(|corners| closed(corners.clone())) {
         let dashes = Some(SPATIAL.moved_dashes);
-        marks.push(Shape::Line { corners, ink: VERMILION, width: 1.5, dashes }.on(Layer::WayOut));
+        marks.push(MarkShape::Line { corners, ink: VERMILION, width: 1.5, dashes }.on(MarkLayer::WayOut));
     }
     for [from, to] in &way.arrows {
         let (from, along) = (*from, to - from);
-        marks.push(Shape::Arrow { from, along, ink: VERMILION, width: 1.5, heads: 1 }.on(Layer::WayOut));
+        marks.push(
+            MarkShape::Arrow { from, along, ink: VERMILION, width: 1.5, heads: 1 }.on(MarkLayer::WayOut),
+        );
     }
     marks
 }
 
-fn points(corners: &[[f64; 3]]) -> Vec<Point> {
+fn points(corners: &[[f64; 3]]) -> Vec<Vector3<f64>> {
     mapped(corners, &|corner| Vector3::from(*corner))
 }
 
 /// A line closed back to its first corner; for two corners the line between them, for fewer `None`.
-fn closed(mut corners: Vec<Point>) -> Option<Vec<Point>> {
+fn closed(mut corners: Vec<Vector3<f64>>) -> Option<Vec<Vector3<f64>>> {
     match corners.len() {
         0 | 1 => return None,
         2 => {}
@@ -174,6 +183,6 @@ fn closed(mut corners: Vec<Point>) -> Option<Vec<Point>> {
     Some(corners)
 }
 
-fn line(corners: Vec<Point>, ink: RGBColor, dashes: Option<(f64, f64)>) -> Shape {
-    Shape::Line { corners, ink, width: 1.0, dashes }
+fn line(corners: Vec<Vector3<f64>>, ink: RGBColor, dashes: Option<(f64, f64)>) -> MarkShape {
+    MarkShape::Line { corners, ink, width: 1.0, dashes }
 }

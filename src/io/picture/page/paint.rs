@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::eye::Eye;
-use super::mark::{Mark, Shape};
+use super::mark::{Mark, MarkShape};
 use crate::numerics::{increasing, mapped};
 use crate::picture::layout::MARKS;
 use crate::picture::painting::{EyePoint, Painting};
@@ -18,23 +18,23 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
     let shade = shades(eye, marks);
     for mark in marks {
         match &mark.shape {
-            Shape::Line { corners, ink, width, dashes } => {
+            MarkShape::Line { corners, ink, width, dashes } => {
                 let corners: Vec<_> = mapped(corners, &|corner| eye.see(corner));
                 let pieces = dashes.map_or_else(|| pairs(&corners), |(on, off)| dashed(&corners, on, off));
                 for ends in pieces {
                     painting.line(ends, *ink, *width);
                 }
             }
-            Shape::Edge { corners } => {
+            MarkShape::Edge { corners } => {
                 let corners: Vec<_> = mapped(corners, &|corner| eye.see(corner));
                 for ends in pairs(&corners) {
                     painting.line(ends, shade(f64::midpoint(ends[0].z, ends[1].z)), 1.2);
                 }
             }
-            Shape::Arrow { from, along, ink, width, heads } => {
+            MarkShape::Arrow { from, along, ink, width, heads } => {
                 painting.arrow([eye.see(from), eye.see(&(from + along))], *ink, *width, *heads);
             }
-            Shape::Load { from, along, width, heads, .. } => {
+            MarkShape::Load { from, along, width, heads, .. } => {
                 let (ends, _) = load_ends(eye, from, along);
                 let long = (ends[1] - ends[0]).xy().norm();
                 // A load that is shorter on paper, in pixels, points to the eye or away from it.
@@ -44,7 +44,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                     painting.arrow(ends, BLACK, *width, *heads);
                 }
             }
-            Shape::Cone { apex, middle, radii: [a, b], ink } => {
+            MarkShape::Cone { apex, middle, radii: [a, b], ink } => {
                 let sides = 72_u32;
                 let rim = (0..=sides).map(|k| {
                     let (sin, cos) = (TAU * f64::from(k % sides) / f64::from(sides)).sin_cos();
@@ -56,15 +56,15 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                 }
                 cone(&mut painting, &eye.see(apex), &rim[1..], *ink);
             }
-            Shape::Dot { at, radius, ink, open } => painting.dot(eye.see(at), *radius, *ink, *open),
-            Shape::Body { corners } => {
+            MarkShape::Dot { at, radius, ink, open } => painting.dot(eye.see(at), *radius, *ink, *open),
+            MarkShape::Body { corners } => {
                 let corners = corners.iter().map(|corner| eye.see(corner)).map(|seen| (seen.x, seen.y));
                 let corners = hull(corners.collect());
                 // Bodies are behind everything. Only the half of the contour outside all bodies remains visible.
                 painting.contour(corners.clone(), CONTOUR, 2.4, f64::NEG_INFINITY);
                 painting.area(corners, FACE.to_rgba(), f64::MIN);
             }
-            Shape::Name { .. } => {}
+            MarkShape::Name { .. } => {}
         }
     }
     painting
@@ -83,7 +83,7 @@ pub(super) fn load_ends(eye: &Eye, from: &Vector3<f64>, along: &Vector3<f64>) ->
 
 /// The grey of an edge of the object as a function of its depth.
 fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> RGBColor + use<> {
-    let edges = marks.iter().filter(|mark| matches!(mark.shape, Shape::Edge { .. }));
+    let edges = marks.iter().filter(|mark| matches!(mark.shape, MarkShape::Edge { .. }));
     let depths = edges.flat_map(Mark::points).map(|point| eye.see(&point).z);
     let (far, near) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
     move |depth| {

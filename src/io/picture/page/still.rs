@@ -6,7 +6,7 @@ use plotters::style::colors::BLACK;
 use super::drawing::Drawing;
 use super::eye::{Eye, View};
 use super::legend::Legend;
-use super::mark::{Layer, Mark, Shape};
+use super::mark::{Mark, MarkLayer, MarkShape};
 use super::marks::{marks_of_the_answer, marks_of_the_grasp};
 use super::paint::{load_ends, painting};
 use super::spatial_page::SpatialPage;
@@ -88,10 +88,10 @@ impl SpatialPage {
             let mut labels = Labels::new(window, painting.ink());
             for mark in &marks {
                 let (seen, words) = match &mark.shape {
-                    Shape::Name { at, words } if mark.layer != Some(Layer::Pointed) => {
+                    MarkShape::Name { at, words } if mark.layer != Some(MarkLayer::Pointed) => {
                         (eye.see(at), words.as_str())
                     }
-                    Shape::Load { from, along, name, otherwise, .. } => {
+                    MarkShape::Load { from, along, name, otherwise, .. } => {
                         let ([_, tip], is_to_scale) = load_ends(&eye, from, along);
                         (tip, if is_to_scale { *name } else { otherwise.as_str() })
                     }
