@@ -107,7 +107,7 @@ fn numbers_are_those_of_the_answer() -> Result<(), Failure> {
     let nothing = &data["frames"][1];
     assert!(marks(nothing, "arrow").is_empty() && marks(nothing, "cone").is_empty());
     assert_eq!(marks(nothing, "dot").len(), 3);
-    assert!(page.contains("No equilibrium exists."));
+    assert!(page.contains("no equilibrium exists: "));
     Ok(())
 }
 

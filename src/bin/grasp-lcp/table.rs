@@ -97,8 +97,7 @@ impl Cleaned {
 
 fn cells<const C: usize>(row: &WholeAnswer<'_, C>, numbers: Cleaned, columns: usize) -> Vec<String> {
     let force = row.force();
-    let tangential = force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f));
-    let mut cells = vec![row.text(), numbers.force(force[0]), numbers.force(tangential)];
+    let mut cells = vec![row.text(), numbers.force(force[0]), numbers.force(row.friction_force())];
     if columns > 5 {
         cells.extend(match row {
             WholeAnswer::Pad(pad) => moments(pad, numbers.words),

@@ -139,6 +139,12 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
+    /// Size of the friction force, N.
+    #[must_use]
+    pub fn friction_force(&self) -> f64 {
+        self.force().iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
+    }
+
     /// Friction in reserve, N: see [`ContactAnswer::margin`] and [`PadAnswer::margin`].
     #[must_use]
     pub fn margin(&self) -> f64 {

@@ -11,11 +11,6 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 /// Largest slope of a drawn cone: its edges then deviate from the tangent by less than a pixel. An infinite slope could not be drawn.
 pub(super) const STEEPEST_CONE: f64 = 1e3;
 
-/// Whether the friction in reserve is zero up to rounding.
-pub(super) fn no_friction_left<const C: usize>(answer: &ContactAnswer<C>) -> bool {
-    answer.margin <= SOLVED_ROUNDING * answer.normal_force()
-}
-
 /// The slope of the cone of a contact in pictures.
 pub(super) fn slope<const C: usize>(contact: &Contact<C>) -> f64 {
     contact.friction_coefficient().min(STEEPEST_CONE)
@@ -49,7 +44,9 @@ pub(super) fn word<const C: usize>(answer: &ContactAnswer<C>) -> &'static str {
         ContactState::Separated => "separated",
         ContactState::Sliding { .. } => "sliding",
         ContactState::Frictionless => "frictionless",
-        ContactState::Sticking if no_friction_left(answer) => "about to slide",
+        ContactState::Sticking if answer.margin <= SOLVED_ROUNDING * answer.normal_force() => {
+            "about to slide"
+        }
         ContactState::Sticking => "sticking",
     }
 }

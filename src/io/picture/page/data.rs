@@ -2,9 +2,9 @@
 
 use super::drawing::Drawing;
 use super::eye::View;
+use super::json::{json_list, json_number, json_row};
 use super::mark::Mark;
 use super::marks::{marks_of_the_answer, marks_of_the_grasp};
-use super::text::{json_list, json_number, json_row};
 use crate::picture::error::PictureError;
 use crate::picture::layout::MARKS;
 use crate::picture::palette::{CONTOUR, FACE, GREY, hex};

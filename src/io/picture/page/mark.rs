@@ -5,7 +5,7 @@ use std::fmt::Write;
 use nalgebra::Vector3;
 use plotters::style::RGBColor;
 
-use super::text::{json_list, json_row, json_string};
+use super::json::{json_list, json_row, json_string};
 use crate::picture::error::PictureError;
 use crate::picture::palette::hex;
 

@@ -6,6 +6,7 @@ mod drawing;
 mod eye;
 mod frame;
 mod html;
+mod json;
 mod leaving;
 mod legend;
 mod mark;
@@ -16,7 +17,6 @@ mod solid;
 mod spatial_page;
 mod still;
 mod table;
-mod text;
 
 pub use self::eye::View;
 pub use self::planar_page::PlanarPage;

@@ -1,11 +1,10 @@
 //! The content of a page: a grasp, lines on and beside the object, and answers.
 
 use super::frame::{Frame, change_last};
-use super::text::proof_in_words;
 use crate::grasp::Motion;
 use crate::numerics::mapped;
 use crate::picture::actuators::Actuators;
-use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome, Wrench};
+use crate::spatial::{Equilibrium, Grasp, Outcome, Wrench};
 
 /// A spatial grasp and one or more of its answers as a single self-contained HTML file without network or installation ([`Self::to_html`]).
 /// [`Self::to_svg`] draws one of the answers from one side as an SVG, for paper.
@@ -161,13 +160,7 @@ impl SpatialPage {
     pub fn outcome(mut self, label: impl Into<String>, outcome: &Outcome) -> Self {
         let shown = match outcome {
             Outcome::Equilibrium(state) => Ok(state.clone()),
-            Outcome::NoEquilibrium(NoEquilibrium { proof }) => {
-                Err(format!("No equilibrium exists. Proof: {}.", proof_in_words(proof)))
-            }
-            Outcome::Undecided(undecided) => Err(format!(
-                "Undecided: no equilibrium was found and none was ruled out ({}).",
-                undecided.doubt
-            )),
+            other => Err(other.to_string()),
         };
         self.frames.push(Frame::new(label.into(), shown));
         self

@@ -1,13 +1,14 @@
 //! The tables of a page: one section for each answer, of which the page shows one.
 
 use std::fmt::Write;
+use std::ops::Range;
 
 use super::frame::Frame;
 use crate::ask::Grasp;
-use crate::equilibrium::{ContactAnswer, Equilibrium};
+use crate::equilibrium::{ContactAnswer, Equilibrium, WholeAnswer};
 use crate::grasp::{Contact, Hold};
 use crate::picture::actuators::Actuators;
-use crate::picture::contact_look::{no_friction_left, word};
+use crate::picture::contact_look::word;
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, without_rounding};
 use crate::picture::words::{escaped, short};
@@ -85,12 +86,8 @@ fn write_words<const C: usize>(page: &mut String, actuators: &Actuators<C>, stat
     for note in state.vacuum_gone().into_iter().chain(caution) {
         let _ = writeln!(page, "<p class=\"none\">{}</p>", escaped(&note));
     }
-    for motion in &state.free_motions {
-        let _ = writeln!(
-            page,
-            "<p>Nothing resists {}: where the object goes is known up to that.</p>",
-            escaped(&words.direction_of(motion))
-        );
+    for motion in state.told_free_motions(words) {
+        let _ = writeln!(page, "<p>{}.</p>", escaped(&motion));
     }
     let at_their_limit: Vec<_> = actuators.that_yield(state).map(|(name, _)| escaped(name)).collect();
     if !at_their_limit.is_empty() {
@@ -112,109 +109,68 @@ fn write_rows<const C: usize>(
         let _ = write!(page, "<th title=\"{}\">{}</th>", escaped(meaning), escaped(heading));
     }
     page.push_str("</tr></thead>\n<tbody>\n");
-    for (number, tip) in tips.iter().enumerate() {
-        let contact = &grasp.contacts()[tip.contacts.start];
-        if tip.is_soft() {
-            let row = ContactRow::of_tip(tip, grasp.contacts(), state, frame);
-            row.write(page, number, "", &tip.name, contact)?;
-        }
-        for i in tip.contacts.clone() {
-            let (contact, answer) = (&grasp.contacts()[i], &state.contacts[i]);
-            let class = if tip.is_soft() { " class=\"point\"" } else { "" };
-            let name = if tip.is_soft() { contact.label_text(i) } else { tip.name.clone() };
-            let friction = frame.friction(i, contact.friction_coefficient());
-            ContactRow::of_point(answer, friction, state).write(page, number, class, &name, contact)?;
+    for ((number, tip), whole) in tips.iter().enumerate().zip(state.whole_contacts()) {
+        let resultant = tip.resultant(grasp.contacts(), state);
+        let mut row =
+            |class: &str, name: &str, points: Range<usize>, answer: WholeAnswer<'_, C>, look, moves: f64| {
+                let contact = &grasp.contacts()[points.start];
+                let friction = frame.friction(points.start, contact.friction_coefficient());
+                let numbers = numbers(answer, &state.contacts[points], friction, moves, state);
+                let _ = write!(page, "<tr data-contact=\"{number}\"{class}><th>{}</th>", escaped(name));
+                write_row(page, contact, answer, look, numbers)
+                    .map_err(|fault| PictureError(format!("{fault} of {name}")))
+            };
+        row("", &tip.name, tip.contacts.clone(), whole, resultant.word, resultant.displacement.norm())?;
+        for i in tip.contacts.clone().filter(|_| tip.is_soft()) {
+            let (name, answer) = (grasp.contacts()[i].label_text(i), &state.contacts[i]);
+            let point = WholeAnswer::Point(answer);
+            row(" class=\"point\"", &name, i..i + 1, point, word(answer), answer.body_core.norm())?;
         }
     }
     page.push_str("</tbody>\n</table>\n</div>\n");
     Ok(())
 }
 
-/// Numbers of a row, in the order of the columns.
-struct ContactRow {
-    state: &'static str,
+/// The numbers of a row in the order of the columns. The gap or slip is the largest of its points.
+fn numbers<const C: usize>(
+    answer: WholeAnswer<'_, C>,
+    points: &[ContactAnswer<C>],
+    friction: f64,
+    moves: f64,
+    state: &Equilibrium<C>,
+) -> [f64; 7] {
+    let force = |newtons| without_rounding(newtons, state);
+    let (pushes, rubs) = (force(answer.force()[0]), force(answer.friction_force()));
+    let used = if rubs == 0.0 { 0.0 } else { rubs / pushes };
+    let moved = points.iter().map(|point| if point.gap > 0.0 { point.gap } else { point.slip.norm() });
+    [pushes, rubs, used, friction, force(answer.margin()), moved.fold(0.0, f64::max), moves]
+}
+
+/// Writes the state of a contact, in the colour of `look`, and its numbers.
+fn write_row<const C: usize>(
+    page: &mut String,
+    contact: &Contact<C>,
+    answer: WholeAnswer<'_, C>,
+    look: &str,
     numbers: [f64; 7],
-}
-
-impl ContactRow {
-    fn of_point<const C: usize>(answer: &ContactAnswer<C>, friction: f64, state: &Equilibrium<C>) -> Self {
-        let force = |newtons| without_rounding(newtons, state);
-        let (pushes, rubs) = (force(answer.normal_force()), force(answer.friction_force()));
-        let numbers = [
-            pushes,
-            rubs,
-            if rubs == 0.0 { 0.0 } else { answer.friction_used() },
-            friction,
-            force(reserve(answer)),
-            if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() },
-            answer.body_core.norm(),
-        ];
-        Self { state: word(answer), numbers }
+) -> Result<(), &'static str> {
+    if numbers.iter().any(|x| x.is_nan()) {
+        return Err("a number is not a number");
     }
-
-    /// The row of a soft fingertip: sums of forces and reserves, and the largest gap or slip.
-    fn of_tip<const C: usize>(
-        tip: &ContactGroup,
-        contacts: &[Contact<C>],
-        state: &Equilibrium<C>,
-        frame: &Frame<C>,
-    ) -> Self {
-        let does = tip.resultant(contacts, state);
-        let first = &contacts[tip.contacts.start];
-        let answers = &state.contacts[tip.contacts.clone()];
-        let normal = first.normal.normalize();
-        let along = does.force - normal * does.force.dot(&normal);
-        let moved =
-            answers.iter().map(|answer| if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() });
-        let force = |newtons| without_rounding(newtons, state);
-        let (pushes, rubs) = (does.normal_force, force(along.norm()));
-        let numbers = [
-            pushes,
-            rubs,
-            if rubs == 0.0 { 0.0 } else { rubs / pushes },
-            frame.friction(tip.contacts.start, first.friction_coefficient()),
-            force(answers.iter().map(reserve).sum()),
-            moved.fold(0.0, f64::max),
-            does.displacement.norm(),
-        ];
-        Self { state: does.word, numbers }
+    let mut words = numbers.map(short);
+    if contact.hold == Hold::Bonded || contact.link.is_some() {
+        // A bonded contact has no friction to use.
+        (words[2], words[3]) = ("–".into(), contact.link.map_or("bonded", LinkKind::name).into());
     }
-
-    fn write<const C: usize>(
-        &self,
-        page: &mut String,
-        tip: usize,
-        class: &str,
-        name: &str,
-        contact: &Contact<C>,
-    ) -> Result<(), PictureError> {
-        if self.numbers.iter().any(|x| x.is_nan()) {
-            return Err(PictureError(format!("a number of {name} is not a number")));
-        }
-        let mut words = self.numbers.map(short);
-        if contact.hold == Hold::Bonded || contact.link.is_some() {
-            // A bonded contact has no friction to use.
-            (words[2], words[3]) = ("–".into(), contact.link.map_or("bonded", LinkKind::name).into());
-        }
-        let (name, class_of_state) = (escaped(name), self.state.replace(' ', "-"));
-        let state = match contact.link {
-            Some(LinkKind::Cable) if self.state == "separated" => "slack",
-            Some(_) => "carries",
-            None => self.state,
-        };
-        let _ = write!(
-            page,
-            "<tr data-contact=\"{tip}\"{class}><th>{name}</th><td class=\"{class_of_state}\">{state}</td>"
-        );
-        for words in words {
-            let _ = write!(page, "<td>{words}</td>");
-        }
-        page.push_str("</tr>\n");
-        Ok(())
+    let state = match contact.link {
+        Some(LinkKind::Cable) if look == "separated" => "slack".to_owned(),
+        Some(_) => "carries".to_owned(),
+        None => answer.doing(),
+    };
+    let _ = write!(page, "<td class=\"{}\">{state}</td>", look.replace(' ', "-"));
+    for words in words {
+        let _ = write!(page, "<td>{words}</td>");
     }
-}
-
-/// Friction in reserve, N; zero if it is rounding.
-fn reserve<const C: usize>(answer: &ContactAnswer<C>) -> f64 {
-    if no_friction_left(answer) { 0.0 } else { answer.margin }
+    page.push_str("</tr>\n");
+    Ok(())
 }
