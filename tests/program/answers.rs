@@ -122,7 +122,7 @@ fn a_start_that_is_not_known_is_undecided() {
     let gripper = run(&["new", "gripper"]).stdout;
     let followed = run_on(&gripper, &["follow", "-", "--from", "0,0,-30", "--to", "0,0,0"]);
     assert_eq!(followed.status.code(), Some(4));
-    assert!(text(&followed.stdout).contains("the start is not known"), "{}", text(&followed.stdout));
+    assert!(text(&followed.stdout).contains("UNDECIDED where the load begins"), "{}", text(&followed.stdout));
 }
 
 #[test]

@@ -31,7 +31,11 @@ fn a_row_a_pad() {
     assert_eq!(lines_of(&words, "tip"), ["tip begins to slide", "tip 10 0 0.025 0 1.66667 sticks"]);
     assert_eq!(lines_of(&words, "foot"), ["foot 10 0 -0.025 0 no limit sticks"]);
     assert!(words.contains("M_n (N m)") && words.contains("|M_t| (N m)"), "{words}");
-    assert!(words.contains("beyond: the grasp holds on; sliding: tip (4 of 8 points)"), "{words}");
+    assert!(
+        words.starts_with("FIRST SLIP at 0.05 N m: tip begins to slide; beyond: the grasp holds on")
+            && words.contains("sliding beyond: tip (4 of 8 points)"),
+        "{words}"
+    );
 }
 
 #[test]
@@ -49,7 +53,8 @@ fn points_are_told_on_request() {
 #[test]
 fn a_pad_begins_to_slide_and_slides_everywhere() {
     let words = told("follow", &[]);
-    let events: Vec<_> = words.lines().filter(|line| line.contains("leg ") && line.contains(": ")).collect();
+    let events: Vec<_> =
+        words.lines().filter(|line| line.starts_with("  leg ") && line.contains(": ")).collect();
     let expected = [
         "  leg 0 at 0.555556, (0, 0, 0.05) N m: tip begins to slide",
         "  leg 0 at 0.925926, (0, 0, 0.0833333) N m: tip slides everywhere",
@@ -88,7 +93,7 @@ fn an_undecided_search_says_what_is_known() {
         assert!(known.contains(sentence) && known.contains("Nothing holds all of it within"), "{known}");
         assert!(
             words.contains(
-                "\n  whether another equilibrium exists elsewhere is undecided: no equilibrium was found"
+                "Whether another equilibrium exists elsewhere is undecided: no equilibrium was found"
             ),
             "{words}"
         );

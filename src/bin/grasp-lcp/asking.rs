@@ -46,14 +46,13 @@ pub(crate) fn ask(ask: &Ask, asked: &Command) -> Result<ExitCode, Failure> {
         serde_json::to_writer_pretty(&mut out, &answers).map_err(io::Error::from)?;
         writeln!(out)?;
     } else {
-        let comment = scene.comment.as_deref();
         let style = Style { words: Words::with_digits(ask.digits.into()), points: ask.points };
         match (&scene.space, &answers) {
             (Space::Planar(setup), Answers::Planar(answers)) => {
-                report::print(&mut out, style, comment, setup, answers)?;
+                report::print(&mut out, style, setup, answers)?;
             }
             (Space::Spatial(setup), Answers::Spatial(answers)) => {
-                report::print(&mut out, style, comment, setup, answers)?;
+                report::print(&mut out, style, setup, answers)?;
             }
             _ => {}
         }

@@ -2,13 +2,12 @@
 
 use std::io;
 
-use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, PadAnswer};
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, PadAnswer};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{ContactChange, EndOfSmallMotions, Loss};
 use grasp_lcp::scene::{PathAnswer, PathOutcome};
 
 use crate::report::Report;
-use crate::words::NO_WORDS;
 
 impl Report<'_> {
     pub(crate) fn followed<const C: usize>(&mut self, path: &PathAnswer<C>) -> io::Result<()> {
@@ -70,17 +69,11 @@ impl Report<'_> {
         self.load(load) + &self.and_on_bodies(loads.map(|load| (&*load.body, &load.load)))
     }
 
+    /// The state at the end of a path, and what lies beyond a loss.
     fn end_of_path<const C: usize>(&mut self, end: &PathOutcome<C>) -> io::Result<()> {
         match end {
-            PathOutcome::Completed { state } => {
-                self.line("all legs are held to their end")?;
-                state.as_ref().map_or(Ok(()), |state| self.table(state))
-            }
+            PathOutcome::Completed { state } => self.state(state.as_deref()),
             PathOutcome::Lost { loss, beyond: next, state, .. } => {
-                let fraction = self.number(loss.fraction);
-                let load = self.load_of(&loss.load, state.as_deref());
-                let (leg, how) = (loss.leg, loss.kind);
-                self.line(&format!("this equilibrium ends at {fraction} of leg {leg}, {load}: {how}"))?;
                 if !loss.jumped.is_empty() {
                     self.line(
                         "friction falls as contacts begin to slide there, and nothing catches the object",
@@ -90,22 +83,9 @@ impl Report<'_> {
                     self.on_their_edge(loss, state)?;
                     self.table(state)?;
                 }
-                self.beyond(next)
+                self.line(&format!("beyond: {next:.0$}", self.style.digits()))
             }
-            PathOutcome::Undecided { leg, fraction, doubt } => {
-                let fraction = self.number(*fraction);
-                self.line(&format!("held to {fraction} of leg {leg}, beyond not known: {doubt}"))
-            }
-            PathOutcome::NoStart { start } => {
-                let is_known = !matches!(**start, Outcome::Undecided(_));
-                self.line(if is_known {
-                    "there is nothing to start from:"
-                } else {
-                    "the start is not known:"
-                })?;
-                self.solved(start)
-            }
-            _ => self.line(NO_WORDS),
+            _ => Ok(()),
         }
     }
 

@@ -4,60 +4,32 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome, Undecided, WholeAnswer};
+use grasp_lcp::equilibrium::{ContactState, Equilibrium, WholeAnswer};
 use grasp_lcp::grasp::Wrench;
-use grasp_lcp::hold::Verdict;
 use grasp_lcp::improve::Improved;
 use grasp_lcp::load_path::{Beyond, Departure, EdgeOf, Leaving, PartChange};
-use grasp_lcp::scene::{Answer, OnsetAnswer, OnsetAt, Question, Setup, TurnAnswer};
+use grasp_lcp::scene::{Angle, Answer, Factor, OnsetAnswer, OnsetAt, Question, Setup, TurnAnswer};
 use grasp_lcp::words::printable;
 
 use crate::table::{compared, table};
 use crate::words::{NO_WORDS, Style};
 
-/// Prints the answers to the questions of a scene.
+/// Prints the answers to the questions of a scene: the first line of each, then its tables and details.
 pub(crate) fn print<const C: usize>(
     out: &mut dyn Write,
     style: Style,
-    comment: Option<&str>,
     setup: &Setup<C>,
     answers: &[Answer<C>],
 ) -> io::Result<()> {
-    let is_a_sentence = |answer: &Answer<C>| {
-        matches!(
-            answer,
-            Answer::Hold(_)
-                | Answer::Need(_)
-                | Answer::Improve(_)
-                | Answer::Compare(_)
-                | Answer::Shake(_)
-                | Answer::Shakedown(_)
-                | Answer::Identify(_)
-        )
-    };
-    // An answer that is a sentence comes first; only tables need this head.
-    if !answers.iter().all(is_a_sentence) {
-        // The comment is put on one line, so that none of its lines looks like an answer.
-        if let Some(comment) = comment {
-            writeln!(out, "{}", printable(&comment.lines().collect::<Vec<_>>().join(" ")))?;
-        }
-        let (contacts, points) = (setup.entries().count(), setup.points().unwrap_or_default());
-        let links = match setup.links.len() {
-            0 => String::new(),
-            1 => ", 1 link".to_owned(),
-            more => format!(", {more} links"),
-        };
-        let of = if points > contacts && setup.links.is_empty() {
-            format!(", {points} points of contact")
-        } else {
-            String::new()
-        };
-        writeln!(out, "{contacts} {}{of}{links}", if contacts == 1 { "contact" } else { "contacts" })?;
-    }
-    let mut report = Report { out, style };
-    for (question, answer) in setup.questions.iter().zip(answers) {
+    let mut report = Report { out, style, said: String::new() };
+    for (k, (question, answer)) in setup.questions.iter().zip(answers).enumerate() {
         let question = &*setup.meant(question).unwrap_or(Cow::Borrowed(question));
-        report.answer(question, answer)?;
+        if k > 0 {
+            writeln!(report.out)?;
+        }
+        report.said = question.first_line(answer, style.words);
+        writeln!(report.out, "{}", report.said)?;
+        report.details(question, answer)?;
     }
     Ok(())
 }
@@ -71,6 +43,8 @@ fn named<const C: usize>(loads: &BTreeMap<String, Wrench<C>>) -> impl Iterator<I
 pub(crate) struct Report<'o> {
     out: &'o mut dyn Write,
     pub(crate) style: Style,
+    /// The first line of the present answer.
+    said: String,
 }
 
 impl Report<'_> {
@@ -96,13 +70,12 @@ impl Report<'_> {
     }
 
     pub(crate) fn table<const C: usize>(&mut self, state: &Equilibrium<C>) -> io::Result<()> {
-        table(self.out, self.style, state)
+        table(self.out, self.style, state, &self.said)
     }
 
-    /// The sentence, and the new place of each contact that may move.
+    /// The new place of each contact that may move.
     fn improved<const C: usize>(&mut self, improved: &Improved<C>) -> io::Result<()> {
-        let (digits, words) = (self.style.digits(), self.style.words);
-        writeln!(self.out, "{improved:.digits$}")?;
+        let words = self.style.words;
         for placed in &improved.contacts {
             let at = words.numbers(placed.point.as_slice());
             let normal = words.numbers(placed.normal.as_slice());
@@ -112,128 +85,72 @@ impl Report<'_> {
         Ok(())
     }
 
-    fn answer<const C: usize>(&mut self, question: &Question<C>, answer: &Answer<C>) -> io::Result<()> {
-        let digits = self.style.digits();
+    /// Tables and details below the first line of an answer.
+    fn details<const C: usize>(&mut self, question: &Question<C>, answer: &Answer<C>) -> io::Result<()> {
         match (question, answer) {
-            (_, Answer::Hold(answer)) => {
-                writeln!(self.out, "{:.digits$}", answer.verdict)?;
-                answer.verdict.state.as_ref().map_or(Ok(()), |state| self.table(state))
-            }
-            (_, Answer::Shake(answer)) => {
-                writeln!(self.out, "{:.digits$}", answer.shaken)?;
-                answer.shaken.state.as_ref().map_or(Ok(()), |state| self.table(state))
-            }
-            (_, Answer::Compare(answer)) => {
-                writeln!(self.out, "{}", answer.says)?;
-                compared(self.out, self.style, &answer.comparison)
-            }
-            (_, Answer::Shakedown(answer)) => writeln!(self.out, "{}", answer.says),
-            (_, Answer::Identify(answer)) => writeln!(self.out, "{}", answer.says),
-            (_, Answer::Need(answer)) => writeln!(self.out, "{:.digits$}", answer.needed),
+            (_, Answer::Hold(answer)) => self.state(answer.verdict.state.as_deref()),
+            (_, Answer::Shake(answer)) => self.state(answer.shaken.state.as_deref()),
+            (_, Answer::Compare(answer)) => compared(self.out, self.style, &answer.comparison),
             (_, Answer::Improve(answer)) => self.improved(&answer.improved),
-            (Question::Solve { load, together_with }, Answer::Solve(answer)) => {
-                writeln!(
-                    self.out,
-                    "\nUnder {}{}",
-                    self.load(load),
-                    self.and_on_bodies(named(together_with))
-                )?;
-                // If the search found nothing, the path from rest may still decide.
-                match (&answer.from_rest, &answer.outcome) {
-                    (Some(told), Outcome::Undecided(undecided)) if told.verdict.holds() == Some(false) => {
-                        self.lost_from_rest(&told.verdict, undecided)
-                    }
-                    (told, outcome) => {
-                        self.solved(outcome)?;
-                        let told = told.as_ref().map(|told| format!("put on from rest: {}", told.says));
-                        told.map_or(Ok(()), |told| self.line(&told))
-                    }
-                }
-            }
+            (_, Answer::Solve(answer)) => self.state(answer.outcome.equilibrium()),
             (
                 Question::Onset { base, direction, command_change, joint_change, together_with },
                 Answer::Onset(onset),
             ) => {
                 let commands = command_change.is_some() || joint_change.is_some();
-                let changes = *direction != Wrench::ZERO;
                 let base = self.load(base);
-                let direction = self.load(direction) + &self.and_on_bodies(named(together_with));
-                let way = match (changes, commands) {
+                let along = self.load(direction) + &self.and_on_bodies(named(together_with));
+                let way = match (*direction != Wrench::ZERO, commands) {
                     (false, _) => format!("under {base} while commands change"),
-                    (true, true) => format!("from {base} along {direction}, commands changing along"),
-                    (true, false) => format!("from {base} along {direction}"),
+                    (true, true) => format!("from {base} along {along}, commands changing along"),
+                    (true, false) => format!("from {base} along {along}"),
                 };
-                writeln!(self.out, "\nOnset of sliding {way}")?;
-                self.onset(onset, ("factor", changes), |report, at| report.number(at.factor))
+                // A constant load does not help to locate the onset.
+                let place = |report: &Self, event: &OnsetAt<C, Factor>| {
+                    let at = report.number(event.at.factor);
+                    let there = if *direction == Wrench::ZERO {
+                        String::new()
+                    } else {
+                        format!(", that is {}", report.load(&event.load))
+                    };
+                    format!("{way}: at factor {at}{there}")
+                };
+                self.onset(onset, &place)
             }
-            (Question::OnsetOfTurn(turn), Answer::OnsetOfTurn(onset)) => {
+            (Question::OnsetOfTurn(turn), Answer::OnsetOfTurn(answer)) => {
                 let (from, most) = (self.load(&turn.load_at(0.0)), self.style.words.angle(turn.angle()));
-                writeln!(self.out, "\nOnset of sliding from {from} while the load turns by {most}")?;
-                self.onset(&onset.onset, ("an angle of", true), |report, at| {
-                    report.style.words.angle(at.angle)
-                })?;
-                self.touches(onset)
+                let place = |report: &Self, event: &OnsetAt<C, Angle>| {
+                    let (at, load) = (report.style.words.angle(event.at.angle), report.load(&event.load));
+                    format!("from {from} while the load turns by {most}: at {at}, that is {load}")
+                };
+                self.onset(&answer.onset, &place)?;
+                self.touches(answer)
             }
-            (Question::Follow { start, legs, .. }, Answer::Follow(path)) => {
-                let legs = if legs.len() == 1 { "1 leg".to_owned() } else { format!("{} legs", legs.len()) };
-                writeln!(self.out, "\nLoad program of {legs} from {}", self.load(start))?;
-                self.followed(path)
-            }
-            _ => writeln!(self.out, "{NO_WORDS}"),
+            (_, Answer::Follow(path)) => self.followed(path),
+            _ => Ok(()),
         }
     }
 
-    pub(crate) fn solved<const C: usize>(&mut self, outcome: &Outcome<C>) -> io::Result<()> {
-        let digits = self.style.digits();
-        match outcome {
-            Outcome::Equilibrium(state) => self.table(state),
-            Outcome::NoEquilibrium(none) => self.line(&format!("no equilibrium exists: {none:.digits$}")),
-            Outcome::Undecided(why) => self.line(&format!("undecided: {}", why.doubt)),
-            _ => self.line(NO_WORDS),
-        }
+    /// The table of a state, if there is one.
+    pub(crate) fn state<const C: usize>(&mut self, state: Option<&Equilibrium<C>>) -> io::Result<()> {
+        state.map_or(Ok(()), |state| self.table(state))
     }
 
-    /// The load is lost from rest, which counts. The search has found no other equilibrium, and has not excluded one.
-    fn lost_from_rest<const C: usize>(&mut self, verdict: &Verdict<C>, doubt: &Undecided) -> io::Result<()> {
-        let digits = self.style.digits();
-        self.line(&format!("put on from rest: {verdict:.digits$}"))?;
-        self.line(&format!("whether another equilibrium exists elsewhere is undecided: {doubt}"))
-    }
-
-    /// An onset at `called`, such as a factor; `changes` is false if only commands change, not the load.
+    /// The place of an onset, the contacts that leave, and the state there.
     fn onset<const C: usize, At>(
         &mut self,
         onset: &OnsetAnswer<C, At>,
-        (called, changes): (&str, bool),
-        place: impl Fn(&Self, &At) -> String,
+        place: &dyn Fn(&Self, &OnsetAt<C, At>) -> String,
     ) -> io::Result<()> {
-        let digits = self.style.digits();
         match onset {
             OnsetAnswer::At(event) => {
-                let (at, load) = (place(self, &event.at), self.load(&event.load));
-                // A constant load does not help to locate the onset.
-                let load = if changes { format!(", that is {load}") } else { String::new() };
-                self.line(&format!("at {called} {at}{load}"))?;
+                self.line(&place(self, event))?;
                 self.leaving(event)?;
                 self.table(&event.state)?;
-                self.beyond_onset(&event.beyond, &event.state)
+                self.sliding_beyond(&event.beyond, &event.state)
             }
-            OnsetAnswer::Never => self.line("never: everything keeps sticking however far the load goes"),
-            OnsetAnswer::AlreadySliding { state } => {
-                self.line("something slides already where the load begins:")?;
-                self.table(state)
-            }
-            OnsetAnswer::NoBase(none) => {
-                self.line(&format!("no equilibrium exists where the load begins: {none:.digits$}"))
-            }
-            OnsetAnswer::Undecided(why) => {
-                self.line(&format!("undecided where the load begins: {}", why.doubt))
-            }
-            OnsetAnswer::GivesWay { at, reason } => {
-                let at = place(self, at);
-                self.line(&format!("nothing slides, but from {called} {at} on: {reason:.digits$}"))
-            }
-            _ => self.line(NO_WORDS),
+            OnsetAnswer::AlreadySliding { state } => self.table(state),
+            _ => Ok(()),
         }
     }
 
@@ -280,9 +197,9 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// The behaviour beyond an onset.
-    fn beyond_onset<const C: usize>(&mut self, next: &Beyond<C>, state: &Equilibrium<C>) -> io::Result<()> {
-        let Beyond::Continues(next) = next else { return self.beyond(next) };
+    /// The contacts that slide beyond an onset, if the grasp holds on.
+    fn sliding_beyond<const C: usize>(&mut self, next: &Beyond<C>, state: &Equilibrium<C>) -> io::Result<()> {
+        let Beyond::Continues(next) = next else { return Ok(()) };
         let slides = |i: &usize| matches!(next.states.get(*i), Some(ContactState::Sliding { .. }));
         let mut site = 0;
         let mut sliding = Vec::new();
@@ -296,17 +213,7 @@ impl Report<'_> {
                 (those, points) => sliding.push(format!("{} ({those} of {points} points)", told.text())),
             }
         }
-        let who = if sliding.is_empty() {
-            "nothing slides".to_owned()
-        } else {
-            format!("sliding: {}", sliding.join(", "))
-        };
-        self.line(&format!("beyond: the grasp holds on; {who}"))
-    }
-
-    /// The behaviour beyond an onset where the equilibrium ends, or beyond the end of a path.
-    pub(crate) fn beyond<const C: usize>(&mut self, beyond: &Beyond<C>) -> io::Result<()> {
-        let digits = self.style.digits();
-        self.line(&format!("beyond: {beyond:.digits$}"))
+        let who = if sliding.is_empty() { "nothing".to_owned() } else { sliding.join(", ") };
+        self.line(&format!("sliding beyond: {who}"))
     }
 }

@@ -1,4 +1,5 @@
-//! An equilibrium as a table: one row a contact. Points of a soft fingertip share a row, unless `--points` asks for each.
+//! An equilibrium as a table: one row a contact. Points of a soft fingertip share a row, unless `--points` asks for each. A caution that the first
+//! line of the answer gives is not repeated.
 
 use std::io::{self, Write};
 
@@ -12,6 +13,7 @@ pub(crate) fn table<const C: usize>(
     out: &mut dyn Write,
     style: Style,
     state: &Equilibrium<C>,
+    said: &str,
 ) -> io::Result<()> {
     let rows: Vec<_> = if style.points {
         state.contacts.iter().map(WholeAnswer::Point).collect()
@@ -38,7 +40,8 @@ pub(crate) fn table<const C: usize>(
     let residual = Words::with_digits(1).number(state.residuals.worst());
     writeln!(out, "  {}, residual {residual}", state.told_motions(style.words).join("\n  "))?;
     state.told_free_motions(style.words).iter().try_for_each(|free| writeln!(out, "  {free}"))?;
-    let caution = state.caution();
+    let caution = state.too_far.as_ref().filter(|far| !said.contains(&far.to_string()));
+    let caution = caution.and_then(|_| state.caution());
     state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))
 }
 

@@ -334,6 +334,7 @@ mod fault;
 mod field_path;
 mod finger;
 mod fingertip;
+mod first_line;
 mod given_answers;
 mod growing;
 mod held;

@@ -1,0 +1,230 @@
+//! The first line of every answer, as one would say it to a colleague.
+
+use std::collections::BTreeMap;
+
+use super::answer::Answer;
+use super::onset::{OnsetAnswer, OnsetAt};
+use super::path::{PathAnswer, PathOutcome};
+use super::question::Question;
+use super::solved::SolveAnswer;
+use crate::equilibrium::{Equilibrium, Outcome, TooFar};
+use crate::grasp::Wrench;
+use crate::load_path::{Change, PadChange, WholeChange};
+use crate::words::{Words, listed, printable};
+
+impl<const C: usize> Question<C> {
+    /// The first line of the answer to this question: whether it holds, what slips, where, and how much. Tables and details follow it.
+    ///
+    /// ```
+    /// use grasp_lcp::scene::{Scene, Setup};
+    /// use grasp_lcp::words::Words;
+    ///
+    /// let setup: Setup<2> = serde_json::from_str(r#"{
+    ///     "contacts": [
+    ///         { "name": "left", "point": [-0.03, 0], "normal": [1, 0], "friction": 0.5, "pressed_with": 10 },
+    ///         { "name": "right", "point": [0.03, 0], "normal": [-1, 0], "friction": 0.5, "pressed_with": 10 }
+    ///     ],
+    ///     "questions": [{ "onset": { "direction": { "force": [0, -1] } } }]
+    /// }"#)?;
+    /// let (question, answers) = (&setup.questions[0], setup.answers()?);
+    /// let says = question.first_line(&answers[0], Words::default());
+    /// assert_eq!(says, "FIRST SLIP at 10 N: left and right slide; beyond: no equilibrium; it is the limit load");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn first_line(&self, answer: &Answer<C>, words: Words) -> String {
+        let digits = words.digits();
+        match (self, answer) {
+            (_, Answer::Hold(answer)) => format!("{:.digits$}", answer.verdict),
+            (_, Answer::Need(answer)) => format!("{:.digits$}", answer.needed),
+            (_, Answer::Improve(answer)) => format!("{:.digits$}", answer.improved),
+            (_, Answer::Shake(answer)) => format!("{:.digits$}", answer.shaken),
+            (_, Answer::Compare(answer)) => answer.says.clone(),
+            (_, Answer::Shakedown(answer)) => answer.says.clone(),
+            (_, Answer::Identify(answer)) => answer.says.clone(),
+            (Self::Solve { load, together_with }, Answer::Solve(answer)) => {
+                solved(load, together_with, answer, words)
+            }
+            (Self::Onset { base, direction, command_change, joint_change, .. }, Answer::Onset(onset)) => {
+                let only_the_load =
+                    *base == Wrench::ZERO && command_change.is_none() && joint_change.is_none();
+                let place = |factor: f64| match direction.measure().filter(|_| only_the_load) {
+                    Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),
+                    None => format!("factor {}", words.number(factor)),
+                };
+                first_slip(onset, &|at| place(at.factor), "however far the load goes", words)
+            }
+            (Self::OnsetOfTurn(turn), Answer::OnsetOfTurn(answer)) => {
+                let turns = format!("while the load turns by {}", words.angle(turn.angle()));
+                first_slip(&answer.onset, &|at| words.angle(at.angle), &turns, words)
+            }
+            (_, Answer::Onset(onset)) => {
+                first_slip(onset, &|at| words.number(at.factor), "however far the load goes", words)
+            }
+            (_, Answer::OnsetOfTurn(answer)) => {
+                first_slip(&answer.onset, &|at| words.angle(at.angle), "while the load turns", words)
+            }
+            (_, Answer::Follow(path)) => followed(path, words),
+            (_, Answer::Solve(answer)) => format!("{:.digits$}", answer.outcome),
+        }
+    }
+}
+
+/// "EQUILIBRIUM under (0, -4) N: everything sticks".
+fn solved<const C: usize>(
+    load: &Wrench<C>,
+    together_with: &BTreeMap<String, Wrench<C>>,
+    answer: &SolveAnswer<C>,
+    words: Words,
+) -> String {
+    let digits = words.digits();
+    let other =
+        |(body, load): (&String, &Wrench<C>)| format!(", {} on {}", words.load(load), printable(body));
+    let load = words.load(load) + &together_with.iter().map(other).collect::<Vec<_>>().concat();
+    let said = match &answer.outcome {
+        Outcome::Equilibrium(state) => {
+            let caution = state.too_far.as_ref().map_or(String::new(), beyond_small_motions);
+            format!("EQUILIBRIUM under {load}: {}{caution}", in_short(state))
+        }
+        Outcome::NoEquilibrium(none) => format!("NO EQUILIBRIUM under {load}: {none:.digits$}"),
+        Outcome::Undecided(undecided) => format!("UNDECIDED under {load}: {undecided}"),
+    };
+    let Some(held) = &answer.from_rest else { return said };
+    let from_rest = format!("put on from rest: {:.digits$}", held.verdict);
+    match &answer.outcome {
+        // The path is lost, which counts. The search has found no other equilibrium, and has not excluded one.
+        Outcome::Undecided(doubt) if held.verdict.holds() == Some(false) => {
+            format!("{from_rest}. Whether another equilibrium exists elsewhere is undecided: {doubt}")
+        }
+        _ => format!("{said}; {from_rest}"),
+    }
+}
+
+/// A warning that the answer belongs to motions that are no longer small.
+fn beyond_small_motions(far: &TooFar) -> String {
+    format!(". CAUTION: {far}, beyond the small motions that this is good for")
+}
+
+/// The contacts that slide, or that everything sticks.
+fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
+    let (mut slide, mut in_part) = (Vec::new(), Vec::new());
+    for contact in state.whole_contacts() {
+        match contact.doing() {
+            does if does == "slides" || does == "slides everywhere" => slide.push(contact.text()),
+            does if does.contains("points slide") => in_part.push(format!("{} ({does})", contact.text())),
+            _ => {}
+        }
+    }
+    match (slide.len(), in_part.is_empty()) {
+        (0, true) => "everything sticks".to_owned(),
+        (0, false) => format!("{} in part", plural(&in_part, "slides")),
+        _ => plural(&[slide, in_part].concat(), "slides"),
+    }
+}
+
+/// "FIRST SLIP at 10 N: left and right slide; beyond: the grasp holds on".
+fn first_slip<const C: usize, At>(
+    onset: &OnsetAnswer<C, At>,
+    place: &dyn Fn(&At) -> String,
+    how_far: &str,
+    words: Words,
+) -> String {
+    let digits = words.digits();
+    match onset {
+        OnsetAnswer::At(event) => {
+            let (what, leaves) = leaving(event);
+            let (at, beyond) = (place(&event.at), &event.beyond);
+            let caution = event.state.too_far.as_ref().map_or(String::new(), beyond_small_motions);
+            format!("{what} at {at}: {leaves}; beyond: {beyond:.digits$}{caution}")
+        }
+        OnsetAnswer::Never => format!("NOTHING SLIDES {how_far}"),
+        OnsetAnswer::AlreadySliding { state } => {
+            format!("SLIDES already where the load begins: {}", in_short(state))
+        }
+        OnsetAnswer::NoBase(none) => format!("NO EQUILIBRIUM where the load begins: {none:.digits$}"),
+        OnsetAnswer::GivesWay { at, reason } => {
+            format!("NOTHING SLIDES up to {}, where it gives way: {reason:.digits$}", place(at))
+        }
+        OnsetAnswer::Undecided(why) => format!("UNDECIDED where the load begins: {why}"),
+    }
+}
+
+/// The kind of an onset, and the contacts and drives that leave: "FIRST SLIP", "left and right slide".
+fn leaving<const C: usize, At>(event: &OnsetAt<C, At>) -> (&'static str, String) {
+    let changes = event.whole_changes();
+    let slides = changes.iter().any(|change| {
+        use PadChange::{BeginsToSlide, Point, SlidesEverywhere};
+        matches!(change.what, Point(Change::Slides { .. }) | BeginsToSlide | SlidesEverywhere)
+    });
+    let drives = event.drives.iter().map(|drive| (drive.part.text(), drive.what.to_string()));
+    let verbs: Vec<(String, String)> = changes.iter().map(name_and_verb).chain(drives).collect();
+    let mut told: Vec<String> = Vec::new();
+    for group in verbs.chunk_by(|a, b| a.1 == b.1) {
+        let names: Vec<&str> = group.iter().map(|(name, _)| name.as_str()).collect();
+        told.push(plural(&names, &group[0].1));
+    }
+    let what = match (slides, changes.is_empty()) {
+        (true, _) => "FIRST SLIP",
+        (false, true) => "FIRST YIELDING",
+        (false, false) => "FIRST OPENING",
+    };
+    (what, if told.is_empty() { "points of a fingertip change".to_owned() } else { told.join(", ") })
+}
+
+/// The name of a contact and its verb, without the direction of a slip.
+fn name_and_verb<const C: usize>(change: &WholeChange<C>) -> (String, String) {
+    let name = change.contact.text();
+    let verb = match change.what {
+        PadChange::Point(Change::Slides { .. }) => "slides".to_owned(),
+        _ => change.to_string().strip_prefix(&format!("{name} ")).unwrap_or("changes").to_owned(),
+    };
+    (name, verb)
+}
+
+/// "left slides", "left and right slide": the verb loses its s where several do it.
+fn plural<T: ToString>(names: &[T], verb: &str) -> String {
+    let (first, rest) =
+        verb.split_once(' ').map_or((verb, String::new()), |(first, rest)| (first, format!(" {rest}")));
+    let first = if names.len() == 1 { first } else { first.strip_suffix('s').unwrap_or(first) };
+    format!("{} {first}{rest}", listed(&names.iter().map(T::to_string).collect::<Vec<_>>()))
+}
+
+/// "LOST at 0.425 of leg 0, (0, 0, -8.5) N: no contact states carry more; first slip at 0.215 of leg 0, (0, 0, -4.3) N".
+fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
+    let digits = words.digits();
+    let place = |leg: usize, fraction: f64, load: &Wrench<C>| {
+        let load = if *load == Wrench::ZERO { String::new() } else { format!(", {}", words.load(load)) };
+        format!("{} of leg {leg}{load}", words.number(fraction))
+    };
+    let slips = |what: &Change<C>| matches!(what, Change::Slides { .. } | Change::ClosesSliding { .. });
+    let first = path.events.iter().find(|event| event.changes.iter().any(|change| slips(&change.what)));
+    let step = path.steps.iter().find(|step| step.sliding > 0);
+    let slip = match (first, step) {
+        (Some(event), _) => format!("first slip at {}", place(event.leg, event.fraction, &event.load)),
+        (None, Some(step)) => format!("first slip by {}", place(step.leg, step.fraction, &step.load)),
+        (None, None) => "nothing slides on the way".to_owned(),
+    };
+    let said = match &path.end {
+        PathOutcome::Completed { .. } => format!("HELD to the end: {slip}"),
+        PathOutcome::Lost { loss, .. } => {
+            format!("LOST at {}: {}; {slip}", place(loss.leg, loss.fraction, &loss.load), loss.kind)
+        }
+        PathOutcome::Undecided { leg, fraction, doubt } => {
+            format!("UNDECIDED beyond {} of leg {leg}: {doubt}; {slip}", words.number(*fraction))
+        }
+        PathOutcome::NoStart { start } => match &**start {
+            Outcome::Undecided(why) => return format!("UNDECIDED where the load begins: {why}"),
+            none => return format!("NO START: {none:.digits$}"),
+        },
+    };
+    match &path.small_motions_end {
+        Some(far) => {
+            let (fraction, what) = (words.number(far.fraction), &far.what);
+            format!(
+                "{said}. CAUTION: from {fraction} of leg {} on {what}, beyond the small motions that this is good for",
+                far.leg
+            )
+        }
+        None => said,
+    }
+}
