@@ -40,10 +40,10 @@ const SAID: [&str; 12] = [
     "NEEDS a coefficient of friction of 0.613",
     "TAKES 11.79",
     "TAKES 1.",
-    "under the load",
+    "EQUILIBRIUM under (0, -4) N: everything sticks",
     "SLIPS OUT at 8 N of 40 N",
-    "onset of sliding, factor 8",
-    "No equilibrium exists at the start",
+    "FIRST SLIP at 8 N",
+    "NO EQUILIBRIUM where the load begins",
     "nothing slides on the way",
     "where it goes, not to scale",
 ];

@@ -82,8 +82,8 @@ fn a_program() -> Result<(), Failure> {
     assert_eq!(
         lines(asked)?,
         [
-            "HELD to the end: nothing slides on the way",
-            "LOST at 0.5 of leg 0, (0, -10) N: no contact states carry more; nothing slides on the way",
+            "HELD to the end: no contact begins to slide on the way",
+            "LOST at 0.5 of leg 0, (0, -10) N: no contact states carry more; no contact begins to slide on the way",
         ]
     );
     Ok(())

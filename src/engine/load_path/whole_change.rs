@@ -76,6 +76,20 @@ impl<const C: usize> fmt::Display for WholeChange<C> {
     }
 }
 
+impl<const C: usize> WholeChange<C> {
+    /// What the contact does, without the direction of a slip: "slides", "begins to open".
+    #[must_use]
+    pub fn verb(&self) -> String {
+        let said = self.to_string();
+        match self.what {
+            PadChange::Point(Change::Slides { .. }) => "slides".to_owned(),
+            PadChange::Point(Change::ClosesSliding { .. }) => "closes and slides".to_owned(),
+            PadChange::Point(Change::Reverses { .. }) => "slides back".to_owned(),
+            _ => said.strip_prefix(&format!("{} ", self.contact.text())).unwrap_or("changes").to_owned(),
+        }
+    }
+}
+
 impl<const C: usize> Event<C> {
     /// The changes, with the points of one soft fingertip together, described by the first and the last of them. Empty where only points in between
     /// change.

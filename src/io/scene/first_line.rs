@@ -9,7 +9,7 @@ use super::question::Question;
 use super::solved::SolveAnswer;
 use crate::equilibrium::{Equilibrium, Outcome, TooFar};
 use crate::grasp::Wrench;
-use crate::load_path::{Change, PadChange, WholeChange};
+use crate::load_path::{Change, PadChange};
 use crate::words::{Words, listed, printable};
 
 impl<const C: usize> Question<C> {
@@ -157,7 +157,8 @@ fn leaving<const C: usize, At>(event: &OnsetAt<C, At>) -> (&'static str, String)
         matches!(change.what, Point(Change::Slides { .. }) | BeginsToSlide | SlidesEverywhere)
     });
     let drives = event.drives.iter().map(|drive| (drive.part.text(), drive.what.to_string()));
-    let verbs: Vec<(String, String)> = changes.iter().map(name_and_verb).chain(drives).collect();
+    let verbs: Vec<(String, String)> =
+        changes.iter().map(|change| (change.contact.text(), change.verb())).chain(drives).collect();
     let mut told: Vec<String> = Vec::new();
     for group in verbs.chunk_by(|a, b| a.1 == b.1) {
         let names: Vec<&str> = group.iter().map(|(name, _)| name.as_str()).collect();
@@ -169,16 +170,6 @@ fn leaving<const C: usize, At>(event: &OnsetAt<C, At>) -> (&'static str, String)
         (false, false) => "FIRST OPENING",
     };
     (what, if told.is_empty() { "points of a fingertip change".to_owned() } else { told.join(", ") })
-}
-
-/// The name of a contact and its verb, without the direction of a slip.
-fn name_and_verb<const C: usize>(change: &WholeChange<C>) -> (String, String) {
-    let name = change.contact.text();
-    let verb = match change.what {
-        PadChange::Point(Change::Slides { .. }) => "slides".to_owned(),
-        _ => change.to_string().strip_prefix(&format!("{name} ")).unwrap_or("changes").to_owned(),
-    };
-    (name, verb)
 }
 
 /// "left slides", "left and right slide": the verb loses its s where several do it.
@@ -202,7 +193,7 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     let slip = match (first, step) {
         (Some(event), _) => format!("first slip at {}", place(event.leg, event.fraction, &event.load)),
         (None, Some(step)) => format!("first slip by {}", place(step.leg, step.fraction, &step.load)),
-        (None, None) => "nothing slides on the way".to_owned(),
+        (None, None) => "no contact begins to slide on the way".to_owned(),
     };
     let said = match &path.end {
         PathOutcome::Completed { .. } => format!("HELD to the end: {slip}"),

@@ -1,9 +1,8 @@
 //! Charts of the friction that is used along a load path.
 
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::load_path::Onset;
 use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, charts_of_cycles};
-use grasp_lcp::scene::{Question, Setup};
+use grasp_lcp::scene::{Answer, OnsetAnswer, Question, Setup};
 
 use crate::failure::Failure;
 
@@ -14,36 +13,33 @@ const CHART_END: f64 = 1.25;
 pub(super) fn chart<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,
-    question: &Question<C>,
+    (question, answer): (&Question<C>, &Answer<C>),
     title: &str,
 ) -> Result<Option<Chart>, Failure> {
     let grasp = &setup.grasp_of(grasp, question)?;
-    Ok(match &*setup.meant(question)? {
-        Question::Hold { .. } => {
-            let ramp = question.ramp()?;
-            let verdict = grasp.hold(ramp.clone())?;
-            let marks = [verdict.first_slip.map(|first| first.factor), verdict.lost.map(|lost| lost.factor)];
+    Ok(match (&*setup.meant(question)?, answer) {
+        (Question::Hold { .. }, Answer::Hold(answer)) => {
+            let (ramp, verdict) = (question.ramp()?, &answer.verdict);
+            let first_slip = verdict.first_slip.as_ref().map(|first| first.factor);
+            let marks = [first_slip, verdict.lost.as_ref().map(|lost| lost.factor)];
             // The path beyond this load factor would fill the chart.
             let farthest = marks.into_iter().flatten().filter(|factor| *factor <= 5.0).fold(1.0, f64::max);
             let chart = chart_of_load(grasp, &ramp, CHART_END * farthest, title)?;
             let reaches = verdict.held_to >= 1.0;
             Some(if reaches { chart.mark(1.0, "this load") } else { chart })
         }
-        Question::Onset { .. } => {
-            let ramp = question.ramp()?;
-            match grasp.onset(&ramp)? {
-                Onset::At(event) if event.factor > 0.0 => {
-                    Some(chart_of_load(grasp, &ramp, CHART_END * event.factor, title)?)
-                }
-                Onset::GivesWay { factor, .. } if factor > 0.0 => {
-                    Some(chart_of_load(grasp, &ramp, CHART_END * factor, title)?)
-                }
-                Onset::NoBase(_) | Onset::Undecided(_) => None,
-                _ => Some(chart_of_load(grasp, &ramp, CHART_END, title)?),
-            }
+        (Question::Onset { .. }, Answer::Onset(onset)) => {
+            let factor = match onset {
+                OnsetAnswer::At(event) => event.at.factor,
+                OnsetAnswer::GivesWay { at, .. } => at.factor,
+                OnsetAnswer::NoBase(_) | OnsetAnswer::Undecided(_) => return Ok(None),
+                _ => 1.0,
+            };
+            let farthest = if factor > 0.0 { factor } else { 1.0 };
+            Some(chart_of_load(grasp, &question.ramp()?, CHART_END * farthest, title)?)
         }
-        Question::OnsetOfTurn(turn) => Some(chart_of_turn(grasp, turn, title)?),
-        Question::Follow { start, legs, in_steps: None } if !legs.is_empty() => {
+        (Question::OnsetOfTurn(turn), _) => Some(chart_of_turn(grasp, turn, title)?),
+        (Question::Follow { start, legs, in_steps: None }, _) if !legs.is_empty() => {
             Some(chart_of_program(grasp, *start, legs, title)?)
         }
         _ => None,
@@ -54,11 +50,12 @@ pub(super) fn chart<const C: usize>(
 pub(super) fn cycles<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,
-    question: &Question<C>,
+    (question, answer): (&Question<C>, &Answer<C>),
     title: &str,
 ) -> Result<Vec<Chart>, Failure> {
-    let Question::Shake { base, .. } = question else { return Ok(Vec::new()) };
+    let (Question::Shake { base, .. }, Answer::Shake(answer)) = (question, answer) else {
+        return Ok(Vec::new());
+    };
     let (grasp, cycle) = (&setup.grasp_of(grasp, question)?, question.legs()?);
-    let until = grasp.shake(base, &cycle)?.cycles;
-    Ok(charts_of_cycles(grasp, base, &cycle, until.clamp(4, 12), title)?)
+    Ok(charts_of_cycles(grasp, base, &cycle, answer.shaken.cycles.clamp(4, 12), title)?)
 }

@@ -5,7 +5,7 @@ mod shown;
 
 use grasp_lcp::nalgebra::Vector2;
 use grasp_lcp::picture::{Chart, PlanarPage, PlanarPicture, SpatialPage, View};
-use grasp_lcp::scene::{Scene, Setup, Space};
+use grasp_lcp::scene::{Answer, Scene, Setup, Space};
 
 use self::charts::{chart, cycles};
 use self::shown::{Shown, What, shown};
@@ -16,12 +16,14 @@ use crate::files::Pictures;
 pub(crate) fn draw(scene: &Scene, pictures: &Pictures<'_>) -> Result<(), Failure> {
     match &scene.space {
         Space::Planar(setup) => {
-            planar(setup, pictures)?;
-            charts(setup, pictures)
+            let answers = setup.answers()?;
+            charts(setup, &answers, pictures)?;
+            planar(setup, answers, pictures)
         }
         Space::Spatial(setup) => {
-            spatial(setup, pictures)?;
-            charts(setup, pictures)
+            let answers = setup.answers()?;
+            charts(setup, &answers, pictures)?;
+            spatial(setup, answers, pictures)
         }
     }
 }
@@ -31,8 +33,13 @@ fn ending(number: usize, besides: &str) -> String {
     if number == 1 { format!("{besides}.svg") } else { format!("_{number}{besides}.svg") }
 }
 
+/// The reason why there is no equilibrium to show: the first line of the answer.
+fn said_first(says: &mut Vec<String>) -> String {
+    if says.is_empty() { String::new() } else { says.remove(0) }
+}
+
 /// A picture for each question: its equilibrium, or the grasp alone.
-fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+fn planar(setup: &Setup<2>, answers: Vec<Answer<2>>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let corners = |outline: &Vec<Vector2<f64>>| outline.iter().map(|corner| (*corner).into()).collect();
     let of_bodies = setup.bodies.iter().map(|body| &body.outline);
@@ -47,10 +54,10 @@ fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     }
     let mut page = PlanarPage::new(&grasp, &title).outlines(outlines());
     let mut stills = Vec::new();
-    for (index, question) in setup.questions.iter().enumerate() {
-        let answers = shown(setup, &grasp, question)?;
+    for (index, (question, answer)) in setup.questions.iter().zip(answers).enumerate() {
+        let answers = shown(setup, &grasp, question, answer)?;
         let keys = answers.keys();
-        for (k, Shown { label, says, grasp: other, what }) in answers.0.into_iter().enumerate() {
+        for (k, Shown { label, mut says, grasp: other, what }) in answers.0.into_iter().enumerate() {
             let grasp = other.as_ref().unwrap_or(&grasp);
             if let Some((_, besides)) = keys.iter().find(|(key, _)| *key == k) {
                 let title = format!("{title}, question {}: {label}", index + 1);
@@ -60,10 +67,8 @@ fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
                 }
                 let picture = match &what {
                     What::State { state, leaving } => picture.state(state).maybe_leaving(leaving.as_ref()),
-                    What::Nothing { why, load } => {
-                        let picture = picture.says(why);
-                        if let Some(load) = load { picture.load(*load) } else { picture }
-                    }
+                    What::Nothing { load: Some(load) } => picture.load(*load),
+                    What::Nothing { load: None } => picture,
                 };
                 stills.push((ending(index + 1, besides), picture.to_svg()?));
             }
@@ -72,8 +77,8 @@ fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
                 What::State { state, leaving } => {
                     page.frame_of(label, grasp, &state).maybe_leaving(leaving.as_ref())
                 }
-                What::Nothing { why, load } => {
-                    let page = page.nothing(label, why);
+                What::Nothing { load } => {
+                    let page = page.nothing(label, said_first(&mut says));
                     if let Some(load) = load { page.under(load) } else { page }
                 }
             };
@@ -85,7 +90,7 @@ fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
 }
 
 /// The page with all answers, and a picture for each question.
-fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+fn spatial(setup: &Setup<3>, answers: Vec<Answer<3>>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
     let mut page = SpatialPage::new(&grasp, pictures.title());
     if !setup.outline.is_empty() {
@@ -95,19 +100,19 @@ fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
         page = page.body_outline(number, body.outline.iter().copied());
     }
     let mut stills = Vec::new();
-    for (index, question) in setup.questions.iter().enumerate() {
-        let answers = shown(setup, &grasp, question)?;
+    for (index, (question, answer)) in setup.questions.iter().zip(answers).enumerate() {
+        let answers = shown(setup, &grasp, question, answer)?;
         let keys = answers.keys().into_iter();
         stills.extend(keys.map(|(key, besides)| (ending(index + 1, besides), page.answers() + key)));
-        for Shown { label, says, grasp: other, what } in answers.0 {
+        for Shown { label, mut says, grasp: other, what } in answers.0 {
             let label = format!("{}. {label}", index + 1);
             page = match what {
                 What::State { state, leaving } => {
                     let page = page.frame_of(label, other.as_ref().unwrap_or(&grasp), &state);
                     page.maybe_leaving(leaving.as_ref())
                 }
-                What::Nothing { why, load } => {
-                    let page = page.nothing(label, why);
+                What::Nothing { load } => {
+                    let page = page.nothing(label, said_first(&mut says));
                     if let Some(load) = load { page.under(load) } else { page }
                 }
             };
@@ -125,19 +130,28 @@ fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
 }
 
 /// The share of friction that each contact uses, one chart below the other for each question with a load path.
-fn charts<const C: usize>(setup: &Setup<C>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+fn charts<const C: usize>(
+    setup: &Setup<C>,
+    answers: &[Answer<C>],
+    pictures: &Pictures<'_>,
+) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let mut charts = Vec::new();
-    for (index, question) in setup.questions.iter().enumerate() {
-        charts.extend(chart(setup, &grasp, question, &format!("{title}, question {}", index + 1))?);
+    for (index, (question, answer)) in setup.questions.iter().zip(answers).enumerate() {
+        charts.extend(chart(setup, &grasp, (question, answer), &format!("{title}, question {}", index + 1))?);
     }
     charts.retain(|chart| !chart.is_empty());
     if !charts.is_empty() {
         pictures.save("_friction.svg", &Chart::sheet(&charts, 1)?)?;
     }
     let mut of_cycles = Vec::new();
-    for (index, question) in setup.questions.iter().enumerate() {
-        of_cycles.extend(cycles(setup, &grasp, question, &format!("{title}, question {}", index + 1))?);
+    for (index, (question, answer)) in setup.questions.iter().zip(answers).enumerate() {
+        of_cycles.extend(cycles(
+            setup,
+            &grasp,
+            (question, answer),
+            &format!("{title}, question {}", index + 1),
+        )?);
     }
     if of_cycles.is_empty() { Ok(()) } else { pictures.save("_cycles.svg", &Chart::sheet(&of_cycles, 2)?) }
 }
