@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::files::Pictures;
 
 /// Draws a scene.
-pub(crate) fn draw(scene: &Scene, pictures: &Pictures<'_>) -> Result<(), Failure> {
+pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
     match &scene.space {
         Space::Planar(setup) => {
             planar(setup, pictures)?;
@@ -32,7 +32,7 @@ fn ending(number: usize, besides: &str) -> String {
 }
 
 /// A picture for each question: its equilibrium, or the grasp alone.
-fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+fn planar(setup: &Setup<2>, pictures: &Pictures) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let corners = |outline: &Vec<Vector2<f64>>| outline.iter().map(|corner| (*corner).into()).collect();
     let of_bodies = setup.bodies.iter().map(|body| &body.outline);
@@ -85,7 +85,7 @@ fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
 }
 
 /// The page with all answers, and a picture for each question.
-fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+fn spatial(setup: &Setup<3>, pictures: &Pictures) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
     let mut page = SpatialPage::new(&grasp, pictures.title());
     if !setup.outline.is_empty() {
@@ -125,7 +125,7 @@ fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
 }
 
 /// The share of friction that each contact uses, one chart below the other for each question with a load path.
-fn charts<const C: usize>(setup: &Setup<C>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+fn charts<const C: usize>(setup: &Setup<C>, pictures: &Pictures) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let mut charts = Vec::new();
     for (index, question) in setup.questions.iter().enumerate() {
