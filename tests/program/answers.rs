@@ -196,3 +196,12 @@ fn files_that_are_named() {
         assert!(text(&output.stderr).contains(fault), "{}", text(&output.stderr));
     }
 }
+
+/// Each of 3000 equal slips says the same: 8.2 N on two contacts that press with 8 N each. They are predicted once.
+#[test]
+fn thousands_of_equal_slips() {
+    let table = folder("equal").join("slips.csv").display().to_string();
+    std::fs::write(&table, format!("fx,fy\n{}", "0,-8.2\n".repeat(3000))).expect("a folder");
+    let told = text(&run(&["identify", &scene("box.json"), &table]).stdout);
+    assert!(told.starts_with("friction 0.5125 ± ") && told.contains("from 3000 slips"), "{told}");
+}

@@ -54,7 +54,7 @@ impl Report<'_> {
         if in_between > 0 {
             self.line(&format!("in between at {in_between} loads more points change: --points tells them"))?;
         }
-        self.end_of_path(&path.end)
+        self.end_of_path(&path.end, path.small_motions_end.is_some())
     }
 
     fn small_motions_end(&mut self, far: &EndOfSmallMotions) -> io::Result<()> {
@@ -70,11 +70,14 @@ impl Report<'_> {
         self.load(load) + &self.and_on_bodies(loads.map(|load| (&*load.body, &load.load)))
     }
 
-    fn end_of_path<const C: usize>(&mut self, end: &PathOutcome<C>) -> io::Result<()> {
+    fn end_of_path<const C: usize>(&mut self, end: &PathOutcome<C>, is_warned: bool) -> io::Result<()> {
+        let last = |report: &mut Self, state: &Equilibrium<C>| {
+            if is_warned { report.table_after_caution(state) } else { report.table(state) }
+        };
         match end {
             PathOutcome::Completed { state } => {
                 self.line("all legs are held to their end")?;
-                state.as_ref().map_or(Ok(()), |state| self.table(state))
+                state.as_ref().map_or(Ok(()), |state| last(self, state))
             }
             PathOutcome::Lost { loss, beyond: next, state, .. } => {
                 let fraction = self.number(loss.fraction);
@@ -88,7 +91,7 @@ impl Report<'_> {
                 }
                 if let Some(state) = state {
                     self.on_their_edge(loss, state)?;
-                    self.table(state)?;
+                    last(self, state)?;
                 }
                 self.beyond(next)
             }

@@ -96,17 +96,23 @@ impl Report<'_> {
     }
 
     pub(crate) fn table<const C: usize>(&mut self, state: &Equilibrium<C>) -> io::Result<()> {
-        table(self.out, self.style, state)
+        table(self.out, self.style, state, true)
+    }
+
+    /// The table of a state whose caution stands above it already.
+    pub(crate) fn table_after_caution<const C: usize>(&mut self, state: &Equilibrium<C>) -> io::Result<()> {
+        table(self.out, self.style, state, false)
     }
 
     /// The sentence, and the new place of each contact that may move.
     fn improved<const C: usize>(&mut self, improved: &Improved<C>) -> io::Result<()> {
         let (digits, words) = (self.style.digits(), self.style.words);
         writeln!(self.out, "{improved:.digits$}")?;
+        let largest = improved.contacts.iter().fold(0.0, |most: f64, placed| most.max(placed.normal_force));
         for placed in &improved.contacts {
             let at = words.numbers(placed.point.as_slice());
             let normal = words.numbers(placed.normal.as_slice());
-            let force = words.number(placed.normal_force);
+            let force = words.number(words.beside(placed.normal_force, largest));
             self.line(&format!("{} at {at} m, normal {normal}, presses with {force} N", placed.contact))?;
         }
         Ok(())
@@ -121,7 +127,7 @@ impl Report<'_> {
             }
             (_, Answer::Shake(answer)) => {
                 writeln!(self.out, "{:.digits$}", answer.shaken)?;
-                answer.shaken.state.as_ref().map_or(Ok(()), |state| self.table(state))
+                answer.shaken.state.as_ref().map_or(Ok(()), |state| self.table_after_caution(state))
             }
             (_, Answer::Compare(answer)) => {
                 writeln!(self.out, "{}", answer.says)?;

@@ -12,6 +12,7 @@ pub(crate) fn table<const C: usize>(
     out: &mut dyn Write,
     style: Style,
     state: &Equilibrium<C>,
+    with_caution: bool,
 ) -> io::Result<()> {
     let rows: Vec<_> = if style.points {
         state.contacts.iter().map(WholeAnswer::Point).collect()
@@ -38,7 +39,7 @@ pub(crate) fn table<const C: usize>(
     let residual = Words::with_digits(1).number(state.residuals.worst());
     writeln!(out, "  {}, residual {residual}", state.told_motions(style.words).join("\n  "))?;
     state.told_free_motions(style.words).iter().try_for_each(|free| writeln!(out, "  {free}"))?;
-    let caution = state.caution();
+    let caution = state.caution().filter(|_| with_caution);
     state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))
 }
 
