@@ -47,7 +47,7 @@ def test_a_cup_and_a_vacuum() -> None:
     hangs = cup.hold([0, 0, -vacuum / 2])
     assert hangs.holds and hangs.lost == pytest.approx(2.0, rel=1e-9)
     beam = Grasp.planar([[-0.1, 0], [0.1, 0]], [[0, -1], [0, -1]], friction=0.5, series_stiffness=5e3, suction=[30.0, 30.0])
-    assert beam.hold([0, -90]).says.startswith("LIFTS OFF at 60 N of 90 N")
+    assert beam.hold([0, -90]).says.startswith("DROPS at 60 N of 90 N")
 
 
 def test_what_is_refused_names_the_argument() -> None:

@@ -6,8 +6,8 @@
 //! # My gripper presses with 20 N on a box of half a kilogram. Does it hold while the arm starts upwards with 5 m/s²?
 //!
 //! ```text
-//! $ grasp-lcp hold gripper.json --mass 0.5 --accelerated 0,0,5
-//! HOLDS, everything sticks: 3.24105 times this load until it is lost, as left jaw and right jaw slide
+//! $ grasp-lcp hold gripper.json --mass 0.5 --acceleration 0,0,5
+//! HOLDS, everything sticks: 24 N (3.24105 times this load) until it is lost, as left jaw and right jaw slide
 //! ```
 //!
 //! Two jaws, 20 N, friction 0.6: 24 N, and the box pulls with 0.5 · (9.81 + 5) = 7.4 N.
@@ -37,7 +37,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold suction.json
-//! HOLDS, everything sticks: 1.68979 times this load until the first slip (cup), 1.89006 times until cup slips by more than 2 mm
+//! HOLDS, everything sticks: 37.2115 N (1.68979 times this load) until the first slip (cup), 41.6218 N (1.89006 times) until cup slips by more than 2 mm
 //! ```
 //!
 //! 60 kPa on 1257 mm² pull with 75.4 N. The first slip is at the point of the lip where pull, shear and peel add up; see
@@ -86,14 +86,14 @@
 //!
 //! ```text
 //! $ grasp-lcp hold plate.json
-//! HOLDS, everything sticks: 1.216 times this load until it turns by more than 5.7°
+//! HOLDS, everything sticks: 6.08 N (1.216 times this load) until it turns by more than 5.7°
 //! ```
 //!
 //! # Which motor of my hand stalls first, and when?
 //!
 //! ```text
 //! $ grasp-lcp hold hand.json
-//! HOLDS, everything sticks: 1.85897 times this load until the first slip (right motor gives way), 2.08333 times until it is lost
+//! HOLDS, everything sticks: 7.4359 N (1.85897 times this load) until the first slip (right motor gives way), 8.33333 N (2.08333 times) until it is lost
 //! ```
 //!
 //! The motor stalls at 0.5 N m. Its finger of 60 mm then presses with at most 8.33 N. That is 2.08 times the load of 4 N, once the other finger has

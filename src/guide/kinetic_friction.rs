@@ -7,7 +7,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold feet.json
-//! HOLDS, but plastic foot slides from 0.9375 of it on, caught after slipping 0.6 mm at plastic foot; lost at 1.625 times this load
+//! HOLDS, but plastic foot slides from 0.9375 of it on, caught after slipping 0.6 mm at plastic foot; lost at 13 N (1.625 times this load)
 //! ```
 //!
 //! Both feet press with 10 N. The plastic one is twice as stiff: of 7.5 N it carries 5 N, its limit. It slides, keeps 4 N, and the rubber foot takes

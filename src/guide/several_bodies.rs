@@ -19,7 +19,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold vice.json
-//! HOLDS, everything sticks: 1.13398 times this load until the first slip (fixed jaw), 1.2 times until it is lost
+//! HOLDS, everything sticks: 283.495 N (1.13398 times this load) until the first slip (fixed jaw), 300 N (1.2 times) until it is lost
 //! ```
 //!
 //! The part is lost at 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own. It runs on its guide as the screw pushes it and turns a little
@@ -51,7 +51,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold row.json
-//! HOLDS, everything sticks: 4.72128 times this load until the first slip (joint a–b and joint b–c), 6.79579 times until it is lost
+//! HOLDS, everything sticks: 27.7895 N (4.72128 times this load) until the first slip (joint a–b and joint b–c), 40 N (6.79579 times) until it is lost
 //! ```
 //!
 //! Only the part in the middle hangs on the joints: 2 · 0.2 · 40 N is 8.2 times its weight. The parts turn earlier, which lowers the limit.
@@ -69,7 +69,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold arch.json
-//! HOLDS, everything sticks: 1.95623 times this load until the first slip (right foot), 11.9657 times until it is lost
+//! HOLDS, everything sticks: 3912.46 N (1.95623 times this load) until the first slip (right foot), 23931.4 N (11.9657 times) until it is lost
 //! ```
 //!
 //! A joint of masonry has two points, which open where the thrust leaves the middle third; a joint with one open point is a hinge.
@@ -108,7 +108,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold wedge.json --force -2000,0 --at 0.5,0.05 --together-with machine=0,-500@0.12,0.3
-//! HOLDS, but wall slides from the start; lost at 1.29253 times this load
+//! HOLDS, but wall slides from the start; lost at 2585.05 N (1.29253 times this load)
 //! ```
 //!
 //! While the wedge is driven in, 500 N more are put on the machine: `2000 λ = (1800 + 500 λ) tan(α + 2φ)`.

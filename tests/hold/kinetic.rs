@@ -33,7 +33,7 @@ fn the_first_line_says_that_it_is_caught() -> Tested {
     let verdict = feet(0.4, 0.5)?.hold(pull(8.0))?;
     assert_eq!(
         verdict.to_string(),
-        "HOLDS, but left slides from 0.9375 of it on, caught after slipping 3 mm at left; lost at 1.125 times this load"
+        "HOLDS, but left slides from 0.9375 of it on, caught after slipping 3 mm at left; lost at 9 N (1.125 times this load)"
     );
     assert_eq!(verdict.caught.len(), 1);
     assert!((verdict.caught[0].slips[0].distance - 3e-3).abs() < 1e-15);

@@ -23,7 +23,7 @@ fn the_first_line_says_how_far_it_slides() -> Result<(), Error> {
     let verdict = block(1e-4)?.hold(pulled(80.0))?;
     assert_eq!(
         verdict.to_string(),
-        "HOLDS, but left foot and right foot slide from 0.625 of it on; at 50 N the object slides 0.0975 mm to stop, then holds; lost at 13.125 times this load"
+        "HOLDS, but left foot and right foot slide from 0.625 of it on; at 50 N the object slides 0.0975 mm to stop, then holds; lost at 1050 N (13.125 times this load)"
     );
     assert_eq!(verdict.holds(), Some(true));
     assert_eq!(verdict.sticks(), Some(false));

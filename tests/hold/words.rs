@@ -19,7 +19,7 @@ fn everything_sticks() -> Tested {
     let said = gripper.hold(down(10.0))?.to_string();
     assert_eq!(
         said,
-        "HOLDS, everything sticks: 1.5 times this load until it is lost, as left and right slide"
+        "HOLDS, everything sticks: 15 N (1.5 times this load) until it is lost, as left and right slide"
     );
     Ok(())
 }
@@ -40,13 +40,13 @@ fn one_slides_and_the_other_holds() -> Tested {
     let verdict = block.hold(Wrench::force([0.6, 0.0]))?;
     assert_eq!(
         verdict.to_string(),
-        "HOLDS, but smooth slides from 0.816993 of it on; lost at 1.22549 times this load"
+        "HOLDS, but smooth slides from 0.816993 of it on; lost at 0.735294 N (1.22549 times this load)"
     );
     assert_eq!((verdict.holds(), verdict.sticks()), (Some(true), Some(false)));
     let verdict = block.hold(Wrench::force([0.4, 0.0]))?;
     assert_eq!(
         verdict.to_string(),
-        "HOLDS, everything sticks: 1.22549 times this load until the first slip (smooth), 1.83824 times until it is lost"
+        "HOLDS, everything sticks: 0.490196 N (1.22549 times this load) until the first slip (smooth), 0.735294 N (1.83824 times) until it is lost"
     );
     Ok(())
 }

@@ -25,7 +25,7 @@ fn with_friction_it_would_have_to_pull() -> Tested {
     let verdict = grasp.hold(push * 5.0)?;
     assert_eq!(
         verdict.to_string(),
-        "HOLDS, everything sticks: 2 times this load until it is lost, as left would have to pull"
+        "HOLDS, everything sticks: 10 N (2 times this load) until it is lost, as left would have to pull"
     );
     // One that may open does.
     let loose = Grasp::new([jaw(-0.05, "left"), jaw(0.05, "right")])?;

@@ -133,3 +133,75 @@ fn a_mass_is_tilted_as_its_weight_is() {
     assert!(mass.status.success() && mass.stdout == weight.stdout, "{}", text(&mass.stdout));
     assert_eq!(run(&["turn", &scene, "--at", "0,0.1"]).status.code(), Some(2));
 }
+
+/// A scene may stand last or before its command; without a load the question is about rest; one option accelerates; a point belongs to every force.
+#[test]
+fn what_is_typed_otherwise_means_the_same() {
+    let gripper = scene("box.json");
+    let slips = scene("box_slips.csv");
+    let same = |one: &[&str], other: &[&str]| {
+        let [one, other] = [one, other].map(|words| {
+            let words: Vec<_> = words
+                .iter()
+                .map(|word| {
+                    if *word == "box" {
+                        &*gripper
+                    } else if *word == "slips" {
+                        &*slips
+                    } else {
+                        word
+                    }
+                })
+                .collect();
+            let output = run(&words);
+            assert!(output.status.success(), "{words:?}: {}", text(&output.stderr));
+            text(&output.stdout)
+        });
+        assert_eq!(one, other);
+    };
+    same(&["need", "squeeze", "box", "--mass", "0.5"], &["need", "box", "squeeze", "--mass", "0.5"]);
+    same(&["box", "hold", "--mass", "0.5"], &["hold", "box", "--mass", "0.5"]);
+    same(&["identify", "slips", "box"], &["identify", "box", "slips"]);
+    same(&["hold", "box"], &["hold", "box", "--force", "0,0"]);
+    same(
+        &["need", "box", "squeeze", "--base", "0,-5"],
+        &["need", "box", "squeeze", "--base", "0,-5", "--force", "0,0"],
+    );
+    same(
+        &["hold", "box", "--mass", "0.5", "--acceleration", "0,9.81"],
+        &["hold", "box", "--mass", "0.5", "--safety", "2"],
+    );
+    same(
+        &["need", "box", "squeeze", "--any-force", "4.9", "--at", "0,0.02"],
+        &["need", "box", "squeeze", "--any-force", "4.9", "--at", "0,0.02", "--force", "0,0"],
+    );
+}
+
+/// A picture that is named is that file; what a table has wrong is told with its line.
+#[test]
+fn files_that_are_named() {
+    let folder = folder("named");
+    let [picture, table] = ["only.svg", "slips.csv"].map(|name| folder.join(name).display().to_string());
+    let output = run(&["draw", &scene("cup.json"), "--output", &picture]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(std::fs::metadata(&picture).expect("is written").is_file());
+    let rows: [(&[u8], &str); 2] = [
+        (b"fx,fy\n0,-8\n\xff,1\n", "line 3, no UTF-8"),
+        (b"fx,fy,fx\n0,-8,0\n", "line 1, column `fx`: is there twice"),
+    ];
+    for (bytes, fault) in rows {
+        std::fs::write(&table, bytes).expect("a folder");
+        let output = run(&["identify", &scene("box.json"), &table]);
+        assert_eq!(output.status.code(), Some(3));
+        assert!(text(&output.stderr).contains(fault), "{}", text(&output.stderr));
+    }
+}
+
+/// Each of 3000 equal slips says the same: 8.2 N on two contacts that press with 8 N each. They are predicted once.
+#[test]
+fn thousands_of_equal_slips() {
+    let table = folder("equal").join("slips.csv").display().to_string();
+    std::fs::write(&table, format!("fx,fy\n{}", "0,-8.2\n".repeat(3000))).expect("a folder");
+    let told = text(&run(&["identify", &scene("box.json"), &table]).stdout);
+    assert!(told.starts_with("friction 0.5125 ± ") && told.contains("from 3000 slips"), "{told}");
+}

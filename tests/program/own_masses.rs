@@ -29,8 +29,8 @@ fn of_their_own_weight() {
             && turned.contains("from (0, -10) N while the load turns"),
         "{turned}"
     );
-    let accelerated = told(&["hold", "-", "--accelerated", "2,0"]);
-    assert!(accelerated.contains("2 times until it is lost"), "{accelerated}");
+    let accelerated = told(&["hold", "-", "--acceleration", "2,0"]);
+    assert!(accelerated.contains("4 N (2 times) until it is lost"), "{accelerated}");
     let shaken = told(&["need", "-", "load", "--acceleration", "1", "--may-slide"]);
     assert!(
         shaken.contains("TAKES 4 times the load and holds, 3.33333 times the load and nothing slides"),
@@ -51,11 +51,11 @@ fn a_weight_twice_is_refused() {
     for command in commands {
         assert!(refused(command).contains(twice), "{command:?}");
     }
-    let beside = refused(&["hold", "-", "--accelerated", "2,0", "--force", "1,0"]);
-    assert!(beside.contains("--accelerated: accelerates the bodies by their own masses"), "{beside}");
+    let beside = refused(&["hold", "-", "--acceleration", "2,0", "--force", "1,0"]);
+    assert!(beside.contains("--acceleration: accelerates the bodies by their own masses"), "{beside}");
     // What lies on it besides is a force.
     assert!(told(&["hold", "-", "--force", "0,-5"]).starts_with("HOLDS"));
     let jaws = ON_A_TRAY.replace(r#""gravity": [0, -10],"#, "");
-    let output = run_on(jaws.as_bytes(), &["hold", "-", "--accelerated", "1,0"]);
-    assert!(text(&output.stderr).contains("--accelerated without --mass"), "{}", text(&output.stderr));
+    let output = run_on(jaws.as_bytes(), &["hold", "-", "--acceleration", "1,0"]);
+    assert!(text(&output.stderr).contains("--acceleration without --mass"), "{}", text(&output.stderr));
 }

@@ -161,7 +161,7 @@ fn a_pull_that_gives_way() {
     assert_eq!(scene, serde_json::from_value(serde_json::to_value(&scene).expect("written")).expect("read"));
     let answers = serde_json::to_value(scene.answers().expect("well posed")).expect("written");
     let says = answers[0]["hold"]["says"].as_str().expect("a sentence");
-    assert!(says.starts_with("HOLDS, everything sticks: 1.25 times this load"), "{says}");
+    assert!(says.starts_with("HOLDS, everything sticks: 50 N (1.25 times this load)"), "{says}");
     let both = belted(r#""tension": 100, "pretension": 100"#);
     let told = Scene::from_json(both.as_bytes()).expect_err("both").to_string();
     assert!(

@@ -10,7 +10,7 @@ use crate::identifies::Identifies;
 use crate::map::Unsure;
 use crate::new::{FIELDS_HELP, Template};
 pub(crate) use crate::numbers::{BodyPush, Numbers};
-use crate::numbers::{acceleration, count, kilograms, newtons, percent, times};
+use crate::numbers::{count, kilograms, newtons, percent, times};
 use crate::shakes::Shakes;
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
@@ -57,12 +57,17 @@ pub(crate) enum Command {
     /// Answers every question of a scene.
     Ask(Ask),
     /// Does the grasp hold the load? The load grows from zero beside the base load; the answer is a sentence.
+    ///
+    /// Without a load on the command line, the scene's own questions are asked; without such a question, whether it stands at rest.
     Hold {
         #[command(flatten)]
         load: LoadArguments,
         /// A force that acts before the load and stays, N, at the same point.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
+        /// The load is so many times as large; the base load is not.
+        #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
+        safety: Option<f64>,
         #[command(flatten)]
         ask: Ask,
     },
@@ -314,9 +319,6 @@ pub(crate) struct Wanted {
     /// The load is put on and taken off again and again, until it comes to rest; with --may-slide it only must not walk.
     #[arg(long)]
     pub(crate) repeats: bool,
-    /// Accelerations of this size, m/s², to and fro along every axis in turn, beside the weight of --mass, or of bodies with masses under gravity.
-    #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A")]
-    pub(crate) acceleration: Option<f64>,
     /// For the safe amount the load is so many times as large.
     #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
     pub(crate) safety: Option<f64>,
@@ -367,8 +369,9 @@ pub(crate) struct LoadArguments {
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) gravity: Option<Numbers>,
     /// The acceleration of the arm, m/s²; the inertia of the mass is added to the load. Without --mass, the scene's bodies under gravity count.
+    /// For `need`, one number is the size of accelerations to and fro along every axis in turn, beside the weight.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
-    pub(crate) accelerated: Option<Numbers>,
+    pub(crate) acceleration: Option<Numbers>,
     /// A point on the axis about which the arm turns, m; the origin if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) about: Option<Numbers>,
@@ -386,7 +389,7 @@ pub(crate) struct LoadArguments {
 /// The place and the names of pictures.
 #[derive(Debug, Args)]
 pub(crate) struct Output {
-    /// The folder for pictures; it is created if missing.
+    /// The folder for pictures, which is created if missing, or the file of the first of them, such as grasp.svg.
     #[arg(long, short, default_value = "output")]
     pub(crate) output: PathBuf,
     /// The beginning of the names of pictures; the name of the scene's file if left out.

@@ -78,8 +78,9 @@ pub(crate) struct Meaning<const C: usize> {
 /// Replaces the scene's questions by that of the command line; without a load there, only the scene's questions of the same kind stay.
 fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>) -> Result<(), Failure> {
     let question = match asked {
-        Command::Hold { load, base, .. } => {
-            words.hold(&*of_own_masses(load, base.is_some(), setup)?, base.as_ref())?
+        Command::Hold { load, base, safety, .. } => {
+            let asked = &*of_own_masses(load, base.is_some(), setup)?;
+            words.hold(asked, base.as_ref(), *safety)?
         }
         Command::Need { wanted, .. } => {
             words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked)))
@@ -97,7 +98,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
         Command::Solve { load, .. } => {
             let asked = &*of_own_masses(load, false, setup)?;
             let together_with = words.together_with(asked)?;
-            words.wrench(asked)?.map(|load| Question::Solve { load, together_with })
+            words.wrench(asked, false)?.map(|load| Question::Solve { load, together_with })
         }
         Command::Compare { load, base, .. } => {
             let asked = &*of_own_masses(load, base.is_some(), setup)?;
@@ -105,8 +106,9 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
                 let message = "--together-with: given, must be left out of a comparison";
                 return Err(Failure::Usage(message.to_owned()));
             }
+            let load = words.wrench(asked, base.is_some())?;
             let base = words.base(base.as_ref(), asked.at.as_ref())?;
-            words.wrench(asked)?.map(|load| Question::Compare { base, load })
+            load.map(|load| Question::Compare { base, load })
         }
         Command::Onset { load, .. } => {
             let asked = &*of_own_masses(load, false, setup)?;
@@ -114,7 +116,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
             let (base, command_change, joint_change) = (Wrench::ZERO, None, None);
             let along =
                 |direction| Question::Onset { base, direction, command_change, joint_change, together_with };
-            words.wrench(asked)?.map(along)
+            words.wrench(asked, false)?.map(along)
         }
         Command::Turn { mass, weight, at, base, axis, .. } => {
             refuse_mass(setup, *mass)?;
@@ -137,12 +139,16 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
         Some(question) => setup.questions = vec![question],
         None => setup.questions.retain(|question| is_of_kind(question, asked)),
     }
+    if setup.questions.is_empty()
+        && let Some(rest) = at_rest(asked)
+    {
+        setup.questions.push(rest);
+    }
     if setup.questions.is_empty() {
         let message = match asked {
-            Command::Hold { .. }
-            | Command::Solve { .. }
-            | Command::Compare { .. }
-            | Command::Onset { .. } => "the scene has no such question: say --mass, --force or --moment",
+            Command::Compare { .. } | Command::Onset { .. } => {
+                "the scene has no such question: say --mass, --force or --moment"
+            }
             Command::Need { .. } => {
                 "the scene has no such question: say what is needed, such as `squeeze --mass 0.4`"
             }
@@ -164,6 +170,16 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
     Ok(())
 }
 
+/// The question whether the object stands, without any load: where neither the command line nor the scene has one.
+fn at_rest<const C: usize>(asked: &Command) -> Option<Question<C>> {
+    let (load, together_with) = (Wrench::ZERO, BTreeMap::new());
+    match asked {
+        Command::Hold { .. } => Some(Question::Hold { base: Wrench::ZERO, load, together_with }),
+        Command::Solve { .. } => Some(Question::Solve { load, together_with }),
+        _ => None,
+    }
+}
+
 fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Command) -> bool {
     matches!(
         (asked, question),
@@ -183,9 +199,10 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Command) -> bool {
 
 impl<const C: usize> Meaning<C> {
     /// The load of the command line, if there is one.
-    pub(crate) fn wrench(&self, load: &LoadArguments) -> Result<Option<Wrench<C>>, Failure> {
+    /// `beside` says whether another force acts at the same point.
+    pub(crate) fn wrench(&self, load: &LoadArguments, beside: bool) -> Result<Option<Wrench<C>>, Failure> {
         let LoadArguments { force, moment, at, mass, .. } = load;
-        if force.is_none() && mass.is_none() && at.is_some() {
+        if force.is_none() && mass.is_none() && at.is_some() && !beside {
             return Err(Failure::Usage("--at without --force or --mass: a moment acts anywhere".to_owned()));
         }
         let mut all = Wrench::ZERO;
@@ -226,10 +243,24 @@ impl<const C: usize> Meaning<C> {
         Ok(all)
     }
 
-    /// The question whether the grasp holds a load.
-    fn hold(&self, load: &LoadArguments, base: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
-        let (base, together_with) = (self.base(base, load.at.as_ref())?, self.together_with(load)?);
-        Ok(self.wrench(load)?.map(|load| Question::Hold { base, load, together_with }))
+    /// The question whether the grasp holds a load, so many times as large; with a base load alone, whether it stands.
+    fn hold(
+        &self,
+        load: &LoadArguments,
+        base: Option<&Numbers>,
+        safety: Option<f64>,
+    ) -> Result<Option<Question<C>>, Failure> {
+        let wrench = self.wrench(load, base.is_some())?;
+        let (wrench, times) = match (wrench, safety) {
+            (None, Some(_)) => {
+                let message = "--safety: of a load, say --mass, --force or --moment";
+                return Err(Failure::Usage(message.to_owned()));
+            }
+            (wrench, times) => (wrench.or(base.map(|_| Wrench::ZERO)), times.unwrap_or(1.0)),
+        };
+        let (base, mut together_with) = (self.base(base, load.at.as_ref())?, self.together_with(load)?);
+        together_with.values_mut().for_each(|load| *load = *load * times);
+        Ok(wrench.map(|load| Question::Hold { base, load: load * times, together_with }))
     }
 
     /// The question for better places of the fingers.
@@ -245,7 +276,7 @@ impl<const C: usize> Meaning<C> {
             let message = "--together-with: given, must be left out where fingers are improved";
             return Err(Failure::Usage(message.to_owned()));
         }
-        let wrench = self.wrench(load)?;
+        let wrench = self.wrench(load, base.is_some() || any_force.is_some())?;
         if wrench.is_none() && any_force.is_none() {
             let given = base.is_some() || at_most.is_some() || reserve;
             let missing =

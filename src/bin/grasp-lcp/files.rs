@@ -1,8 +1,9 @@
 //! Scenes from files, pictures into files.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::io::{self, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use grasp_lcp::scene::Scene;
 use grasp_lcp::words::printable;
@@ -15,16 +16,24 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     let name = name(path);
     let text = if path == Path::new("-") {
         let mut text = Vec::new();
-        io::stdin().read_to_end(&mut text).map(|_| text)
+        let read = io::stdin().read_to_end(&mut text);
+        read.map(|_| text).map_err(|error| Failure::Files(format!("{name}: {error}")))?
     } else {
-        fs::read(path)
+        bytes(path, "a scene, a file in JSON")?
     };
-    let text = text.map_err(|error| Failure::Files(format!("{name}: {error}")))?;
     Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))
 }
 
-/// The name of a scene in messages.
-fn name(path: &Path) -> String {
+/// The bytes of a file; `wanted` says what it must be where it is a folder.
+pub(crate) fn bytes(path: &Path, wanted: &str) -> Result<Vec<u8>, Failure> {
+    fs::read(path).map_err(|error| {
+        let fault = if path.is_dir() { format!("is a folder, must be {wanted}") } else { error.to_string() };
+        Failure::Files(format!("{}: {fault}", name(path)))
+    })
+}
+
+/// The name of a file in messages.
+pub(crate) fn name(path: &Path) -> String {
     if path == Path::new("-") {
         "standard input".to_owned()
     } else {
@@ -47,32 +56,35 @@ pub(crate) fn refused(path: &Path, error: &grasp_lcp::Error) -> Failure {
 }
 
 /// The place and the names of a scene's pictures.
-pub(crate) struct Pictures<'a> {
-    output: &'a Output,
-    scene: &'a Path,
+pub(crate) struct Pictures {
+    folder: PathBuf,
+    /// The beginning of every name.
+    stem: String,
 }
 
-impl<'a> Pictures<'a> {
-    pub(crate) fn new(output: &'a Output, scene: &'a Path) -> Self {
-        Self { output, scene }
-    }
-
-    fn stem(&self) -> String {
-        let stem = || {
-            self.scene.file_stem().filter(|stem| *stem != "-").map(|stem| stem.to_string_lossy().into_owned())
-        };
-        self.output.name.clone().or_else(stem).unwrap_or_else(|| "scene".to_owned())
+impl Pictures {
+    pub(crate) fn new(output: &Output, scene: &Path) -> Self {
+        let stem = |path: &Path| path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        let is_picture = |end: &OsStr| end == "svg" || end == "html";
+        let Output { output: place, name } = output;
+        if name.is_none() && !place.is_dir() && place.extension().is_some_and(is_picture) {
+            let folder = place.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+            return Self { folder: folder.to_owned(), stem: stem(place).unwrap_or_default() };
+        }
+        let of_scene = stem(scene).filter(|stem| stem != "-");
+        let stem = name.clone().or(of_scene).unwrap_or_else(|| "scene".to_owned());
+        Self { folder: place.clone(), stem }
     }
 
     /// The title of the scene's pictures.
     pub(crate) fn title(&self) -> String {
-        printable(&self.stem().replace('_', " ")).into_owned()
+        printable(&self.stem.replace('_', " ")).into_owned()
     }
 
     /// Writes the picture whose name has this end.
     pub(crate) fn save(&self, end: &str, text: &str) -> Result<(), Failure> {
-        let path = self.output.output.join(format!("{}{end}", self.stem()));
-        let written = fs::create_dir_all(&self.output.output).and_then(|()| fs::write(&path, text));
+        let path = self.folder.join(format!("{}{end}", self.stem));
+        let written = fs::create_dir_all(&self.folder).and_then(|()| fs::write(&path, text));
         written.map_err(|error| {
             Failure::Files(format!("{}: {error}", printable(&path.display().to_string())))
         })?;

@@ -10,6 +10,7 @@ use grasp_lcp::words::printable;
 use crate::arguments::Numbers;
 use crate::asking::Meaning;
 use crate::failure::Failure;
+use crate::files::{bytes, name};
 use crate::needs::named;
 
 /// The unknowns, and the table of observed slips.
@@ -126,12 +127,16 @@ impl<const C: usize> Meaning<C> {
 
     /// The rows of a table.
     fn slips(&self, path: &Path, given: &Identifies) -> Result<Vec<Slip<C>>, Failure> {
-        let name = printable(&path.display().to_string()).into_owned();
-        let text =
-            std::fs::read_to_string(path).map_err(|error| Failure::Files(format!("{name}: {error}")))?;
-        let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+        let name = name(path);
         let refused =
             |line: usize, fault: String| Failure::Scene(format!("{name}: line {}, {fault}", line + 1));
+        let table = bytes(path, "a table of slips, numbers separated by commas")?;
+        let text = std::str::from_utf8(&table).map_err(|error| {
+            let read = &table[..error.valid_up_to()];
+            let line = read.iter().filter(|byte| **byte == b'\n').count();
+            refused(line, "no UTF-8: the table must be saved as UTF-8".to_owned())
+        })?;
+        let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
         let columns = columns::<C>();
         let Some((head, heads)) = lines.next() else {
             return Err(refused(
@@ -145,6 +150,12 @@ impl<const C: usize> Meaning<C> {
             return Err(refused(
                 head,
                 format!("column `{other}`: unknown name, must be one of {}", columns.join(", ")),
+            ));
+        }
+        if let Some(again) = (1..heads.len()).find(|k| heads[..*k].contains(&heads[*k])) {
+            return Err(refused(
+                head,
+                format!("column `{}`: is there twice, must be there once", heads[again]),
             ));
         }
         let (mut slips, mut groups) = (Vec::new(), Vec::new());

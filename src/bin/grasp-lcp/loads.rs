@@ -25,8 +25,8 @@ pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<Wrenc
     if let Some(gravity) = &load.gravity {
         arm = arm.gravity(given(gravity, "gravity")?);
     }
-    if let Some(accelerated) = &load.accelerated {
-        arm = arm.accelerated(given(accelerated, "accelerated")?);
+    if let Some(acceleration) = &load.acceleration {
+        arm = arm.accelerated(given(acceleration, "acceleration")?);
     }
     let about_axes = |numbers: Option<&Numbers>, option: &str| {
         numbers.map_or(Ok([0.0; 3]), |numbers| about_axes::<C>(numbers, option))
@@ -35,7 +35,9 @@ pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<Wrenc
     let faster = about_axes(load.angular_acceleration.as_ref(), "angular-acceleration")?.map(f64::to_radians);
     let about = load.about.as_ref().map_or(Ok([0.0; C]), |about| given(about, "about"))?;
     let mut body = Payload::new(load.mass.unwrap_or(0.0), point::<C>(load.at.as_ref())?);
-    if load.inertia.is_some() {
+    // About a principal axis a steady turn takes no moment, whatever the inertia is; principal axes lie along the coordinates here.
+    let is_steady = faster == [0.0; 3] && velocity.iter().filter(|rate| **rate != 0.0).count() < 2;
+    if load.inertia.is_some() || is_steady {
         body = body.of_inertia(about_axes(load.inertia.as_ref(), "inertia")?);
     }
     body.load(&arm.and_turning(about, velocity, faster)).map_err(|error| {

@@ -24,7 +24,9 @@ mod table;
 mod values;
 mod words;
 
+use std::ffi::OsString;
 use std::io::{self, BufWriter, Write};
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -47,13 +49,31 @@ fn main() -> ExitCode {
 
 /// Does what the command line asks, or prints its usage.
 fn asked() -> Result<ExitCode, Failure> {
-    match Arguments::try_parse() {
+    match as_typed() {
         Ok(arguments) => run(arguments.command),
         Err(help) => {
             help.print()?;
             Ok(ExitCode::from(u8::try_from(help.exit_code()).unwrap_or(2)))
         }
     }
+}
+
+/// Parses the command line. A scene that stands last, behind a quantity or a table, or before its command is taken as if it stood first.
+fn as_typed() -> Result<Arguments, clap::Error> {
+    let mut words: Vec<_> = std::env::args_os().collect();
+    let parsed = Arguments::try_parse_from(&words);
+    // A table in the place of the scene is no error of the command line.
+    if parsed.as_ref().is_ok_and(|told| !matches!(told.command, Command::Identify { .. })) {
+        return parsed;
+    }
+    let is_scene =
+        |word: &OsString| word == "-" || Path::new(word).extension().is_some_and(|end| end == "json");
+    let Some(place) = words.iter().position(is_scene).filter(|place| *place > 0 && words.len() > 2) else {
+        return parsed;
+    };
+    let scene = words.remove(place);
+    words.insert(2, scene);
+    Arguments::try_parse_from(&words).or(parsed)
 }
 
 fn run(command: Command) -> Result<ExitCode, Failure> {

@@ -5,7 +5,7 @@ use grasp_lcp::need::Need;
 use grasp_lcp::scene::Setup;
 use grasp_lcp::words::printable;
 
-use crate::arguments::{SoughtQuantity, Wanted};
+use crate::arguments::{Numbers, SoughtQuantity, Wanted};
 use crate::asking::Meaning;
 use crate::failure::Failure;
 use crate::loads::{direction, loads, point, total_force};
@@ -49,11 +49,16 @@ impl<const C: usize> Meaning<C> {
         setup: &mut Setup<C>,
     ) -> Result<(Need<C>, Option<Wrench<C>>), Failure> {
         let beside = wanted.base.is_some() || wanted.any_force.is_some();
-        let given = &*of_own_masses(&wanted.load, beside, setup)?;
+        let to_and_fro = to_and_fro(wanted);
+        let mut asked = wanted.load.clone();
+        if to_and_fro.is_some() {
+            asked.acceleration = None;
+        }
+        let given = &*of_own_masses(&asked, beside, setup)?;
         let at = point(given.at.as_ref())?;
-        let load = self.wrench(given)?;
+        let load = self.wrench(given, beside)?;
         let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
-        let (loads, weight) = match (sought, wanted.acceleration) {
+        let (loads, weight) = match (sought, to_and_fro) {
             (SoughtQuantity::Arm, _) => {
                 let along = wanted.along.as_ref().ok_or_else(|| {
                     let axis = if C == 3 { "1,0,0" } else { "1,0" };
@@ -80,13 +85,19 @@ impl<const C: usize> Meaning<C> {
                     let message = "--acceleration: accelerates the bodies by their own masses, must stand without --base: what is always there is the `load` of a body";
                     return Err(Failure::Usage(message.to_owned()));
                 }
-                (self.accelerated(mass, acceleration, centre).into(), None)
+                (self.to_and_fro(mass, acceleration, centre)?.into(), None)
             }
             (_, Some(acceleration)) => {
                 let mass = wanted.load.mass.unwrap_or(0.0);
-                (self.accelerated(mass, acceleration, at).into(), load)
+                (self.to_and_fro(mass, acceleration, at)?.into(), load)
             }
-            (_, None) if load.is_none() && wanted.any_force.is_none() => return Err(missing()),
+            (SoughtQuantity::Load, None) if load.is_none() && wanted.any_force.is_none() => {
+                return Err(missing());
+            }
+            (_, None) if load.is_none() && !beside => {
+                eprintln!("warning: no load is given: what it needs at rest is asked");
+                (Wrench::ZERO.into(), None)
+            }
             (_, None) => (loads(load, wanted.any_force, given.at.as_ref())?, None),
         };
         let need = match (sought, &wanted.contact, &wanted.of) {
@@ -101,6 +112,11 @@ impl<const C: usize> Meaning<C> {
         };
         Ok((need, weight))
     }
+}
+
+/// The size of accelerations to and fro along every axis; a vector is the acceleration of the arm.
+fn to_and_fro(wanted: &Wanted) -> Option<&Numbers> {
+    wanted.load.acceleration.as_ref().filter(|acceleration| acceleration.0.len() == 1)
 }
 
 /// Refuses options that belong to another quantity.
@@ -118,7 +134,7 @@ fn refuse_others(wanted: &Wanted, sought: SoughtQuantity) -> Result<(), Failure>
     let is_more = wanted.load.force.is_some() || wanted.load.moment.is_some() || wanted.any_force.is_some();
     let message = if wanted.any_force.is_some() && is_arm_or_angle {
         "--any-force: given, must be left out where an arm or an angle is sought"
-    } else if wanted.acceleration.is_some() && (is_more || is_arm_or_angle) {
+    } else if to_and_fro(wanted).is_some() && (is_more || is_arm_or_angle) {
         "--acceleration: given, must be left out beside other loads, and where an arm or an angle is sought"
     } else {
         return Ok(());

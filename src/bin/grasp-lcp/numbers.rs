@@ -65,11 +65,6 @@ pub(crate) fn newtons(text: &str) -> Result<f64, String> {
     within(text, 0.0..=LARGEST_NUMBER, "a number of N, from 0 on, such as 4.9")
 }
 
-/// The size of an acceleration, m/s².
-pub(crate) fn acceleration(text: &str) -> Result<f64, String> {
-    within(text, f64::MIN_POSITIVE..=LARGEST_NUMBER, "a number of m/s², more than 0, such as 19.62")
-}
-
 /// A part of something, in percent.
 pub(crate) fn percent(text: &str) -> Result<f64, String> {
     within(text, 0.0..=100.0_f64.next_down(), "a number of percent, from 0 to less than 100, such as 10")

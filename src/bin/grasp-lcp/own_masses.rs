@@ -46,21 +46,21 @@ pub(crate) fn refuse_mass<const C: usize>(setup: &Setup<C>, mass: Option<f64>) -
     }
 }
 
-/// The load for `--accelerated` without `--mass`: the scene's bodies as one accelerated mass without weight. Other loads are returned unchanged.
+/// The load for `--acceleration` without `--mass`: the scene's bodies as one accelerated mass without weight. Other loads are returned unchanged.
 pub(crate) fn of_own_masses<'l, const C: usize>(
     load: &'l LoadArguments,
     beside: bool,
     setup: &mut Setup<C>,
 ) -> Result<Cow<'l, LoadArguments>, Failure> {
     refuse_mass(setup, load.mass)?;
-    if load.accelerated.is_none() || load.mass.is_some() {
+    if load.acceleration.is_none() || load.mass.is_some() {
         return Ok(Cow::Borrowed(load));
     }
-    let (mass, centre) = accelerated(setup, "accelerated")?;
+    let (mass, centre) = accelerated(setup, "acceleration")?;
     let others =
         [load.force.is_some(), load.moment.is_some(), load.at.is_some(), !load.together_with.is_empty()];
     if beside || others.contains(&true) {
-        let message = "--accelerated: accelerates the bodies by their own masses, must stand without --base, --force, --moment, --at and --together-with: what is always there is the `load` of a body";
+        let message = "--acceleration: accelerates the bodies by their own masses, must stand without --base, --force, --moment, --at and --together-with: what is always there is the `load` of a body";
         return Err(Failure::Usage(message.to_owned()));
     }
     let (gravity, at) = (Some(Numbers(vec![0.0; C])), Some(Numbers(centre.to_vec())));

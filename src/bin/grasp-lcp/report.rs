@@ -76,10 +76,11 @@ impl Report<'_> {
     /// The new place of each contact that may move.
     fn improved<const C: usize>(&mut self, improved: &Improved<C>) -> io::Result<()> {
         let words = self.style.words;
+        let largest = improved.contacts.iter().fold(0.0, |most: f64, placed| most.max(placed.normal_force));
         for placed in &improved.contacts {
             let at = words.numbers(placed.point.as_slice());
             let normal = words.numbers(placed.normal.as_slice());
-            let force = words.number(placed.normal_force);
+            let force = words.number(words.beside(placed.normal_force, largest));
             self.line(&format!("{} at {at} m, normal {normal}, presses with {force} N", placed.contact))?;
         }
         Ok(())

@@ -6,7 +6,7 @@ use grasp_lcp::scene::{Question, Setup};
 use crate::arguments::Numbers;
 use crate::asking::Meaning;
 use crate::failure::Failure;
-use crate::loads::{point, weight_of};
+use crate::loads::{direction, point, weight_of};
 use crate::own_masses::{accelerated, refuse_mass};
 
 /// The loads that are applied and removed in turn, and the constant load.
@@ -18,10 +18,10 @@ pub(crate) struct Shakes {
     /// The mass of the object, kg; its weight (9.81 m/s² down along the last axis) acts all the time.
     #[arg(long, allow_hyphen_values = true, value_parser = crate::numbers::kilograms, value_name = "KG")]
     pub(crate) mass: Option<f64>,
-    /// Accelerations of this size, m/s², to and fro along every axis in turn.
+    /// The acceleration, m/s², to and fro: one number along every axis in turn, or a vector.
     /// The inertia of the mass, or of the scene's bodies under gravity, is the load.
-    #[arg(long, allow_hyphen_values = true, value_parser = crate::numbers::acceleration, value_name = "A")]
-    pub(crate) acceleration: Option<f64>,
+    #[arg(long, allow_hyphen_values = true, value_name = "A or X,Y[,Z]")]
+    pub(crate) acceleration: Option<Numbers>,
     /// The forces repeat in any order: up to which multiple of them could the grasp come to rest (shakedown)?
     #[arg(long)]
     pub(crate) any_order: bool,
@@ -49,16 +49,16 @@ impl<const C: usize> Meaning<C> {
         }
         if let Some(mass) = shakes.mass {
             base = base + (self.force_at)(weight_of(mass)?, point(at)?);
-            if let Some(acceleration) = shakes.acceleration {
-                loads.extend(self.accelerated(mass, acceleration, point(at)?));
+            if let Some(acceleration) = &shakes.acceleration {
+                loads.extend(self.to_and_fro(mass, acceleration, point(at)?)?);
             }
-        } else if let Some(acceleration) = shakes.acceleration {
+        } else if let Some(acceleration) = &shakes.acceleration {
             let (mass, centre) = accelerated(setup, "acceleration")?;
             if shakes.base.is_some() || !shakes.force.is_empty() {
                 let message = "--acceleration: accelerates the bodies by their own masses, must stand without --force and --base: what is always there is the `load` of a body";
                 return Err(Failure::Usage(message.to_owned()));
             }
-            loads.extend(self.accelerated(mass, acceleration, centre));
+            loads.extend(self.to_and_fro(mass, acceleration, centre)?);
         }
         if loads.is_empty() {
             let given = shakes.any_order || shakes.mass.is_some() || shakes.base.is_some() || at.is_some();
@@ -72,12 +72,24 @@ impl<const C: usize> Meaning<C> {
         }))
     }
 
-    /// The inertial loads of a mass that is accelerated to and fro along every axis in turn.
-    pub(crate) fn accelerated(&self, mass: f64, acceleration: f64, at: [f64; C]) -> Vec<Wrench<C>> {
-        let pull = |axis: usize, sign: f64| {
-            let pull = std::array::from_fn(|a| if a == axis { sign * mass * acceleration } else { 0.0 });
-            (self.force_at)(pull, at)
+    /// The inertial loads of a mass that is accelerated to and fro, by one number along every axis in turn.
+    pub(crate) fn to_and_fro(
+        &self,
+        mass: f64,
+        acceleration: &Numbers,
+        at: [f64; C],
+    ) -> Result<Vec<Wrench<C>>, Failure> {
+        let ways: Vec<[f64; C]> = match acceleration.0[..] {
+            [size] if size > 0.0 => {
+                (0..C).map(|axis| std::array::from_fn(|a| if a == axis { size } else { 0.0 })).collect()
+            }
+            [_] => {
+                let message = "--acceleration: must be a number of m/s², more than 0, such as 19.62";
+                return Err(Failure::Usage(message.to_owned()));
+            }
+            _ => vec![direction(acceleration, "acceleration")?],
         };
-        (0..C).flat_map(|axis| [pull(axis, 1.0), pull(axis, -1.0)]).collect()
+        let pull = |way: [f64; C], sign: f64| (self.force_at)(way.map(|a| sign * mass * a), at);
+        Ok(ways.into_iter().flat_map(|way| [pull(way, 1.0), pull(way, -1.0)]).collect())
     }
 }

@@ -166,7 +166,7 @@ impl<const C: usize> Grasp<C> {
     /// let gripper = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])?;
     ///
     /// let verdict = gripper.hold(Wrench::force([0.0, -4.0]))?;
-    /// assert_eq!(verdict.to_string(), "HOLDS, everything sticks: 2.5 times this load until it is lost, as left and right slide");
+    /// assert_eq!(verdict.to_string(), "HOLDS, everything sticks: 10 N (2.5 times this load) until it is lost, as left and right slide");
     /// assert!((verdict.lost.expect("both slide at once").factor - 2.5).abs() < 1e-12);
     ///
     /// let verdict = gripper.hold(Wrench::force([0.0, -12.0]))?;

@@ -42,16 +42,16 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                     _ if self.is_nothing() => Ok(()),
                     Some(lost) => write!(
                         f,
-                        "; {} at {} times this load",
+                        "; {} at {}",
                         lost.until().trim_start_matches("it is "),
-                        words.number(lost.factor)
+                        self.times(lost.factor, " this load", words)
                     ),
                     None if all.is_some() => {
                         let most = amount_of(self.load.measure(), self.held_to.max(1.0), words);
                         write!(f, "; wedged, it holds up to {most}")
                     }
                     None if self.held_to > 1.0 => {
-                        write!(f, "; held up to {} times this load", words.number(self.held_to))
+                        write!(f, "; held up to {}", self.times(self.held_to, " this load", words))
                     }
                     None => Ok(()),
                 }
@@ -148,27 +148,23 @@ impl<const C: usize> Verdict<C> {
     fn margins(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, lost) = (Words::of(f), self.lost.as_ref().map(|lost| lost.factor));
         let until = self.lost.as_ref().map_or(Cow::Borrowed(""), Lost::until);
+        let times = |factor: f64, of: &str| self.times(factor, of, words);
         match (&self.first_slip, lost) {
             (Some(first), Some(lost)) if lost <= first.factor * (1.0 + NEGLIGIBLE) => {
-                write!(f, ": {} times this load until {until}, as {first}", words.number(lost))
+                write!(f, ": {} until {until}, as {first}", times(lost, " this load"))
             }
             (Some(first), lost) => {
-                write!(
-                    f,
-                    ": {} times this load until the first slip ({})",
-                    words.number(first.factor),
-                    first.who()
-                )?;
+                write!(f, ": {} until the first slip ({})", times(first.factor, " this load"), first.who())?;
                 match lost {
-                    Some(lost) => write!(f, ", {} times until {until}", words.number(lost)),
+                    Some(lost) => write!(f, ", {} until {until}", times(lost, "")),
                     None if self.held_to > first.factor => {
-                        write!(f, ", held up to {} times", words.number(self.held_to))
+                        write!(f, ", held up to {}", times(self.held_to, ""))
                     }
                     None => Ok(()),
                 }
             }
-            (None, Some(lost)) => write!(f, ": {} times this load until {until}", words.number(lost)),
-            (None, None) => write!(f, " up to {} times this load", words.number(self.held_to)),
+            (None, Some(lost)) => write!(f, ": {} until {until}", times(lost, " this load")),
+            (None, None) => write!(f, " up to {}", times(self.held_to, " this load")),
         }
     }
 
@@ -180,6 +176,15 @@ impl<const C: usize> Verdict<C> {
     /// Whether no load is put on.
     fn is_nothing(&self) -> bool {
         self.load == Wrench::ZERO
+    }
+
+    /// A multiple of the load, in newtons or newton metres first: "8 N (1.6 times this load)".
+    fn times(&self, factor: f64, of: &str, words: Words) -> String {
+        let times = format!("{} times{of}", words.number(factor));
+        match self.load.measure() {
+            Some((size, unit)) => format!("{} {unit} ({times})", words.number(size * factor)),
+            None => times,
+        }
     }
 
     /// The whole load: "950 N".
@@ -244,6 +249,7 @@ impl<const C: usize> Lost<C> {
 
     pub(crate) fn verb(&self) -> &'static str {
         match &self.way_out {
+            way if way.falls(&self.slide) => "DROPS",
             WayOut::LiftsOff { .. } => "LIFTS OFF",
             WayOut::SlidesOut { .. } => "SLIPS OUT",
             WayOut::TipsOver { .. } => "TIPS OVER",
@@ -306,7 +312,8 @@ impl<const C: usize> fmt::Display for WayOut<C> {
         let words = Words::of(f);
         match self {
             Self::LiftsOff { direction } => {
-                write!(f, "the object lifts off along {}", words.along(direction))
+                let goes = if self.falls(&[]) { "falls" } else { "lifts" };
+                write!(f, "the object {goes} off along {}", words.along(direction))
             }
             Self::SlidesOut { .. } | Self::Turns { .. } | Self::TipsOver { .. } => {
                 write!(f, "the object {}", self.goes(words, false))
@@ -343,6 +350,13 @@ fn told_together<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String 
 }
 
 impl<const C: usize> WayOut<C> {
+    /// Whether the object falls: it moves down, against the last axis, and no contact with friction holds it back.
+    fn falls(&self, slide: &[WholeContact]) -> bool {
+        let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
+        // Within 25 degrees of the vertical a colleague would say that it falls.
+        slide.is_empty() && direction[C - 1] < -0.9
+    }
+
     /// The verb of one body or of several that slide or turn: "moves along −x", "turn about (0.1, 0) m".
     fn goes(&self, words: Words, are_several: bool) -> String {
         let ending = if are_several { "" } else { "s" };

@@ -9,6 +9,7 @@ use super::{first, gross};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::sweep::map_in_order;
 
@@ -46,6 +47,7 @@ impl NoSlip {
 }
 
 /// The load factor or angle of a predicted slip, and its derivatives by the logarithms of the unknowns if they are exact.
+#[derive(Clone)]
 pub(super) struct Predicted {
     pub(super) at: f64,
     pub(super) exact: Option<Vec<f64>>,
@@ -135,7 +137,7 @@ impl<const C: usize> Model<'_, C> {
             let mut logs = logs.to_vec();
             logs[column] += by;
             let layouts = self.at(&logs)?;
-            let told = map_in_order(those, |k| self.slip(&layouts, *k, false, &logs));
+            let told = self.slips(those, &layouts, false, &logs);
             let mut all = Vec::with_capacity(told.len());
             for told in told {
                 all.push(told?);
@@ -172,7 +174,7 @@ impl<const C: usize> Model<'_, C> {
     ) -> Result<Result<Vec<Predicted>, (usize, NoSlip)>, Error> {
         let layouts = self.at(logs)?;
         let numbers: Vec<_> = (0..self.asked.slips.len()).collect();
-        let told = map_in_order(&numbers, |k| self.slip(&layouts, *k, derivatives, logs));
+        let told = self.slips(&numbers, &layouts, derivatives, logs);
         let mut all = Vec::with_capacity(told.len());
         for (k, told) in told.into_iter().enumerate() {
             match told? {
@@ -181,6 +183,28 @@ impl<const C: usize> Model<'_, C> {
             }
         }
         Ok(Ok(all))
+    }
+
+    /// Predictions of these slips; slips that were seen several times are predicted once.
+    fn slips(
+        &self,
+        those: &[usize],
+        layouts: &[LayoutGuess<C>],
+        derivatives: bool,
+        logs: &[f64],
+    ) -> Vec<Result<Result<Predicted, NoSlip>, Error>> {
+        let slips = &self.asked.slips;
+        let mut distinct: Vec<usize> = Vec::new();
+        let mut alike = Vec::with_capacity(those.len());
+        for k in those {
+            let known = distinct.iter().position(|other| slips[*other].is_like(&slips[*k]));
+            alike.push(known.unwrap_or(distinct.len()));
+            if known.is_none() {
+                distinct.push(*k);
+            }
+        }
+        let told = map_in_order(&distinct, |k| self.slip(layouts, *k, derivatives, logs));
+        mapped(&alike, &|place| told[*place].clone())
     }
 
     /// Prediction of one slip.

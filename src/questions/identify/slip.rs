@@ -74,6 +74,14 @@ impl<const C: usize> Slip<C> {
         Self { kind, load, turn, base: None, squeeze: None, layout: None, scatter: None, group: None }
     }
 
+    /// Whether both were seen under the same loads, so that their predictions are equal; scatter and group may differ.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        (self.load, self.kind, self.layout, self.squeeze)
+            == (other.load, other.kind, other.layout, other.squeeze)
+            && self.base == other.base
+            && self.turn == other.turn
+    }
+
     /// First slip under this load, which had grown from zero.
     #[must_use]
     pub fn first(load: Wrench<C>) -> Self {

@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::files::Pictures;
 
 /// Draws a scene.
-pub(crate) fn draw(scene: &Scene, pictures: &Pictures<'_>) -> Result<(), Failure> {
+pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
     match &scene.space {
         Space::Planar(setup) => {
             let answers = setup.answers()?;
@@ -39,7 +39,7 @@ fn said_first(says: &mut Vec<String>) -> String {
 }
 
 /// A picture for each question: its equilibrium, or the grasp alone.
-fn planar(setup: &Setup<2>, answers: Vec<Answer<2>>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+fn planar(setup: &Setup<2>, answers: Vec<Answer<2>>, pictures: &Pictures) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let corners = |outline: &Vec<Vector2<f64>>| outline.iter().map(|corner| (*corner).into()).collect();
     let of_bodies = setup.bodies.iter().map(|body| &body.outline);
@@ -90,7 +90,7 @@ fn planar(setup: &Setup<2>, answers: Vec<Answer<2>>, pictures: &Pictures<'_>) ->
 }
 
 /// The page with all answers, and a picture for each question.
-fn spatial(setup: &Setup<3>, answers: Vec<Answer<3>>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+fn spatial(setup: &Setup<3>, answers: Vec<Answer<3>>, pictures: &Pictures) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
     let mut page = SpatialPage::new(&grasp, pictures.title());
     if !setup.outline.is_empty() {
@@ -133,7 +133,7 @@ fn spatial(setup: &Setup<3>, answers: Vec<Answer<3>>, pictures: &Pictures<'_>) -
 fn charts<const C: usize>(
     setup: &Setup<C>,
     answers: &[Answer<C>],
-    pictures: &Pictures<'_>,
+    pictures: &Pictures,
 ) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let mut charts = Vec::new();

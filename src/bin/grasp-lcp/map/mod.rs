@@ -28,7 +28,7 @@ pub(crate) fn map(
     scene: &Scene,
     at: Option<&Numbers>,
     asked: (&Unsure, MapProgress),
-    pictures: Option<&Pictures<'_>>,
+    pictures: Option<&Pictures>,
 ) -> Result<(), Failure> {
     match &scene.space {
         Space::Planar(setup) => plane::map(setup, point(at)?, asked, pictures),

@@ -25,7 +25,7 @@ pub(crate) fn map(
     setup: &Setup<2>,
     at: [f64; 2],
     (unsure, watch): (&Unsure, MapProgress),
-    pictures: Option<&Pictures<'_>>,
+    pictures: Option<&Pictures>,
 ) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
     let base = ask::base(setup);

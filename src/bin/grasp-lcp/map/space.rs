@@ -26,7 +26,7 @@ pub(crate) fn map(
     setup: &Setup<3>,
     at: [f64; 3],
     (unsure, watch): (&Unsure, MapProgress),
-    pictures: Option<&Pictures<'_>>,
+    pictures: Option<&Pictures>,
 ) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
     let base = ask::base(setup);
@@ -130,7 +130,7 @@ fn print_paths(grasp: &Grasp, lasts: Option<&[Last]>, (ways, most): (usize, f64)
 /// The grasp, the place of pictures and the texts that all its maps share.
 struct Drawing<'a> {
     grasp: &'a Grasp,
-    pictures: &'a Pictures<'a>,
+    pictures: &'a Pictures,
     title: &'a str,
     words: &'a str,
     unsure: &'a Unsure,
