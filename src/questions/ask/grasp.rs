@@ -43,7 +43,7 @@ use crate::prelude::*;
 /// | any of these for another cone, or with other limits on work | [`with`](Self::with) settings |
 #[derive(Debug, Clone)]
 pub struct Grasp<const C: usize> {
-    pub(super) engine: Arc<Engine>,
+    pub(crate) engine: Arc<Engine>,
     pub(super) settings: Settings,
     /// Contacts, frames and links as the caller sees them, made when they are asked for.
     door: Once<Arc<Door<C>>>,

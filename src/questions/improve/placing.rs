@@ -6,6 +6,7 @@ use super::question::Improve;
 use super::spot::Spot;
 use super::tolerances::OFF_THE_SURFACE;
 use crate::ask::Grasp;
+use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold};
 use crate::numerics::{Draw, largest, numbered};
@@ -33,6 +34,7 @@ pub(super) enum DesignKind {
 pub(super) struct Choice<'q, const C: usize> {
     pub(super) question: &'q Improve<C>,
     pub(super) given: Vec<Contact<C>>,
+    pub(super) settings: &'q Settings,
     /// The first tangents of the given contacts.
     tangents: Vec<SVector<f64, C>>,
     pub(super) variables: Vec<DesignVariable>,
@@ -50,7 +52,7 @@ pub(super) struct Placing<const C: usize> {
 
 impl<'q, const C: usize> Choice<'q, C> {
     /// The variables of a question, and their values in the given grasp. A contact that does not lie on its surface is refused.
-    pub(super) fn of(grasp: &Grasp<C>, question: &'q Improve<C>) -> Result<(Self, Placing<C>), Error> {
+    pub(super) fn of(grasp: &'q Grasp<C>, question: &'q Improve<C>) -> Result<(Self, Placing<C>), Error> {
         let given = grasp.contacts().to_vec();
         let tangents: Vec<SVector<f64, C>> =
             grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
@@ -97,7 +99,8 @@ impl<'q, const C: usize> Choice<'q, C> {
                 variables.push(DesignVariable { contact, what: DesignKind::Press { most }, unit: most });
             }
         }
-        let choice = Self { question, given, tangents: tangents.clone(), variables };
+        let (settings, tangents_given) = (grasp.settings(), tangents.clone());
+        let choice = Self { question, given, settings, tangents: tangents_given, variables };
         Ok((choice, Placing { spots, tangents, presses }))
     }
 
