@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::onset::{OnsetEvent, StickingState};
+use crate::contact::rubs;
 use crate::equilibrium::{Parameter, StickingResponse};
 use crate::grasp::{Engine, HandPart, Wrench};
 use crate::object::PieceState;
@@ -73,10 +74,7 @@ impl<'g> OnsetMargins<'g> {
     pub(crate) fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;
         let direct = |margin: &Margin| match parameter {
-            // Only friction that binds has a tangential part.
-            Parameter::Friction { contact }
-                if contact == margin.site && margin.row.iter().skip(1).any(|x| *x != 0.0) =>
-            {
+            Parameter::Friction { contact } if contact == margin.site && rubs(&margin.row) => {
                 self.state.forces[contact][0]
             }
             _ => 0.0,

@@ -35,6 +35,11 @@ pub(crate) fn is_broken(value: f64, row: &SVector<f64, 3>, size: f64) -> bool {
     value < -ZERO_SLACK * row.norm() * size
 }
 
+/// Whether friction multiplies the normal force in this condition, which is not that of a normal force alone.
+pub(crate) fn rubs(row: &SVector<f64, 3>) -> bool {
+    row[1] != 0.0 || row[2] != 0.0
+}
+
 impl Edges {
     /// The row with the least value for a force, and that value; `None` without conditions.
     pub(crate) fn worst(&self, force: &SVector<f64, 3>) -> Option<(SVector<f64, 3>, f64)> {

@@ -55,7 +55,7 @@ pub(crate) use answer::ContactResponse;
 pub(crate) use compliance::Compliance;
 pub(crate) use conditions::At;
 pub(crate) use coulomb::Coulomb;
-pub(crate) use edges::{Edges, is_broken};
+pub(crate) use edges::{Edges, is_broken, round_rows, rubs};
 pub(crate) use exits::{Exit, GapLine, Line};
 #[cfg(test)]
 pub(crate) use hull::Sector;
