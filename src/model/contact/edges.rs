@@ -2,7 +2,7 @@
 //!
 //! The round cone has a facet `a(φ) = (μ, -cos φ, -sin φ)` at every angle φ. Margins `a·F` of forces in a set are then trigonometric in φ.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::{SMatrix, SVector};
 
@@ -10,7 +10,7 @@ use super::law::LocalLaw;
 use super::state::State;
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
-use crate::numerics::{Harmonic, Turning, unit};
+use crate::numerics::{Harmonic, Turning, numbered, unit};
 use crate::prelude::*;
 
 /// Conditions on the force of a contact that keeps sticking, or on the gap of one that stays open.
@@ -77,6 +77,14 @@ impl Edges {
         }
     }
 
+    /// All rows; of a round cone those at all local minima of `value`, four all around if it has none.
+    pub(crate) fn least(&self, value: &dyn Fn(&SVector<f64, 3>) -> f64) -> Vec<SVector<f64, 3>> {
+        self.rows(&|around| {
+            let angles = local_minima(&|angle| value(&around.at(angle)));
+            if angles.is_empty() { (0..4).map(|k| FRAC_PI_2 * f64::from(k)).collect() } else { angles }
+        })
+    }
+
     /// The rows that forces `F + A x` with `|x| = size` may break, at `min a·F - size |Aᵀa|` of a round cone.
     pub(crate) fn on_a_sphere(
         &self,
@@ -117,6 +125,27 @@ impl Edges {
         };
         margins.into_iter().filter_map(|(number, vector)| Turning { number, vector }.deepest(most)).collect()
     }
+}
+
+/// The angles of all local minima of a periodic function of an angle.
+fn local_minima(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
+    // Fewer samples can pass over a narrow minimum.
+    let count = 36;
+    let step = TAU / count as f64;
+    let values: Vec<f64> = numbered(count, &|k| of(step * k as f64));
+    let lowest =
+        |k: &usize| values[*k] <= values[(k + count - 1) % count] && values[*k] < values[(k + 1) % count];
+    let refine = |k: usize| {
+        // The neighbours enclose the minimum for a golden section.
+        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let (mut from, mut to) = (step * (k as f64 - 1.0), step * (k as f64 + 1.0));
+        for _ in 0..60 {
+            let (a, b) = (to - golden * (to - from), from + golden * (to - from));
+            if of(a) < of(b) { to = b } else { from = a }
+        }
+        0.5 * (from + to)
+    };
+    (0..count).filter(lowest).map(refine).collect()
 }
 
 impl LocalLaw<'_> {

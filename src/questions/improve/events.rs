@@ -1,6 +1,6 @@
 //! The value of each condition of each contact under each load, and its derivative.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 use nalgebra::{DVector, SVector};
 
@@ -157,10 +157,8 @@ impl Pressed<'_> {
         let known = |k: usize| influence[k];
         // The worst direction reduces the margin by the norm of its gradient.
         let added = |row: &SVector<f64, 3>| -felt(row, &known).norm();
-        let rows = self.edges.rows(&|around| {
-            let at = |row: SVector<f64, 3>| self.goal.counts(row.dot(&self.force), added(&row));
-            worst_angles(&|angle| at(around.at(angle)).unwrap_or(f64::INFINITY))
-        });
+        let value = |row: &SVector<f64, 3>| self.goal.counts(row.dot(&self.force), added(row));
+        let rows = self.edges.least(&|row| value(row).unwrap_or(f64::INFINITY));
         self.events(None, rows, &added, &|row, d| {
             let v = felt(row, &known);
             let size = v.norm();
@@ -194,29 +192,4 @@ pub(super) fn events<const C: usize>(
         }
     }
     (all, constraints)
-}
-
-/// The angles of all local minima of a periodic function of an angle.
-fn worst_angles(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
-    // Fewer samples can pass over a narrow minimum.
-    let count = 36;
-    let step = TAU / count as f64;
-    let values: Vec<f64> = numbered(count, &|k| of(step * k as f64));
-    let lowest =
-        |k: &usize| values[*k] <= values[(k + count - 1) % count] && values[*k] < values[(k + 1) % count];
-    let refine = |k: usize| {
-        // The neighbours enclose the minimum for a golden section.
-        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-        let (mut from, mut to) = (step * (k as f64 - 1.0), step * (k as f64 + 1.0));
-        for _ in 0..60 {
-            let (a, b) = (to - golden * (to - from), from + golden * (to - from));
-            if of(a) < of(b) { to = b } else { from = a }
-        }
-        0.5 * (from + to)
-    };
-    let mut angles: Vec<f64> = (0..count).filter(lowest).map(refine).collect();
-    if angles.is_empty() {
-        angles = numbered(4, &|k| PI * 0.5 * k as f64);
-    }
-    angles
 }

@@ -16,7 +16,6 @@
 //! |---|---|
 //! | `loads` | the loads that a grasp must hold |
 //! | `parts` | the conditions that are broken under these loads at a given squeeze |
-//! | `influence` | forces of every contact by a force of any direction at a point |
 //! | `least_squeeze` | the least factor of the commands |
 //! | `weakest_direction` | the least force, of all directions, at which a contact slides |
 //! | `bounds` | bounds of the errors of commands and loads |
@@ -24,7 +23,6 @@
 
 mod bounds;
 mod face;
-mod influence;
 mod least_onset;
 mod least_squeeze;
 mod loads;

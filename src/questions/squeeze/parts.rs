@@ -2,10 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::influence::{Influence, influences, push};
 use super::loads::Loads;
 use crate::contact::{Edges, ZERO_SLACK, is_broken};
-use crate::equilibrium::{ContactForces, StickingResponse};
+use crate::equilibrium::{ContactForces, Influence, StickingResponse, push};
 use crate::grasp::{Motion, Wrench};
 use crate::numerics::{Harmonic, Vector};
 use crate::prelude::*;
@@ -38,11 +37,11 @@ impl<'l> Parts<'l> {
         without.iter_mut().zip(&commands).for_each(|(drive, command)| *drive -= command);
         let at_rest = sticking.at_rest();
         let under = |load: &Wrench<3>| sticking.forces(&without, &grasp.load_unchecked(load));
-        let mut influences_of_force = Vec::new();
+        let mut influences = Vec::new();
         let base = match loads {
             Loads::Each(list) => list.iter().map(under).collect::<Result<_, _>>()?,
             Loads::AnyForce { base, point, .. } => {
-                influences_of_force = influences(&sticking, point)?;
+                influences = sticking.influences(point)?;
                 vec![under(base)?]
             }
             Loads::Turn(turn) => {
@@ -54,7 +53,7 @@ impl<'l> Parts<'l> {
                 ]
             }
         };
-        Ok(Self { loads, edges: sticking.edges, squeeze, base, influences: influences_of_force })
+        Ok(Self { loads, edges: sticking.edges, squeeze, base, influences })
     }
 
     /// The broken condition at a factor that needs the most additional squeeze, with its contact.

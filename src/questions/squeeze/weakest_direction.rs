@@ -4,10 +4,9 @@ use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::SVector;
 
-use super::influence::{Influence, influences, push};
 use super::loads::check_point;
 use crate::contact::Edges;
-use crate::equilibrium::StickingResponse;
+use crate::equilibrium::{Influence, StickingResponse, push};
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::load_path::Leaver;
@@ -63,7 +62,7 @@ impl Engine {
         if !sites.all(|(edges, (force, size))| edges.hold(force, *size)) {
             return Ok(WeakestDirection::NotSticking);
         }
-        let influences = match influences(&sticking, &point) {
+        let influences = match sticking.influences(&point) {
             Ok(influences) => influences,
             Err(motion) => return Ok(WeakestDirection::GivesWay { motion }),
         };
