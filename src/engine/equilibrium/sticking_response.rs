@@ -8,7 +8,7 @@ use alloc::sync::Arc;
 use nalgebra::SVector;
 
 use super::cone::Cone;
-use crate::contact::{Edges, LocalLaw, Polygon, PolygonCone, State};
+use crate::contact::{Edges, LocalLaw, State};
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::numerics::Vector;
 use crate::object::{Load, Piece, PieceState, Problem};
@@ -35,19 +35,25 @@ pub(crate) struct ContactForces {
 impl<'g> StickingResponse<'g> {
     /// The response while every contact that is present sticks.
     pub(crate) fn new(grasp: &'g Engine, settings: &Settings) -> Self {
-        Self::in_states(grasp, Cone::of(grasp.space(), settings), None)
+        let problem = Self::at_rest_on(grasp, Cone::of(grasp.space(), settings));
+        let states = problem.unjumped();
+        Self::of(grasp, problem, &states)
     }
 
-    /// The response while contacts keep these states on this cone; `None` if all stick.
-    pub(crate) fn in_states(grasp: &'g Engine, cone: Cone, states: Option<&[State]>) -> Self {
-        let facets = if let Cone::Polygon(facets) = cone { facets } else { PolygonCone::default() };
-        let polygon = Polygon::shared(grasp.space(), &facets);
-        let nothing = Load::from(&Vector::zeros());
-        let problem = grasp.problem(polygon, cone == Cone::Round, grasp.drives(), &nothing);
-        let states = states.map_or_else(|| problem.unjumped(), <[State]>::to_vec);
-        let piece = problem.piece(&states);
-        let edges = problem.locals().zip(&states).map(|(local, state)| local.edges(state)).collect();
-        Self { grasp, problem, states, piece, edges }
+    /// The response while contacts keep these states on this cone.
+    pub(crate) fn in_states(grasp: &'g Engine, cone: Cone, states: &[State]) -> Self {
+        Self::of(grasp, Self::at_rest_on(grasp, cone), states)
+    }
+
+    fn at_rest_on(grasp: &'g Engine, cone: Cone) -> Problem<'g> {
+        grasp.problem_on(cone, grasp.drives(), &Load::from(&Vector::zeros()))
+    }
+
+    /// The response of a problem in these states of its contacts, whatever its drives and its load.
+    pub(crate) fn of(grasp: &'g Engine, problem: Problem<'g>, states: &[State]) -> Self {
+        let piece = problem.piece(states);
+        let edges = problem.locals().zip(states).map(|(local, state)| local.edges(state)).collect();
+        Self { grasp, problem, states: states.to_vec(), piece, edges }
     }
 
     /// The law of a contact.

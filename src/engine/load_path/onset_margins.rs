@@ -41,10 +41,7 @@ impl<'g> OnsetMargins<'g> {
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let StickingState { found, slips, drive_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();
-        if found.states.len() != grasp.sites().len() {
-            return None;
-        }
-        let response = StickingResponse::in_states(grasp, event.cone, Some(&found.states));
+        let response = StickingResponse::of(grasp, grasp.problem_at_onset(event)?, &found.states);
         let has_slipped = |i: usize| {
             found.states[i].is_sticking() && !response.law(i).is_frictionless() && slips[i].norm() != 0.0
         };

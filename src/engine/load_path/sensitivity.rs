@@ -35,11 +35,8 @@ impl Engine {
         &self,
         equilibrium: &Equilibrium<3>,
     ) -> Option<(StickingResponse<'_>, PieceState)> {
-        if !equilibrium.knows_all_of(self.sites().len()) {
-            return None;
-        }
         let local = &equilibrium.local;
-        let response = StickingResponse::in_states(self, equilibrium.cone, Some(&local.states));
+        let response = StickingResponse::of(self, self.problem_of(equilibrium)?, &local.states);
         Some((response, PieceState { forces: equilibrium.site_forces(), twist: local.twist.to() }))
     }
 }

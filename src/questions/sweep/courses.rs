@@ -60,7 +60,7 @@ pub(super) fn courses(
         let mut seen = Vec::with_capacity(LOOKED_AT.len());
         for part in LOOKED_AT {
             let engine = datum.engine(response.grasp, part * sigmas)?;
-            seen.push(by_source(&StickingResponse::in_states(&engine, cone, Some(&response.states))));
+            seen.push(by_source(&StickingResponse::in_states(&engine, cone, &response.states)));
         }
         for (source, Course { known, off }) in courses.iter_mut().enumerate() {
             let change = |k: usize, i: usize| seen[k][source][i] - known[i];

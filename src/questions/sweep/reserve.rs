@@ -92,7 +92,7 @@ impl Engine {
         settings: &Settings,
     ) -> Result<StuckGrasp, Error> {
         let cone = Cone::of(self.space(), settings);
-        let response = StickingResponse::in_states(self, cone, Some(states));
+        let response = StickingResponse::in_states(self, cone, states);
         let courses = courses(&response, cone, &self.data(uncertainty), sigmas)?;
         let mut unresisted = Vec::new();
         for motion in response.piece.free_motions() {
