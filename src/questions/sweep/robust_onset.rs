@@ -10,10 +10,12 @@
 
 use core::f64::consts::TAU;
 
+use super::datum::UncertainDatum;
+use super::off::ContactErrors;
 use super::uncertainty::Uncertainty;
 use crate::equilibrium::{Parameter, Settings};
 use crate::error::Error;
-use crate::grasp::{Engine, WholeContacts, face_of_struct, same_on_both_sides};
+use crate::grasp::{Engine, face_of_struct, same_on_both_sides};
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Ramp};
 use crate::prelude::*;
 
@@ -135,14 +137,11 @@ impl Engine {
             moves.push(sum);
         };
         let Uncertainty { friction, load, .. } = *uncertainty;
-        self.data(uncertainty).iter().for_each(|datum| add(&datum.parameters(self)));
-        let wholes = WholeContacts::of(self.contacts());
-        for whole in wholes.ranges().iter().filter(|_| friction != 0.0) {
-            let of = |contact: usize| self.contacts()[contact].friction_coefficient();
-            let rubs = whole.clone().filter(|contact| of(*contact).is_finite());
-            let change = |contact| (Parameter::Friction { contact }, friction * of(contact));
-            add(&rubs.map(change).collect::<Vec<_>>());
-        }
+        let mut data = self.data(uncertainty);
+        let rubs = ContactErrors { friction, ..ContactErrors::default() };
+        let wholes = (0..self.len()).filter(|i| self.contacts()[*i].begins_a_whole());
+        data.extend(wholes.map(|contact| UncertainDatum::OfContact(contact, rubs)));
+        data.iter().for_each(|datum| add(&datum.parameters(self)));
         if load != 0.0 {
             let by = margins.by_load(&event.load).unwrap_or_else(unknown);
             moves.push(by.into_iter().map(|by| load * by).collect());
