@@ -93,7 +93,7 @@ impl<const C: usize> Climb<'_, C> {
 
     /// Value of the grasp given, with its own commands; `None` where a contact slides.
     pub(super) fn before(&self, given: &Placing<C>) -> Result<Option<f64>, Error> {
-        if self.loaded.asked.goal == ImproveGoal::FirstSlip {
+        if self.loaded.goal == ImproveGoal::FirstSlip {
             return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
         }
         let n = self.choice.given.len();
@@ -111,12 +111,12 @@ impl<const C: usize> Climb<'_, C> {
         sticking: StickingForces<C>,
         most: &[Option<f64>],
     ) -> Result<Option<Held<C>>, Error> {
-        let (events, bounds) = events(self.loaded.asked, most, &sticking, &[]);
+        let (events, bounds) = events(self.loaded, most, &sticking, &[]);
         let size = (0..most.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
         if bounds.iter().any(|bound| bound.left < -SOLVED_ROUNDING * size) {
             return Ok(None);
         }
-        let (value, scale) = match self.loaded.asked.goal {
+        let (value, scale) = match self.loaded.goal {
             ImproveGoal::FirstSlip => {
                 let factor = self.loaded.first_slip(&sticking.grasp)?.filter(|factor| *factor > 0.0);
                 let Some(factor) = factor else { return Ok(None) };
@@ -146,7 +146,7 @@ impl<const C: usize> Climb<'_, C> {
             let Some(derivatives) = held.sticking.derivatives(self.choice, &held.placing) else {
                 return ended(held, SearchEnd::Unbalanced, steps, None);
             };
-            let (events, bounds) = events(self.loaded.asked, &self.most(), &held.sticking, &derivatives);
+            let (events, bounds) = events(self.loaded, &self.most(), &held.sticking, &derivatives);
             if let Some(old) = before.take() {
                 let fell = fallen(&old, (&events, &bounds), held.scale, self.choice.unit_of_force());
                 curvature.learn(&old.step.d, &fell);
@@ -246,7 +246,7 @@ fn fallen(
     let mut fell = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
         // Of several events of the same kind, the one with the nearest value.
-        let same = events.iter().filter(|other| other.condition.is(&event.condition));
+        let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {
             fell += (&event.gradient - &same.gradient) * (share / scale);

@@ -6,12 +6,13 @@ use nalgebra::{DVector, SVector};
 
 use super::by_source::{BySource, LOADS, REST, SQUEEZE, StickingForces};
 use super::goal::ImproveGoal;
+use super::loaded::Loaded;
 use crate::contact::{Edges, Line, LocalLaw, tangential};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{mapped, numbered, unit};
 use crate::prelude::*;
 
-/// One condition of one contact.
+/// One condition of one contact, the same at places that may differ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConeRow {
     /// Index of the load; `None` for a force of any direction.
@@ -19,13 +20,6 @@ pub(super) struct ConeRow {
     pub(super) contact: usize,
     /// Number of the condition among those of this contact and load.
     pub(super) number: usize,
-}
-
-impl ConeRow {
-    /// Whether both are the same condition, at places that may differ.
-    pub(super) fn is(&self, other: &Self) -> bool {
-        (self.load, self.contact, self.number) == (other.load, other.contact, other.number)
-    }
 }
 
 /// A condition, its value (the factor of the loads at which it is broken, or the reserve, N) and the derivatives of the value by each variable.
@@ -64,21 +58,6 @@ fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
         let around = 8;
         numbered(around, &|k| TAU * k as f64 / around as f64)
     })
-}
-
-/// The value to compute from forces, and the kind of loads.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct AskedOfForces {
-    pub(super) goal: ImproveGoal,
-    pub(super) acts: Acts,
-}
-
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Acts {
-    /// Each load, one at a time.
-    Each,
-    /// A force of any direction: the loads are its components along the axes.
-    AnyForce,
 }
 
 /// A contact with its force at rest, and the derivatives of all forces by one unit of each variable.
@@ -170,7 +149,7 @@ impl Pressed<'_> {
 
 /// All events and constraints of a placing; `most` has the greatest allowed normal force of each contact, if it has one.
 pub(super) fn events<const C: usize>(
-    asked: AskedOfForces,
+    loaded: &Loaded<C>,
     most: &[Option<f64>],
     sticking: &StickingForces<C>,
     derivatives: &[BySource],
@@ -179,16 +158,14 @@ pub(super) fn events<const C: usize>(
     let response = sticking.response();
     for (number, edges) in response.edges.iter().enumerate() {
         let (law, force) = (response.law(number), sticking.at_rest(number));
-        let pressed = Pressed { number, law, edges, goal: asked.goal, force, derivatives };
+        let pressed = Pressed { number, law, edges, goal: loaded.goal, force, derivatives };
         constraints.extend(pressed.constraints(most[number]));
         let by_loads = numbered(sticking.loads(), &|load| sticking.by(LOADS + load, number));
-        match asked.acts {
-            Acts::Each => {
-                for (load, rate) in by_loads.into_iter().enumerate() {
-                    all.extend(pressed.under(load, rate));
-                }
-            }
-            Acts::AnyForce => all.extend(pressed.under_any_force(&by_loads)),
+        if loaded.any.is_some() {
+            all.extend(pressed.under_any_force(&by_loads));
+        } else {
+            let each = by_loads.into_iter().enumerate();
+            all.extend(each.flat_map(|(load, rate)| pressed.under(load, rate)));
         }
     }
     (all, constraints)

@@ -56,16 +56,7 @@ impl<'q, const C: usize> Choice<'q, C> {
         let given = grasp.contacts().to_vec();
         let tangents: Vec<SVector<f64, C>> =
             grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
-        let (mut middle, mut square) = (SVector::<f64, C>::zeros(), 0.0);
-        for contact in &given {
-            middle += contact.point;
-        }
-        middle /= given.len() as f64;
-        for contact in &given {
-            square += (contact.point - middle).norm_squared();
-        }
-        let length = (square / given.len() as f64).sqrt();
-        let length = if length > 0.0 { length } else { 1.0 };
+        let length = grasp.engine.length();
         let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
         for (contact, at) in given.iter().enumerate() {
             let spot =
