@@ -13,7 +13,7 @@ use core::f64::consts::TAU;
 use super::datum::UncertainDatum;
 use super::off::ContactErrors;
 use super::uncertainty::Uncertainty;
-use crate::equilibrium::{Parameter, Settings};
+use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Engine, face_of_struct, same_on_both_sides};
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Ramp};
@@ -124,24 +124,23 @@ impl Engine {
         event: &OnsetEvent<3>,
         uncertainty: &Uncertainty,
     ) -> Vec<Vec<f64>> {
-        let unknown = || vec![f64::NAN; margins.leavers().count()];
-        let mut moves = Vec::new();
-        // Adds one datum z: the parameters proportional to z, each with its change by z = 1.
-        let mut add = |together: &[(Parameter, f64)]| {
-            let mut sum = vec![0.0; margins.leavers().count()];
-            for (parameter, times) in together {
-                let by = margins.by(*parameter).unwrap_or_else(unknown);
-                // Skips parameters without effect: their change may be infinite.
-                sum.iter_mut().zip(by).filter(|(_, by)| *by != 0.0).for_each(|(sum, by)| *sum += times * by);
-            }
-            moves.push(sum);
-        };
+        let leavers = margins.leavers().count();
+        let unknown = || vec![f64::NAN; leavers];
         let Uncertainty { friction, load, .. } = *uncertainty;
         let mut data = self.data(uncertainty);
         let rubs = ContactErrors { friction, ..ContactErrors::default() };
         let wholes = (0..self.len()).filter(|i| self.contacts()[*i].begins_a_whole());
         data.extend(wholes.map(|contact| UncertainDatum::OfContact(contact, rubs)));
-        data.iter().for_each(|datum| add(&datum.parameters(self)));
+        let mut moves = Vec::with_capacity(data.len() + 1);
+        for datum in data {
+            let mut sum = vec![0.0; leavers];
+            for (parameter, times) in datum.parameters(self) {
+                let by = margins.by(parameter).unwrap_or_else(unknown);
+                // Skips parameters without effect: their change may be infinite.
+                sum.iter_mut().zip(by).filter(|(_, by)| *by != 0.0).for_each(|(sum, by)| *sum += times * by);
+            }
+            moves.push(sum);
+        }
         if load != 0.0 {
             let by = margins.by_load(&event.load).unwrap_or_else(unknown);
             moves.push(by.into_iter().map(|by| load * by).collect());
