@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::answer::{Equilibrium, LocalAnswer};
 use super::cone::Cone;
-use crate::contact::{Polygon, PolygonCone, State};
+use crate::contact::State;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Draw, Vector};
 use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
@@ -76,16 +76,14 @@ impl Engine {
     }
 
     /// The local problem that an equilibrium solves; `None` for an equilibrium with another number of contacts.
-    pub(super) fn problem_of(&self, equilibrium: &Equilibrium<3>) -> Option<Problem<'_>> {
+    pub(crate) fn problem_of(&self, equilibrium: &Equilibrium<3>) -> Option<Problem<'_>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;
         }
-        let cone = if let Cone::Polygon(cone) = equilibrium.cone { cone } else { PolygonCone::default() };
         let wrench = self.load_unchecked(&equilibrium.load);
         let load = Load { wrench, rest: self.inside_rest(&equilibrium.load) };
-        let (round, drives) = (equilibrium.cone == Cone::Round, equilibrium.local.drives.clone());
-        let problem = self.problem(Polygon::shared(self.space(), &cone), round, drives, &load);
-        let LocalAnswer { slips, cones, .. } = &equilibrium.local;
+        let LocalAnswer { slips, cones, drives, .. } = &equilibrium.local;
+        let problem = self.problem_on(equilibrium.cone, drives.clone(), &load);
         Some(Problem { slips: slips.clone(), cones: cones.clone(), ..problem })
     }
 }

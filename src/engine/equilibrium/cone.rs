@@ -1,7 +1,11 @@
 //! The friction cone of an answer, and the range of its small motions.
 
-use crate::contact::PolygonCone;
-use crate::grasp::Space;
+use nalgebra::SVector;
+
+use crate::contact::{Polygon, PolygonCone};
+use crate::grasp::{Engine, Space};
+use crate::object::{Load, Problem};
+use crate::prelude::*;
 use crate::search::{Settings, SmallMotions};
 
 /// What an answer is for.
@@ -50,5 +54,13 @@ impl Cone {
             Self::Polygon(polygon) => polygon.facets(),
             Self::Round => 1,
         }
+    }
+}
+
+impl Engine {
+    /// The problem at rest of answers on this cone.
+    pub(crate) fn problem_on(&self, cone: Cone, drives: Vec<SVector<f64, 3>>, load: &Load) -> Problem<'_> {
+        let facets = if let Cone::Polygon(facets) = cone { facets } else { PolygonCone::default() };
+        self.problem(Polygon::shared(self.space(), &facets), cone == Cone::Round, drives, load)
     }
 }

@@ -7,7 +7,7 @@ use super::following::{AnyPath, Following};
 use super::leg::Leg;
 use super::pieces::Pieces;
 use super::stretch::Stretch;
-use crate::contact::{Coulomb, State};
+use crate::contact::{Coulomb, Mode, State};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
@@ -108,7 +108,7 @@ impl<'g> Cycles<'g> {
                 // Forces of a rebuilt state must agree with the given ones within this part of the largest.
                 slipped
                     .local(i)
-                    .edges()
+                    .edges(&Mode::Sticking)
                     .worst(force)
                     .is_some_and(|(_, margin)| margin < -NEGLIGIBLE * largest)
             };

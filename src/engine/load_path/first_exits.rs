@@ -13,3 +13,15 @@ pub(super) struct FirstExits {
     /// Sites that come to the edge of their cone before, without crossing it, while a load turns; with the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
+
+/// The smallest step to an exit, and all contacts with exits there. Symmetric grasps reach several edges at once: steps equal up to the rounding of
+/// both count as tied.
+pub(super) fn first_standing(mut ways: PathState) -> Option<(f64, PathState)> {
+    let all = ways.iter().flat_map(|(_, exits)| exits);
+    let first = *all.min_by(|a, b| a.step.total_cmp(&b.step))?;
+    ways.retain_mut(|(_, exits)| {
+        exits.retain(|exit| exit.step - first.step <= exit.uncertainty + first.uncertainty);
+        !exits.is_empty()
+    });
+    Some((first.step, ways))
+}

@@ -10,13 +10,13 @@ use super::onset_workspace::OnsetMemory;
 use super::segment::Segment;
 use super::tolerances::LARGEST_CORRECTION;
 use super::turn::Turn;
+use super::turning_load::at_start;
 use crate::contact::{ActiveSet, At, Exit, Line, LocalLaw};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
-use crate::prelude::*;
 use crate::search::{Found, FoundBy};
 
 /// The contact that stops sticking first, and the state there.
@@ -80,10 +80,7 @@ pub(super) fn first_to_leave_on_turn(
         cosine: piece.solve_roughly(&at_rest, &inside.cosine),
         sine: piece.solve_roughly(&at_rest, &inside.sine),
     };
-    let twist = &parts.constant.twist + &parts.cosine.twist;
-    let forces: Vec<_> =
-        parts.constant.forces.iter().zip(&parts.cosine.forces).map(|(f, more)| f + more).collect();
-    let base = PieceState { forces, twist };
+    let base = at_start(&parts);
     let largest = problem.largest_force(&base.forces, &base.twist);
     let at = |i: usize| problem.at(i, &base.forces[i], &base.twist, largest);
     if !problem.locals().enumerate().all(|(i, local)| clearly_sticks(&local, &at(i))) {

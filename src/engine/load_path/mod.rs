@@ -63,7 +63,6 @@ mod first_to_leave;
 mod flow;
 mod follower;
 mod following;
-mod geometry;
 mod geometry_gradient;
 mod held_torques;
 mod journey;
@@ -110,6 +109,7 @@ mod within_a_step;
 #[cfg(feature = "serde")]
 mod written_leg;
 
+pub use crate::equilibrium::Parameter;
 pub use beyond::{Beyond, Continuation};
 pub(crate) use cycles::{CycleRecord, CycleState, Cycles};
 pub use drive_change::{DriveChange, PartChange};
@@ -127,7 +127,7 @@ pub use path::{LoadPath, Path, SteppedPath};
 pub use questions::StickingRange;
 pub use ramp::Ramp;
 pub use response::Response;
-pub use sensitivity::{Derivative, Parameter};
+pub use sensitivity::Derivative;
 pub use small_motions::EndOfSmallMotions;
 pub use stepped::Step;
 #[cfg(feature = "serde")]

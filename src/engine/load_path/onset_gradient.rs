@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::onset::OnsetEvent;
 use super::onset_margins::{Leaver, OnsetMargins};
-use super::sensitivity::Parameter;
+use crate::equilibrium::Parameter;
 use crate::grasp::Engine;
 use crate::prelude::*;
 

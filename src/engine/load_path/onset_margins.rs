@@ -3,12 +3,11 @@
 use nalgebra::SVector;
 
 use super::onset::{OnsetEvent, StickingState};
-use super::sensitivity::{Local, Parameter};
-use crate::contact::tangential;
-use crate::equilibrium::Cone;
+use crate::contact::rubs;
+use crate::equilibrium::{Parameter, StickingResponse};
 use crate::grasp::{Engine, HandPart, Wrench};
+use crate::object::PieceState;
 use crate::prelude::*;
-use crate::search::Settings;
 
 /// The part of a grasp that leaves at an onset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -20,17 +19,18 @@ pub enum Leaver {
     Drive(HandPart),
 }
 
-/// The margins that vanish at one onset, with the equilibrium there.
+/// The margins that vanish at one onset, with the state there.
 pub(crate) struct OnsetMargins<'g> {
-    local: Local<'g>,
+    response: StickingResponse<'g>,
+    state: PieceState,
     margins: Vec<Margin>,
 }
 
-/// `μ F_n - h·F_t` of the leaving contact or drive, or `F_n` alone where friction is absent or unlimited.
+/// The margin `row·F` of the leaving contact or drive: `μ F_n - h·F_t`, or `F_n` alone where friction is absent or unlimited.
 struct Margin {
     leaver: Leaver,
     site: usize,
-    h: Option<SVector<f64, 3>>,
+    row: SVector<f64, 3>,
     /// m' along the ramp.
     slope: f64,
 }
@@ -39,30 +39,26 @@ impl<'g> OnsetMargins<'g> {
     /// `None` if the onset was reached after a contact had closed on the way or as one closes, or if the event has another number of
     /// contacts.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
-        let state = grasp.state_at_onset(event, &Settings::default())?;
-        let local = Local::new(grasp, &state)?;
+        let StickingState { found, slips, drive_rates, wrench_rate, leaving, .. } = &event.local;
+        let found = found.found();
+        let response = StickingResponse::of(grasp, grasp.problem_at_onset(event)?, &found.states);
         let has_slipped = |i: usize| {
-            let sticks = local.states[i].is_sticking() && !local.problem.local(i).is_frictionless();
-            sticks && state.contacts[i].slip.norm() != 0.0
+            found.states[i].is_sticking() && !response.law(i).is_frictionless() && slips[i].norm() != 0.0
         };
-        if (0..grasp.len()).any(has_slipped) {
-            return None;
-        }
-        let StickingState { drive_rates, wrench_rate, leaving, .. } = &event.local;
         // A contact that slides as soon as it touches leaves at a gap, not at a margin.
-        if leaving.iter().any(|&site| local.states[site].is_open()) {
+        let opens = |site: &usize| found.states[*site].is_open();
+        if (0..grasp.len()).any(has_slipped) || leaving.iter().any(opens) {
             return None;
         }
-        let rates = local.piece.solve(grasp.sites(), drive_rates, &wrench_rate.to()).ok()?;
+        let rates = response.state(drive_rates, &wrench_rate.to())?;
         let mut margins = Vec::with_capacity(leaving.len());
         for &site in leaving {
             let Some(leaver) = grasp.leaver(site) else { continue };
-            let Some(h) = facet(&local, event.cone, site) else { continue };
-            let mut margin = Margin { leaver, site, h, slope: 1.0 };
-            margin.slope = margin.of(&local, &rates.forces[site]);
-            margins.push(margin);
+            let Some((row, _)) = response.edges[site].worst(&found.forces[site]) else { continue };
+            margins.push(Margin { leaver, site, row, slope: row.dot(&rates.forces[site]) });
         }
-        Some(Self { local, margins })
+        let state = PieceState { forces: found.forces, twist: found.twist };
+        Some(Self { response, state, margins })
     }
 
     /// The contacts and drives that leave.
@@ -73,43 +69,26 @@ impl<'g> OnsetMargins<'g> {
     /// The derivative, with respect to one datum, of the factor of each contact or drive that leaves. `None` where
     /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     pub(crate) fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
-        let (_, forces) = self.local.derivative(parameter)?;
-        let of_friction = |margin: &Margin| match parameter {
-            Parameter::Friction { contact } if contact == margin.site && margin.h.is_some() => {
-                self.local.forces[contact][0]
+        let change = self.response.derivative(&self.state, parameter)?;
+        let direct = |margin: &Margin| match parameter {
+            Parameter::Friction { contact } if contact == margin.site && rubs(&margin.row) => {
+                self.state.forces[contact][0]
             }
             _ => 0.0,
         };
-        Some(self.margins.iter().map(|m| self.moved(m, &forces, of_friction(m))).collect())
+        Some(self.margins.iter().map(|margin| margin.moved(&change.forces, direct(margin))).collect())
     }
 
     /// The derivative along an additional load, in proportion to it.
     pub(crate) fn by_load(&self, load: &Wrench<3>) -> Option<Vec<f64>> {
-        let forces = self.local.forces_by_load(load)?;
-        Some(self.margins.iter().map(|m| self.moved(m, &forces, 0.0)).collect())
-    }
-
-    fn moved(&self, margin: &Margin, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
-        -(margin.of(&self.local, &forces[margin.site]) + direct) / margin.slope
+        let change = self.response.by_load(load).ok()?;
+        Some(self.margins.iter().map(|margin| margin.moved(&change.of, 0.0)).collect())
     }
 }
 
 impl Margin {
-    fn of(&self, local: &Local, force: &SVector<f64, 3>) -> f64 {
-        let cone = local.problem.local(self.site).cone();
-        self.h.map_or(force[0], |h| cone.facet_margin(force, &h))
+    /// The change of the factor by that of the forces, and by that of the row itself.
+    fn moved(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
+        -(self.row.dot(&forces[self.site]) + direct) / self.slope
     }
-}
-
-/// The facet that is reached; inner `None` where only the normal force counts.
-#[expect(clippy::option_option, reason = "there may be no facet to find, and none to look for")]
-fn facet(local: &Local, cone: Cone, site: usize) -> Option<Option<SVector<f64, 3>>> {
-    let (law, force) = (local.problem.local(site), &local.forces[site]);
-    if !law.cone().has_edges() {
-        return Some(None);
-    }
-    if cone == Cone::Round {
-        return Some(Some(tangential(force).normalize()));
-    }
-    law.facets().iter().max_by(|a, b| a.dot(force).total_cmp(&b.dot(force))).map(|h| Some(*h))
 }

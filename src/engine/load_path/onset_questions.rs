@@ -17,8 +17,8 @@ use super::sticking_path::StickingPath;
 use super::trajectory::Trajectory;
 use super::turn::Touch;
 use super::turn_questions::TurnOnset;
-use crate::contact::{Polygon, PolygonCone, State};
-use crate::equilibrium::{AnswerFor, Cone, Equilibrium, Outcome};
+use crate::contact::State;
+use crate::equilibrium::{AnswerFor, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Memory;
@@ -133,15 +133,12 @@ impl Engine {
     }
 
     /// The local problem at an onset.
-    fn problem_at_onset(&self, event: &OnsetEvent<3>) -> Option<Problem<'_>> {
+    pub(super) fn problem_at_onset(&self, event: &OnsetEvent<3>) -> Option<Problem<'_>> {
         let local = &event.local;
         if local.found.states.len() != self.sites().len() {
             return None;
         }
-        let cone = if let Cone::Polygon(cone) = event.cone { cone } else { PolygonCone::default() };
-        let (polygon, round) = (Polygon::shared(self.space(), &cone), event.cone == Cone::Round);
-        let load = Load::from(&local.wrench.to());
-        let problem = self.problem(polygon, round, local.drives.clone(), &load);
+        let problem = self.problem_on(event.cone, local.drives.clone(), &Load::from(&local.wrench.to()));
         Some(Problem { slips: local.slips.clone(), ..problem })
     }
 

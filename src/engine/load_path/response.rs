@@ -2,12 +2,11 @@
 
 use nalgebra::{DMatrix, DVector, DVectorView};
 
-use super::sensitivity::{Local, Parameter};
-use crate::equilibrium::Equilibrium;
+use crate::equilibrium::{Equilibrium, Parameter};
 use crate::grasp::{Engine, Twist};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Size, Vector};
-use crate::object::least_combination;
+use crate::object::{PieceState, least_combination};
 use crate::prelude::*;
 
 /// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position
@@ -42,14 +41,14 @@ impl Engine {
         equilibrium: &Equilibrium<3>,
         parameters: impl ExactSizeIterator<Item = Parameter>,
     ) -> Option<Response> {
-        let local = Local::new(self, equilibrium)?;
+        let (local, state) = self.response_of(equilibrium)?;
         let (object, axes, columns) = (self.space().of_the_object(), self.space().axes(), parameters.len());
         let mut response = Response {
             twist: DMatrix::zeros(object, columns),
             forces: DMatrix::zeros(self.len() * axes, columns),
         };
         for (column, parameter) in parameters.enumerate() {
-            let (twist, forces) = local.derivative(parameter)?;
+            let PieceState { twist, forces } = local.derivative(&state, parameter)?;
             let twist = self.outside_coordinates(&twist);
             for k in 0..object {
                 response.twist[(k, column)] = twist[k];

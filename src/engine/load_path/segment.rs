@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::first_exits::{FirstExits, PathState};
+use super::first_exits::{FirstExits, first_standing};
 use super::trajectory::Trajectory;
 use super::turning_state::TurningState;
 use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
@@ -274,22 +274,8 @@ impl<'g> Segment<'g> {
         if let Some(turned) = &here.turned {
             return turned.first_exits(&self.problem, states, rest);
         }
-        FirstExits { standing: self.first_on_lines(states, here), touches: Vec::new() }
-    }
-
-    fn first_on_lines(&self, states: &[State], here: &PathPoint) -> Option<(f64, PathState)> {
-        let ways: PathState =
-            states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here))).collect();
-        let first =
-            ways.iter().flat_map(|(_, exits)| exits).min_by(|a, b| a.step.total_cmp(&b.step)).copied()?;
-        // Symmetric grasps reach several edges at once: steps equal up to the rounding of both count as tied.
-        let tied = |exit: &Exit| exit.step - first.step <= exit.uncertainty + first.uncertainty;
-        let together = ways
-            .into_iter()
-            .map(|(i, exits)| (i, exits.into_iter().filter(tied).collect::<Vec<_>>()))
-            .filter(|(_, exits)| !exits.is_empty())
-            .collect();
-        Some((first.step, together))
+        let ways = states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here)));
+        FirstExits { standing: first_standing(ways.collect()), touches: Vec::new() }
     }
 
     /// The problem in rates of this segment at a factor, with these laws.

@@ -1,92 +1,11 @@
-//! Exact derivatives of an equilibrium in its present states.
-//!
-//! In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)` with K_i depending on stiffness, friction and state, so a small
-//! change of any datum p leads to one more solve on the same piece:
-//!
-//! ```text
-//! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂p) v_i,      Σ G_i dF_i + dW = 0
-//! friction     sliding:  f = F_n p (the unit edge p)             sticking: 0
-//! stiffness    normal:   f = (e_n + μ p) F_n / k_n               tangential: f = e_a F_a/k_a less its part across the facet
-//! ```
-//!
-//! The stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the geometry
-//! (`geometry`) changes the stretch by `-dG_iᵀq` and the balance by `dG_i F_i`.
-
-use alloc::sync::Arc;
+//! Derivatives of an equilibrium by one datum.
 
 use nalgebra::SVector;
 
-use super::geometry::{map_by_normal, map_by_point};
-use crate::contact::{Mode, Polygon, State};
-use crate::equilibrium::{Cone, Equilibrium};
-use crate::grasp::{Engine, Motion, Twist, Wrench};
-use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Map, Vector};
-use crate::object::{Load, Piece, Problem};
+use crate::equilibrium::{Equilibrium, Parameter, StickingResponse};
+use crate::grasp::{Engine, Motion, Twist};
+use crate::object::PieceState;
 use crate::prelude::*;
-use crate::search::Settings;
-
-/// One datum of a grasp or its load.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Parameter {
-    /// Coefficient of friction of a contact.
-    Friction {
-        /// The contact, from 0.
-        contact: usize,
-    },
-    /// Series stiffness of a contact, N/m.
-    Stiffness {
-        /// The contact, from 0.
-        contact: usize,
-        /// The axis of its frame: 0 normal, then the tangents.
-        axis: usize,
-    },
-    /// Finger command of a contact, m. (A clearance is a normal command of the opposite sign.)
-    Command {
-        /// The contact, from 0.
-        contact: usize,
-        /// The axis of its frame: 0 normal, then the tangents.
-        axis: usize,
-    },
-    /// Position of a contact, m, at a fixed frame. Commands and clearance stay along the axes of the frame. Not available for a grasp by a hand,
-    /// whose joints would move the contact differently.
-    Point {
-        /// The contact, from 0.
-        contact: usize,
-        /// The coordinate axis along which it moves, from 0.
-        axis: usize,
-    },
-    /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and slip keep their
-    /// components along its axes, and so turn with it; commands of joints stay.
-    Normal {
-        /// The contact, from 0.
-        contact: usize,
-        /// The tangent towards which the normal tilts, an axis of the contact frame from 1. In space 0 stands for a turn about the
-        /// normal, from t₁ to t₂.
-        axis: usize,
-    },
-    /// Command of a joint of the hand or, behind the joints, of a tendon, rad or m.
-    JointCommand {
-        /// The joint, from 0, finger by finger; tendons follow.
-        joint: usize,
-    },
-    /// Stiffness of the own spring of a joint or of a tendon, N m/rad or N/m.
-    JointStiffness {
-        /// The joint, from 0, finger by finger; tendons follow.
-        joint: usize,
-    },
-    /// Limit of a joint or of a tendon, N m or N.
-    JointLimit {
-        /// The joint, from 0, finger by finger; tendons follow.
-        joint: usize,
-    },
-    /// Component of the load: forces first (N), then moments about the origin (N m), then torques on joints.
-    Load {
-        /// The component, from 0.
-        component: usize,
-    },
-}
 
 /// Derivatives of an equilibrium with respect to one parameter, as long as every contact keeps its state. Units of the parameter: friction 1,
 /// stiffness N/m, command and position m, direction of a normal rad, load N or N m.
@@ -104,168 +23,20 @@ pub struct Derivative<const C: usize> {
 impl Engine {
     /// [`Sensitivity::of`](crate::ask::Sensitivity::of).
     pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<3>, by: Parameter) -> Option<Derivative<3>> {
-        let local = Local::new(self, equilibrium)?;
-        let (twist, mut forces) = local.derivative(by)?;
+        let (response, state) = self.response_of(equilibrium)?;
+        let PieceState { twist, mut forces } = response.derivative(&state, by)?;
         forces.truncate(self.len());
         let Motion { object: twist, joints, .. } = self.motion_outside(&twist);
         Some(Derivative { twist, joints, forces })
     }
-}
 
-/// An equilibrium with the factorised linear law of its states.
-pub(super) struct Local<'g> {
-    grasp: &'g Engine,
-    pub(super) problem: Problem<'g>,
-    pub(super) states: Vec<State>,
-    pub(super) forces: Vec<SVector<f64, 3>>,
-    pub(super) piece: Piece,
-    /// In inside coordinates.
-    twist: Vector,
-}
-
-impl<'g> Local<'g> {
-    pub(super) fn new(grasp: &'g Engine, equilibrium: &Equilibrium<3>) -> Option<Self> {
-        if !equilibrium.knows_all_of(grasp.sites().len()) {
-            return None;
-        }
-        let polygon = match equilibrium.cone {
-            Cone::Polygon(cone) => Polygon::new(grasp.space(), &cone),
-            _ => Polygon::new(grasp.space(), &Settings::default().cone),
-        };
-        let nothing = Load::from(&Vector::zeros());
-        let problem = grasp.problem(Arc::new(polygon), false, grasp.drives(), &nothing);
-        let states = equilibrium.local.states.clone();
-        let piece = Piece::new(&problem, &states);
-        let forces = equilibrium.site_forces();
-        Some(Self { grasp, problem, states, forces, piece, twist: equilibrium.local.twist.to() })
-    }
-
-    pub(super) fn derivative(&self, by: Parameter) -> Option<(Vector, Vec<SVector<f64, 3>>)> {
-        let n = self.problem.len();
-        let mut drives = vec![SVector::zeros(); n];
-        let mut wrench = Vector::zeros();
-        let mut direct: Vec<(usize, SVector<f64, 3>)> = Vec::new();
-        let (contacts, actuators) = (self.grasp.len(), self.grasp.joint_commands().len());
-        match by {
-            Parameter::Friction { contact } if contact < contacts => {
-                direct.push((contact, self.by_friction(contact)));
-            }
-            Parameter::Stiffness { contact, axis }
-                if contact < contacts && axis < self.grasp.space().axes() =>
-            {
-                direct.push((contact, self.by_stiffness(contact, axis)));
-            }
-            Parameter::Command { contact, axis }
-                if contact < contacts && axis < self.grasp.space().axes() =>
-            {
-                drives[contact][axis] = 1.0;
-            }
-            Parameter::JointCommand { joint } if joint < actuators => {
-                let unit: Vec<f64> = (0..actuators).map(|k| f64::from(u8::from(k == joint))).collect();
-                drives = self.grasp.drive_changes(None, Some(&unit));
-            }
-            Parameter::JointStiffness { joint } if joint < actuators => {
-                for (site, drive) in self.grasp.drives_of(joint) {
-                    let state = &self.states[site];
-                    if !state.is_open() && !state.slides() {
-                        direct.push((site, drive.by_stiffness(&self.forces[site])));
-                    }
-                }
-            }
-            Parameter::JointLimit { joint } if joint < actuators => {
-                for (site, drive) in self.grasp.drives_of(joint) {
-                    let held;
-                    (drives[site], held) = drive.by_limit();
-                    wrench += held;
-                }
-            }
-            Parameter::Point { contact, .. } | Parameter::Normal { contact, .. } if contact < contacts => {
-                let change = self.map_change(contact, by)?;
-                drives[contact] = -change.tr_mul(&self.twist);
-                let mut force = self.forces[contact];
-                force[0] -= self.grasp.contacts()[contact].suction;
-                wrench = &change * force;
-            }
-            Parameter::Load { component } if component < self.grasp.space().of_the_object() => {
-                let mut unit = Vector::zeros();
-                unit[component] = 1.0;
-                wrench = self.grasp.inside_unchecked(&Wrench::among(self.grasp.space(), &unit));
-            }
-            _ => return None,
-        }
-        for (site, f) in &direct {
-            wrench += &self.problem.sites[*site].map * f;
-        }
-        let mut solved = self.piece.solve(self.grasp.sites(), &drives, &wrench).ok()?;
-        for (site, f) in direct {
-            solved.forces[site] += f;
-        }
-        Some((solved.twist, solved.forces))
-    }
-
-    /// dG of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` also where the changed geometry
-    /// would hold a motion that is free in this one: small changes do not determine how far it goes then.
-    fn map_change(&self, contact: usize, by: Parameter) -> Option<Map> {
-        let site = &self.problem.sites[contact];
-        let change = match by {
-            Parameter::Point { axis, .. }
-                if axis < self.grasp.space().axes() && self.grasp.linkage().is_none() =>
-            {
-                map_by_point(site, axis, self.grasp.length())
-            }
-            Parameter::Normal { axis, .. } => map_by_normal(site, axis)?,
-            _ => return None,
-        };
-        let stays_free = |motion: &Vector| {
-            let mut drives = vec![SVector::zeros(); self.problem.len()];
-            drives[contact] = change.tr_mul(motion);
-            let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
-            let felt = self.piece.solve(self.grasp.sites(), &drives, &Vector::zeros()).ok();
-            // Forces below this part of the stiffest spring's force, if the whole motion stretched it, are rounding.
-            felt.is_some_and(|felt| felt.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone))
-        };
-        self.piece.free_motions().iter().all(stays_free).then_some(change)
-    }
-
-    /// Change of the contact forces by an additional load; `None` if nothing balances that load in these states.
-    pub(super) fn forces_by_load(&self, load: &Wrench<3>) -> Option<Vec<SVector<f64, 3>>> {
-        let at_rest = vec![SVector::zeros(); self.problem.len()];
-        let wrench = self.grasp.inside_unchecked(load);
-        self.piece.solve(self.grasp.sites(), &at_rest, &wrench).ok().map(|solved| solved.forces)
-    }
-
-    /// (∂K/∂μ) v of one contact.
-    fn by_friction(&self, contact: usize) -> SVector<f64, 3> {
-        let state = &self.states[contact];
-        if !state.slides() {
-            return SVector::zeros();
-        }
-        self.problem.local(contact).edge(state).pull * self.forces[contact][0]
-    }
-
-    /// (∂K/∂k) v of one contact along one axis.
-    fn by_stiffness(&self, contact: usize, axis: usize) -> SVector<f64, 3> {
-        let (local, force) = (self.problem.local(contact), &self.forces[contact]);
-        let state = &self.states[contact];
-        let mut f = SVector::zeros();
-        if axis >= local.springs.axes() || state.is_open() {
-            return f;
-        }
-        let stretch = local.springs.give_along(axis, force[axis]);
-        if state.is_sticking() {
-            f[axis] = stretch;
-        } else if axis == 0 {
-            f = local.edge(state).pull * local.cone().limit(stretch);
-            f[0] = stretch;
-        } else if !matches!(state, Mode::Corner(_))
-            && let Some(h) = local.outward(state)
-        {
-            // e_a F_a/k_a, less the part that the slip takes back so that h·F_t stays at μ F_n; on the round cone softened by the slip.
-            let softened =
-                state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
-            f = local.edge(state).pull * (-h[axis] * softened);
-            f[axis] += softened;
-        }
-        f
+    /// The response of an equilibrium in its present states, with its forces and motion; `None` if it has another number of contacts.
+    pub(super) fn response_of(
+        &self,
+        equilibrium: &Equilibrium<3>,
+    ) -> Option<(StickingResponse<'_>, PieceState)> {
+        let local = &equilibrium.local;
+        let response = StickingResponse::of(self, self.problem_of(equilibrium)?, &local.states);
+        Some((response, PieceState { forces: equilibrium.site_forces(), twist: local.twist.to() }))
     }
 }

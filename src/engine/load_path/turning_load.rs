@@ -43,16 +43,7 @@ impl Segment<'_> {
             forces: parts.sine.forces.iter().map(|force| force * angle).collect(),
             twist: &parts.sine.twist * angle,
         };
-        let at = self.state(piece, factor, near).unwrap_or_else(|| PieceState {
-            forces: parts
-                .constant
-                .forces
-                .iter()
-                .zip(&parts.cosine.forces)
-                .map(|(f, more)| f + more)
-                .collect(),
-            twist: &parts.constant.twist + &parts.cosine.twist,
-        });
+        let at = self.state(piece, factor, near).unwrap_or_else(|| at_start(&parts));
         let mut here = self.here(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.turned(&onward, angle, &parts);
         // Quantities that vanish on the way are known up to the rounding of their size elsewhere on it.
@@ -107,4 +98,11 @@ impl Segment<'_> {
         let waves = (0..sites.len()).map(wave).collect();
         TurningState { waves, twist: parts.map(|part| part.twist.clone()), load: load.clone(), angle }
     }
+}
+
+/// The state at the beginning of a turn, from those under the parts of its load.
+pub(super) fn at_start(parts: &Harmonic<PieceState>) -> PieceState {
+    let Harmonic { constant, cosine, .. } = parts;
+    let forces = constant.forces.iter().zip(&cosine.forces).map(|(f, more)| f + more).collect();
+    PieceState { forces, twist: &constant.twist + &cosine.twist }
 }

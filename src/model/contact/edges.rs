@@ -1,21 +1,43 @@
-//! The edges of a contact's cone, as conditions on its force while it sticks.
+//! The edges of a contact's cone, as conditions on its force while it sticks, and the conditions that sets of forces come nearest to.
+//!
+//! The round cone has a facet `a(φ) = (μ, -cos φ, -sin φ)` at every angle φ. Margins `a·F` of forces in a set are then trigonometric in φ.
 
-use nalgebra::SVector;
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use nalgebra::{SMatrix, SVector};
 
 use super::law::LocalLaw;
+use super::state::State;
 use super::tangential::tangential;
+use super::tolerances::ZERO_SLACK;
+use crate::numerics::{Harmonic, Turning, numbered, unit};
 use crate::prelude::*;
 
-/// Conditions on the force of a sticking contact.
+/// Conditions on the force of a contact that keeps sticking, or on the gap of one that stays open.
 #[derive(Debug, Clone)]
 pub(crate) enum Edges {
-    /// `a·F >= 0` for each row: facets, or the normal force alone.
+    /// `a·F >= 0` for each row: facets, or the normal force or the gap alone.
     Rows(Vec<SVector<f64, 3>>),
     /// `limit F_n >= |F_t|`.
     Round {
         /// The coefficient of friction.
         limit: f64,
     },
+}
+
+/// The facets `(limit, -cos φ, -sin φ)` of a round cone as functions of φ.
+pub(crate) fn round_rows(limit: f64) -> Harmonic<SVector<f64, 3>> {
+    Harmonic { constant: unit(0) * limit, cosine: -unit(1), sine: -unit(2) }
+}
+
+/// Whether a condition with this value is broken by more than rounding of terms of this size.
+pub(crate) fn is_broken(value: f64, row: &SVector<f64, 3>, size: f64) -> bool {
+    value < -ZERO_SLACK * row.norm() * size
+}
+
+/// Whether friction multiplies the normal force in this condition, which is not that of a normal force alone.
+pub(crate) fn rubs(row: &SVector<f64, 3>) -> bool {
+    row[1] != 0.0 || row[2] != 0.0
 }
 
 impl Edges {
@@ -35,22 +57,109 @@ impl Edges {
             }
         }
     }
+
+    /// Whether a force, whose rounding scales with `size`, meets all conditions.
+    pub(crate) fn hold(&self, force: &SVector<f64, 3>, size: f64) -> bool {
+        self.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, size))
+    }
+
+    /// All rows; of a round cone those at the angles that `angles` finds from its facets.
+    pub(crate) fn rows(
+        &self,
+        angles: &dyn Fn(&Harmonic<SVector<f64, 3>>) -> Vec<f64>,
+    ) -> Vec<SVector<f64, 3>> {
+        match self {
+            Self::Rows(rows) => rows.clone(),
+            Self::Round { limit } => {
+                let around = round_rows(*limit);
+                angles(&around).into_iter().map(|angle| around.at(angle)).collect()
+            }
+        }
+    }
+
+    /// All rows; of a round cone those at all local minima of `value`, four all around if it has none.
+    pub(crate) fn least(&self, value: &dyn Fn(&SVector<f64, 3>) -> f64) -> Vec<SVector<f64, 3>> {
+        self.rows(&|around| {
+            let angles = local_minima(&|angle| value(&around.at(angle)));
+            if angles.is_empty() { (0..4).map(|k| FRAC_PI_2 * f64::from(k)).collect() } else { angles }
+        })
+    }
+
+    /// The rows that forces `F + A x` with `|x| = size` may break, at `min a·F - size |Aᵀa|` of a round cone.
+    pub(crate) fn on_a_sphere(
+        &self,
+        force: &SVector<f64, 3>,
+        influence: &SMatrix<f64, 3, 3>,
+        size: f64,
+    ) -> Vec<SVector<f64, 3>> {
+        self.rows(&|around| {
+            let vector = around.map(|row| influence.tr_mul(row) * size);
+            Turning { number: around.map(|row| row.dot(force)), vector }.deepest(TAU).into_iter().collect()
+        })
+    }
+
+    /// Rows that include the worst for every corner of a box `F + Σ ±c_p`. On a round cone the worst corner changes only where some `a·c_p` changes its
+    /// sign, at two angles for each p; so one angle between these suffices.
+    pub(crate) fn in_a_box(&self, sides: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
+        self.rows(&|around| {
+            let mut turns = vec![0.0];
+            for c in sides {
+                // μ c_n = c₁ cos φ + c₂ sin φ.
+                let (towards, aside) = (c[2].atan2(c[1]), (around.constant.dot(c) / c[1].hypot(c[2])).acos());
+                // The angle is NaN where the sign never changes.
+                let both = [towards - aside, towards + aside].map(|x| x.rem_euclid(TAU));
+                turns.extend(both.iter().filter(|x| x.is_finite()));
+            }
+            turns.sort_by(f64::total_cmp);
+            let ends = turns.iter().skip(1).chain([&TAU]);
+            turns.iter().zip(ends).map(|(from, to)| 0.5 * (from + to)).collect()
+        })
+    }
+
+    /// Angles up to `most` at which a force that turns breaks a condition the most.
+    pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
+        let nothing = Harmonic::new([SVector::zeros(); 3]);
+        let margins = match self {
+            Self::Rows(rows) => rows.iter().map(|row| (force.map(|x| row.dot(x)), nothing)).collect(),
+            Self::Round { limit } => vec![(force.map(|x| limit * x[0]), force.map(tangential))],
+        };
+        margins.into_iter().filter_map(|(number, vector)| Turning { number, vector }.deepest(most)).collect()
+    }
+}
+
+/// The angles of all local minima of a periodic function of an angle.
+fn local_minima(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
+    // Fewer samples can pass over a narrow minimum.
+    let count = 36;
+    let step = TAU / count as f64;
+    let values: Vec<f64> = numbered(count, &|k| of(step * k as f64));
+    let lowest =
+        |k: &usize| values[*k] <= values[(k + count - 1) % count] && values[*k] < values[(k + 1) % count];
+    let refine = |k: usize| {
+        // The neighbours enclose the minimum for a golden section.
+        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let (mut from, mut to) = (step * (k as f64 - 1.0), step * (k as f64 + 1.0));
+        for _ in 0..60 {
+            let (a, b) = (to - golden * (to - from), from + golden * (to - from));
+            if of(a) < of(b) { to = b } else { from = a }
+        }
+        0.5 * (from + to)
+    };
+    (0..count).filter(lowest).map(refine).collect()
 }
 
 impl LocalLaw<'_> {
-    /// The conditions of sticking.
-    pub(crate) fn edges(&self) -> Edges {
-        if self.has_a_round_edge() {
-            return Edges::Round { limit: self.cone().limit(1.0) };
-        }
-        if self.is_bonded() {
+    /// The conditions of sticking, or of staying open on the gap as the first component.
+    pub(crate) fn edges(&self, state: &State) -> Edges {
+        if self.is_absent() || self.is_bonded() {
             return Edges::Rows(Vec::new());
         }
+        if self.has_a_round_edge() && !state.is_open() {
+            return Edges::Round { limit: self.cone().limit(1.0) };
+        }
         let facets = self.facets();
-        if facets.is_empty() && self.may_open() {
-            let mut normal = SVector::zeros();
-            normal[0] = 1.0;
-            return Edges::Rows(vec![normal]);
+        if state.is_open() || facets.is_empty() && self.may_open() {
+            return Edges::Rows(vec![unit(0)]);
         }
         Edges::Rows(facets.iter().map(|h| self.cone().facet_row(h)).collect())
     }

@@ -19,7 +19,7 @@
 //! | `hull` | everything the law allows where only part of the state is known |
 //! | `most_work` | the most work of a contact along a virtual motion |
 //! | `resistance` | the most power of a contact against a motion, whatever it has slipped |
-//! | `edges` | the conditions on the force of a sticking contact |
+//! | `edges` | the conditions on the force of a sticking contact, and those that sets of forces come nearest to |
 //! | `exits` | the distance along a straight line to the end of a state |
 //! | `turning_exits` | the angle of a turning load to the end of a state |
 //! | `active_set` | the edges reached at an event, and the law of the rates |
@@ -55,7 +55,7 @@ pub(crate) use answer::ContactResponse;
 pub(crate) use compliance::Compliance;
 pub(crate) use conditions::At;
 pub(crate) use coulomb::Coulomb;
-pub(crate) use edges::Edges;
+pub(crate) use edges::{Edges, is_broken, round_rows, rubs};
 pub(crate) use exits::{Exit, GapLine, Line};
 #[cfg(test)]
 pub(crate) use hull::Sector;

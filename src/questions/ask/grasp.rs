@@ -46,7 +46,7 @@ use crate::prelude::*;
 /// Questions take a load, a [`Ramp`] or a [`Turn`](crate::load_path::Turn) by value or by reference. A load in the place of a ramp grows from zero.
 #[derive(Debug, Clone)]
 pub struct Grasp<const C: usize> {
-    pub(super) engine: Arc<Engine>,
+    pub(crate) engine: Arc<Engine>,
     pub(super) settings: Settings,
     /// Contacts, frames and links as the caller sees them, made when they are asked for.
     door: Once<Arc<Door<C>>>,

@@ -6,7 +6,8 @@ use super::model::{NoSlip, Predicted, SlipToPredict};
 use super::slip::Grown;
 use super::unknown::{UnknownKind, carried_by};
 use crate::error::Error;
-use crate::load_path::{Onset, OnsetEvent, OnsetGradient, Ramp};
+use crate::grasp::inside;
+use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 use crate::prelude::*;
 
 /// The load factor or angle at first slip.
@@ -37,41 +38,43 @@ pub(super) fn predicted<const C: usize>(
 
 /// Derivatives of the logarithm of the factor. If several contacts leave together, the mean of theirs: each is valid on one side of a kink.
 fn exact<const C: usize>(seen: &SlipToPredict<'_, C>, event: &OnsetEvent<C>) -> Option<Vec<f64>> {
-    let gradients = seen.grasp.sensitivity().onset_gradients(event);
-    if gradients.is_empty() {
-        return None;
-    }
+    let event = inside(event);
+    let margins = OnsetMargins::new(&seen.grasp.engine, &event)?;
+    let leavers = margins.leavers().count();
     let contacts = seen.grasp.contacts();
-    let by_kind = |gradient: &OnsetGradient<C>, kind: UnknownKind, unknown: usize, value: f64| {
-        let springs = |i: usize| contacts[i].stiffness.series();
-        let of = |i: usize| match kind {
-            UnknownKind::Friction => gradient.friction[i] * contacts[i].friction,
-            UnknownKind::Stiffness => (1..C).map(|a| gradient.stiffness[i][a] * springs(i)[a]).sum::<f64>(),
-            UnknownKind::Squeeze => gradient.command[i].dot(&contacts[i].command),
-            UnknownKind::Carried => {
-                let pressed = carried_by(&contacts[i], value);
-                let by_base = pressed.components().iter().zip(&gradient.base_load);
-                // A zero component of the load has no effect, even where its derivative is infinite.
-                let by_base: f64 = by_base.filter(|(x, _)| **x != 0.0).map(|(x, by)| x * by).sum();
-                gradient.command[i][0] * value / springs(i)[0] + by_base
+    // The parameters of a contact that an unknown scales, each with its change by the logarithm of the unknown.
+    let changes = |kind: UnknownKind, contact: usize, value: f64| -> Vec<(Parameter, f64)> {
+        let data = &contacts[contact];
+        let springs = data.stiffness.series();
+        let along = |axis: usize| Parameter::Command { contact, axis };
+        match kind {
+            UnknownKind::Friction => vec![(Parameter::Friction { contact }, data.friction)],
+            UnknownKind::Stiffness => {
+                (1..C).map(|axis| (Parameter::Stiffness { contact, axis }, springs[axis])).collect()
             }
-        };
-        seen.contacts_of(unknown).map(of).sum::<f64>()
+            UnknownKind::Squeeze => (0..C).map(|axis| (along(axis), data.command[axis])).collect(),
+            UnknownKind::Carried => {
+                let pressed = carried_by(data, value);
+                let by_load = pressed.components().iter().enumerate();
+                let by_load = by_load.map(|(component, x)| (Parameter::Load { component }, *x));
+                by_load.chain([(along(0), value / springs[0])]).collect()
+            }
+        }
     };
     let presses = seen.is_pressed_by_commands();
     seen.by_unknowns(&|kind, unknown, value| {
-        if kind == UnknownKind::Squeeze && !presses {
-            return None;
-        }
         // The squeeze of some contacts scales only their normal commands; the exact derivative includes tangential ones.
         let along = |i: usize| contacts[i].command.iter().skip(1).any(|x| *x != 0.0);
-        if kind == UnknownKind::Squeeze
-            && seen.asked.unknowns[unknown].contacts.is_some()
-            && seen.contacts_of(unknown).any(along)
-        {
+        let of_some = seen.asked.unknowns[unknown].contacts.is_some();
+        if kind == UnknownKind::Squeeze && (!presses || of_some && seen.contacts_of(unknown).any(along)) {
             return None;
         }
-        let sum: f64 = gradients.iter().map(|gradient| by_kind(gradient, kind, unknown, value)).sum();
-        Some(sum / (gradients.len() as f64 * event.factor))
+        let mut sum = 0.0;
+        let all = seen.contacts_of(unknown).flat_map(|contact| changes(kind, contact, value));
+        // A zero component of the load has no effect, even where its derivative is infinite.
+        for (parameter, change) in all.filter(|(_, change)| *change != 0.0) {
+            sum += change * margins.by(parameter)?.iter().sum::<f64>();
+        }
+        Some(sum / (leavers as f64 * event.factor))
     })
 }

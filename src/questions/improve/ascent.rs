@@ -3,13 +3,13 @@
 use nalgebra::DVector;
 
 use super::answer::SearchEnd;
+use super::by_source::{REST, SQUEEZE, StickingForces};
 use super::curvature::Curvature;
 use super::events::{Constraint, ConstraintKind, SlipEvent, events};
 use super::goal::ImproveGoal;
 use super::loaded::Loaded;
 use super::placing::{Choice, DesignKind, Placing};
 use super::step::{StepProgram, TrialStep};
-use super::sticking::StickingForces;
 use super::tolerances::{ARRIVED_AT_TOP, OPTIMAL, ROUNDED_GAIN};
 use crate::ask::Grasp;
 use crate::error::Error;
@@ -35,13 +35,13 @@ pub(super) struct Ascent<const C: usize> {
     /// Steps so far, including those of earlier ascents.
     pub(super) steps: usize,
     /// The last step with its multipliers.
-    pub(super) last: Option<LastStep<C>>,
+    pub(super) last: Option<LastStep>,
 }
 
 /// A step, and the events and bounds that its multipliers belong to.
-pub(super) struct LastStep<const C: usize> {
+pub(super) struct LastStep {
     pub(super) step: TrialStep,
-    pub(super) events: Vec<SlipEvent<C>>,
+    pub(super) events: Vec<SlipEvent>,
     pub(super) bounds: Vec<Constraint>,
     /// The contacts of those bounds of the program that are ends of surfaces; they come after `bounds`.
     pub(super) rooms: Vec<usize>,
@@ -73,7 +73,7 @@ impl<const C: usize> Climb<'_, C> {
         let Some(mut sticking) = of(&placing)? else { return Ok(None) };
         let mut part = 1.0_f64;
         for (i, most) in most.iter().enumerate() {
-            let (rest, squeeze) = (sticking.forces.rest[i][0], sticking.forces.squeeze[i][0]);
+            let (rest, squeeze) = (sticking.by(REST, i)[0], sticking.by(SQUEEZE, i)[0]);
             if let Some(most) = most
                 && rest + squeeze > *most
             {
@@ -93,7 +93,7 @@ impl<const C: usize> Climb<'_, C> {
 
     /// Value of the grasp given, with its own commands; `None` where a contact slides.
     pub(super) fn before(&self, given: &Placing<C>) -> Result<Option<f64>, Error> {
-        if self.loaded.asked.goal == ImproveGoal::FirstSlip {
+        if self.loaded.goal == ImproveGoal::FirstSlip {
             return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
         }
         let n = self.choice.given.len();
@@ -111,16 +111,14 @@ impl<const C: usize> Climb<'_, C> {
         sticking: StickingForces<C>,
         most: &[Option<f64>],
     ) -> Result<Option<Held<C>>, Error> {
-        let contacts = self.choice.contacts(&placing);
-        let (events, bounds) = events(&contacts, self.loaded.asked, most, &sticking, &[]);
-        let size = (0..contacts.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
+        let (events, bounds) = events(self.loaded, most, &sticking, &[]);
+        let size = (0..most.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
         if bounds.iter().any(|bound| bound.left < -SOLVED_ROUNDING * size) {
             return Ok(None);
         }
-        let (value, scale) = match self.loaded.asked.goal {
+        let (value, scale) = match self.loaded.goal {
             ImproveGoal::FirstSlip => {
-                let grasp = Grasp::new(contacts)?.with(self.grasp.settings());
-                let factor = self.loaded.first_slip(&grasp)?.filter(|factor| *factor > 0.0);
+                let factor = self.loaded.first_slip(&sticking.grasp)?.filter(|factor| *factor > 0.0);
                 let Some(factor) = factor else { return Ok(None) };
                 (factor, factor)
             }
@@ -140,7 +138,7 @@ impl<const C: usize> Climb<'_, C> {
         let [first_radius, largest_radius, least_radius] = [0.1, 1.0, 1e-11];
         let (mut radius, mut curvature) = (first_radius, Curvature::flat(n));
         let ended = |held, search, steps, last| Ok(Ascent { held, search, steps, last });
-        let mut before: Option<LastStep<C>> = None;
+        let mut before: Option<LastStep> = None;
         loop {
             if held.value.is_infinite() {
                 return ended(held, SearchEnd::NothingSlides, steps, None);
@@ -148,9 +146,7 @@ impl<const C: usize> Climb<'_, C> {
             let Some(derivatives) = held.sticking.derivatives(self.choice, &held.placing) else {
                 return ended(held, SearchEnd::Unbalanced, steps, None);
             };
-            let contacts = self.choice.contacts(&held.placing);
-            let (events, bounds) =
-                events(&contacts, self.loaded.asked, &self.most(), &held.sticking, &derivatives);
+            let (events, bounds) = events(self.loaded, &self.most(), &held.sticking, &derivatives);
             if let Some(old) = before.take() {
                 let fell = fallen(&old, (&events, &bounds), held.scale, self.choice.unit_of_force());
                 curvature.learn(&old.step.d, &fell);
@@ -199,7 +195,7 @@ impl<const C: usize> Climb<'_, C> {
     fn program(
         &self,
         held: &Held<C>,
-        events: &[SlipEvent<C>],
+        events: &[SlipEvent],
         bounds: &[Constraint],
     ) -> (StepProgram, Vec<usize>) {
         let variables = &self.choice.variables;
@@ -240,9 +236,9 @@ impl<const C: usize> Climb<'_, C> {
 }
 
 /// The decrease along a step of the gradient of the Lagrangian: events and bounds, weighted by their multipliers.
-fn fallen<const C: usize>(
-    old: &LastStep<C>,
-    (events, bounds): (&[SlipEvent<C>], &[Constraint]),
+fn fallen(
+    old: &LastStep,
+    (events, bounds): (&[SlipEvent], &[Constraint]),
     scale: f64,
     force: f64,
 ) -> DVector<f64> {
@@ -250,8 +246,8 @@ fn fallen<const C: usize>(
     let mut fell = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
         // Of several events of the same kind, the one with the nearest value.
-        let same = events.iter().filter(|other| other.condition.is(&event.condition));
-        let apart = |other: &&SlipEvent<C>| (other.value - event.value).abs();
+        let same = events.iter().filter(|other| other.condition == event.condition);
+        let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {
             fell += (&event.gradient - &same.gradient) * (share / scale);
         }

@@ -169,7 +169,7 @@ fn placed<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>) -> Vec<Placed<
     all
 }
 
-fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &LastStep<C>) -> Vec<InTheWay> {
+fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &LastStep) -> Vec<InTheWay> {
     let LastStep { step, events, bounds, rooms } = last;
     let parts = WholeContacts::of(&choice.given);
     let mut all: Vec<(usize, Binds)> = Vec::new();

@@ -1,6 +1,6 @@
 //! The loads of a question, and the first slip of the given grasp under them.
 
-use super::events::{Acts, AskedOfForces};
+use super::goal::ImproveGoal;
 use super::question::Improve;
 use crate::ask::Grasp;
 use crate::error::Error;
@@ -14,25 +14,24 @@ use crate::squeeze::{Loads, WeakestDirection};
 pub(super) struct Loaded<const C: usize> {
     pub(super) base: Wrench<C>,
     pub(super) loads: Vec<Wrench<C>>,
-    pub(super) asked: AskedOfForces,
-    any: Option<([f64; C], f64)>,
+    pub(super) goal: ImproveGoal,
+    /// The point and the size of a force of any direction, whose components along the axes are the loads; `None` if each load acts, one at a time.
+    pub(super) any: Option<([f64; C], f64)>,
 }
 
 impl<const C: usize> Loaded<C> {
     pub(super) fn of(question: &Improve<C>, loads: &Loads<C>) -> Self {
-        let base = question.base();
-        let asked = |acts| AskedOfForces { goal: question.goal(), acts };
+        let (base, goal) = (question.base(), question.goal());
         match loads {
-            Loads::Each(list) => Self { base, loads: list.clone(), asked: asked(Acts::Each), any: None },
+            Loads::Each(list) => Self { base, loads: list.clone(), goal, any: None },
             Loads::AnyForce { base: beside, size, point } => {
                 let axis = |axis: usize| {
                     let force = core::array::from_fn(|k| if k == axis { *size } else { 0.0 });
                     Wrench::force_through(&(*point).into(), &force.into())
                 };
-                let (loads, asked) = (numbered(C, &axis), asked(Acts::AnyForce));
-                Self { base: base + *beside, loads, asked, any: Some((*point, *size)) }
+                Self { base: base + *beside, loads: numbered(C, &axis), goal, any: Some((*point, *size)) }
             }
-            Loads::Turn(_) => Self { base, loads: Vec::new(), asked: asked(Acts::Each), any: None },
+            Loads::Turn(_) => Self { base, loads: Vec::new(), goal, any: None },
         }
     }
 

@@ -29,7 +29,7 @@
 //! | `question`, `goal` | the question, and the value that is maximised |
 //! | `loaded` | the loads of the question, and the first slip of the grasp itself under them |
 //! | `placing` | values of places and squeezes, and the grasp with these values |
-//! | `sticking` | forces while every contact sticks, and their derivatives |
+//! | `by_source` | forces while every contact sticks, source by source, and their derivatives |
 //! | `events` | the value of each condition, and its derivative |
 //! | `step` | the program of one step, and its multipliers |
 //! | `curvature` | the Hessian learnt from earlier steps |
@@ -39,6 +39,7 @@
 
 mod answer;
 mod ascent;
+mod by_source;
 mod curvature;
 mod events;
 mod goal;
@@ -51,7 +52,6 @@ mod question;
 mod spline;
 mod spot;
 mod step;
-mod sticking;
 mod surface;
 mod tolerances;
 mod words;

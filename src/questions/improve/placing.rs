@@ -6,6 +6,7 @@ use super::question::Improve;
 use super::spot::Spot;
 use super::tolerances::OFF_THE_SURFACE;
 use crate::ask::Grasp;
+use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold};
 use crate::numerics::{Draw, largest, numbered};
@@ -33,6 +34,7 @@ pub(super) enum DesignKind {
 pub(super) struct Choice<'q, const C: usize> {
     pub(super) question: &'q Improve<C>,
     pub(super) given: Vec<Contact<C>>,
+    pub(super) settings: &'q Settings,
     /// The first tangents of the given contacts.
     tangents: Vec<SVector<f64, C>>,
     pub(super) variables: Vec<DesignVariable>,
@@ -50,20 +52,11 @@ pub(super) struct Placing<const C: usize> {
 
 impl<'q, const C: usize> Choice<'q, C> {
     /// The variables of a question, and their values in the given grasp. A contact that does not lie on its surface is refused.
-    pub(super) fn of(grasp: &Grasp<C>, question: &'q Improve<C>) -> Result<(Self, Placing<C>), Error> {
+    pub(super) fn of(grasp: &'q Grasp<C>, question: &'q Improve<C>) -> Result<(Self, Placing<C>), Error> {
         let given = grasp.contacts().to_vec();
         let tangents: Vec<SVector<f64, C>> =
             grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
-        let (mut middle, mut square) = (SVector::<f64, C>::zeros(), 0.0);
-        for contact in &given {
-            middle += contact.point;
-        }
-        middle /= given.len() as f64;
-        for contact in &given {
-            square += (contact.point - middle).norm_squared();
-        }
-        let length = (square / given.len() as f64).sqrt();
-        let length = if length > 0.0 { length } else { 1.0 };
+        let length = grasp.engine.length();
         let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
         for (contact, at) in given.iter().enumerate() {
             let spot =
@@ -97,7 +90,8 @@ impl<'q, const C: usize> Choice<'q, C> {
                 variables.push(DesignVariable { contact, what: DesignKind::Press { most }, unit: most });
             }
         }
-        let choice = Self { question, given, tangents: tangents.clone(), variables };
+        let (settings, tangents_given) = (grasp.settings(), tangents.clone());
+        let choice = Self { question, given, settings, tangents: tangents_given, variables };
         Ok((choice, Placing { spots, tangents, presses }))
     }
 

@@ -9,6 +9,7 @@
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
 use crate::contact::{Edges, Fit, PolygonCone};
+use crate::equilibrium::StickingResponse;
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, quadratic_program};
@@ -17,7 +18,6 @@ use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
-use crate::squeeze::StickingResponse;
 
 /// Size of repeated loads up to which some slips could keep all contacts from sliding; see [`Statics::shakedown`](crate::ask::Statics::shakedown).
 #[derive(Debug, Clone, PartialEq)]

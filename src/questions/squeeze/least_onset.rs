@@ -7,17 +7,15 @@
 //! F(τ) = F⁰ + Σ δ_p c_p + τ (F¹ + Σ ε_q c_q),   |δ_p| <= b_p,   |ε_q| <= b_q:       δ_p = -b_p sign(a·c_p),   ε_q alike
 //! ```
 //!
-//! The plane has two conditions a contact, a polygon one for each facet. The round cone has `a = (μ, -cos φ, -sin φ)` at every angle φ.
-//! There the corner changes only where some `a·c_p` changes its sign, at two angles for each datum. One corner for each arc between
-//! these angles therefore includes the worst.
-
-use core::f64::consts::TAU;
+//! [`Edges::in_a_box`] has the conditions among which is the worst for all corners.
 
 use nalgebra::SVector;
 
 use super::bounds::Bounds;
-use super::sticking_response::{ContactForces, StickingResponse, is_broken, round_row};
-use crate::contact::{Edges, Line};
+#[cfg(doc)]
+use crate::contact::Edges;
+use crate::contact::Line;
+use crate::equilibrium::{ContactForces, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Contact, Engine, Motion, Wrench};
 use crate::load_path::Ramp;
@@ -94,14 +92,11 @@ impl Engine {
         };
         let mut least: Option<(f64, usize, Vec<f64>)> = None;
         for (contact, edges) in sticking.edges.iter().enumerate() {
-            for row in worst_rows(edges, &shares, contact) {
-                let signs: Vec<f64> =
-                    shares.iter().map(|share| -row.dot(&share.forces.of[contact]).signum()).collect();
+            let sides: Vec<_> = shares.iter().map(|share| share.forces.of[contact]).collect();
+            for row in edges.in_a_box(&sides) {
+                let signs: Vec<f64> = sides.iter().map(|side| -row.dot(side).signum()).collect();
                 let line = corner([&base, &rate], &shares, &signs, contact);
-                if edges
-                    .worst(&line.force)
-                    .is_some_and(|(row, value)| is_broken(value, &row, line.force_size))
-                {
+                if !edges.hold(&line.force, line.force_size) {
                     return Ok(LeastOnset::NotSticking { contact });
                 }
                 let Some((exit, _)) = sticking.law(contact).first_exit(&line) else { continue };
@@ -139,12 +134,12 @@ impl Engine {
 
 /// Changes of the forces by each datum with a bound.
 fn shares(sticking: &StickingResponse, bounds: &Bounds<3>) -> Result<Vec<Share>, Motion<3>> {
-    let (grasp, space) = (sticking.grasp, sticking.grasp.space());
-    let (at_rest, nothing) = (vec![SVector::zeros(); grasp.len()], Vector::zeros());
+    let space = sticking.grasp.space();
+    let nothing = Vector::zeros();
     let mut shares = Vec::new();
     for (contact, bounds) in bounds.commands.iter().flatten().enumerate() {
         for (axis, &bound) in bounds.iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
-            let mut drives = at_rest.clone();
+            let mut drives = sticking.at_rest();
             drives[contact][axis] = bound;
             let forces = sticking.forces(&drives, &nothing)?;
             shares.push(Share { datum: Datum::Command(contact, axis), bound, forces });
@@ -156,33 +151,11 @@ fn shares(sticking: &StickingResponse, bounds: &Bounds<3>) -> Result<Vec<Share>,
         for (k, &bound) in bounds.coordinates(space).iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
             let mut load = Vector::zeros();
             load[k] = bound;
-            let forces = sticking.forces(&at_rest, &grasp.inside_unchecked(&Wrench::among(space, &load)))?;
+            let forces = sticking.by_load(&Wrench::among(space, &load))?;
             shares.push(Share { datum: datum(k), bound, forces });
         }
     }
     Ok(shares)
-}
-
-/// A condition for every corner of the box at which a contact may be worst.
-fn worst_rows(edges: &Edges, shares: &[Share], contact: usize) -> Vec<SVector<f64, 3>> {
-    let limit = match edges {
-        Edges::Rows(rows) => return rows.clone(),
-        Edges::Round { limit } => *limit,
-    };
-    let mut turns = vec![0.0];
-    for share in shares {
-        // μ c_n = c₁ cos φ + c₂ sin φ.
-        let c = &share.forces.of[contact];
-        let (towards, aside) = (c[2].atan2(c[1]), (limit * c[0] / c[1].hypot(c[2])).acos());
-        // The angle is NaN where the sign never changes.
-        turns.extend(
-            [towards - aside, towards + aside].map(|x| x.rem_euclid(TAU)).iter().filter(|x| x.is_finite()),
-        );
-    }
-    turns.sort_by(f64::total_cmp);
-    let ends = turns.iter().skip(1).chain([&TAU]);
-    let middles = turns.iter().zip(ends).map(|(from, to)| 0.5 * (from + to));
-    middles.map(|angle| round_row(limit, angle)).collect()
 }
 
 /// The force of a contact at a corner of the box, and its rate.

@@ -2,7 +2,7 @@
 
 use super::loads::Loads;
 use super::parts::{Condition, Parts};
-use super::sticking_response::StickingResponse;
+use crate::equilibrium::StickingResponse;
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::search::Settings;
@@ -48,15 +48,14 @@ impl Engine {
     ) -> Result<LeastSqueeze<3>, Error> {
         self.refuse_hands("least_squeeze")?;
         loads.check(self)?;
-        let sticking = StickingResponse::new(self, settings);
-        let parts = match Parts::of(&sticking, loads) {
+        let parts = match Parts::of(StickingResponse::new(self, settings), loads) {
             Ok(parts) => parts,
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),
         };
         let (mut factor, mut binding) = (0.0, None);
         // Each cut raises the factor, with quadratic convergence; beyond this number cuts are rounding.
         for _ in 0..1000 {
-            let Some((contact, Condition { row, value, load, .. })) = parts.broken(&sticking, factor) else {
+            let Some((contact, Condition { row, value, load, .. })) = parts.broken(factor) else {
                 return Ok(LeastSqueeze::Factor { factor, binding });
             };
             let gain = parts.gain(contact, &row);

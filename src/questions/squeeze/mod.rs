@@ -16,7 +16,6 @@
 //! |---|---|
 //! | `loads` | the loads that a grasp must hold |
 //! | `parts` | the conditions that are broken under these loads at a given squeeze |
-//! | `sticking_response` | forces of every contact while all contacts stick, by source |
 //! | `least_squeeze` | the least factor of the commands |
 //! | `weakest_direction` | the least force, of all directions, at which a contact slides |
 //! | `bounds` | bounds of the errors of commands and loads |
@@ -28,7 +27,6 @@ mod least_onset;
 mod least_squeeze;
 mod loads;
 mod parts;
-mod sticking_response;
 mod weakest_direction;
 
 pub use bounds::Bounds;
@@ -36,5 +34,4 @@ pub use least_onset::LeastOnset;
 pub use least_squeeze::LeastSqueeze;
 pub(crate) use loads::LoadFields;
 pub use loads::Loads;
-pub(crate) use sticking_response::StickingResponse;
 pub use weakest_direction::WeakestDirection;

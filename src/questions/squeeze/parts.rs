@@ -1,17 +1,12 @@
 //! Conditions that are broken under a set of loads at a factor of the squeeze.
 
-use core::f64::consts::TAU;
-
 use nalgebra::SVector;
 
 use super::loads::Loads;
-use super::sticking_response::{
-    ContactForces, Push, StickingResponse, is_broken, push, round_parts, round_row,
-};
-use crate::contact::{Edges, ZERO_SLACK, tangential};
+use crate::contact::{Edges, ZERO_SLACK, is_broken};
+use crate::equilibrium::{ContactForces, Influence, StickingResponse, push};
 use crate::grasp::{Motion, Wrench};
-use crate::load_path::Turn;
-use crate::numerics::{Harmonic, Turning, Vector};
+use crate::numerics::{Harmonic, Vector};
 use crate::prelude::*;
 
 /// A condition `row·F >= 0`, its value under a load, and the size of its forces.
@@ -25,27 +20,28 @@ pub(super) struct Condition {
 /// Forces contact by contact, of the whole squeeze and of the loads without squeeze.
 pub(super) struct Parts<'l> {
     loads: &'l Loads<3>,
+    edges: Vec<Edges>,
     squeeze: ContactForces,
     /// Forces under each load of a list, by the three parts of a turn, or under the base load of forces of any direction.
     base: Vec<ContactForces>,
-    pushes: Vec<Push>,
+    influences: Vec<Influence>,
 }
 
 impl<'l> Parts<'l> {
-    pub(super) fn of(sticking: &StickingResponse<'_>, loads: &'l Loads<3>) -> Result<Self, Motion<3>> {
+    pub(super) fn of(sticking: StickingResponse<'_>, loads: &'l Loads<3>) -> Result<Self, Motion<3>> {
         let grasp = sticking.grasp;
         let commands: Vec<_> =
             grasp.contacts().iter().map(|contact| SVector::from(contact.commanded())).collect();
         let squeeze = sticking.forces(&grasp.drive_changes(Some(&commands), None), &Vector::zeros())?;
         let mut without = grasp.drives();
         without.iter_mut().zip(&commands).for_each(|(drive, command)| *drive -= command);
-        let at_rest = vec![SVector::zeros(); without.len()];
+        let at_rest = sticking.at_rest();
         let under = |load: &Wrench<3>| sticking.forces(&without, &grasp.load_unchecked(load));
-        let mut pushes = Vec::new();
+        let mut influences = Vec::new();
         let base = match loads {
             Loads::Each(list) => list.iter().map(under).collect::<Result<_, _>>()?,
             Loads::AnyForce { base, point, .. } => {
-                pushes = sticking.pushes(point)?;
+                influences = sticking.influences(point)?;
                 vec![under(base)?]
             }
             Loads::Turn(turn) => {
@@ -57,21 +53,14 @@ impl<'l> Parts<'l> {
                 ]
             }
         };
-        Ok(Self { loads, squeeze, base, pushes })
+        Ok(Self { loads, edges: sticking.edges, squeeze, base, influences })
     }
 
     /// The broken condition at a factor that needs the most additional squeeze, with its contact.
-    pub(super) fn broken(&self, sticking: &StickingResponse<'_>, factor: f64) -> Option<(usize, Condition)> {
+    pub(super) fn broken(&self, factor: f64) -> Option<(usize, Condition)> {
         let mut most: Option<(f64, usize, Condition)> = None;
-        for (contact, edges) in sticking.edges.iter().enumerate() {
-            let conditions = match self.loads {
-                Loads::Each(list) => self.under_each(list, edges, (contact, factor)),
-                Loads::AnyForce { base, size, point } => {
-                    self.under_any_force((base, *size, point), edges, (contact, factor))
-                }
-                Loads::Turn(turn) => self.under_a_turn(turn, edges, (contact, factor)),
-            };
-            for condition in conditions {
+        for contact in 0..self.edges.len() {
+            for condition in self.worst(contact, factor) {
                 if !is_broken(condition.value, &condition.row, condition.size) {
                     continue;
                 }
@@ -91,75 +80,39 @@ impl<'l> Parts<'l> {
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The force of `factor` times the squeeze, and its size.
-    fn pressed(&self, contact: usize, factor: f64) -> (SVector<f64, 3>, f64) {
-        (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor)
-    }
-
-    /// Under each load of a list, the condition with the least value.
-    fn under_each(
-        &self,
-        list: &[Wrench<3>],
-        edges: &Edges,
-        (contact, factor): (usize, f64),
-    ) -> Vec<Condition> {
-        let (squeeze, size) = self.pressed(contact, factor);
-        let worst = |(load, forces): (&Wrench<3>, &ContactForces)| {
-            let (row, value) = edges.worst(&(forces.of[contact] + squeeze))?;
-            Some(Condition { row, value, size: forces.sizes[contact] + size, load: *load })
+    /// The conditions of a contact with the least values: under each load of a list, under the worst force for each facet, at angles of a turn.
+    fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
+        let edges = &self.edges[contact];
+        let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);
+        let pressed = pressed + self.base.iter().map(|part| part.sizes[contact]).sum::<f64>();
+        let at = |force: &SVector<f64, 3>, size: f64, load: Wrench<3>| {
+            edges.worst(force).map(|(row, value)| Condition { row, value, size, load })
         };
-        list.iter().zip(&self.base).filter_map(worst).collect()
-    }
-
-    /// Under the worst of all forces of a size: the conditions of each facet, or of a round cone one broken facet.
-    fn under_any_force(
-        &self,
-        (base, size, point): (&Wrench<3>, f64, &[f64; 3]),
-        edges: &Edges,
-        (contact, factor): (usize, f64),
-    ) -> Vec<Condition> {
-        let (forces, pushes) = (&self.base[0], &self.pushes[contact]);
-        let (squeeze, pressed) = self.pressed(contact, factor);
-        let force = forces.of[contact] + squeeze;
-        let sizes = forces.sizes[contact] + pressed + pushes.size * size;
-        let condition = |row: SVector<f64, 3>| {
-            let felt = pushes.felt(&row);
-            let against: [f64; 3] = (felt / -felt.norm().max(f64::MIN_POSITIVE)).into();
-            let value = row.dot(&force) - size * felt.norm();
-            Condition { row, value, size: sizes, load: *base + push(point, &against) * size }
-        };
-        match edges {
-            Edges::Rows(rows) => rows.iter().copied().map(condition).collect(),
-            Edges::Round { limit } => {
-                let number = round_parts(*limit).map(|&(times, axis)| times * force[axis]);
-                let turning = Turning { number, vector: pushes.turning(*limit, size) };
-                turning.deepest(TAU).map(|angle| condition(round_row(*limit, angle))).into_iter().collect()
+        match self.loads {
+            Loads::Each(list) => {
+                let under = |(load, base): (&Wrench<3>, &ContactForces)| {
+                    let size = self.squeeze.sizes[contact] * factor + base.sizes[contact];
+                    at(&(base.of[contact] + squeeze), size, *load)
+                };
+                list.iter().zip(&self.base).filter_map(under).collect()
+            }
+            Loads::AnyForce { base, size, point } => {
+                let (force, influence) = (self.base[0].of[contact] + squeeze, &self.influences[contact]);
+                let condition = |row: SVector<f64, 3>| {
+                    let felt = influence.felt(&row);
+                    let against: [f64; 3] = (felt / -felt.norm().max(f64::MIN_POSITIVE)).into();
+                    let value = row.dot(&force) - size * felt.norm();
+                    let load = *base + push(point, &against) * *size;
+                    Condition { row, value, size: pressed + influence.size * size, load }
+                };
+                edges.on_a_sphere(&force, &influence.of, *size).into_iter().map(condition).collect()
+            }
+            Loads::Turn(turn) => {
+                let mut force = Harmonic::new(core::array::from_fn(|k| self.base[k].of[contact]));
+                force.constant += squeeze;
+                let angles = edges.on_a_turn(&force, turn.whole_angle()).into_iter();
+                angles.filter_map(|angle| at(&force.at(angle), pressed, turn.load_at(angle))).collect()
             }
         }
-    }
-
-    /// Conditions that are broken at some angle of a turn.
-    fn under_a_turn(&self, turn: &Turn<3>, edges: &Edges, (contact, factor): (usize, f64)) -> Vec<Condition> {
-        let (squeeze, pressed) = self.pressed(contact, factor);
-        let mut force = Harmonic::new(core::array::from_fn(|k| self.base[k].of[contact]));
-        force.constant += squeeze;
-        let size = pressed + self.base.iter().map(|part| part.sizes[contact]).sum::<f64>();
-        let margins: Vec<Turning<3>> = match edges {
-            Edges::Rows(rows) => {
-                let margin = |row: &SVector<f64, 3>| Turning {
-                    number: force.map(|x| row.dot(x)),
-                    vector: Harmonic::new([SVector::zeros(); 3]),
-                };
-                rows.iter().map(margin).collect()
-            }
-            Edges::Round { limit } => {
-                vec![Turning { number: force.map(|x| limit * x[0]), vector: force.map(tangential) }]
-            }
-        };
-        let broken = |angle: f64| {
-            let (row, value) = edges.worst(&force.at(angle))?;
-            Some(Condition { row, value, size, load: turn.load_at(angle) })
-        };
-        margins.iter().filter_map(|margin| broken(margin.deepest(turn.whole_angle())?)).collect()
     }
 }

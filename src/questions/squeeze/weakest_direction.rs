@@ -1,16 +1,15 @@
 //! The least force, of all directions, at which a contact slides.
 
-use core::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::SVector;
 
 use super::loads::check_point;
-use super::sticking_response::{Push, StickingResponse, is_broken, push, round_parts, round_row};
 use crate::contact::Edges;
+use crate::equilibrium::{Influence, StickingResponse, push};
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::load_path::Leaver;
-use crate::numerics::Turning;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Settings;
@@ -59,26 +58,18 @@ impl Engine {
         let Ok(forces) = sticking.forces(&self.drives(), &load) else {
             return Ok(WeakestDirection::NotSticking);
         };
-        let sticks = |((edges, force), size): ((&Edges, &SVector<f64, 3>), &f64)| {
-            edges.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, *size))
-        };
-        if !sticking.edges.iter().zip(&forces.of).zip(&forces.sizes).all(sticks) {
+        let mut sites = sticking.edges.iter().zip(forces.of.iter().zip(&forces.sizes));
+        if !sites.all(|(edges, (force, size))| edges.hold(force, *size)) {
             return Ok(WeakestDirection::NotSticking);
         }
-        let pushes = match sticking.pushes(&point) {
-            Ok(pushes) => pushes,
+        let influences = match sticking.influences(&point) {
+            Ok(influences) => influences,
             Err(motion) => return Ok(WeakestDirection::GivesWay { motion }),
         };
         let mut least = Least { size: f64::INFINITY, direction: SVector::zeros(), site: 0 };
-        let sites = sticking.edges.iter().zip(&forces.of).zip(&pushes);
-        for (site, ((edges, force), pushes)) in sites.enumerate() {
-            match edges {
-                Edges::Rows(rows) => rows.iter().for_each(|row| least.cut(site, force, pushes, row)),
-                Edges::Round { limit } => {
-                    if !least.go_round(site, *limit, force, pushes) {
-                        return Ok(WeakestDirection::Undecided);
-                    }
-                }
+        for (site, edges) in sticking.edges.iter().enumerate() {
+            if !least.lowered_to(site, edges, &forces.of[site], &influences[site]) {
+                return Ok(WeakestDirection::Undecided);
             }
         }
         let Least { size, direction, site } = least;
@@ -98,35 +89,37 @@ struct Least {
 }
 
 impl Least {
-    /// The least force that breaks one condition.
-    fn cut(&mut self, site: usize, force: &SVector<f64, 3>, pushes: &Push, row: &SVector<f64, 3>) {
-        let felt = pushes.felt(row);
-        let size = row.dot(force).max(0.0) / felt.norm();
-        if size < self.size {
-            *self = Self { size, direction: -felt.normalize(), site };
-        }
-    }
-
-    /// Lowers the force to the least that breaks a condition of a round cone. Returns whether it was found before cuts ran out.
-    fn go_round(&mut self, site: usize, limit: f64, force: &SVector<f64, 3>, pushes: &Push) -> bool {
-        // First cuts: the facets towards and against the friction force, and across it.
+    /// Lowers the force to the least that breaks a condition of a contact. Returns whether it was found before cuts ran out.
+    fn lowered_to(
+        &mut self,
+        site: usize,
+        edges: &Edges,
+        force: &SVector<f64, 3>,
+        influence: &Influence,
+    ) -> bool {
+        let mut cut = |rows: Vec<SVector<f64, 3>>| {
+            for row in rows {
+                let felt = influence.felt(&row);
+                let size = row.dot(force).max(0.0) / felt.norm();
+                if size < self.size {
+                    *self = Self { size, direction: -felt.normalize(), site };
+                }
+            }
+            self.size
+        };
+        // First cuts: all facets, or on a round cone those towards and against the friction force, and across it.
         let begin = force[2].atan2(force[1]);
-        for quarter in 0_u8..4 {
-            let angle = begin + f64::from(quarter) * FRAC_PI_2;
-            self.cut(site, force, pushes, &round_row(limit, angle));
-        }
-        if self.size.is_infinite() {
-            // Forces that change no condition at four angles change none, as three vectors determine the change at every angle.
-            return true;
-        }
-        let number = round_parts(limit).map(|&(times, axis)| times * force[axis]);
-        // Each cut lowers the force, with quadratic convergence; beyond this number cuts are rounding.
+        let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
+        let mut size = cut(edges.rows(&|_| (0..4).map(quarters).collect()));
+        // Each further cut lowers the force, with quadratic convergence; beyond this number cuts are rounding.
         for _ in 0..200 {
-            let turning = Turning { number, vector: pushes.turning(limit, self.size) };
-            let Some(angle) = turning.deepest(TAU) else { return true };
-            let before = self.size;
-            self.cut(site, force, pushes, &round_row(limit, angle));
-            if self.size >= before {
+            // A force that changes no condition at four angles changes none, as three vectors determine the change at every angle.
+            if size.is_infinite() {
+                return true;
+            }
+            let before = size;
+            size = cut(edges.on_a_sphere(force, &influence.of, size));
+            if size >= before {
                 // The rest is rounding.
                 return true;
             }

@@ -12,7 +12,7 @@
 
 use nalgebra::SVector;
 
-use crate::contact::{LocalLaw, Polygon};
+use crate::contact::{LocalLaw, Mode, Polygon};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, Twist};
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -56,7 +56,10 @@ impl Engine {
         let straight = straight_generators(&problem).unwrap_or_default();
         let inside = |forces: &[SVector<f64, 3>]| {
             problem.locals().zip(forces).all(|(local, force)| {
-                local.edges().worst(force).is_none_or(|(row, value)| value > NEGLIGIBLE * row.norm())
+                local
+                    .edges(&Mode::Sticking)
+                    .worst(force)
+                    .is_none_or(|(row, value)| value > NEGLIGIBLE * row.norm())
             })
         };
         let closure = self.closure(&axes, &straight, &|v| round_generators(&problem, v).collect(), &inside);

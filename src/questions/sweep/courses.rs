@@ -1,34 +1,17 @@
-//! Forces of contacts that keep their states: linear in the load, with their changes by errors of the data.
-
-use alloc::sync::Arc;
+//! Forces of contacts that keep their states, source by source, with their changes by errors of the data.
 
 use nalgebra::{Matrix, SVector};
 
 use super::datum::UncertainDatum;
 use super::margin::{Effect, LOOKED_AT, effect};
-use crate::contact::{Polygon, State};
+use crate::equilibrium::{Cone, StickingResponse};
 use crate::error::Error;
-use crate::grasp::{Engine, Space, Wrench};
+use crate::grasp::{Space, Wrench};
 use crate::numerics::{Size, Vector};
-use crate::object::{Load, Piece, PieceState};
+use crate::object::PieceState;
 use crate::prelude::*;
 
-/// Forces with data as known, and with each datum off by each amount of `LOOKED_AT`.
-#[derive(Debug, Clone)]
-pub(super) struct AllForces {
-    space: Space,
-    known: LinearForces,
-    off: Vec<[LinearForces; LOOKED_AT.len()]>,
-}
-
-/// Forces of all sites, or gaps of open sites: by commands alone, and by each component of the load.
-#[derive(Debug, Clone)]
-struct LinearForces {
-    commanded: Vec<SVector<f64, 3>>,
-    by_load: Vec<Vec<SVector<f64, 3>>>,
-}
-
-/// Forces by commands or by one load: with data as known, and their changes by each datum.
+/// Forces of all sites, or gaps of open sites, by one source: with data as known, and their changes by each datum.
 #[derive(Debug, Clone)]
 pub(super) struct Course {
     pub(super) known: Vec<SVector<f64, 3>>,
@@ -37,42 +20,23 @@ pub(super) struct Course {
 }
 
 impl Course {
-    fn with(all: &AllForces, forces: impl Fn(&LinearForces) -> Vec<SVector<f64, 3>>) -> Self {
-        let known = forces(&all.known);
-        let of_datum = |values: &[LinearForces; LOOKED_AT.len()]| {
-            let seen = values.each_ref().map(&forces);
-            let of_site = |(i, known)| effect(seen.each_ref().map(|forces| forces[i] - known));
-            known.iter().enumerate().map(of_site).collect()
-        };
-        let off = all.off.iter().map(of_datum).collect();
-        Self { known, off }
-    }
-
-    /// Forces by commands and by forces that hold contacts.
-    pub(super) fn commanded(all: &AllForces) -> Self {
-        Self::with(all, |forces| forces.commanded.clone())
-    }
-
-    /// Forces by a load.
-    pub(super) fn of(all: &AllForces, load: &Wrench<3>) -> Self {
-        Self::with(all, |forces| {
-            let mut sum = vec![SVector::zeros(); forces.commanded.len()];
-            for (by, x) in
-                forces.by_load.iter().zip(load.coordinates(all.space).iter()).filter(|(_, x)| **x != 0.0)
-            {
-                sum.iter_mut().zip(by).for_each(|(sum, by)| *sum += by * *x);
-            }
-            sum
-        })
-    }
-
-    /// The sum of both.
-    pub(super) fn and(mut self, other: &Self) -> Self {
-        self.known.iter_mut().zip(&other.known).for_each(|(sum, more)| *sum += more);
+    /// Adds this many times another course.
+    pub(super) fn add(&mut self, times: f64, other: &Self) {
+        self.known.iter_mut().zip(&other.known).for_each(|(sum, more)| *sum += more * times);
         for (sum, more) in self.off.iter_mut().flatten().zip(other.off.iter().flatten()) {
-            sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+            sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more * times);
         }
-        self
+    }
+
+    /// The course of a load, from those of its components.
+    pub(super) fn of(by_component: &[Self], space: Space, load: &Wrench<3>) -> Self {
+        let none = by_component[0].off.iter().map(|sites| vec![Effect::default(); sites.len()]);
+        let mut sum =
+            Self { known: vec![SVector::zeros(); by_component[0].known.len()], off: none.collect() };
+        for (by, x) in by_component.iter().zip(load.coordinates(space).iter()).filter(|(_, x)| **x != 0.0) {
+            sum.add(*x, by);
+        }
+        sum
     }
 
     /// The largest force with data as known.
@@ -81,44 +45,47 @@ impl Course {
     }
 }
 
-impl Engine {
-    /// Forces while sites keep these states, none of which slides, with data as known and with each datum off. Also the piece of these states.
-    pub(super) fn all_forces(
-        &self,
-        states: &[State],
-        polygon: &Arc<Polygon>,
-        data: &[UncertainDatum],
-        sigmas: f64,
-    ) -> Result<(AllForces, Piece), Error> {
-        let (known, piece) = self.forces(states, polygon);
-        let mut off = Vec::with_capacity(data.len());
-        for datum in data {
-            let of = |part: f64| Ok::<_, Error>(datum.engine(self, part * sigmas)?.forces(states, polygon).0);
-            let [low, half_low, half_high, high] = LOOKED_AT;
-            off.push([of(low)?, of(half_low)?, of(half_high)?, of(high)?]);
+/// The courses of commands and constant loads, and of one unit of each component of the load. No contact slides.
+pub(super) fn courses(
+    response: &StickingResponse<'_>,
+    cone: Cone,
+    data: &[UncertainDatum],
+    sigmas: f64,
+) -> Result<Vec<Course>, Error> {
+    let mut courses = Vec::new();
+    for known in by_source(response) {
+        courses.push(Course { known, off: Vec::with_capacity(data.len()) });
+    }
+    for datum in data {
+        let mut seen = Vec::with_capacity(LOOKED_AT.len());
+        for part in LOOKED_AT {
+            let engine = datum.engine(response.grasp, part * sigmas)?;
+            seen.push(by_source(&StickingResponse::in_states(&engine, cone, &response.states)));
         }
-        Ok((AllForces { space: self.space(), known, off }, piece))
+        for (source, Course { known, off }) in courses.iter_mut().enumerate() {
+            let change = |k: usize, i: usize| seen[k][source][i] - known[i];
+            off.push((0..known.len()).map(|i| effect([0, 1, 2, 3].map(|k| change(k, i)))).collect());
+        }
     }
+    Ok(courses)
+}
 
-    fn forces(&self, states: &[State], polygon: &Arc<Polygon>) -> (LinearForces, Piece) {
-        let drives = self.drives();
-        let at_rest = vec![SVector::zeros(); drives.len()];
-        let problem = self.problem(polygon.clone(), false, drives.clone(), &Load::from(&Vector::zeros()));
-        let piece = Piece::new(&problem, states);
-        let seen = |drives: &[SVector<f64, 3>], wrench: &Vector| {
-            let PieceState { mut forces, twist } = piece.solve_roughly(drives, wrench);
-            for (i, site) in self.sites().iter().enumerate().filter(|(i, _)| states[*i].is_open()) {
-                forces[i] = SVector::zeros();
-                forces[i][0] = -site.stretch(&drives[i], &twist)[0];
-            }
-            forces
-        };
-        let commanded = seen(&drives, &self.load_unchecked(&Wrench::ZERO));
-        let by_load = (0..self.space().of_the_object())
-            .map(|k| seen(&at_rest, &self.inside_unchecked(&unit(self.space(), k))))
-            .collect();
-        (LinearForces { commanded, by_load }, piece)
+/// Forces or gaps by commands and constant loads, then by each component of the load.
+fn by_source(response: &StickingResponse<'_>) -> Vec<Vec<SVector<f64, 3>>> {
+    let grasp = response.grasp;
+    let seen = |drives: &[SVector<f64, 3>], load: &Vector| {
+        let PieceState { mut forces, twist } = response.piece.solve_roughly(drives, load);
+        for (i, site) in grasp.sites().iter().enumerate().filter(|(i, _)| response.states[*i].is_open()) {
+            forces[i] = SVector::zeros();
+            forces[i][0] = -site.stretch(&drives[i], &twist)[0];
+        }
+        forces
+    };
+    let mut sources = vec![seen(&grasp.drives(), &grasp.load_unchecked(&Wrench::ZERO))];
+    for component in 0..grasp.space().of_the_object() {
+        sources.push(seen(&response.at_rest(), &grasp.inside_unchecked(&unit(grasp.space(), component))));
     }
+    sources
 }
 
 /// One newton or newton metre of a component.

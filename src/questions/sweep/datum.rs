@@ -1,88 +1,85 @@
 //! The data that are not known exactly, one by one.
 
-use super::off::ContactErrors;
+use core::ops::Range;
+
+use super::off::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;
+use crate::equilibrium::Parameter;
 use crate::error::Error;
-use crate::grasp::{Contact, Engine};
+use crate::grasp::Engine;
+use crate::numerics::unit;
 use crate::prelude::*;
 
-/// One datum with its σ, of a factor's logarithm or of an added amount.
-pub(super) struct UncertainDatum {
-    what: DatumKind,
-    sigma: f64,
+/// One datum, with its error of one σ.
+pub(super) enum UncertainDatum {
+    /// Of a contact, or of all points of the soft fingertip that it begins.
+    OfContact(usize, ContactErrors),
+    /// The logarithm of the stiffness of a joint.
+    OfJoint(usize, f64),
 }
 
-/// The kind of a datum, with its contact (the first one of a soft fingertip) or joint.
-#[derive(Clone, Copy)]
-enum DatumKind {
-    Stiffness { contact: usize },
-    Squeeze { contact: usize },
-    Point { contact: usize, axis: usize },
-    Normal { contact: usize, axis: usize },
-    Joint(usize),
+/// The contact, or all points of the soft fingertip that it begins.
+fn points(of: &Engine, contact: usize) -> Range<usize> {
+    let further = of.contacts().iter().skip(contact + 1).take_while(|point| !point.begins_a_whole());
+    contact..contact + 1 + further.count()
 }
 
 impl UncertainDatum {
     /// The engine with this datum off by z σ.
     pub(super) fn engine(&self, of: &Engine, z: f64) -> Result<Engine, Error> {
-        let (factor, added) = ((self.sigma * z).exp(), self.sigma * z);
-        let mut off = ContactErrors::not();
-        let whose = match self.what {
-            DatumKind::Stiffness { contact } => {
-                off.stiffness = factor;
-                Some(contact)
-            }
-            DatumKind::Squeeze { contact } => {
-                off.squeeze = factor;
-                Some(contact)
-            }
-            DatumKind::Point { contact, axis } => {
-                off.moved[axis] = added;
-                Some(contact)
-            }
-            DatumKind::Normal { contact, axis } => {
-                off.tilt[axis] = added;
-                Some(contact)
-            }
-            DatumKind::Joint(_) => None,
-        };
         let mut contacts = of.contacts().to_vec();
-        let is_meant = |i: usize, contact: &Contact<3>| Some(i) == whose || !contact.begins_a_whole();
-        for (i, contact) in contacts.iter_mut().enumerate().skip(whose.unwrap_or(usize::MAX)) {
-            if !is_meant(i, contact) {
-                break;
+        if let Self::OfContact(contact, errors) = self {
+            for point in &mut contacts[points(of, *contact)] {
+                *point = errors.times(z).applied_to(point);
             }
-            *contact = off.applied_to(contact);
         }
-        of.with_data(contacts, &|joint| {
-            if matches!(self.what, DatumKind::Joint(j) if j == joint) { factor } else { 1.0 }
+        of.with_data(contacts, &|joint| match self {
+            Self::OfJoint(of, sigma) if *of == joint => factor(sigma * z),
+            _ => 1.0,
         })
+    }
+
+    /// The parameters of which this is a datum, each with its change by one σ.
+    pub(super) fn parameters(&self, of: &Engine) -> Vec<(Parameter, f64)> {
+        match self {
+            Self::OfContact(contact, errors) => {
+                points(of, *contact).flat_map(|point| errors.parameters(of, point)).collect()
+            }
+            &Self::OfJoint(joint, sigma) => {
+                let drive = of.drives_of(joint).next();
+                let by = drive.map(|(_, drive)| sigma * drive.stiffness_of_owner());
+                by.map(|by| (Parameter::JointStiffness { joint }, by)).into_iter().collect()
+            }
+        }
     }
 }
 
 impl Engine {
-    /// The uncertain data, without friction and load, which change no force by themselves.
+    /// The uncertain data that change forces; those of the load and of friction do not by themselves.
     pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
+        let none = ContactErrors::default();
+        let axes = self.space().axes();
         let mut data = Vec::new();
-        let mut add = |what: DatumKind, sigma: f64| {
-            if sigma != 0.0 {
-                data.push(UncertainDatum { what, sigma });
+        for (i, given) in self.contacts().iter().enumerate().filter(|(_, given)| given.begins_a_whole()) {
+            let mut add = |errors| data.push(UncertainDatum::OfContact(i, errors));
+            if stiffness != 0.0 {
+                add(ContactErrors { stiffness, ..none });
             }
-        };
-        for (contact, given) in self.contacts().iter().enumerate().filter(|(_, given)| given.begins_a_whole())
-        {
-            add(DatumKind::Stiffness { contact }, stiffness);
-            if given.commanded()[0] != 0.0 || given.force.is_some() || given.suction != 0.0 {
-                add(DatumKind::Squeeze { contact }, squeeze);
+            let presses = given.commanded()[0] != 0.0 || given.force.is_some() || given.suction != 0.0;
+            if squeeze != 0.0 && presses {
+                add(ContactErrors { squeeze, ..none });
             }
-            (0..self.space().axes()).for_each(|axis| add(DatumKind::Point { contact, axis }, position));
-            (1..self.space().axes()).for_each(|axis| add(DatumKind::Normal { contact, axis }, normal));
+            for axis in (0..axes).filter(|_| position != 0.0) {
+                add(ContactErrors { moved: unit(axis) * position, ..none });
+            }
+            for axis in (1..axes).filter(|_| normal != 0.0) {
+                add(ContactErrors { tilt: unit(axis) * normal, ..none });
+            }
         }
-        for joint in (0..self.joint_commands().len()).filter(|joint| self.drives_of(*joint).next().is_some())
-        {
-            add(DatumKind::Joint(joint), stiffness);
-        }
+        let driven = |joint: &usize| stiffness != 0.0 && self.drives_of(*joint).next().is_some();
+        let joints = (0..self.joint_commands().len()).filter(driven);
+        data.extend(joints.map(|joint| UncertainDatum::OfJoint(joint, stiffness)));
         data
     }
 }

@@ -14,78 +14,47 @@ use core::f64::consts::{PI, TAU};
 
 use nalgebra::SVector;
 
-use super::margin::{FacetMargin, FirstOrder, MarginRow, UncertainForce};
+use super::margin::{FacetMargin, FirstOrder, UncertainForce};
 use super::tolerances::AROUND_A_CONE;
-use crate::contact::Coulomb;
-use crate::numerics::{normal_tail, unit};
+use crate::contact::{Edges, round_rows};
+use crate::numerics::{Harmonic, normal_tail};
+#[cfg(not(feature = "std"))]
 use crate::prelude::*;
-
-/// The conditions that keep a contact in its state.
-#[derive(Debug, Clone)]
-pub(super) enum LimitState {
-    /// No conditions.
-    None,
-    /// The normal force, or the gap of an open contact, must not become negative.
-    Opens,
-    /// Facets of a polygon; in the plane both edges.
-    Facets(Coulomb, Vec<SVector<f64, 3>>),
-    /// The round cone.
-    Round(Coulomb),
-}
 
 /// Memory for the margins of a facet under two loads.
 pub(super) type MarginPair = [FacetMargin; 2];
 
-impl LimitState {
-    /// Upper bound of the probability that the contact leaves under one load, and does not under another one, if given.
-    pub(super) fn failure(
-        &self,
-        here: &UncertainForce<'_>,
-        also: Option<&UncertainForce<'_>>,
-        margins: &mut MarginPair,
-    ) -> f64 {
-        let mut two = TwoLoads { here, also, margins };
-        match self {
-            Self::None => 0.0,
-            Self::Opens => two.failure_of(unit(0), false),
-            Self::Facets(cone, facets) => {
-                facets.iter().map(|h| two.failure_of(cone.facet_row(h), true)).sum::<f64>().min(1.0)
-            }
-            Self::Round(cone) => two.failure_of_round(*cone),
-        }
-    }
-
-    /// Failure probability of the contact under one load, with its force linearised in the data: a starting value for the search.
-    pub(super) fn roughly(&self, here: &UncertainForce<'_>) -> f64 {
-        let first_order = here.first_order();
-        let fails = |row, rubs| normal_tail(first_order.reliability(&MarginRow { row, rubs }));
-        match self {
-            Self::None => 0.0,
-            Self::Opens => fails(unit(0), false),
-            Self::Facets(cone, facets) => {
-                facets.iter().map(|h| fails(cone.facet_row(h), true)).sum::<f64>().min(1.0)
-            }
-            Self::Round(cone) => normal_tail(worst_around(&first_order, *cone).1),
-        }
+/// Upper bound of the probability that a contact leaves its state under one load, and does not under another one, if given.
+pub(super) fn failure(
+    edges: &Edges,
+    here: &UncertainForce<'_>,
+    also: Option<&UncertainForce<'_>>,
+    margins: &mut MarginPair,
+) -> f64 {
+    let mut two = TwoLoads { here, also, margins };
+    match edges {
+        Edges::Rows(rows) => rows.iter().map(|row| two.failure_of(row)).sum::<f64>().min(1.0),
+        Edges::Round { limit } => two.failure_of_round(&round_rows(*limit)),
     }
 }
 
-/// The facet of a round cone in the tangential direction of this angle, rad.
-fn facet(cone: Coulomb, angle: f64) -> MarginRow {
-    MarginRow { row: cone.facet_row(&along(angle.cos(), angle.sin())), rubs: true }
-}
-
-/// A tangential direction.
-fn along(x: f64, y: f64) -> SVector<f64, 3> {
-    SVector::from_fn(|a, _| [0.0, x, y][a])
+/// Failure probability of the contact under one load, with its force linearised in the data: a starting value for the search.
+pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
+    let first_order = here.first_order();
+    match edges {
+        Edges::Rows(rows) => {
+            rows.iter().map(|row| normal_tail(first_order.reliability(row))).sum::<f64>().min(1.0)
+        }
+        Edges::Round { limit } => normal_tail(worst_around(&first_order, &round_rows(*limit)).1),
+    }
 }
 
 /// The direction in which a round cone most probably fails to first order, rad, and the reliability there.
-fn worst_around(first_order: &FirstOrder, cone: Coulomb) -> (f64, f64) {
+fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
     for k in 0..AROUND_A_CONE {
         let angle = TAU * k as f64 / AROUND_A_CONE as f64;
-        let reliability = first_order.reliability(&facet(cone, angle));
+        let reliability = first_order.reliability(&around.at(angle));
         if reliability < worst.1 {
             worst = (angle, reliability);
         }
@@ -102,30 +71,29 @@ struct TwoLoads<'a> {
 
 impl TwoLoads<'_> {
     /// The margin of a facet under the first load.
-    fn find(&mut self, facet: &MarginRow) -> &FacetMargin {
+    fn find(&mut self, facet: &SVector<f64, 3>) -> &FacetMargin {
         self.here.find(facet, &mut self.margins[0]);
         &self.margins[0]
     }
 
     /// The probability that the last margin holds under the other load where it just fails under the first.
-    fn holds_otherwise(&mut self, facet: &MarginRow) -> f64 {
+    fn holds_otherwise(&mut self, facet: &SVector<f64, 3>) -> f64 {
         let Some(also) = self.also else { return 1.0 };
         let [margin, other] = &mut *self.margins;
         also.find(facet, other);
         margin.while_holds(other)
     }
 
-    fn failure_of(&mut self, row: SVector<f64, 3>, rubs: bool) -> f64 {
-        let facet = MarginRow { row, rubs };
+    fn failure_of(&mut self, facet: &SVector<f64, 3>) -> f64 {
         // The point of failure of another facet is no good start for this one.
         self.margins[0].start_over(self.here.changes.len());
-        normal_tail(self.find(&facet).reliability()) * self.holds_otherwise(&facet)
+        normal_tail(self.find(facet).reliability()) * self.holds_otherwise(facet)
     }
 
-    fn failure_of_round(&mut self, cone: Coulomb) -> f64 {
+    fn failure_of_round(&mut self, around: &Harmonic<SVector<f64, 3>>) -> f64 {
         let first_order = self.here.first_order();
-        let roughly = |angle: f64| first_order.reliability(&facet(cone, angle));
-        let (worst, least) = worst_around(&first_order, cone);
+        let roughly = |angle: f64| first_order.reliability(&around.at(angle));
+        let (worst, least) = worst_around(&first_order, around);
         if least <= 0.0 {
             return 1.0;
         }
@@ -146,14 +114,14 @@ impl TwoLoads<'_> {
             half *= narrower;
         }
         self.margins[0].start_over(self.here.changes.len());
-        let mut sum = normal_tail(self.find(&facet(cone, worst - half)).reliability());
+        let mut sum = normal_tail(self.find(&around.at(worst - half)).reliability());
         // The density falls at both ends like a normal density, so that the error of twelve midpoints is
         // negligible.
         let summed = 12_u32;
         let width = 2.0 * half / f64::from(summed);
         for k in 0..summed {
             let angle = worst - half + width * (f64::from(k) + 0.5);
-            let (facet, turned) = (facet(cone, angle), -along(-angle.sin(), angle.cos()));
+            let (facet, turned) = (around.at(angle), around.rate_at(angle));
             self.find(&facet);
             let crossings = self.here.crossings(&self.margins[0], &turned);
             if crossings > 0.0 {

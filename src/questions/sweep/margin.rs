@@ -12,6 +12,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::contact::rubs;
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{normal_density, normal_tail};
 use crate::prelude::*;
@@ -39,13 +40,6 @@ pub(super) struct UncertainForce<'a> {
     pub(super) sigmas: f64,
     /// σ of friction.
     pub(super) friction: f64,
-}
-
-/// A row that defines a margin, `row·F`, and whether friction multiplies its first component.
-#[derive(Clone, Copy)]
-pub(super) struct MarginRow {
-    pub(super) row: SVector<f64, 3>,
-    pub(super) rubs: bool,
 }
 
 /// One margin, as memory for successive margins: each search starts from the last point of failure.
@@ -77,18 +71,16 @@ impl UncertainForce<'_> {
 
     /// Finds the nearest point at which the margin vanishes. A margin that vanishes nowhere within the largest distance has that distance as its
     /// reliability.
-    pub(super) fn find(&self, facet: &MarginRow, margin: &mut FacetMargin) {
+    pub(super) fn find(&self, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
         }
         margin.parts.clear();
-        margin
-            .parts
-            .extend(self.changes.iter().map(|change| change.each_ref().map(|c| parts(&facet.row, c))));
-        let known = parts(&facet.row, &self.force);
+        margin.parts.extend(self.changes.iter().map(|change| change.each_ref().map(|c| parts(facet, c))));
+        let known = parts(facet, &self.force);
         // Failures five standard deviations beyond those in reserve are too rare to count.
         let farthest = self.sigmas + 5.0;
-        let mut value = self.linearise(known, facet.rubs, margin);
+        let mut value = self.linearise(known, rubs(facet), margin);
         let mut arrived = false;
         for _ in 0..30 {
             if margin.steepness == 0.0 {
@@ -111,13 +103,13 @@ impl UncertainForce<'_> {
             if arrived {
                 break;
             }
-            value = self.shortened(known, facet.rubs, margin, (value, along));
+            value = self.shortened(known, rubs(facet), margin, (value, along));
         }
         let mut nearest = dot(&margin.fails_at, &margin.fails_at).sqrt();
         if !arrived {
             // The search has not converged: the smaller of its distance and that of the linearisation at the known data is the safe choice.
             margin.start_over(self.changes.len());
-            let value = self.linearise(known, facet.rubs, margin);
+            let value = self.linearise(known, rubs(facet), margin);
             nearest = nearest.min(ratio(value, margin.steepness).abs());
         }
         margin.reliability = nearest.copysign(known[0] + known[1]);
@@ -214,10 +206,10 @@ pub(super) struct FirstOrder {
 
 impl FirstOrder {
     /// The reliability β to first order.
-    pub(super) fn reliability(&self, facet: &MarginRow) -> f64 {
-        let by_friction = if facet.rubs { self.friction * facet.row[0] * self.force[0] } else { 0.0 };
-        let variance = facet.row.dot(&(self.spread * facet.row)) + by_friction * by_friction;
-        ratio(facet.row.dot(&self.force), variance.max(0.0).sqrt())
+    pub(super) fn reliability(&self, facet: &SVector<f64, 3>) -> f64 {
+        let by_friction = if rubs(facet) { self.friction * facet[0] * self.force[0] } else { 0.0 };
+        let variance = facet.dot(&(self.spread * facet)) + by_friction * by_friction;
+        ratio(facet.dot(&self.force), variance.max(0.0).sqrt())
     }
 }
 

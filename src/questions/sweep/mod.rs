@@ -16,7 +16,7 @@ mod off;
 mod progress;
 mod reserve;
 mod robust_onset;
-mod sticking;
+mod stuck_grasp;
 mod tolerances;
 mod uncertainty;
 

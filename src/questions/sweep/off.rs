@@ -2,10 +2,12 @@
 
 use nalgebra::SVector;
 
-use crate::grasp::Contact;
+use crate::equilibrium::Parameter;
+use crate::grasp::{Contact, Engine};
+use crate::prelude::*;
 
-/// Errors of a contact's data: factors, and additions to its place and direction.
-#[derive(Debug, Clone, Copy)]
+/// Errors of a contact's data: logarithms of factors, and additions to its place and direction.
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct ContactErrors {
     pub(super) friction: f64,
     pub(super) stiffness: f64,
@@ -17,20 +19,48 @@ pub(super) struct ContactErrors {
 }
 
 impl ContactErrors {
-    /// No errors.
-    pub(super) fn not() -> Self {
-        let (moved, tilt) = (SVector::zeros(), SVector::zeros());
-        Self { friction: 1.0, stiffness: 1.0, squeeze: 1.0, moved, tilt }
+    pub(super) fn times(&self, z: f64) -> Self {
+        let Self { friction, stiffness, squeeze, moved, tilt } = *self;
+        let [friction, stiffness, squeeze] = [friction, stiffness, squeeze].map(|log| log * z);
+        Self { friction, stiffness, squeeze, moved: moved * z, tilt: tilt * z }
     }
 
     pub(super) fn applied_to(&self, contact: &Contact<3>) -> Contact<3> {
+        let [friction, stiffness, squeeze] = [self.friction, self.stiffness, self.squeeze].map(factor);
         let mut off = contact.clone();
-        off.set_friction(off.friction * self.friction);
-        off.command[0] *= self.squeeze;
-        off.force = contact.force.map(|force| force * self.squeeze);
-        off.suction *= self.squeeze;
-        off.stiffness = contact.stiffness.scaled(self.stiffness);
+        off.set_friction(off.friction * friction);
+        off.command[0] *= squeeze;
+        off.force = contact.force.map(|force| force * squeeze);
+        off.suction *= squeeze;
+        off.stiffness = contact.stiffness.scaled(stiffness);
         off.point += self.moved;
         off.tilted(&self.tilt)
     }
+
+    /// The parameters of a contact that these errors change, each with its change to first order.
+    pub(super) fn parameters(&self, of: &Engine, contact: usize) -> Vec<(Parameter, f64)> {
+        let (given, axes) = (&of.contacts()[contact], of.space().axes());
+        let friction = given.friction_coefficient();
+        let mut changes = Vec::new();
+        if friction.is_finite() {
+            changes.push((Parameter::Friction { contact }, self.friction * friction));
+        }
+        changes.push((Parameter::Command { contact, axis: 0 }, self.squeeze * given.commanded()[0]));
+        for axis in 0..axes {
+            let series = given.series_stiffness_of_axes()[axis];
+            changes.push((Parameter::Stiffness { contact, axis }, self.stiffness * series));
+            changes.push((Parameter::Point { contact, axis }, self.moved[axis]));
+            changes.push((Parameter::Normal { contact, axis }, self.tilt[axis]));
+        }
+        changes.retain(|(_, change)| *change != 0.0);
+        changes
+    }
+}
+
+/// `exp(log)`.
+pub(super) fn factor(log: f64) -> f64 {
+    // Data that are then too large or too small are refused, and none becomes zero or infinite, which would
+    // mean something else.
+    let least = 1e-200_f64;
+    log.exp().clamp(least, least.recip())
 }

@@ -1,15 +1,13 @@
 //! The load up to which a grasp with uncertain data keeps sticking with a given reserve.
 
-use super::courses::unit;
-use super::failure::LimitState;
-use super::sticking::StuckGrasp;
+use super::courses::{courses, unit};
+use super::stuck_grasp::StuckGrasp;
 use super::uncertainty::Uncertainty;
-use crate::contact::{Polygon, State};
-use crate::equilibrium::{Outcome, Settings};
+use crate::contact::State;
+use crate::equilibrium::{Cone, Outcome, Settings, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, face_of_struct, inside, same_on_both_sides};
 use crate::numerics::Vector;
-use crate::object::Load;
 use crate::prelude::*;
 
 /// The load up to which a grasp keeps sticking with this number of standard deviations in reserve, in any direction on top of one base load; made by
@@ -93,33 +91,16 @@ impl Engine {
         sigmas: f64,
         settings: &Settings,
     ) -> Result<StuckGrasp, Error> {
-        let polygon = Polygon::shared(self.space(), &settings.cone);
-        let problem = self.problem(
-            polygon.clone(),
-            settings.is_round(self.space()),
-            self.drives(),
-            &Load::from(&Vector::zeros()),
-        );
-        let edges = states.iter().enumerate().map(|(i, state)| {
-            let local = problem.local(i);
-            if state.is_open() {
-                return if local.is_absent() { LimitState::None } else { LimitState::Opens };
-            }
-            match (local.is_round(), local.may_slide()) {
-                (true, _) => LimitState::Round(local.cone()),
-                (_, true) => LimitState::Facets(local.cone(), local.facets().to_vec()),
-                _ if local.may_open() => LimitState::Opens,
-                _ => LimitState::None,
-            }
-        });
-        let edges = edges.collect();
-        let (forces, piece) = self.all_forces(states, &polygon, &self.data(uncertainty), sigmas)?;
+        let cone = Cone::of(self.space(), settings);
+        let response = StickingResponse::in_states(self, cone, states);
+        let courses = courses(&response, cone, &self.data(uncertainty), sigmas)?;
         let mut unresisted = Vec::new();
-        for motion in piece.free_motions() {
+        for motion in response.piece.free_motions() {
             let of = |k: usize| self.inside_unchecked(&unit(self.space(), k)).dot(motion);
             let work: Vec<f64> = (0..self.space().of_the_object()).map(of).collect();
             unresisted.push(Wrench::among(self.space(), &Vector::from_slice(&work)));
         }
-        Ok(StuckGrasp::new(edges, forces, base, unresisted, [sigmas, uncertainty.friction, uncertainty.load]))
+        let spreads = [sigmas, uncertainty.friction, uncertainty.load];
+        Ok(StuckGrasp::new(self.space(), response.edges, courses, base, unresisted, spreads))
     }
 }

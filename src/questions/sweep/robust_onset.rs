@@ -10,11 +10,13 @@
 
 use core::f64::consts::TAU;
 
+use super::datum::UncertainDatum;
+use super::off::ContactErrors;
 use super::uncertainty::Uncertainty;
 use crate::equilibrium::Settings;
 use crate::error::Error;
-use crate::grasp::{Engine, WholeContacts, face_of_struct, same_on_both_sides};
-use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
+use crate::grasp::{Engine, face_of_struct, same_on_both_sides};
+use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Ramp};
 use crate::prelude::*;
 
 /// An onset of sliding with its spread.
@@ -122,59 +124,25 @@ impl Engine {
         event: &OnsetEvent<3>,
         uncertainty: &Uncertainty,
     ) -> Vec<Vec<f64>> {
-        let (leavers, axes) = (margins.leavers().count(), self.space().axes());
-        let mut moves = Vec::new();
-        // Adds one datum z: the parameters proportional to z, each with its change by z = 1.
-        let mut add = |together: &[(Parameter, f64)]| {
+        let leavers = margins.leavers().count();
+        let unknown = || vec![f64::NAN; leavers];
+        let Uncertainty { friction, load, .. } = *uncertainty;
+        let mut data = self.data(uncertainty);
+        let rubs = ContactErrors { friction, ..ContactErrors::default() };
+        let wholes = (0..self.len()).filter(|i| self.contacts()[*i].begins_a_whole());
+        data.extend(wholes.map(|contact| UncertainDatum::OfContact(contact, rubs)));
+        let mut moves = Vec::with_capacity(data.len() + 1);
+        for datum in data {
             let mut sum = vec![0.0; leavers];
-            for (parameter, times) in together {
-                let by = margins.by(*parameter).unwrap_or_else(|| vec![f64::NAN; leavers]);
+            for (parameter, times) in datum.parameters(self) {
+                let by = margins.by(parameter).unwrap_or_else(unknown);
                 // Skips parameters without effect: their change may be infinite.
                 sum.iter_mut().zip(by).filter(|(_, by)| *by != 0.0).for_each(|(sum, by)| *sum += times * by);
             }
             moves.push(sum);
-        };
-        let Uncertainty { friction, stiffness, squeeze, position, normal, load, .. } = *uncertainty;
-        for whole in WholeContacts::of(self.contacts()).ranges() {
-            let mut of_all = |of: &dyn Fn(usize) -> Vec<(Parameter, f64)>| {
-                add(&whole.clone().flat_map(of).collect::<Vec<_>>());
-            };
-            let given = |contact: usize| &self.contacts()[contact];
-            if friction != 0.0 && given(whole.start).friction_coefficient().is_finite() {
-                of_all(&|contact| {
-                    vec![(Parameter::Friction { contact }, friction * given(contact).friction_coefficient())]
-                });
-            }
-            if stiffness != 0.0 {
-                of_all(&|contact| {
-                    let k = given(contact).series_stiffness_of_axes();
-                    let along = |axis| (Parameter::Stiffness { contact, axis }, stiffness * k[axis]);
-                    (0..axes).map(along).collect()
-                });
-            }
-            if squeeze != 0.0 {
-                of_all(&|contact| {
-                    let command = given(contact).commanded()[0];
-                    vec![(Parameter::Command { contact, axis: 0 }, squeeze * command)]
-                });
-            }
-            if position != 0.0 {
-                (0..axes)
-                    .for_each(|axis| of_all(&|contact| vec![(Parameter::Point { contact, axis }, position)]));
-            }
-            if normal != 0.0 {
-                (1..axes)
-                    .for_each(|axis| of_all(&|contact| vec![(Parameter::Normal { contact, axis }, normal)]));
-            }
-        }
-        if stiffness != 0.0 {
-            for joint in 0..self.joint_commands().len() {
-                let Some((_, drive)) = self.drives_of(joint).next() else { continue };
-                add(&[(Parameter::JointStiffness { joint }, stiffness * drive.stiffness_of_owner())]);
-            }
         }
         if load != 0.0 {
-            let by = margins.by_load(&event.load).unwrap_or_else(|| vec![f64::NAN; leavers]);
+            let by = margins.by_load(&event.load).unwrap_or_else(unknown);
             moves.push(by.into_iter().map(|by| load * by).collect());
         }
         moves

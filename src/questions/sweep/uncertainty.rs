@@ -4,7 +4,7 @@
 use nalgebra::SVector;
 
 use super::caught::each_answered;
-use super::off::ContactErrors;
+use super::off::{ContactErrors, factor};
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Engine;
@@ -127,16 +127,8 @@ impl Uncertainty {
     #[must_use]
     pub fn load_factor(&self, number: u64) -> f64 {
         // The load's stream of random numbers, beyond the numbers of all contacts.
-        factor(self.load, &mut Draw::new([self.seed, number, u64::MAX]))
+        factor(self.load * Draw::new([self.seed, number, u64::MAX]).normal())
     }
-}
-
-/// `exp(σ z)`.
-fn factor(sigma: f64, draw: &mut Draw) -> f64 {
-    // Data that are then too large or too small are refused, and none becomes zero or infinite, which would
-    // mean something else.
-    let least = 1e-200_f64;
-    (sigma * draw.normal()).exp().clamp(least, least.recip())
 }
 
 impl Engine {
@@ -149,20 +141,20 @@ impl Engine {
             let mut draw = Draw::new([uncertainty.seed, number, i as u64]);
             let [friction, stiffness, squeeze] =
                 [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
-                    .map(|sigma| factor(sigma, &mut draw));
+                    .map(|sigma| sigma * draw.normal());
             // Drawn last, and also with σ = 0, so that the other data do not depend on these σ.
             let mut displaced = |sigma: f64| SVector::from_fn(|_, _| sigma * draw.normal());
             let (moved, tilt) = (displaced(uncertainty.position), displaced(uncertainty.normal));
             ContactErrors { friction, stiffness, squeeze, moved, tilt }
         };
-        let mut off = ContactErrors::not();
+        let mut off = ContactErrors::default();
         let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
             if contact.begins_a_whole() {
                 off = drawn(i);
             }
             off.applied_to(contact)
         });
-        self.with_data(contacts.collect(), &|drive| drawn(self.len() + drive).stiffness)
+        self.with_data(contacts.collect(), &|drive| factor(drawn(self.len() + drive).stiffness))
     }
 
     /// [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).

@@ -1,5 +1,6 @@
 //! Two feet and a slider, in closed form.
 
+use grasp_lcp::load_path::Parameter;
 use grasp_lcp::planar::{Change, PathEnd};
 use grasp_lcp::planar::{Contact, Event, Grasp, Leg, Wrench};
 
@@ -157,4 +158,15 @@ fn a_pause_lets_friction_of_rest_come_back() {
         path.continue_with(&[by(0.0005)]).unwrap();
         assert!(path.run().is_empty() && (path.forces()[0][1].abs() - 4.5).abs() < 1e-3);
     }
+}
+
+/// Where the first foot slides its friction follows its normal force at the ratio of sliding, 0.4, not at that of rest.
+#[test]
+fn derivatives_have_the_friction_of_sliding() {
+    let grasp = feet(10.0, [0.5, 0.4], [1000.0, 500.0]);
+    let (events, ..) = pulled(&grasp, 12.0);
+    let state = &events[0].jump.as_deref().unwrap().state;
+    let by_press = grasp.sensitivity().of(state, Parameter::Command { contact: 0, axis: 0 }).unwrap();
+    let [normal, friction] = by_press.forces[0].into();
+    assert!(normal > 100.0 && (friction.abs() - 0.4 * normal).abs() < 1e-10 * normal, "{by_press:?}");
 }

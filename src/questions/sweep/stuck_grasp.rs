@@ -3,11 +3,12 @@
 //! While all stick, forces are linear in the load, and margins that fall do so ever more steeply. So all stick on the whole way if all do at
 //! both of its ends. [`failure`](super::failure) gives the probability that a contact leaves there; their sum bounds the probability that any does.
 
-use super::courses::{AllForces, Course};
-use super::failure::{LimitState, MarginPair};
+use super::courses::Course;
+use super::failure::{MarginPair, failure, roughly};
 use super::margin::{Effect, LOOKED_AT, UncertainForce, effect};
 use super::tolerances::PRECISE_FACTOR;
-use crate::grasp::Wrench;
+use crate::contact::Edges;
+use crate::grasp::{Space, Wrench};
 use crate::numerics::normal_tail;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
@@ -15,8 +16,10 @@ use crate::prelude::*;
 /// A grasp that sticks under its base load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
-    edges: Vec<LimitState>,
-    forces: AllForces,
+    space: Space,
+    edges: Vec<Edges>,
+    /// Forces by each component of the load.
+    by_component: Vec<Course>,
     /// All forces under the base load, and the part of them by that load.
     base: Course,
     by_base_load: Course,
@@ -31,30 +34,36 @@ pub(super) struct StuckGrasp {
 }
 
 impl StuckGrasp {
+    /// From the courses of commands and of each component of the load.
     pub(super) fn new(
-        edges: Vec<LimitState>,
-        forces: AllForces,
-        base: &Wrench<3>,
+        space: Space,
+        edges: Vec<Edges>,
+        mut courses: Vec<Course>,
+        load: &Wrench<3>,
         unresisted: Vec<Wrench<3>>,
-        [sigmas, friction, load]: [f64; 3],
+        [sigmas, friction, load_spread]: [f64; 3],
     ) -> Self {
-        let by_base_load = Course::of(&forces, base);
-        let base = Course::commanded(&forces).and(&by_base_load);
-        let load = LOOKED_AT.map(|part| (load * sigmas * part).exp_m1());
+        let by_component = courses.split_off(1);
+        let by_base_load = Course::of(&by_component, space, load);
+        let mut base = by_base_load.clone();
+        base.add(1.0, &courses[0]);
+        let load = LOOKED_AT.map(|part| (load_spread * sigmas * part).exp_m1());
+        let fails_at_base = Vec::new();
         let mut sticking = Self {
+            space,
             edges,
-            forces,
+            by_component,
             base,
             by_base_load,
-            fails_at_base: Vec::new(),
+            fails_at_base,
             sigmas,
             friction,
             load,
             unresisted,
         };
         let (mut margins, mut memory) = (MarginPair::default(), Vec::new());
-        let alone = |(i, edges): (usize, &LimitState)| {
-            edges.failure(&sticking.spread(i, None, &mut memory), None, &mut margins)
+        let alone = |(i, edges): (usize, &Edges)| {
+            failure(edges, &sticking.spread(i, None, &mut memory), None, &mut margins)
         };
         sticking.fails_at_base = sticking.edges.iter().enumerate().map(alone).collect();
         sticking
@@ -75,7 +84,7 @@ impl StuckGrasp {
         if self.unresisted.iter().any(|motion| work(motion).abs() > SOLVED_ROUNDING * size) {
             return 0.0;
         }
-        let rate = Course::of(&self.forces, direction);
+        let rate = Course::of(&self.by_component, self.space, direction);
         // Reliabilities are nearly linear in the factor, unlike probabilities.
         let allowed = reliability(self.allowed());
         let left = |factor: f64| allowed - reliability(self.failure(&rate, factor));
@@ -104,7 +113,7 @@ impl StuckGrasp {
         let mut memory = Vec::new();
         let mut sum = 0.0;
         for (i, edges) in self.edges.iter().enumerate() {
-            sum += edges.roughly(&self.spread(i, Some((rate, factor)), &mut memory));
+            sum += roughly(edges, &self.spread(i, Some((rate, factor)), &mut memory));
         }
         sum
     }
@@ -116,15 +125,13 @@ impl StuckGrasp {
         // Rarer failures at the base are added without their overlap with failures at the load.
         let told_apart = 1e-3 * self.allowed();
         let mut sum = 0.0;
-        for (i, edges) in
-            self.edges.iter().enumerate().filter(|(_, edges)| !matches!(edges, LimitState::None))
-        {
+        for (i, edges) in self.edges.iter().enumerate() {
             let [there, base] = &mut memory;
             let there = self.spread(i, Some((rate, factor)), there);
-            sum += edges.failure(&there, None, &mut margins);
+            sum += failure(edges, &there, None, &mut margins);
             let at_base = self.fails_at_base[i];
             sum += if at_base > told_apart {
-                edges.failure(&self.spread(i, None, base), Some(&there), &mut margins)
+                failure(edges, &self.spread(i, None, base), Some(&there), &mut margins)
             } else {
                 at_base
             };

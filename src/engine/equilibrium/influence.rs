@@ -1,0 +1,94 @@
+//! The influence of a force at a point, of any direction, on each contact.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::sticking_response::StickingResponse;
+use crate::contact::ZERO_SLACK;
+use crate::grasp::{Motion, Wrench};
+use crate::prelude::*;
+
+/// The matrix A of a contact: its force by 1 N along each coordinate axis, column by column.
+pub(crate) struct Influence {
+    pub(crate) of: SMatrix<f64, 3, 3>,
+    /// Sum of the sizes of its columns.
+    pub(crate) size: f64,
+}
+
+impl Influence {
+    /// `Aᵀa`: the decrease of a condition by 1 N against each axis; zero where it is rounding.
+    pub(crate) fn felt(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
+        let felt = self.of.tr_mul(row);
+        if felt.norm() > ZERO_SLACK * row.norm() * self.size { felt } else { SVector::zeros() }
+    }
+}
+
+impl StickingResponse<'_> {
+    /// The influence of forces through a point on each contact, or a motion on which one works though nothing resists it.
+    pub(crate) fn influences(&self, point: &[f64; 3]) -> Result<Vec<Influence>, Motion<3>> {
+        let mut influences = Vec::new();
+        influences.resize_with(self.edges.len(), || Influence { of: SMatrix::zeros(), size: 0.0 });
+        for axis in 0..3 {
+            let unit = core::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 });
+            let forces = self.by_load(&push(point, &unit))?;
+            for ((influence, force), size) in influences.iter_mut().zip(&forces.of).zip(forces.sizes) {
+                influence.of.set_column(axis, force);
+                influence.size += size;
+            }
+        }
+        Ok(influences)
+    }
+}
+
+/// A force at a point.
+pub(crate) fn push(point: &[f64; 3], force: &[f64; 3]) -> Wrench<3> {
+    Wrench::force_through(&SVector::from(*point), &SVector::from(*force))
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SVector, Vector3};
+
+    use super::push;
+    use crate::equilibrium::{Settings, StickingResponse};
+    use crate::grasp::{Contact, Engine, Wrench};
+
+    fn three_fingers() -> Engine {
+        let finger = |angle: f64, press: f64| {
+            let (sin, cos) = angle.sin_cos();
+            let contact = Contact::new([cos, sin, 0.2 * cos], [-cos, -sin, 0.1]);
+            contact.series_stiffness(1e3, 7e2).friction(0.6).pressed_with(press)
+        };
+        Engine::new(vec![finger(0.3, 9.0), finger(2.2, 11.0), finger(4.4, 10.0)]).expect("three fingers")
+    }
+
+    /// A new question: the direction of a force of 2 N that leaves the least margin at the thumb.
+    fn worst_for_the_thumb(grasp: &Engine, weight: &Wrench<3>, point: [f64; 3]) -> (SVector<f64, 3>, f64) {
+        let response = StickingResponse::new(grasp, &Settings::default());
+        let force = response.forces(&grasp.drives(), &grasp.load_unchecked(weight)).expect("resists").of[0];
+        let influence = &response.influences(&point).expect("resists")[0];
+        let margin = |row: &SVector<f64, 3>| row.dot(&force) - 2.0 * influence.felt(row).norm();
+        let rows = response.edges[0].least(&margin);
+        let worst = rows.into_iter().min_by(|a, b| margin(a).total_cmp(&margin(b))).expect("a cone");
+        (-influence.felt(&worst).normalize(), margin(&worst))
+    }
+
+    /// Equilibria under forces of many directions leave more, and the one of this direction leaves just that.
+    #[test]
+    fn no_equilibrium_leaves_less_at_the_thumb() {
+        let (grasp, weight, point) =
+            (three_fingers(), Wrench::<3>::force([0.3, 0.0, -1.0]), [0.1, 0.2, -0.3]);
+        let (worst, least) = worst_for_the_thumb(&grasp, &weight, point);
+        let left = |direction: Vector3<f64>| {
+            let load = weight + push(&point, &direction.into()) * 2.0;
+            let outcome = grasp.solve(&load, &Settings::default()).expect("valid");
+            outcome.equilibrium().expect("holds").contacts[0].margin
+        };
+        assert!((left(worst) - least).abs() <= 1e-12 * least.abs().max(1.0), "{least}");
+        for k in 0..400 {
+            let (z, turn) = (f64::from(k) / 199.5 - 1.0, 2.4 * f64::from(k));
+            let across = (1.0 - z * z).max(0.0).sqrt();
+            let other = left(Vector3::new(across * turn.cos(), across * turn.sin(), z));
+            assert!(other >= least - 1e-12, "{other} {least}");
+        }
+    }
+}

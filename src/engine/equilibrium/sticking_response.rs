@@ -1,0 +1,96 @@
+//! The response of a grasp whose contacts keep their states: linear in loads, commands and data, so that one factorisation serves every source.
+//!
+//! Each source gives forces of all sites, contacts first and then the drives of a hand. Where everything sticks, the columns of the response to unit
+//! loads are the influence matrix of the grasp. [`Edges`] are the conditions on any sum of these forces.
+
+use alloc::sync::Arc;
+
+use nalgebra::SVector;
+
+use super::cone::Cone;
+use crate::contact::{Edges, LocalLaw, State};
+use crate::grasp::{Engine, Motion, Wrench};
+use crate::numerics::Vector;
+use crate::object::{Load, Piece, PieceState, Problem};
+use crate::prelude::*;
+use crate::search::Settings;
+
+/// The linear response of a grasp in known states of its contacts.
+pub(crate) struct StickingResponse<'g> {
+    pub(crate) grasp: &'g Engine,
+    pub(super) problem: Problem<'g>,
+    pub(crate) states: Vec<State>,
+    pub(crate) piece: Arc<Piece>,
+    /// The conditions of each site that keep it sticking, or open.
+    pub(crate) edges: Vec<Edges>,
+}
+
+/// Forces contact by contact, and the sizes that scale their rounding.
+#[derive(Debug, Clone)]
+pub(crate) struct ContactForces {
+    pub(crate) of: Vec<SVector<f64, 3>>,
+    pub(crate) sizes: Vec<f64>,
+}
+
+impl<'g> StickingResponse<'g> {
+    /// The response while every contact that is present sticks.
+    pub(crate) fn new(grasp: &'g Engine, settings: &Settings) -> Self {
+        let problem = Self::at_rest_on(grasp, Cone::of(grasp.space(), settings));
+        let states = problem.unjumped();
+        Self::of(grasp, problem, &states)
+    }
+
+    /// The response while contacts keep these states on this cone.
+    pub(crate) fn in_states(grasp: &'g Engine, cone: Cone, states: &[State]) -> Self {
+        Self::of(grasp, Self::at_rest_on(grasp, cone), states)
+    }
+
+    fn at_rest_on(grasp: &'g Engine, cone: Cone) -> Problem<'g> {
+        grasp.problem_on(cone, grasp.drives(), &Load::from(&Vector::zeros()))
+    }
+
+    /// The response of a problem in these states of its contacts, whatever its drives and its load.
+    pub(crate) fn of(grasp: &'g Engine, problem: Problem<'g>, states: &[State]) -> Self {
+        let piece = problem.piece(states);
+        let edges = problem.locals().zip(states).map(|(local, state)| local.edges(state)).collect();
+        Self { grasp, problem, states: states.to_vec(), piece, edges }
+    }
+
+    /// The law of a contact.
+    pub(crate) fn law(&self, contact: usize) -> LocalLaw<'_> {
+        self.problem.local(contact)
+    }
+
+    /// Drives without commands.
+    pub(crate) fn at_rest(&self) -> Vec<SVector<f64, 3>> {
+        vec![SVector::zeros(); self.problem.len()]
+    }
+
+    /// Forces with these drives under a load in inside coordinates, or a motion on which the load works though nothing resists it.
+    pub(crate) fn forces(
+        &self,
+        drives: &[SVector<f64, 3>],
+        load: &Vector,
+    ) -> Result<ContactForces, Motion<3>> {
+        match self.piece.solve(self.problem.sites, drives, load) {
+            Ok(state) => {
+                let sizes = self.problem.force_sizes(drives, load.norm(), &state);
+                Ok(ContactForces { of: state.forces, sizes })
+            }
+            Err(unbalanced) => {
+                let motion = unbalanced.motion.unwrap_or_else(Vector::zeros);
+                Err(self.grasp.motion_outside(&motion))
+            }
+        }
+    }
+
+    /// Forces by a load alone.
+    pub(crate) fn by_load(&self, load: &Wrench<3>) -> Result<ContactForces, Motion<3>> {
+        self.forces(&self.at_rest(), &self.grasp.inside_unchecked(load))
+    }
+
+    /// Forces and motion with these drives under a load in inside coordinates; `None` where nothing balances them in these states.
+    pub(crate) fn state(&self, drives: &[SVector<f64, 3>], load: &Vector) -> Option<PieceState> {
+        self.piece.solve(self.problem.sites, drives, load).ok()
+    }
+}

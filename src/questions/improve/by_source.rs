@@ -1,0 +1,122 @@
+//! Forces while every contact sticks, source by source, and their exact derivatives by places and squeezes.
+
+use nalgebra::SVector;
+
+use super::placing::{Choice, DesignKind, DesignVariable, Placing};
+use crate::ask::Grasp;
+use crate::equilibrium::{Parameter, StickingResponse};
+use crate::error::Error;
+use crate::grasp::{Wrench, inside};
+use crate::numerics::Vector;
+use crate::object::PieceState;
+use crate::prelude::*;
+
+/// Forces of all contacts in their frames, N, or their derivatives, for each source.
+pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
+
+/// The source of forces that do not depend on the squeeze.
+pub(super) const REST: usize = 0;
+/// The source of forces of the squeeze that may change.
+pub(super) const SQUEEZE: usize = 1;
+/// The source of the first load; further loads follow.
+pub(super) const LOADS: usize = 2;
+
+/// The forces of a grasp whose contacts stick at any force.
+#[derive(Debug)]
+pub(super) struct StickingForces<const C: usize> {
+    pub(super) grasp: Grasp<C>,
+    sources: Vec<PieceState>,
+}
+
+impl<const C: usize> StickingForces<C> {
+    /// The forces of a placing of the grasp, under the load at rest and under each of `loads`; `None` where nothing resists one of them.
+    pub(super) fn of(
+        choice: &Choice<'_, C>,
+        placing: &Placing<C>,
+        base: &Wrench<C>,
+        loads: &[Wrench<C>],
+    ) -> Result<Option<Self>, Error> {
+        let grasp = Grasp::new(choice.contacts(placing))?.with(choice.settings);
+        let (engine, response) = (&*grasp.engine, StickingResponse::new(&grasp.engine, choice.settings));
+        let (mut rest, mut squeeze) = (engine.drives(), response.at_rest());
+        for i in (0..rest.len()).filter(|i| placing.presses[*i].is_some()) {
+            squeeze[i][0] = core::mem::take(&mut rest[i][0]);
+        }
+        let mut sources = vec![
+            response.state(&rest, &engine.load_unchecked(&inside(base))),
+            response.state(&squeeze, &Vector::zeros()),
+        ];
+        let under = |load| response.state(&response.at_rest(), &engine.inside_unchecked(&inside(load)));
+        sources.extend(loads.iter().map(under));
+        let sources = sources.into_iter().collect::<Option<_>>();
+        Ok(sources.map(|sources| Self { grasp, sources }))
+    }
+
+    /// The response of the grasp in which every contact sticks.
+    pub(super) fn response(&self) -> StickingResponse<'_> {
+        StickingResponse::new(&self.grasp.engine, self.grasp.settings())
+    }
+
+    /// The force of a contact by one source.
+    pub(super) fn by(&self, source: usize, contact: usize) -> SVector<f64, 3> {
+        self.sources[source].forces[contact]
+    }
+
+    /// The force of a contact at rest.
+    pub(super) fn at_rest(&self, contact: usize) -> SVector<f64, 3> {
+        self.by(REST, contact) + self.by(SQUEEZE, contact)
+    }
+
+    /// The number of loads.
+    pub(super) fn loads(&self) -> usize {
+        self.sources.len() - LOADS
+    }
+
+    /// Changes of all forces by one unit of each variable; `None` where another place leaves a load unbalanced.
+    pub(super) fn derivatives(&self, choice: &Choice<'_, C>, placing: &Placing<C>) -> Option<Vec<BySource>> {
+        let response = self.response();
+        choice.variables.iter().map(|variable| self.derivative(&response, placing, variable)).collect()
+    }
+
+    fn derivative(
+        &self,
+        response: &StickingResponse<'_>,
+        placing: &Placing<C>,
+        variable: &DesignVariable,
+    ) -> Option<BySource> {
+        let &DesignVariable { contact, what, unit } = variable;
+        // The data that the variable changes, with their changes by one unit of it.
+        let mut data = Vec::new();
+        match what {
+            DesignKind::Press { .. } => {
+                let stiffness = self.grasp.contacts()[contact].series_stiffness_of_axes()[0];
+                data.push((Parameter::Command { contact, axis: 0 }, unit / stiffness));
+            }
+            DesignKind::Along(direction) => {
+                let spot = placing.spots[contact].as_ref()?;
+                let (along, bend) = (&spot.along[direction], spot.bends[direction] * unit);
+                let frame = self.grasp.frames().nth(contact)?;
+                for axis in 0..C {
+                    data.push((Parameter::Point { contact, axis }, along[axis] * unit));
+                    if axis > 0 {
+                        data.push((
+                            Parameter::Normal { contact, axis },
+                            bend * along.dot(&frame.column(axis)),
+                        ));
+                    }
+                }
+            }
+        }
+        let mut changes = vec![response.at_rest(); self.sources.len()];
+        for (source, (state, sum)) in self.sources.iter().zip(&mut changes).enumerate() {
+            if matches!(what, DesignKind::Press { .. }) && source != SQUEEZE {
+                continue;
+            }
+            for (parameter, times) in data.iter().filter(|(_, times)| *times != 0.0) {
+                let by = response.derivative(state, *parameter)?;
+                sum.iter_mut().zip(by.forces).for_each(|(sum, force)| *sum += force * *times);
+            }
+        }
+        Some(changes)
+    }
+}
