@@ -86,7 +86,6 @@ fn nothing_panics_and_what_agrees_agrees() {
         refused(grasp.sensitivity().onset_gradients_by_geometry(event).err());
         refused(grasp.least_squeeze(&Loads::Each(vec![load])).err());
         assert!(grasp.hold(&ramp).expect("a ramp").holds().is_some());
-        grasp.sensitivity().sticking_range(&ramp).expect("a ramp");
         let mut path = grasp
             .follow(Wrench::ZERO, &[Leg::load_to(load * 30.0), Leg::load_to(Wrench::ZERO)])
             .expect("loads");

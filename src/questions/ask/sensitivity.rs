@@ -4,9 +4,7 @@ use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{inside, outside};
-use crate::load_path::{
-    Derivative, GeometryGradient, OnsetEvent, OnsetGradient, Parameter, Ramp, Response, StickingRange,
-};
+use crate::load_path::{Derivative, GeometryGradient, OnsetEvent, OnsetGradient, Parameter, Response};
 use crate::prelude::*;
 use crate::sweep::{OnsetSpread, Uncertainty};
 
@@ -159,27 +157,5 @@ impl<const C: usize> Sensitivity<'_, C> {
         uncertainty: &Uncertainty,
     ) -> Result<Option<OnsetSpread>, Error> {
         self.0.engine.onset_spread(&inside(event), uncertainty)
-    }
-
-    /// The range of factors of a ramp, around 0, in which everything that touches sticks: all values of an affine load or command that a planner may
-    /// use without sliding. Two onsets, one in each direction. `None` if at 0 something slides, no equilibrium exists, or neither is known.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let range = grasp.sensitivity().sticking_range(&ramp)?.expect("sticks without load");
-    /// assert!((range.from - -10.0).abs() < 1e-13 && (range.to - 10.0).abs() < 1e-13);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`Grasp::onset`].
-    pub fn sticking_range(&self, ramp: impl Into<Ramp<C>>) -> Result<Option<StickingRange>, Error> {
-        self.0.engine.sticking_range(&inside(&ramp.into()), &self.0.settings)
     }
 }
