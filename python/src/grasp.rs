@@ -244,10 +244,7 @@ impl Grasp {
     #[staticmethod]
     #[pyo3(signature = (text, made=false))]
     fn of_json(text: &str, made: bool) -> PyResult<Self> {
-        let scene = Scene::from_json(text.as_bytes()).map_err(|mut fault| {
-            fault.at = fault.at.filter(|_| !made);
-            wrong(fault)
-        })?;
+        let scene = read(text, made)?;
         Ok(Self {
             held: match scene.space {
                 Space::Planar(setup) => Kept::new(alone(setup)).map_err(refused)?,
@@ -361,10 +358,18 @@ fn alone<const C: usize>(mut setup: Setup<C>) -> Setup<C> {
     setup
 }
 
+/// A scene; errors in a text that Python `made` have no line and column.
+fn read(text: &str, made: bool) -> PyResult<Scene> {
+    Scene::from_json(text.as_bytes()).map_err(|mut fault| {
+        fault.at = fault.at.filter(|_| !made);
+        wrong(fault)
+    })
+}
+
 /// The answers to all questions of a scene, in JSON.
 #[pyfunction]
-pub(crate) fn answers_of_scene(py: Python<'_>, text: &str) -> PyResult<String> {
-    let scene = Scene::from_json(text.as_bytes()).map_err(wrong)?;
+pub(crate) fn answers_of_scene(py: Python<'_>, text: &str, made: bool) -> PyResult<String> {
+    let scene = read(text, made)?;
     json(&py.detach(|| scene.answers()).map_err(refused)?)
 }
 

@@ -32,8 +32,8 @@ def floats(name: str, given: ArrayLike) -> Array:
 def _kind(found: np.ndarray[Any, Any]) -> str:
     """A description of the non-numeric input, for an error message."""
     if found.dtype.kind == "O":
-        other = next((item for item in found.flat if not isinstance(item, (int, float))), None)
-        return "an array of objects" if other is None else repr(other)
+        others = [item for item in found.flat if not isinstance(item, (int, float))]
+        return repr(others[0]) if others else "an array of objects"
     return {"U": "text", "S": "bytes", "c": "complex numbers", "b": "booleans"}.get(found.dtype.kind, str(found.dtype))
 
 
@@ -115,9 +115,9 @@ def columns(
         raise ValueError("series_stiffness: nothing given, must be given, or body_stiffness or finger_stiffness")
     if given["series_stiffness"] is not None and (given["body_stiffness"] is not None or given["finger_stiffness"] is not None):
         raise ValueError("series_stiffness: given beside body_stiffness or finger_stiffness, must be alone")
-    for name in ("command", "command_world"):
-        if given[name] is not None and others.get("pressed_with") is not None:
-            raise ValueError(f"pressed_with: given beside {name}, must be alone")
+    commands = given["command"]
+    if commands is not None and others.get("pressed_with") is not None and np.any(commands[..., 0] != 0):
+        raise ValueError("pressed_with: given beside a command with a normal part, must be alone")
     if given["command"] is not None and given["command_world"] is not None:
         raise ValueError("command_world: given beside command, must be alone")
     scalars = {"friction": floats("friction", friction)}

@@ -535,7 +535,7 @@ class Grasp:
             raise TypeError("identify: give one of loads and turns")
         if turns is not None:
             return [{"turn": self._turn_words(turn)} for turn in listed("turns", turns, "a list of turns")]
-        rows = self._rows(loads)
+        rows = finite("loads", self._rows(loads))
         return [{"load": wrench_json(f"loads[{k}]", row, self.axes)} for k, row in enumerate(rows)]
 
     def _rows(self, loads: Any) -> Array:
@@ -867,8 +867,9 @@ _KINDS: dict[str, type[Answer]] = {
 
 def answers(scene: str | Mapping[str, Any]) -> list[Answer]:
     """The answers to the questions of a scene, in their order. The scene is JSON text or a dictionary."""
+    is_text = isinstance(scene, str)
     text = scene if isinstance(scene, str) else json.dumps(scene, default=with_arrays)
-    told = (next(iter(tree.items())) for tree in json.loads(_grasp_lcp.answers_of_scene(text)))
+    told = (next(iter(tree.items())) for tree in json.loads(_grasp_lcp.answers_of_scene(text, not is_text)))
     return [_KINDS[kind](json.dumps(tree)) for kind, tree in told]
 
 
