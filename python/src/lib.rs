@@ -29,6 +29,10 @@ mod _grasp_lcp {
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+    /// The page of all fields of a scene.
+    #[pymodule_export]
+    const FIELDS: &str = include_str!("../../examples/scenes/FIELDS.md");
+
     #[pymodule_export]
     use super::answers::Told;
     #[pymodule_export]

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 _Floats = NDArray[np.float64]
 
 VERSION: str
+FIELDS: str
 
 class Told:
     @property

@@ -850,6 +850,9 @@ class Grasp:
         return self._resting()._repr_html_()
 
 
+# `help(Grasp.from_dict)` lists every field: joints, tendons and pads are there, too.
+Grasp.from_dict.__func__.__doc__ = f"{Grasp.from_dict.__doc__}\n\n{_grasp_lcp.FIELDS}"  # type: ignore[attr-defined]
+
 _KINDS: dict[str, type[Answer]] = {
     "hold": Verdict,
     "shake": Shaken,
