@@ -5,6 +5,8 @@ use std::sync::Arc;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Onset, TurnOnset};
+use numpy::ndarray::Array2;
+use numpy::{IntoPyArray, PyArray2};
 use pyo3::prelude::*;
 use serde::Serialize;
 
@@ -32,6 +34,7 @@ pub(crate) enum Raw<const C: usize> {
 trait Tells: Send + Sync {
     fn outcome(&self) -> &'static str;
     fn factor(&self) -> Option<f64>;
+    fn column<'py>(&self, py: Python<'py>, name: &str) -> Option<Bound<'py, PyArray2<f64>>>;
     fn json(&self) -> PyResult<String>;
     fn svg(&self, title: &str) -> PyResult<Option<String>>;
     fn page(&self, title: &str) -> PyResult<Option<String>>;
@@ -56,6 +59,11 @@ impl Told {
     #[getter]
     fn factor(&self) -> Option<f64> {
         self.0.factor()
+    }
+
+    /// Numbers of the contacts of an equilibrium, one row a contact: `forces`, `forces_world`, `slips`, `gaps` or `margins`; the `twist` in one row.
+    fn column<'py>(&self, py: Python<'py>, name: &str) -> Option<Bound<'py, PyArray2<f64>>> {
+        self.0.column(py, name)
     }
 
     fn json(&self) -> PyResult<String> {
@@ -134,6 +142,28 @@ where
 
     fn factor(&self) -> Option<f64> {
         self.onset().and_then(Onset::factor)
+    }
+
+    fn column<'py>(&self, py: Python<'py>, name: &str) -> Option<Bound<'py, PyArray2<f64>>> {
+        let Raw::Solved(outcome, _) = &self.raw else { return None };
+        let state = outcome.equilibrium()?;
+        let mut numbers = Vec::with_capacity(C * state.contacts.len());
+        if name == "twist" {
+            numbers.extend(state.twist.components());
+        }
+        for contact in &state.contacts {
+            match name {
+                "forces" => numbers.extend(contact.force.iter()),
+                "forces_world" => numbers.extend(contact.force_world.iter()),
+                "slips" => numbers.extend(contact.slip.iter()),
+                "gaps" => numbers.push(contact.gap),
+                "margins" => numbers.push(contact.margin),
+                _ => {}
+            }
+        }
+        let rows = if name == "twist" { 1 } else { state.contacts.len() };
+        let columns = numbers.len() / rows.max(1);
+        Some(Array2::from_shape_vec((rows, columns), numbers).ok()?.into_pyarray(py))
     }
 
     fn json(&self) -> PyResult<String> {

@@ -3,12 +3,14 @@
 use std::sync::Arc;
 
 use grasp_lcp::Settings;
+use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Ramp, Turn};
 use grasp_lcp::scene::{Answer, Answers, Question, Scene, Setup, Space};
 use numpy::PyReadonlyArray2;
 use numpy::ndarray::ArrayView1;
 use pyo3::prelude::*;
+use serde::de::DeserializeOwned;
 
 use crate::answers::{Raw, Reply, json};
 use crate::columns::{Columns, GivenColumns};
@@ -31,6 +33,8 @@ pub(crate) trait Held: Send + Sync {
     fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String>;
     fn watch(&self) -> PyResult<Watch>;
     fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>>;
+    /// The grasp in an equilibrium that JSON describes, or at rest, as SVG or as a page. `None` for hands, several bodies, and pages in the plane.
+    fn drawn(&self, state: Option<&str>, title: &str, page: bool) -> PyResult<Option<String>>;
 }
 
 /// Direction, base load and changes of commands of an onset, as Python passes them.
@@ -120,8 +124,24 @@ impl<const C: usize> Held for Kept<C>
 where
     Setup<C>: InSpace<Answer = Answer<C>>,
     Contact<C>: Watchable,
+    Wrench<C>: DeserializeOwned,
     Self: Drawn<C>,
 {
+    fn drawn(&self, state: Option<&str>, title: &str, page: bool) -> PyResult<Option<String>> {
+        let Some(grasp) = &self.grasp else { return Ok(None) };
+        let state = match state {
+            Some(text) => {
+                Some(serde_json::from_str::<Equilibrium<C>>(text).map_err(|error| of_json("state", &error))?)
+            }
+            None => {
+                let rest = grasp.with(&self.setup.settings).solve(&Wrench::ZERO).map_err(refused)?;
+                rest.equilibrium().cloned()
+            }
+        };
+        let Some(state) = state else { return Ok(None) };
+        if page { self.page(&state, title) } else { self.svg(&state, title).map(Some) }
+    }
+
     fn json(&self) -> PyResult<String> {
         json(&Scene::from(self.setup.clone().in_space()))
     }
@@ -220,10 +240,11 @@ impl Grasp {
         })
     }
 
-    /// The grasp of a scene. Questions of the scene are ignored.
+    /// The grasp of a scene. Questions of the scene are ignored. Errors in a text that Python did not read, but made, have no line and column.
     #[staticmethod]
-    fn of_json(text: &str) -> PyResult<Self> {
-        let scene = Scene::from_json(text.as_bytes()).map_err(wrong)?;
+    #[pyo3(signature = (text, made=false))]
+    fn of_json(text: &str, made: bool) -> PyResult<Self> {
+        let scene = read(text, made)?;
         Ok(Self {
             held: match scene.space {
                 Space::Planar(setup) => Kept::new(alone(setup)).map_err(refused)?,
@@ -283,6 +304,10 @@ impl Grasp {
         self.held.watch()
     }
 
+    fn drawn(&self, state: Option<&str>, title: &str, page: bool) -> PyResult<Option<String>> {
+        self.held.drawn(state, title, page)
+    }
+
     fn closure(&self, friction: bool) -> PyResult<String> {
         self.held.closure(friction)
     }
@@ -333,10 +358,18 @@ fn alone<const C: usize>(mut setup: Setup<C>) -> Setup<C> {
     setup
 }
 
+/// A scene; errors in a text that Python `made` have no line and column.
+fn read(text: &str, made: bool) -> PyResult<Scene> {
+    Scene::from_json(text.as_bytes()).map_err(|mut fault| {
+        fault.at = fault.at.filter(|_| !made);
+        wrong(fault)
+    })
+}
+
 /// The answers to all questions of a scene, in JSON.
 #[pyfunction]
-pub(crate) fn answers_of_scene(py: Python<'_>, text: &str) -> PyResult<String> {
-    let scene = Scene::from_json(text.as_bytes()).map_err(wrong)?;
+pub(crate) fn answers_of_scene(py: Python<'_>, text: &str, made: bool) -> PyResult<String> {
+    let scene = read(text, made)?;
     json(&py.detach(|| scene.answers()).map_err(refused)?)
 }
 

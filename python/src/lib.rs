@@ -25,6 +25,14 @@ mod words;
 /// The native half of `grasp_lcp`.
 #[pymodule]
 mod _grasp_lcp {
+    /// The version of the package, which is that of the crate.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+    /// The page of all fields of a scene.
+    #[pymodule_export]
+    const FIELDS: &str = include_str!("../../examples/scenes/FIELDS.md");
+
     #[pymodule_export]
     use super::answers::Told;
     #[pymodule_export]
@@ -37,6 +45,8 @@ mod _grasp_lcp {
     use super::grasp::{Grasp, answers_of_scene};
     #[pymodule_export]
     use super::lcp::solve_lcp;
+    #[pymodule_export]
+    use super::loads::load_numbers;
     #[pymodule_export]
     use super::onsets::onsets_of_rows;
     #[pymodule_export]

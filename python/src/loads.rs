@@ -4,15 +4,25 @@ use grasp_lcp::grasp::Wrench;
 use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyString;
+use pyo3::types::{PyMapping, PyString};
 
-use crate::errors::wrong;
+use crate::errors::{of_json, wrong};
 
 /// The most numbers that a load has: force and moment in space.
 const MOST: usize = 6;
 
-/// Reads a load: `C` components of a force (N), or all components with the moment about the origin (N m).
+/// Reads a load: `C` components of a force (N), or all components with the moment about the origin (N m), or a mapping as in scenes.
 pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Wrench<C>> {
+    if given.cast::<PyMapping>().is_ok() {
+        // Arrays in the mapping are converted by Python, which names their keys.
+        let columns = given.py().import("grasp_lcp._columns")?;
+        let text: String = columns.call_method1("load_text", (argument, given))?.extract()?;
+        let read = |error| of_json(argument, &error);
+        return Ok(Wrench::from_components(&match C {
+            2 => serde_json::from_str::<Wrench<2>>(&text).map_err(read)?.components().to_vec(),
+            _ => serde_json::from_str::<Wrench<3>>(&text).map_err(read)?.components().to_vec(),
+        }));
+    }
     let (numbers, count) = few(argument, given)?;
     let all = C * (C + 1) / 2;
     if count != C && count != all {
@@ -22,6 +32,16 @@ pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -
         )));
     }
     Ok(Wrench::from_components(&numbers[..count]))
+}
+
+/// The numbers of a load, force and moment, of `axes` 2 or 3.
+#[pyfunction]
+pub(crate) fn load_numbers(argument: &str, given: &Bound<'_, PyAny>, axes: usize) -> PyResult<Vec<f64>> {
+    Ok(if axes == 2 {
+        wrench::<2>(argument, given)?.components().to_vec()
+    } else {
+        wrench::<3>(argument, given)?.components().to_vec()
+    })
 }
 
 /// Reads a point of `C` coordinates, m.

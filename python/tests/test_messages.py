@@ -38,10 +38,17 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: planar(friction=-0.5), ValueError, "friction[0] is -0.5, must be from 0 to 1e50, or infinite"),
     (lambda: planar(friction=[0.5, np.nan]), ValueError, "friction[1] is NaN, must be from 0 to 1e50, or infinite"),
     (
-        lambda: Grasp.planar(POINTS, NORMALS),
+        lambda: planar(command=[0.01, 0], pressed_with=8),
         ValueError,
-        "series_stiffness: nothing given, must be given, or body_stiffness or finger_stiffness",
+        "pressed_with: given beside a command with a normal part, must be alone",
     ),
+    (lambda: planar(points=np.array(POINTS, dtype=object)), TypeError, "points: an array of objects given, must be numbers"),
+    (
+        lambda: pinch().solve({"forc": [0, -1]}),
+        ValueError,
+        "load: unknown field `forc`, expected one of `force`, `moment`, `at`, `mass`, `inertia`, `gravity`, `accelerated`, `turning`",
+    ),
+    (lambda: pinch().turn(weight=[0, -1], angle=1.0, degrees=30), ValueError, "degrees: given beside angle, must be alone"),
     (lambda: planar(series_stiffness=-1), ValueError, "series_stiffness[0] is -1, must be positive and finite"),
     (
         lambda: planar(series_stiffness=[1, 2, 3]),
@@ -169,7 +176,7 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: pinch().weakest_direction(at=[0, 0, 0]), ValueError, "at: 3 numbers given, must be 2"),
     # Scenes.
     (lambda: Grasp.from_json("{"), ValueError, "line 1, column 1: the text ends within an object: something is missing, perhaps a bracket"),
-    (lambda: answers({"format": "grasp-lcp/1"}), ValueError, "line 1, column 25: missing field `planar` or `spatial`"),
+    (lambda: answers({"format": "grasp-lcp/1"}), ValueError, "missing field `planar` or `spatial`"),
     # Batches: what is wrong with all rows at once.
     (lambda: onsets([1, 2], NORMALS, [0, 1]), ValueError, "points: shape (2,) given, must be (..., n, 2) or (..., n, 3)"),
     (

@@ -4,6 +4,7 @@ mod answers;
 mod drawings;
 mod everyday;
 mod far;
+mod fields;
 mod full_disk;
 mod mistakes;
 mod names;

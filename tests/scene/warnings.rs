@@ -42,6 +42,12 @@ fn numbers_in_another_unit() {
     );
     let low = r#""force": [0, -1], "at": [25, 0]"#;
     one(&[(r#""force": [0, -1]"#, low)], "a load acts at a distance of 25 m, and contacts are 0.08 m apart");
+    let steel = [(r#""stiffness": 10000"#, r#""stiffness": 210e9"#)];
+    one(&steel, "stiffness 2.1e11 N/m at left and right, out of proportion to the rest: contacts of steel");
+    one(
+        &[(r#""pressed_with": 8"#, r#""pressed_with": 1e12"#)],
+        "1e12 N at left and right, out of proportion to the rest",
+    );
     let heavy = r#""mass": 1800"#;
     one(
         &[(r#""force": [0, -1]"#, heavy)],

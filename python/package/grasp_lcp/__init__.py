@@ -14,6 +14,7 @@ is a ``ValueError`` or a ``TypeError`` that names the argument.
 """
 
 from . import friction, lcp
+from ._grasp_lcp import VERSION as __version__
 from .answers import (
     Answer,
     Beyond,
@@ -77,6 +78,7 @@ __all__ = [
     "Watched",
     "WeakestDirection",
     "WrenchBall",
+    "__version__",
     "answers",
     "friction",
     "lcp",

@@ -32,7 +32,8 @@ def floats(name: str, given: ArrayLike) -> Array:
 def _kind(found: np.ndarray[Any, Any]) -> str:
     """A description of the non-numeric input, for an error message."""
     if found.dtype.kind == "O":
-        return repr(next((item for item in found.flat if not isinstance(item, (int, float))), None))
+        others = [item for item in found.flat if not isinstance(item, (int, float))]
+        return repr(others[0]) if others else "an array of objects"
     return {"U": "text", "S": "bytes", "c": "complex numbers", "b": "booleans"}.get(found.dtype.kind, str(found.dtype))
 
 
@@ -114,6 +115,9 @@ def columns(
         raise ValueError("series_stiffness: nothing given, must be given, or body_stiffness or finger_stiffness")
     if given["series_stiffness"] is not None and (given["body_stiffness"] is not None or given["finger_stiffness"] is not None):
         raise ValueError("series_stiffness: given beside body_stiffness or finger_stiffness, must be alone")
+    commands = given["command"]
+    if commands is not None and others.get("pressed_with") is not None and np.any(commands[..., 0] != 0):
+        raise ValueError("pressed_with: given beside a command with a normal part, must be alone")
     if given["command"] is not None and given["command_world"] is not None:
         raise ValueError("command_world: given beside command, must be alone")
     scalars = {"friction": floats("friction", friction)}
@@ -186,6 +190,20 @@ def wrench_json(name: str, given: Any, axes: int) -> Any:
     if not moment:
         return {"force": force}
     return {"force": force, "moment": moment if axes == 3 else moment[0]}
+
+
+def load_text(name: str, given: Mapping[str, Any]) -> str:
+    """A load given as a mapping, as JSON text."""
+    return dumped(plain(name, given))
+
+
+def with_arrays(value: Any) -> Any:
+    """Converts arrays, numbers of numpy and other mappings inside a scene for ``json.dumps``."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    if isinstance(value, Mapping):
+        return dict(value)
+    raise TypeError(f"scene: {type(value).__name__} given, must be numbers, texts, lists, mappings and arrays")
 
 
 def dumped(value: Any) -> str:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeAlias, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ._grasp_lcp import words_of, words_of_name, words_of_number
 
 Array = NDArray[np.float64]
+# A load: an array of a force, or of a force and a moment, or a mapping as in scenes, {"force": ..., "at": ...}.
+Load: TypeAlias = ArrayLike | Mapping[str, Any]
+Quantity: TypeAlias = Literal["squeeze", "friction", "load", "arm", "angle", "force"]
 Tree = dict[str, Any]
 
 # Words of the scene format for numbers that JSON cannot express.

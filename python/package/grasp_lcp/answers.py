@@ -7,8 +7,9 @@ import json
 import math
 from collections.abc import Mapping
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeVar, cast
 
+from . import _grasp_lcp
 from ._grasp_lcp import Told, words_of, words_of_number
 from ._views import Array, Tree, View, array, label_of, load_of, motion_of, number, optional_number, rows
 from .equilibrium import Equilibrium
@@ -60,10 +61,12 @@ class Leaving(View):
         return f"{label}, point {self._tree['point']}" if "point" in self._tree else label
 
     @property
-    def how(self) -> str:
+    def how(self) -> Literal["slides", "opens", "sticks", "reverses", "turns", "closes", "closes_sliding"]:
         """Change of the contact: ``"slides"`` or ``"opens"``. On a path also ``"sticks"``, ``"reverses"``, ``"turns"``, ``"closes"`` or
         ``"closes_sliding"``."""
-        return str(self._tree["how"] if "how" in self._tree else self._tree["what"])
+        word: Literal["slides", "opens", "sticks", "reverses", "turns", "closes", "closes_sliding"]
+        word = self._tree["how"] if "how" in self._tree else self._tree["what"]
+        return word
 
     @cached_property
     def direction(self) -> Array | None:
@@ -107,9 +110,10 @@ class Beyond(View):
 class Answer(View):
     """An answer of a grasp. Read :attr:`outcome` first: quantities that do not belong to an outcome are None."""
 
-    def __init__(self, told: Told | str | Tree) -> None:
-        # A single attribute keeps the call fast; the tree of data is made when it is read.
+    def __init__(self, told: Told | str | Tree, grasp: _grasp_lcp.Grasp | None = None) -> None:
+        # The tree of data is made when it is read; the grasp is there to be drawn.
         self._told = told
+        self._grasp = grasp
 
     @cached_property
     def _tree(self) -> Tree:
@@ -159,13 +163,24 @@ class Answer(View):
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self._why()}>"
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_restored, (type(self), self.to_json(), None if self._grasp is None else self._grasp.json()))
+
+    def _drawn(self, page: bool) -> str | None:
+        told, title = self._told, self._title()
+        if isinstance(told, Told):
+            return told.page(title) if page else told.svg(title)
+        if self._grasp is None:
+            return None
+        return self._grasp.drawn(None if self.state is None else self.state.to_json(), title, page)
+
     def _repr_svg_(self) -> str | None:
-        """Picture of the grasp with its forces, for notebooks; None without an equilibrium, or if the answer was read from JSON."""
-        return self._told.svg(self._title()) if isinstance(self._told, Told) else None
+        """Picture of the grasp with its forces, for notebooks; at rest for an answer without an equilibrium; None if it was read from JSON."""
+        return self._drawn(False)
 
     def _repr_html_(self) -> str | None:
         """A page with a spatial grasp that can be rotated, for notebooks."""
-        page = self._told.page(self._title()) if isinstance(self._told, Told) else None
+        page = self._drawn(True)
         if page is None:
             return None
         return f'<iframe srcdoc="{html.escape(page)}" width="100%" height="620" style="border:0"></iframe>'
@@ -174,8 +189,15 @@ class Answer(View):
         return self.outcome.replace("_", " ").capitalize()
 
 
+def _restored(kind: type[AnswerT], text: str, grasp: str | None) -> AnswerT:
+    return kind(text, None if grasp is None else _grasp_lcp.Grasp.of_json(grasp))
+
+
 class Sentence(Answer):
     """An answer that prints as a sentence."""
+
+    def _title(self) -> str:
+        return self.says.partition(". ")[0]
 
     @property
     def says(self) -> str:
@@ -194,9 +216,10 @@ class Verdict(Sentence):
     sentence."""
 
     @property
-    def outcome(self) -> str:
+    def outcome(self) -> Literal["sticks", "slides", "loose", "lost", "no_rest", "lost_at_rest", "undecided"]:
         """Outcome, in a word of the scene format."""
-        return str(self._tree["holding"])
+        word: Literal["sticks", "slides", "loose", "lost", "no_rest", "lost_at_rest", "undecided"] = self._tree["holding"]
+        return word
 
     @property
     def holds(self) -> bool | None:
@@ -225,6 +248,15 @@ class Verdict(Sentence):
         return None if found is None else number(found)
 
     @property
+    def small_motions(self) -> bool:
+        """Whether motions stay small up to the whole load or its loss, within ``small_motions`` of the settings.
+
+        If not, :attr:`lost` is where they cease to be small: 0.1 rad, or a tenth of the size of the grasp, by default.
+        """
+        found = {} if self.holds else self._tree.get("lost") or self._tree.get("at_rest") or {}
+        return "too_far" not in found and "too_far" not in (self._tree.get("state") or {})
+
+    @property
     def left_out(self) -> float | None:
         """Change of the resistance to the motion that the theory of small motions neglects, relative to that resistance.
 
@@ -240,9 +272,10 @@ class Shaken(Sentence):
     ``"undecided"``. It prints as a sentence."""
 
     @property
-    def outcome(self) -> str:
+    def outcome(self) -> Literal["rests", "dies_out", "alternates", "walks", "lost", "no_rest", "undecided"]:
         """Outcome, in a word of the scene format."""
-        return str(self._tree["repeats"])
+        word: Literal["rests", "dies_out", "alternates", "walks", "lost", "no_rest", "undecided"] = self._tree["repeats"]
+        return word
 
     @property
     def rests(self) -> bool | None:
@@ -296,10 +329,11 @@ class Comparison(Sentence):
     """The equilibrium beside the minimum of energy of the paper's quadratic program. It prints as a sentence."""
 
     @property
-    def outcome(self) -> str:
+    def outcome(self) -> Literal["agree", "two_equilibria", "out_of_equilibrium", "no_equilibrium", "unknown", "no_minimum", "unsolved"]:
         """``"agree"``, ``"two_equilibria"``, ``"out_of_equilibrium"``, ``"no_equilibrium"``, ``"unknown"``, ``"no_minimum"`` or ``"unsolved"``."""
         verdict = self._tree["verdict"]
-        return str(verdict if isinstance(verdict, str) else next(iter(verdict)))
+        name = verdict if isinstance(verdict, str) else next(iter(verdict))
+        return cast("Literal['agree', 'two_equilibria', 'out_of_equilibrium', 'no_equilibrium', 'unknown', 'no_minimum', 'unsolved']", name)
 
     @property
     def agrees_up_to(self) -> float | None:
@@ -312,9 +346,10 @@ class Needed(Sentence):
     """The amount of a quantity that a grasp needs: ``"bound"``, ``"any"``, ``"none"`` or ``"undecided"``. It prints as a sentence."""
 
     @property
-    def outcome(self) -> str:
+    def outcome(self) -> Literal["bound", "any", "none", "undecided"]:
         """Outcome, in a word of the scene format."""
-        return str(next(iter(self._tree["amount"])))
+        word: Literal["bound", "any", "none", "undecided"] = next(iter(self._tree["amount"]))
+        return word
 
     @property
     def amount(self) -> float | None:
@@ -390,9 +425,10 @@ class Identified(Answer):
     """Quantities identified from observed slips: ``"converged"``, ``"not_converged"`` or ``"not_predicted"``. It prints as a sentence."""
 
     @property
-    def outcome(self) -> str:
+    def outcome(self) -> Literal["converged", "not_converged", "not_predicted"]:
         """Ending of the search, in a word of the scene format."""
-        return str(self._tree["ending"])
+        word: Literal["converged", "not_converged", "not_predicted"] = self._tree["ending"]
+        return word
 
     @property
     def says(self) -> str:
@@ -450,9 +486,10 @@ class Improved(Answer):
     """
 
     @property
-    def outcome(self) -> str:
+    def outcome(self) -> Literal["optimum", "stalled", "out_of_steps", "unbalanced", "nothing_slides", "no_start"]:
         """Ending of the search, in a word of the scene format."""
-        return str(self._tree["search"])
+        word: Literal["optimum", "stalled", "out_of_steps", "unbalanced", "nothing_slides", "no_start"] = self._tree["search"]
+        return word
 
     @property
     def says(self) -> str:
@@ -527,10 +564,18 @@ class Improved(Answer):
 class Solution(Answer):
     """The answer to "does it hold under this load?": ``"equilibrium"``, ``"no_equilibrium"`` (with its proof) or ``"undecided"``."""
 
+    @property
+    def outcome(self) -> Literal["equilibrium", "no_equilibrium", "undecided"]:
+        """Outcome, in a word of the scene format."""
+        return cast("Literal['equilibrium', 'no_equilibrium', 'undecided']", super().outcome)
+
     @cached_property
     def equilibrium(self) -> Equilibrium | None:
         """The equilibrium; None for other outcomes."""
-        return Equilibrium(self._tree) if self.outcome == "equilibrium" else None
+        if self.outcome != "equilibrium":
+            return None
+        told = self._told
+        return Equilibrium(told) if isinstance(told, Told) and "_tree" not in self.__dict__ else Equilibrium(self._tree)
 
     @cached_property
     def state(self) -> Equilibrium | None:
@@ -581,6 +626,11 @@ class Onset(_First):
     """
 
     @property
+    def outcome(self) -> Literal["at", "never", "already_sliding", "no_base", "gives_way", "undecided"]:
+        """Outcome, in a word of the scene format."""
+        return cast("Literal['at', 'never', 'already_sliding', 'no_base', 'gives_way', 'undecided']", super().outcome)
+
+    @property
     def factor(self) -> float | None:
         """The factor up to which every contact sticks, without unit: the factor of the event, or the factor at which the object gives way; ``inf``
         for never. None for all other outcomes: read :attr:`outcome` first."""
@@ -600,6 +650,11 @@ class Onset(_First):
 
 class TurnOnset(_First):
     """The onset of sliding while a load turns. The outcomes are as for :class:`Onset`, with an angle in place of the factor."""
+
+    @property
+    def outcome(self) -> Literal["at", "never", "already_sliding", "no_base", "gives_way", "undecided"]:
+        """Outcome, in a word of the scene format."""
+        return cast("Literal['at', 'never', 'already_sliding', 'no_base', 'gives_way', 'undecided']", super().outcome)
 
     _kind = "onset_of_turn"
 
@@ -668,6 +723,11 @@ class Event(View):
 
 class Path(Answer):
     """A load program followed to its end: ``"completed"``, ``"lost"`` (the equilibrium ends), ``"no_start"`` or ``"undecided"``."""
+
+    @property
+    def outcome(self) -> Literal["completed", "lost", "no_start", "undecided"]:
+        """Outcome, in a word of the scene format."""
+        return cast("Literal['completed', 'lost', 'no_start', 'undecided']", super().outcome)
 
     @cached_property
     def events(self) -> tuple[Event, ...]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
 
-from ._grasp_lcp import words_of_number
-from ._views import Array, View, array, label_of, load_of, motion_of, motions_of, number, optional_number, rows
+from ._grasp_lcp import Told, words_of_number
+from ._views import Array, Tree, View, array, label_of, load_of, motion_of, motions_of, number, optional_number, rows
 
 
 class Contact(View):
@@ -37,9 +39,10 @@ class Contact(View):
         return label if self.point is None else f"{label}, point {self.point}"
 
     @property
-    def state(self) -> str:
+    def state(self) -> Literal["separated", "sticking", "sliding", "frictionless"]:
         """State of the contact: ``"separated"``, ``"sticking"``, ``"sliding"`` or ``"frictionless"``."""
-        return str(self._tree["state"])
+        state: Literal["separated", "sticking", "sliding", "frictionless"] = self._tree["state"]
+        return state
 
     @cached_property
     def direction(self) -> Array | None:
@@ -159,6 +162,26 @@ class Drive(View):
 class Equilibrium(View):
     """An equilibrium under a load. n contacts of c axes, an object of d coordinates: c, d = 2, 3 in the plane and 3, 6 in space."""
 
+    def __init__(self, tree: Tree | Told) -> None:
+        # The answer of the crate, whose numbers are read without JSON, or its tree of data.
+        self._told = tree
+
+    @cached_property
+    def _tree(self) -> Tree:
+        told = self._told
+        if isinstance(told, dict):
+            return told
+        tree: Tree = json.loads(told.json())
+        return tree
+
+    def _array(self, name: str, field: str) -> Array:
+        told = self._told
+        found = None if isinstance(told, dict) else told.column(name)
+        if found is None:
+            return self._column(field)
+        found.setflags(write=False)
+        return found
+
     @cached_property
     def load(self) -> Array:
         """The load that is balanced: force (N) and moment about the origin (N m), shape (d,)."""
@@ -167,7 +190,13 @@ class Equilibrium(View):
     @cached_property
     def twist(self) -> Array:
         """Motion of the object: translation of the origin (m) and rotation (rad), shape (d,)."""
-        return motion_of(self._tree["twist"])
+        told = self._told
+        found = None if isinstance(told, dict) else told.column("twist")
+        if found is None:
+            return motion_of(self._tree["twist"])
+        twist: Array = found[0]
+        twist.setflags(write=False)
+        return twist
 
     @cached_property
     def bodies(self) -> dict[str, Array]:
@@ -204,32 +233,33 @@ class Equilibrium(View):
         return len(self._tree["load"]["force"])
 
     def _column(self, name: str) -> Array:
-        return rows((tree[name] for tree in self._tree["contacts"]), self._axes)
+        axes = 1 if name in ("gap", "margin") else self._axes
+        return rows((tree[name] for tree in self._tree["contacts"]), axes)
 
     @cached_property
     def forces(self) -> Array:
         """Forces on the object in the contact frames, N, shape (n, c); column 0 is the normal force, positive if it pushes."""
-        return self._column("force")
+        return self._array("forces", "force")
 
     @cached_property
     def forces_world(self) -> Array:
         """Forces on the object along the coordinate axes, N, shape (n, c)."""
-        return self._column("force_world")
+        return self._array("forces_world", "force_world")
 
     @cached_property
     def slips(self) -> Array:
         """Slips of the fingers over the body in the contact frames, m, shape (n, c)."""
-        return self._column("slip")
+        return self._array("slips", "slip")
 
     @cached_property
     def gaps(self) -> Array:
         """Gaps between the surfaces, m, shape (n,)."""
-        return array([tree["gap"] for tree in self._tree["contacts"]])
+        return self._array("gaps", "gap").reshape(-1)
 
     @cached_property
     def margins(self) -> Array:
         """Friction in reserve, N, shape (n,), see :attr:`Contact.margin`."""
-        return array([tree["margin"] for tree in self._tree["contacts"]])
+        return self._array("margins", "margin").reshape(-1)
 
     @property
     def states(self) -> tuple[str, ...]:

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 
 from . import _grasp_lcp
 from ._bodies import bodies_in_scene
-from ._columns import as_written, columns, dumped, finite, floats, listed, one_each, plain, wrench_json
+from ._columns import STIFFNESSES, as_written, columns, dumped, finite, floats, listed, one_each, plain, with_arrays, wrench_json
+from ._views import Array, Load, Quantity
 from .answers import Answer, Comparison, Identified, Improved, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
@@ -40,16 +41,16 @@ class Leg(TypedDict, total=False):
     bodies are mappings from names of bodies. A ``turn`` must be the only entry; its keys are the arguments of :meth:`Grasp.turn`.
     """
 
-    load_by: ArrayLike | Mapping[str, Any]
-    load_to: ArrayLike | Mapping[str, Any]
+    load_by: Load
+    load_to: Load
     commands_by: ArrayLike
     commands_to: ArrayLike
     joints_by: ArrayLike
     joints_to: ArrayLike
     torques_by: ArrayLike
     torques_to: ArrayLike
-    body_loads_by: Mapping[str, ArrayLike | Mapping[str, Any]]
-    body_loads_to: Mapping[str, ArrayLike | Mapping[str, Any]]
+    body_loads_by: Mapping[str, Load]
+    body_loads_to: Mapping[str, Load]
     turn: Mapping[str, Any]
 
 
@@ -106,7 +107,8 @@ class Grasp:
         :param normals: directions into the object, of any length, shape (n, 2).
         :param friction: coefficients μ >= 0, shape (n,) or one for all; a contact with ``inf`` never slides.
         :param series_stiffness: springs of body and finger in series, N/m: one number for all axes, or ``[normal, tangential]``, or rows of
-            them, shape (n, 2). Give either this argument, or ``body_stiffness`` and ``finger_stiffness``.
+            them, shape (n, 2). Give either this argument, or ``body_stiffness`` and ``finger_stiffness``. Without any of them the default of
+            scenes is taken, and :meth:`warnings` say where the answer depends on it.
         :param body_stiffness: springs of the object at the contacts, N/m, in the same formats; ``inf`` is rigid.
         :param finger_stiffness: springs of the fingers, N/m, in the same formats.
         :param command: displacements of the fingers' cores in the contact frames, m, shape (n, 2) or (2,); normal first, positive
@@ -190,6 +192,9 @@ class Grasp:
         settings: Settings | None,
         **others: ArrayLike | None,
     ) -> Grasp:
+        is_left_out = all(others[name] is None for name in STIFFNESSES)
+        if is_left_out:
+            others["series_stiffness"] = 1.0
         leading, made = columns(axes, points, normals, friction, hold, **others)
         if leading:
             raise ValueError(f"points: {leading} grasps given, must be one, shape (n, {axes}); for many there is grasp_lcp.onsets")
@@ -204,7 +209,14 @@ class Grasp:
         if corners is not None and (corners.ndim != 2 or corners.shape[1] != axes):
             raise ValueError(f"outline: shape {corners.shape} given, must be (k, {axes})")
         told = None if settings is None else dumped(settings)
-        return cls._of(_grasp_lcp.Grasp.of_columns(made, told_names, corners, told))
+        grasp = cls._of(_grasp_lcp.Grasp.of_columns(made, told_names, corners, told))
+        if not is_left_out:
+            return grasp
+        # The scene then has the default, and its warnings say where answers depend on it.
+        scene = grasp.to_dict()
+        for contact in scene["planar" if axes == 2 else "spatial"]["contacts"]:
+            contact.pop("series_stiffness")
+        return cls.from_dict(scene)
 
     def _spread(self, **given: Any) -> Grasp:
         """This grasp with further data a contact, written into its scene: constant forces, soft pads, suction, friction while sliding, surfaces."""
@@ -230,7 +242,7 @@ class Grasp:
         *,
         mass: ArrayLike | None = None,
         centre_of_mass: ArrayLike | None = None,
-        load: Sequence[ArrayLike | Mapping[str, Any]] | None = None,
+        load: Sequence[Load] | None = None,
         gravity: ArrayLike | None = None,
         loaded: str | None = None,
         shared_by_mass: bool = False,
@@ -268,7 +280,7 @@ class Grasp:
     @classmethod
     def from_dict(cls, scene: Mapping[str, Any]) -> Grasp:
         """The grasp of a scene given as a dictionary, see :meth:`from_json`."""
-        return cls.from_json(json.dumps(scene))
+        return cls._of(_grasp_lcp.Grasp.of_json(json.dumps(scene, default=with_arrays), True))
 
     def to_json(self) -> str:
         """The scene of this grasp in JSON. Reading it back gives the same bits of every number."""
@@ -307,10 +319,10 @@ class Grasp:
 
     def hold(
         self,
-        load: ArrayLike | Mapping[str, Any],
-        base: ArrayLike | Mapping[str, Any] | None = None,
+        load: Load,
+        base: Load | None = None,
         *,
-        together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None,
+        together_with: Mapping[str, Load] | None = None,
     ) -> Verdict:
         """Does it hold? The load grows from rest. The answer is a sentence, with first slip and gross slip as multiples of the load.
 
@@ -322,12 +334,12 @@ class Grasp:
         if base is not None:
             asked["base"] = wrench_json("base", base, self.axes)
         asked.update(self._together(together_with))
-        return Verdict(self._held.ask(dumped({"hold": asked})))
+        return Verdict(self._held.ask(dumped({"hold": asked})), self._held)
 
     def warnings(
         self,
-        load: ArrayLike | Mapping[str, Any] | None = None,
-        base: ArrayLike | Mapping[str, Any] | None = None,
+        load: Load | None = None,
+        base: Load | None = None,
     ) -> list[str]:
         """Probable mistakes in the data, one sentence each: friction in percent, lengths in mm, reversed normals, no contact that presses.
 
@@ -345,8 +357,8 @@ class Grasp:
 
     def shake(
         self,
-        loads: Sequence[ArrayLike | Mapping[str, Any]],
-        base: ArrayLike | Mapping[str, Any] | None = None,
+        loads: Sequence[Load],
+        base: Load | None = None,
     ) -> Shaken:
         """Does it survive a load that repeats? Each load in turn is applied and removed, cycle after cycle. The answer holds for all time.
 
@@ -356,9 +368,9 @@ class Grasp:
         asked: dict[str, Any] = {"loads": [wrench_json("load", load, self.axes) for load in loads]}
         if base is not None:
             asked["base"] = wrench_json("base", base, self.axes)
-        return Shaken(self._held.ask(dumped({"shake": asked})))
+        return Shaken(self._held.ask(dumped({"shake": asked})), self._held)
 
-    def shakedown(self, loads: Sequence[ArrayLike | Mapping[str, Any]], *, base: ArrayLike | Mapping[str, Any] | None = None) -> Shakedown:
+    def shakedown(self, loads: Sequence[Load], *, base: Load | None = None) -> Shakedown:
         """The largest multiple of repeated loads, applied in any order, under which the grasp could come to rest.
 
         :param loads: loads that are applied and removed, N and N m, each of shape (c,) or (d,).
@@ -367,9 +379,9 @@ class Grasp:
         asked: dict[str, Any] = {"loads": [wrench_json("load", load, self.axes) for load in loads]}
         if base is not None:
             asked["base"] = wrench_json("base", base, self.axes)
-        return Shakedown(self._held.ask(dumped({"shakedown": asked})))
+        return Shakedown(self._held.ask(dumped({"shakedown": asked})), self._held)
 
-    def compare(self, load: ArrayLike | Mapping[str, Any], *, base: ArrayLike | Mapping[str, Any] | None = None) -> Comparison:
+    def compare(self, load: Load, *, base: Load | None = None) -> Comparison:
         """Is the equilibrium the minimum of energy that the paper's quadratic program finds, and up to which part of the load?
 
         :param load: the load that grows, N and N m, of shape (c,) or (d,).
@@ -378,21 +390,21 @@ class Grasp:
         asked: dict[str, Any] = {"load": wrench_json("load", load, self.axes)}
         if base is not None:
             asked["base"] = wrench_json("base", base, self.axes)
-        return Comparison(self._held.ask(dumped({"compare": asked})))
+        return Comparison(self._held.ask(dumped({"compare": asked})), self._held)
 
     def need(
         self,
-        quantity: str,
-        load: ArrayLike | Mapping[str, Any] | None = None,
+        quantity: Quantity,
+        load: Load | None = None,
         *,
-        base: ArrayLike | Mapping[str, Any] | None = None,
-        loads: Sequence[ArrayLike | Mapping[str, Any]] | None = None,
+        base: Load | None = None,
+        loads: Sequence[Load] | None = None,
         any_force: float | None = None,
         at: ArrayLike | None = None,
-        per_metre: ArrayLike | Mapping[str, Any] | None = None,
+        per_metre: Load | None = None,
         contact: int | str | None = None,
         turn: Mapping[str, Any] | None = None,
-        together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None,
+        together_with: Mapping[str, Load] | None = None,
         of: str | None = None,
         sticks: bool = False,
         may_slide: bool = False,
@@ -443,15 +455,15 @@ class Grasp:
             asked["turn"] = self._turn_words(turn)
         asked["demand"] = ("stays" if may_slide else "rests") if repeats else "sticks" if sticks else "held"
         asked.update(self._together(together_with))
-        return Needed(self._held.ask(dumped({"need": asked})))
+        return Needed(self._held.ask(dumped({"need": asked})), self._held)
 
     def identify(
         self,
         unknowns: Sequence[str | Mapping[str, Any]],
-        loads: ArrayLike | None = None,
+        loads: ArrayLike | Sequence[Load] | Mapping[str, Any] | None = None,
         *,
         slip: str | Sequence[str] = "gross",
-        base: ArrayLike | Mapping[str, Any] | None = None,
+        base: Load | None = None,
         turns: Sequence[Mapping[str, Any]] | None = None,
         squeeze: ArrayLike = 1.0,
         scatter: ArrayLike | None = None,
@@ -511,16 +523,27 @@ class Grasp:
         for name, number in (("outliers", outliers), ("iterations", iterations)):
             if number is not None:
                 asked[name] = number
-        return Identified(self._held.ask(dumped({"identify": asked})))
+        return Identified(self._held.ask(dumped({"identify": asked})), self._held)
 
-    def _slips(self, loads: ArrayLike | None, turns: Sequence[Mapping[str, Any]] | None) -> list[dict[str, Any]]:
+    def _slips(
+        self,
+        loads: ArrayLike | Sequence[Load] | Mapping[str, Any] | None,
+        turns: Sequence[Mapping[str, Any]] | None,
+    ) -> list[dict[str, Any]]:
         """The load or turn of each slip, in the format of scenes."""
         if (loads is None) == (turns is None):
             raise TypeError("identify: give one of loads and turns")
         if turns is not None:
             return [{"turn": self._turn_words(turn)} for turn in listed("turns", turns, "a list of turns")]
-        rows = np.atleast_2d(finite("loads", loads if loads is not None else ()))
+        rows = finite("loads", self._rows(loads))
         return [{"load": wrench_json(f"loads[{k}]", row, self.axes)} for k, row in enumerate(rows)]
+
+    def _rows(self, loads: Any) -> Array:
+        """Loads as rows of an array: given as one, or as a list with mappings."""
+        each: Any = [loads] if isinstance(loads, Mapping) else loads
+        if isinstance(each, Sequence) and any(isinstance(load, Mapping) for load in each):
+            each = [_grasp_lcp.load_numbers(f"loads[{k}]", load, self.axes) for k, load in enumerate(each)]
+        return np.atleast_2d(floats("loads", each if each is not None else ()))
 
     def _unknown(self, index: int, given: str | Mapping[str, Any]) -> dict[str, Any]:
         """Converts an unknown to the format of scenes, with its contacts by number."""
@@ -538,12 +561,12 @@ class Grasp:
 
     def improve(
         self,
-        load: ArrayLike | Mapping[str, Any] | None = None,
+        load: Load | None = None,
         *,
         surfaces: Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None = None,
         at_most: float | None = None,
-        base: ArrayLike | Mapping[str, Any] | None = None,
-        loads: Sequence[ArrayLike | Mapping[str, Any]] | None = None,
+        base: Load | None = None,
+        loads: Sequence[Load] | None = None,
         any_force: float | None = None,
         at: ArrayLike | None = None,
         goal: str | None = None,
@@ -581,7 +604,7 @@ class Grasp:
         for name, given in (*numbers, ("goal", goal)):
             if given is not None:
                 asked[name] = as_written(name, given)
-        return Improved(held._held.ask(dumped({"improve": asked})))
+        return Improved(held._held.ask(dumped({"improve": asked})), held._held)
 
     def placed_as(self, improved: Improved) -> Grasp:
         """This grasp with the places and commands of an answer of :meth:`improve`.
@@ -604,7 +627,7 @@ class Grasp:
         """A watch over measured contact forces, for a control loop. The grasp must have two to five point contacts and no joints."""
         return Watch(self._held.watch(), self.axes)
 
-    def solve(self, load: ArrayLike, *, together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None) -> Solution:
+    def solve(self, load: Load, *, together_with: Mapping[str, Load] | None = None) -> Solution:
         """The equilibrium under a load, or the proof that no equilibrium exists.
 
         :param load: N and N m, shape (c,) or (d,).
@@ -612,10 +635,10 @@ class Grasp:
         """
         if together_with:
             asked = {"load": wrench_json("load", load, self.axes), **self._together(together_with)}
-            return Solution(self._held.ask(dumped({"solve": asked})))
-        return Solution(self._held.solve(load))
+            return Solution(self._held.ask(dumped({"solve": asked})), self._held)
+        return Solution(self._held.solve(load), self._held)
 
-    def _together(self, loads: Mapping[str, ArrayLike | Mapping[str, Any]] | None) -> dict[str, Any]:
+    def _together(self, loads: Mapping[str, Load] | None) -> dict[str, Any]:
         """Converts loads of single bodies that act with the load of a question to the format of scenes."""
         if not loads:
             return {}
@@ -623,8 +646,8 @@ class Grasp:
 
     def onset(
         self,
-        direction: ArrayLike,
-        base: ArrayLike | None = None,
+        direction: Load,
+        base: Load | None = None,
         *,
         command_change: ArrayLike | None = None,
         joint_change: ArrayLike | None = None,
@@ -637,12 +660,12 @@ class Grasp:
         :param joint_change: change of the commands of a hand per unit of the factor, one a joint and then one a tendon, rad or m.
         """
         if command_change is None and joint_change is None:
-            return Onset(self._held.onset(direction, base))
+            return Onset(self._held.onset(direction, base), self._held)
         commands = None if command_change is None else floats("command_change", command_change)
         if commands is not None and commands.ndim != 2:
             raise ValueError(f"command_change: shape {commands.shape} given, must be (n, {self.axes})")
         joints = None if joint_change is None else finite("joint_change", joint_change).ravel().tolist()
-        return Onset(self._held.onset(direction, base, commands, joints))
+        return Onset(self._held.onset(direction, base, commands, joints), self._held)
 
     def turn(
         self,
@@ -651,11 +674,12 @@ class Grasp:
         force: ArrayLike | None = None,
         at: ArrayLike | None = None,
         axis: ArrayLike | None = None,
-        beside: ArrayLike | Mapping[str, Any] | None = None,
-        constant: ArrayLike | Mapping[str, Any] | None = None,
-        cosine: ArrayLike | Mapping[str, Any] | None = None,
-        sine: ArrayLike | Mapping[str, Any] | None = None,
+        beside: Load | None = None,
+        constant: Load | None = None,
+        cosine: Load | None = None,
+        sine: Load | None = None,
         angle: float | None = None,
+        degrees: float | None = None,
         reversed: bool = False,
     ) -> TurnOnset:
         """The angle at which the first contact stops sticking while a load turns.
@@ -670,9 +694,10 @@ class Grasp:
         :param beside: a further load that does not turn.
         :param constant, cosine, sine: loads of a general turn, in place of all these: ``constant + cosine cos θ + sine sin θ``.
         :param angle: largest angle, rad; a full turn by default.
+        :param degrees: the same in degrees, in place of ``angle``.
         :param reversed: whether the turn goes in the opposite direction.
         """
-        return TurnOnset(self._held.turn(dumped(self._turn_words(locals()))))
+        return TurnOnset(self._held.turn(dumped(self._turn_words(locals()))), self._held)
 
     def _numbered(self, contact: int | str | None) -> int | None:
         """The number of a contact given by number or by name."""
@@ -693,6 +718,10 @@ class Grasp:
         loads = ("beside", "constant", "cosine", "sine")
         given = {name: value for name, value in words.items() if name != "self" and value is not None and value is not False}
         written = {name: wrench_json(name, value, self.axes) if name in loads else plain(name, value) for name, value in given.items()}
+        if "degrees" in written:
+            if "angle" in written:
+                raise ValueError("degrees: given beside angle, must be alone")
+            written["angle"] = np.radians(written.pop("degrees")).tolist()
         if "angle" in written:
             written["angle_rad"] = written.pop("angle")
         return written
@@ -700,7 +729,7 @@ class Grasp:
     def follow(
         self,
         legs: Sequence[ArrayLike | Leg],
-        start: ArrayLike | Mapping[str, Any] | None = None,
+        start: Load | None = None,
         in_steps: float | None = None,
     ) -> Path:
         """Follows a load program from event to event. Slips are remembered from leg to leg.
@@ -717,11 +746,11 @@ class Grasp:
             asked["start"] = wrench_json("start", start, self.axes)
         if in_steps is not None:
             asked["in_steps"] = float(in_steps)
-        return Path(self._held.ask(dumped({"follow": asked})))
+        return Path(self._held.ask(dumped({"follow": asked})), self._held)
 
     def _leg(self, index: int, leg: ArrayLike | Leg) -> dict[str, Any]:
         name = f"legs[{index}]"
-        if not isinstance(leg, Mapping):
+        if not isinstance(leg, Mapping) or not {"force", "moment", "mass"}.isdisjoint(leg):
             return {"load_to": wrench_json(name, leg, self.axes)}
         written = {}
         for key, value in leg.items():
@@ -735,7 +764,7 @@ class Grasp:
             written[key] = wrench_json(where, value, self.axes) if key in ("load_by", "load_to") else plain(where, value)
         return written
 
-    def equilibria(self, load: ArrayLike) -> list[Equilibrium]:
+    def equilibria(self, load: Load) -> list[Equilibrium]:
         """All equilibria under a load, of a grasp with few contacts; on the round cone those to which a polygon leads."""
         return [Equilibrium(tree) for tree in json.loads(self._held.equilibria(load))]
 
@@ -747,7 +776,7 @@ class Grasp:
         :param budget: bound of the sum of all normal forces, N, or of each one with ``each``.
         """
         ball = WrenchBall.from_json(self._held.ball(budget, each))
-        return Quality(force_closure=self.force_closure(), form_closure=self.form_closure(), ball=ball)
+        return Quality(force_closure=self.force_closure(), form_closure=self.form_closure(), ball=ball, grasp=self)
 
     def force_closure(self) -> Closure:
         """Whether contact forces inside their cones could balance any load."""
@@ -757,7 +786,14 @@ class Grasp:
         """Whether normal forces alone could balance any load."""
         return Closure.from_json(self._held.closure(False))
 
-    def load_limit(self, direction: ArrayLike, base: ArrayLike | None = None, *, budget: float = 1.0, each: bool = True) -> LoadLimit:
+    def load_limit(
+        self,
+        direction: Load,
+        base: Load | None = None,
+        *,
+        budget: float = 1.0,
+        each: bool = True,
+    ) -> LoadLimit:
         """The largest factor for which *some* contact forces within a budget of normal forces balance ``base + factor * direction``.
 
         :param budget: bound of each normal force, N, or of their sum without ``each``.
@@ -766,10 +802,10 @@ class Grasp:
 
     def least_squeeze(
         self,
-        loads: ArrayLike | None = None,
+        loads: ArrayLike | Sequence[Load] | Mapping[str, Any] | None = None,
         *,
         any_force: float | None = None,
-        base: ArrayLike | None = None,
+        base: Load | None = None,
         at: ArrayLike | None = None,
         turn: Mapping[str, Any] | None = None,
     ) -> LeastSqueeze:
@@ -789,12 +825,12 @@ class Grasp:
             raise TypeError("least_squeeze: base and at go with any_force alone")
         if turn is not None:
             return LeastSqueeze.from_json(self._held.least_squeeze_of_turn(dumped(self._turn_words(turn))))
-        rows = np.atleast_2d(floats("loads", loads if loads is not None else ()))
+        rows = self._rows(loads)
         if rows.ndim != 2:
             raise ValueError(f"loads: shape {rows.shape} given, must be (k, {self.axes}) or (k, {3 * (self.axes - 1)})")
         return LeastSqueeze.from_json(self._held.least_squeeze(rows))
 
-    def weakest_direction(self, base: ArrayLike | None = None, at: ArrayLike | None = None) -> WeakestDirection:
+    def weakest_direction(self, base: Load | None = None, at: ArrayLike | None = None) -> WeakestDirection:
         """The least force through a point that makes a contact stop sticking, and its direction, in addition to a base load.
 
         :param base: base load, N and N m, shape (c,) or (d,); zero unless given.
@@ -814,6 +850,9 @@ class Grasp:
         return self._resting()._repr_html_()
 
 
+# `help(Grasp.from_dict)` lists every field: joints, tendons and pads are there, too.
+Grasp.from_dict.__func__.__doc__ = f"{Grasp.from_dict.__doc__}\n\n{_grasp_lcp.FIELDS}"  # type: ignore[attr-defined]
+
 _KINDS: dict[str, type[Answer]] = {
     "hold": Verdict,
     "shake": Shaken,
@@ -831,8 +870,9 @@ _KINDS: dict[str, type[Answer]] = {
 
 def answers(scene: str | Mapping[str, Any]) -> list[Answer]:
     """The answers to the questions of a scene, in their order. The scene is JSON text or a dictionary."""
-    text = scene if isinstance(scene, str) else json.dumps(scene)
-    told = (next(iter(tree.items())) for tree in json.loads(_grasp_lcp.answers_of_scene(text)))
+    is_text = isinstance(scene, str)
+    text = scene if isinstance(scene, str) else json.dumps(scene, default=with_arrays)
+    told = (next(iter(tree.items())) for tree in json.loads(_grasp_lcp.answers_of_scene(text, not is_text)))
     return [_KINDS[kind](json.dumps(tree)) for kind, tree in told]
 
 

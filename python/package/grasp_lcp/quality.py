@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 from ._views import Array, View, array, load_of, motion_of, number, optional_number, rows, short
 
@@ -95,6 +96,11 @@ class Quality:
     force_closure: Closure
     form_closure: Closure
     ball: WrenchBall
+    grasp: Any = field(default=None, repr=False, compare=False)
+
+    def _repr_svg_(self) -> str | None:
+        """Picture of the squeezed grasp, for notebooks."""
+        return None if self.grasp is None else self.grasp._held.drawn(None, f"ε = {self.epsilon:.4g} N", False)
 
     @property
     def epsilon(self) -> float:

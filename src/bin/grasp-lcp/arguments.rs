@@ -24,6 +24,9 @@ pub(crate) struct Arguments {
     pub(crate) command: Command,
 }
 
+/// The page of all fields, which a test makes from the schema.
+pub(crate) const FIELDS: &str = include_str!("../../../examples/scenes/FIELDS.md");
+
 const EXAMPLES: &str = "\
 Examples:
   grasp-lcp new gripper > gripper.json        a scene to begin with; `new --help` explains its fields
@@ -54,6 +57,9 @@ pub(crate) enum Command {
     },
     /// Typical coefficients of friction and stiffnesses, with their sources.
     Values,
+    /// All fields of a scene, with their meaning and units; so does `help scene`.
+    #[command(after_long_help = FIELDS)]
+    Scene,
     /// Answers every question of a scene.
     Ask(Ask),
     /// Does the grasp hold the load? The load grows from zero beside the base load; the answer is a sentence.

@@ -27,6 +27,7 @@ use crate::{files, report};
 /// Answers the question and prints the answer. The exit code says whether every answer is decided.
 pub(crate) fn ask(ask: &Ask, asked: &Command) -> Result<ExitCode, Failure> {
     let mut scene = files::read(&ask.scene)?;
+    let given = scene.clone();
     match &mut scene.space {
         Space::Planar(setup) => {
             let moment = |m: &[f64]| planar::Wrench::new([0.0; 2], m[0]);
@@ -37,7 +38,7 @@ pub(crate) fn ask(ask: &Ask, asked: &Command) -> Result<ExitCode, Failure> {
             put(setup, asked, &Meaning { force_at: spatial::Wrench::force_at, moment, turn: spatial_turn })?;
         }
     }
-    files::warn(&ask.scene, &scene)?;
+    files::warn_beside(&ask.scene, &scene, Some(&given))?;
     let answers = scene
         .answers_in(Words::with_digits(ask.digits.into()))
         .map_err(|error| files::refused(&ask.scene, &error))?;

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-use grasp_lcp::scene::Scene;
+use grasp_lcp::scene::{Scene, Warning};
 use grasp_lcp::words::printable;
 
 use crate::arguments::Output;
@@ -43,7 +43,19 @@ pub(crate) fn name(path: &Path) -> String {
 
 /// Prints warnings about a scene and its questions on standard error.
 pub(crate) fn warn(path: &Path, scene: &Scene) -> Result<(), Failure> {
-    let warnings = scene.warnings().map_err(|error| refused(path, &error))?;
+    warn_beside(path, scene, None)
+}
+
+/// The same, with the loads of the scene as given, whose questions the command line may have replaced.
+pub(crate) fn warn_beside(path: &Path, scene: &Scene, given: Option<&Scene>) -> Result<(), Failure> {
+    let mut warnings = scene.warnings().map_err(|error| refused(path, &error))?;
+    let of_loads =
+        |warning: &Warning| matches!(warning, Warning::ManyMetres { .. } | Warning::HeavyLoad { .. });
+    for warning in given.into_iter().flat_map(|given| given.warnings().unwrap_or_default()).filter(of_loads) {
+        if !warnings.contains(&warning) {
+            warnings.push(warning);
+        }
+    }
     for warning in &warnings {
         eprintln!("warning: {}: {warning}", name(path));
     }

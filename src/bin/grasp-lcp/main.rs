@@ -93,6 +93,7 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
     }
     match command {
         Command::New { of } => io::stdout().write_all(of.text().as_bytes())?,
+        Command::Scene => io::stdout().write_all(arguments::FIELDS.as_bytes())?,
         Command::Values => values::print(&mut io::stdout().lock())?,
         Command::Map { scene, at, unsure, json, progress, output } => {
             let pictures = Pictures::new(&output, &scene);

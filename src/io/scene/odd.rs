@@ -43,6 +43,27 @@ impl<const C: usize> Setup<C> {
                 beside: None,
             });
         }
+        let stiffness = |i: usize| largest(entries[i].contact.series_stiffness_of_axes().as_slice(), &|k| *k);
+        let softest = (0..entries.len()).map(stiffness).fold(f64::INFINITY, f64::min);
+        let force = |i: usize| entries[i].contact.press.or(entries[i].contact.force).unwrap_or(0.0);
+        // Contacts of steel have 1e8 to 1e9 N/m; neighbours ten million times as soft carry nothing.
+        let is_stiff = |i: &usize| stiffness(*i).is_finite() && stiffness(*i) >= 1e11_f64.min(1e7 * softest);
+        // The largest presses have less than 1e9 N.
+        let is_strong = |i: &usize| force(*i) >= 1e9;
+        for (is_stiffness, those) in [
+            (true, (0..entries.len()).filter(is_stiff).collect::<Vec<_>>()),
+            (false, (0..entries.len()).filter(is_strong).collect()),
+        ] {
+            if let Some(first) = those.first() {
+                let value = if is_stiffness { stiffness(*first) } else { force(*first) };
+                warnings.push(Warning::OutOfProportion {
+                    names: names(&those),
+                    contacts: those,
+                    is_stiffness,
+                    value,
+                });
+            }
+        }
         warnings.extend(self.outwards(&entries));
         let (mut first, mut is_wide) = (0, false);
         for (i, entry) in entries.iter().enumerate() {
@@ -78,8 +99,13 @@ impl<const C: usize> Setup<C> {
     /// Warnings about loads that act far outside of the grasp, or that exceed the pressing forces by far.
     pub(super) fn odd_loads(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
-        let pressed: f64 =
-            self.entries().filter_map(|entry| entry.contact.press.or(entry.contact.force)).sum();
+        let (mut pressed, mut carried) = (0.0, 0.0);
+        for entry in self.entries() {
+            let force = entry.contact.press.or(entry.contact.force).unwrap_or(0.0);
+            // Normals carry as much as ordinary friction, also where there is hardly any.
+            (pressed, carried) =
+                (pressed + force, carried + force * entry.contact.friction_coefficient().max(0.3));
+        }
         let force = |load: &Wrench<C>| SVector::<f64, C>::from_column_slice(&load.components()[..C]);
         let mut heaviest = 0.0_f64;
         for question in &self.questions {
@@ -90,8 +116,8 @@ impl<const C: usize> Setup<C> {
                 }
             }
         }
-        // Friction carries far less.
-        if pressed > 0.0 && heaviest > 100.0 * pressed {
+        // Grippers are planned for a small part of what friction carries.
+        if carried > 0.0 && heaviest > 100.0 * carried {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }
         let points: Vec<_> = self.entries().map(|entry| entry.contact.point).collect();

@@ -90,6 +90,17 @@ pub enum Warning {
         #[serde(skip_serializing_if = "Option::is_none")]
         beside: Option<f64>,
     },
+    /// A force or a stiffness is out of proportion to the rest; perhaps it is a modulus of a material, or in another unit.
+    OutOfProportion {
+        /// The contacts of the scene, from 0.
+        contacts: Vec<usize>,
+        /// The names of the contacts in messages.
+        names: Vec<String>,
+        /// Whether it is a stiffness, N/m, in place of a force, N.
+        is_stiffness: bool,
+        /// The number of the first of these contacts, N/m or N.
+        value: f64,
+    },
     /// All normals point the same way, so that contacts cannot press with their given forces.
     SameSide {
         /// The contacts of the scene, from 0.
@@ -104,7 +115,7 @@ pub enum Warning {
         /// The names of the contacts in messages.
         names: Vec<String>,
     },
-    /// A load is more than a hundred times the sum of the forces with which contacts press; perhaps its mass is given in g.
+    /// A load is more than a hundred times what friction carries with the forces with which contacts press; perhaps its mass is given in g.
     HeavyLoad {
         /// The force of the load, N.
         force: f64,
@@ -165,6 +176,18 @@ impl fmt::Display for Warning {
                 }
                 f.write_str(": lengths are in m; is this in mm?")
             }
+            Self::OutOfProportion { names, is_stiffness: true, value, .. } => write!(
+                f,
+                "stiffness {} N/m at {}, out of proportion to the rest: contacts of steel have some 1e8 N/m; is this a modulus, in Pa?",
+                words.number(*value),
+                all(names)
+            ),
+            Self::OutOfProportion { names, value, .. } => write!(
+                f,
+                "{} N at {}, out of proportion to the rest: forces are in N",
+                words.number(*value),
+                all(names)
+            ),
             Self::SameSide { names, .. } => write!(
                 f,
                 "the normals of {} point the same way: contacts cannot press against each other; normals point into the object, the way the finger pushes",

@@ -1,0 +1,97 @@
+//! The page of all fields of a scene, `examples/scenes/FIELDS.md`, is made from the schema: the program and Python show it, too.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use serde_json::{Map, Value};
+
+use crate::{ROOT, run, text};
+
+/// The name of a definition without the number of its sibling in space.
+fn base(name: &str) -> &str {
+    name.rsplit('/').next().unwrap_or(name).trim_end_matches(char::is_numeric)
+}
+
+/// The kind of a value in a few words.
+fn kind(of: &Value) -> String {
+    if let Some(name) = of["$ref"].as_str() {
+        return base(name).to_owned();
+    }
+    if let Some(word) = of["const"].as_str() {
+        return format!("`{word}`");
+    }
+    if let Some(words) = of["enum"].as_array() {
+        return words
+            .iter()
+            .map(|word| format!("`{}`", word.as_str().unwrap_or("null")))
+            .collect::<Vec<_>>()
+            .join(" or ");
+    }
+    for several in ["anyOf", "oneOf"] {
+        if let Some(each) = of[several].as_array() {
+            let kinds: BTreeSet<_> =
+                each.iter().map(kind).filter(|one| !one.is_empty() && one != "null").collect();
+            return kinds.into_iter().collect::<Vec<_>>().join(" or ");
+        }
+    }
+    let first = of["type"].as_str().or_else(|| of["type"][0].as_str()).unwrap_or_default();
+    match first {
+        "array" if of["items"].is_object() => format!("list of {}", kind(&of["items"])),
+        other => other.to_owned(),
+    }
+}
+
+/// Lines of the fields of an object, and of those of its variants.
+fn fields(page: &mut String, of: &Value) {
+    let required: BTreeSet<_> =
+        of["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    for (name, field) in of["properties"].as_object().into_iter().flatten() {
+        let must = if required.contains(name.as_str()) { ", required" } else { "" };
+        let about = field["description"].as_str().map(|about| format!(": {about}")).unwrap_or_default();
+        writeln!(page, "* `{name}` ({}{must}){about}", kind(field)).expect("text");
+        // Variants that are objects have fields of their own.
+        if field["properties"].is_object() {
+            let mut own = String::new();
+            fields(&mut own, field);
+            own.lines().for_each(|line| writeln!(page, "  {line}").expect("text"));
+        }
+    }
+    for several in ["oneOf", "anyOf"] {
+        of[several].as_array().into_iter().flatten().for_each(|variant| fields(page, variant));
+    }
+}
+
+fn page(schema: &Value) -> String {
+    let mut page = "# Fields of a scene\n\nMade from the JSON Schema (`grasp-lcp schema`). Vectors have two numbers in the plane and three in space. Units are SI. `grasp-lcp new gripper` writes a scene to begin with.\n\n## Scene\n\n".to_owned();
+    fields(&mut page, schema);
+    let definitions: &Map<String, Value> = schema["$defs"].as_object().expect("definitions");
+    let mut told = BTreeSet::new();
+    for (name, of) in definitions {
+        let mut own = String::new();
+        fields(&mut own, of);
+        // The sibling in space has the same fields, or more.
+        let is_first = definitions.contains_key(&format!("{name}2"));
+        if own.is_empty() || is_first || !told.insert(own.clone()) {
+            continue;
+        }
+        let about = of["description"].as_str().map(|about| format!("{about}\n\n")).unwrap_or_default();
+        write!(page, "\n## {}\n\n{about}{own}", base(name)).expect("text");
+    }
+    page
+}
+
+#[test]
+fn the_page_of_fields_is_that_of_the_schema() {
+    let schema: Value = serde_json::from_slice(&run(&["schema"]).stdout).expect("JSON");
+    let made = page(&schema);
+    let place = format!("{ROOT}/examples/scenes/FIELDS.md");
+    if std::env::var_os("WRITE_FIELDS").is_some() {
+        std::fs::write(&place, &made).expect("is written");
+    }
+    let kept = std::fs::read_to_string(place).expect("is there");
+    assert!(made == kept, "the fields have changed: run this test with WRITE_FIELDS=1");
+    let help = text(&run(&["help", "scene"]).stdout);
+    for field in ["`pressed_with`", "`stiffness_matrix`", "`arms`", "`sides`"] {
+        assert!(kept.contains(field) && help.contains(field), "{field}");
+    }
+}
