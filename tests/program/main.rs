@@ -5,6 +5,7 @@ mod drawings;
 mod everyday;
 mod far;
 mod full_disk;
+mod grip;
 mod mistakes;
 mod names;
 mod new;

@@ -6,7 +6,7 @@ mod files;
 mod line_contact;
 mod mistakes;
 mod moved;
-
+mod scenes;
 mod shapes;
 mod sloped;
 mod volume;

@@ -20,7 +20,12 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
         fs::read(path)
     };
     let text = text.map_err(|error| Failure::Files(format!("{name}: {error}")))?;
-    Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))
+    let scene = Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))?;
+    #[cfg(feature = "mesh")]
+    let scene = scene
+        .with_part_from(path.parent().unwrap_or(Path::new("")))
+        .map_err(|error| refused(path, &error))?;
+    Ok(scene)
 }
 
 /// The name of a scene in messages.

@@ -22,7 +22,8 @@ pub enum Unit {
 
 impl Unit {
     /// One length in this unit, m. Division of a length keeps round numbers of mm the nearest to their decimals.
-    pub(super) fn in_metres(self, length: f64) -> f64 {
+    #[must_use]
+    pub fn in_metres(self, length: f64) -> f64 {
         match self {
             Self::Metre => length,
             Self::Centimetre => length / 100.0,
