@@ -99,6 +99,22 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// A mesh that is not there, cannot be read, or encloses no volume.
+    #[cfg(feature = "mesh")]
+    #[error("mesh: {fault}")]
+    Mesh {
+        /// The fault, and what must be.
+        fault: String,
+    },
+    /// A pad that does not meet the part on which it closes, or begins inside of it.
+    #[cfg(feature = "mesh")]
+    #[error("contact {contact}: {fault}")]
+    Misses {
+        /// Which contact.
+        contact: ContactLabel,
+        /// The fault, and what must be.
+        fault: &'static str,
+    },
     /// A number of a question is out of range, other than a number of a contact, a load or a hand.
     #[error("{what} is {value}, must be {allowed}")]
     Argument {

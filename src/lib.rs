@@ -71,6 +71,7 @@
 //! | `scene` | scenes and answers in any self-describing format of serde (feature `serde`), JSON with messages that name the field (feature `json`) |
 //! | `stream` | scenes in JSON, one a line, answered in order on all cores (feature `json`) |
 //! | `schema` | the JSON Schemas of scenes and answers (feature `schema`) |
+//! | `touch` | contacts from surfaces: pads that close on a part from STL or OBJ (feature `mesh`) |
 //! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps also as HTML pages (feature `plot`) |
 //! | [`words`] | numbers with their units, motions and names, in words |
 //!
@@ -169,6 +170,8 @@ pub use io::schema;
 pub use io::stream;
 pub(crate) use model::contact;
 pub use model::grasp;
+#[cfg(feature = "mesh")]
+pub use model::touch;
 pub use questions::{ask, energy, hold, identify, improve, need, screening, shake, squeeze, statics, sweep};
 
 pub use contact::{Fit, PolygonCone};

@@ -2,3 +2,5 @@
 
 pub(crate) mod contact;
 pub mod grasp;
+#[cfg(feature = "mesh")]
+pub mod touch;

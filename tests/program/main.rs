@@ -6,6 +6,7 @@ mod everyday;
 mod far;
 mod fields;
 mod full_disk;
+mod grip;
 mod mistakes;
 mod names;
 mod new;

@@ -54,6 +54,9 @@ pub(crate) enum Command {
         /// The kind of grasp.
         #[arg(value_enum)]
         of: Template,
+        #[cfg(feature = "mesh")]
+        #[command(flatten)]
+        grip: crate::grip::Grip,
     },
     /// Typical coefficients of friction and stiffnesses, with their sources.
     Values,

@@ -21,7 +21,12 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     } else {
         bytes(path, "a scene, a file in JSON")?
     };
-    Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))
+    let scene = Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))?;
+    #[cfg(feature = "mesh")]
+    let scene = scene
+        .with_part_from(path.parent().unwrap_or(Path::new("")))
+        .map_err(|error| refused(path, &error))?;
+    Ok(scene)
 }
 
 /// The bytes of a file; `wanted` says what it must be where it is a folder.

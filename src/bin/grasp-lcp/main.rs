@@ -11,6 +11,8 @@ mod drawing;
 mod failure;
 mod files;
 mod followed;
+#[cfg(feature = "mesh")]
+mod grip;
 mod identifies;
 mod loads;
 mod map;
@@ -36,6 +38,8 @@ use grasp_lcp::stream::{StreamOptions, answer_lines};
 use arguments::{Arguments, Command};
 use failure::Failure;
 use files::Pictures;
+#[cfg(feature = "mesh")]
+use new::Template;
 
 fn main() -> ExitCode {
     match asked().and_then(|code| io::stdout().flush().map(|()| code).map_err(Failure::from)) {
@@ -92,7 +96,9 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         return asking::ask(ask, &command);
     }
     match command {
-        Command::New { of } => io::stdout().write_all(of.text().as_bytes())?,
+        #[cfg(feature = "mesh")]
+        Command::New { of: Template::Grip, grip } => io::stdout().write_all(grip.scene()?.as_bytes())?,
+        Command::New { of, .. } => io::stdout().write_all(of.text().as_bytes())?,
         Command::Scene => io::stdout().write_all(arguments::FIELDS.as_bytes())?,
         Command::Values => values::print(&mut io::stdout().lock())?,
         Command::Map { scene, at, unsure, json, progress, output } => {

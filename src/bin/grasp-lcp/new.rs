@@ -17,6 +17,9 @@ pub(crate) enum Template {
     Hand,
     /// A wedge in a gap, in the plane.
     Wedge,
+    /// Two jaws on a part from a mesh: `new grip part.stl --jaws 20x30mm --closing 1,0,0 --force 40`.
+    #[cfg(feature = "mesh")]
+    Grip,
 }
 
 impl Template {
@@ -29,6 +32,8 @@ impl Template {
             Self::Fixture => include_str!("../../../examples/scenes/everyday/fixture.json"),
             Self::Hand => include_str!("../../../examples/scenes/everyday/hand.json"),
             Self::Wedge => include_str!("../../../examples/scenes/everyday/wedge.json"),
+            #[cfg(feature = "mesh")]
+            Self::Grip => "",
         }
     }
 }
@@ -59,6 +64,10 @@ What stands in the scenes:
   joints             from the palm on: where it turns (revolute, a point), how stiff its motor is (stiffness, N m/rad),
                      how far it is told to close (command, rad), where it stalls (limit, saturates, N m)
   outline            corners of the object, m; only drawn
+  part               the grasped part as a mesh: an STL or OBJ, with a unit and a mass, kg, or density, kg/m³
+  touches            a pad that closes on the part, in place of point and normal: its sides, m (rectangle), its middle
+                     before it closes, m (from), the direction (closing), and its elastic layer in place of a stiffness
+                     (modulus, Pa, and thickness, m)
   questions          what is asked, in order:
   hold               does it hold the load, beside the base that is there at rest?
   need               how much of a quantity (squeeze, friction, load, arm, angle) does the load take?

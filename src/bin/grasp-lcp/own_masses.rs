@@ -46,13 +46,20 @@ pub(crate) fn refuse_mass<const C: usize>(setup: &Setup<C>, mass: Option<f64>) -
     }
 }
 
-/// The load for `--acceleration` without `--mass`: the scene's bodies as one accelerated mass without weight. Other loads are returned unchanged.
+/// The load for `--acceleration` without `--mass`: the scene's bodies as one accelerated mass without weight. A mass without a place is at the centre
+/// of the part, if the scene has a mesh. Other loads are returned unchanged.
 pub(crate) fn of_own_masses<'l, const C: usize>(
     load: &'l LoadArguments,
     beside: bool,
     setup: &mut Setup<C>,
 ) -> Result<Cow<'l, LoadArguments>, Failure> {
     refuse_mass(setup, load.mass)?;
+    #[cfg(feature = "mesh")]
+    if let (None, Some(_), Some(centre)) =
+        (&load.at, load.mass, setup.part_read().and_then(grasp_lcp::touch::Part::centre_of_mass))
+    {
+        return Ok(Cow::Owned(LoadArguments { at: Some(Numbers(centre.to_vec())), ..load.clone() }));
+    }
     if load.acceleration.is_none() || load.mass.is_some() {
         return Ok(Cow::Borrowed(load));
     }

@@ -7,7 +7,7 @@ use super::setup::Setup;
 use super::tolerances::OTHERWISE_PRESSED;
 use super::warning::Warning;
 use crate::ask::Grasp;
-use crate::equilibrium::{ContactAnswer, Outcome};
+use crate::equilibrium::Outcome;
 use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Ramp;
@@ -90,7 +90,9 @@ impl<const C: usize> Setup<C> {
             first = points.end;
             let Some(told) = entry.contact.press else { continue };
             pressed += 1;
-            let force = state.contacts[points].iter().map(ContactAnswer::normal_force).sum::<f64>();
+            // A pad that touches a curved part presses along its closing direction.
+            let along = entry.contact.frame(contact)?.column(0).into_owned();
+            let force = state.contacts[points].iter().map(|point| point.force_world.dot(&along)).sum::<f64>();
             if (force - told).abs() > OTHERWISE_PRESSED * told {
                 let name = entry.contact.label_text(contact);
                 warnings.push(Warning::PressesOtherwise { contact, name, told, force });

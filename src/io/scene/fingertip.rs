@@ -30,6 +30,9 @@ pub struct Fingertip<const C: usize> {
     pub soft: Option<Tip>,
     /// The suction cup, instead of a soft fingertip.
     pub cup: Option<Cup>,
+    /// The pad that closes on the part of the scene, instead of point and normal.
+    #[cfg(feature = "mesh")]
+    pub touches: Option<super::part::Touches>,
     /// The curve or surface along which the contact may move where fingers are [improved](crate::improve).
     pub surface: Option<Surface<C>>,
     /// Whether no stiffness was given and a default takes its place, see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
@@ -60,6 +63,8 @@ impl<const C: usize> From<Contact<C>> for Fingertip<C> {
             contact,
             soft: None,
             cup: None,
+            #[cfg(feature = "mesh")]
+            touches: None,
             surface: None,
             no_stiffness: false,
             comment: None,
@@ -99,6 +104,10 @@ impl<const C: usize> Fingertip<C> {
     /// # Errors
     /// [`Error::Contact`] with this index, or [`Error::Fingertip`].
     pub(super) fn points(&self, index: usize) -> Result<Vec<Contact<C>>, Error> {
+        #[cfg(feature = "mesh")]
+        if let Some(touches) = &self.touches {
+            return touches.points(index, &self.contact);
+        }
         let Some((patch, suction)) = self.patch()? else { return Ok(vec![self.contact.clone()]) };
         self.contact.check(index)?;
         self.contact.frame(index)?;
@@ -117,11 +126,27 @@ impl<const C: usize> Fingertip<C> {
 
     /// Whether the contact is spread over a patch.
     pub(super) fn is_spread(&self) -> bool {
+        #[cfg(feature = "mesh")]
+        if self.touches.is_some() {
+            return true;
+        }
         self.soft.is_some() || self.cup.is_some()
+    }
+
+    /// Whether it touches a part whose mesh is not read yet.
+    pub(super) fn awaits_its_part(&self) -> bool {
+        #[cfg(feature = "mesh")]
+        return self.touches.as_ref().is_some_and(|touches| touches.part.is_none());
+        #[cfg(not(feature = "mesh"))]
+        false
     }
 
     /// Number of point contacts of the patch; 1 for a point.
     pub(super) fn count(&self) -> Result<usize, Error> {
+        #[cfg(feature = "mesh")]
+        if self.touches.is_some() {
+            return self.points(0).map(|points| points.len());
+        }
         self.patch().map(|patch| patch.map_or(1, |(patch, _)| patch.points().len()))
     }
 }

@@ -31,6 +31,7 @@
 //! | `loaded` | the name of the body that loads of questions act on | the first |
 //! | `shared_by_mass` | `true`: loads of questions act on all bodies, on each with the share of its mass | `false` |
 //! | `outline` | corners of the object in order, m, a closed line that may go over itself; only drawn | none |
+//! | `part` | the grasped part as a mesh, in space, see below (feature `mesh`) | none |
 //! | `questions` | a list of questions | none |
 //! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
 //!
@@ -41,8 +42,9 @@
 //! |---|---|---|---|
 //! | `name`, `comment` | texts | | none |
 //! | `on`, `against` | names of bodies: the normal points into `on`, and `against` is on the other side | | `on` is needed where there are bodies; `against` is the ground or a finger |
-//! | `point` | point of contact | m | an error |
-//! | `normal` | direction into the object, of any length | | an error |
+//! | `point` | point of contact | m | an error without `touches` |
+//! | `normal` | direction into the object, of any length | | an error without `touches` |
+//! | `touches` | a pad that closes on the part, in place of point and normal, see below (feature `mesh`) | | none |
 //! | `tangent` | direction of the first tangent | | chosen from the normal |
 //! | `body_stiffness` | the object's springs: `[normal, tangential]`, in space also `[normal, first tangent, second tangent]`; `"rigid"` for one of them or for all | N/m | rigid, if the finger is not |
 //! | `finger_stiffness` | the finger's springs, in the same ways | N/m | rigid, if the body is not |
@@ -65,6 +67,19 @@
 //! with sides along the first and the second tangent, in the plane `{"pair":
 //! {"width": …}}` or `{"pad": {"width": …, "strips": …, "pressure": …}}`. Lengths in m; the
 //! pressure is `"uniform"` (if left out), `"parabolic"` or `"hertz"`.
+//!
+//! A part (module `touch`): `{"mesh": "part.stl", "unit": "mm", "density": 7850}`. The file ends in `.stl` or `.obj`, and a relative path counts from the
+//! folder of the scene; the unit is `m` (if left out), `cm`, `mm` or `in`; `mass`, kg, may stand in place of `density`, kg/m³. Pads touch it:
+//!
+//! | field of `touches` | value | unit | if left out |
+//! |---|---|---|---|
+//! | `rectangle` or `disc` | sides along the first and the second tangent, or the radius | m | an error |
+//! | `round` or `v_deg` | of a rectangle: it is a round finger of this radius, or a V of this opening angle, along the second tangent | m, degrees | flat |
+//! | `from`, `closing` | the middle of the pad before it closes, and the direction | m | an error |
+//! | `layer` | `{"modulus": …, "thickness": …}` in place of a stiffness of the contact | Pa, m | none |
+//! | `strips` | in half of each side, two points each; of a disc annuli, and points on a ring | | `[2, 2]`, `[2, 8]` |
+//!
+//! `pressed_with` is the force along the closing direction.
 //!
 //! A body (see [`Bodies`](crate::grasp::Bodies)):
 //!
@@ -347,6 +362,8 @@ mod motion;
 mod odd;
 mod onset;
 mod own_weight;
+#[cfg(feature = "mesh")]
+mod part;
 mod patch;
 mod path;
 #[cfg(feature = "json")]
@@ -378,6 +395,8 @@ pub use fingertip::{Fingertip, MovedBy};
 pub use held::{HoldAnswer, IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakeAnswer, ShakedownAnswer};
 pub use link::LinkSetup;
 pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
+#[cfg(feature = "mesh")]
+pub use part::{Layer, PartSetup, Touches};
 pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::Question;

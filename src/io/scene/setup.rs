@@ -73,6 +73,10 @@ pub struct Setup<const C: usize> {
     #[serde(default, with = "AsGiven::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub outline: Vec<SVector<f64, C>>,
+    /// The grasped part as a mesh; contacts touch it.
+    #[cfg(feature = "mesh")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<super::part::PartSetup>,
     /// The questions, in the order of their answers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub questions: Vec<Question<C>>,
@@ -112,7 +116,9 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
             if setup.entries().next().is_none() && setup.links.is_empty() {
                 return Err(Error::EmptyGrasp.to_string());
             }
-            if setup.is_held_by_a_hand() || !setup.bodies.is_empty() {
+            #[cfg(feature = "mesh")]
+            setup.check_part()?;
+            if setup.is_complete() && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
                 // The numbers of joints depend on their contacts, and are checked with the grasp.
                 setup.grasp().map(drop).map_err(|error| error.to_string())?;
             }
@@ -144,6 +150,8 @@ impl<const C: usize> Setup<C> {
             loaded: None,
             shared_by_mass: false,
             outline: Vec::new(),
+            #[cfg(feature = "mesh")]
+            part: None,
             questions: Vec::new(),
             settings: Settings::default(),
         }
@@ -175,6 +183,11 @@ impl<const C: usize> Setup<C> {
     pub fn with_settings(mut self, settings: Settings) -> Self {
         self.settings = settings;
         self
+    }
+
+    /// Whether all contacts have their points: pads that touch a part have them once its mesh is read.
+    fn is_complete(&self) -> bool {
+        self.entries().all(|entry| !entry.awaits_its_part())
     }
 
     /// All contacts, those of fingers behind the others. The index of an entry is that of the contact in questions and answers.

@@ -122,6 +122,26 @@ pub enum Warning {
         /// The sum of the forces with which contacts press, N.
         pressed: f64,
     },
+    /// A pad misses the part with some of its area.
+    #[cfg(feature = "mesh")]
+    MissesInPart {
+        /// The contact of the scene, from 0.
+        contact: usize,
+        /// The name of the contact in messages.
+        name: String,
+        /// The part of the pad's area that misses.
+        missing: f64,
+    },
+    /// A pad presses where its surface and that of the part meet at an angle that friction does not bridge.
+    #[cfg(feature = "mesh")]
+    OverAnEdge {
+        /// The contact of the scene, from 0.
+        contact: usize,
+        /// The name of the contact in messages.
+        name: String,
+        /// The largest angle between both surfaces, degrees.
+        angle: f64,
+    },
     /// Two contacts are in one place, with parallel normals.
     OnePlace {
         /// The contacts of the scene, from 0.
@@ -204,6 +224,20 @@ impl fmt::Display for Warning {
                 words.number(*force),
                 words.number(*pressed)
             ),
+            #[cfg(feature = "mesh")]
+            Self::MissesInPart { name, missing, .. } => write!(
+                f,
+                "{} misses the part with {} % of its pad: the rest carries all of its force",
+                printable(name),
+                words.number(100.0 * missing)
+            ),
+            #[cfg(feature = "mesh")]
+            Self::OverAnEdge { name, angle, .. } => write!(
+                f,
+                "{} lies over an edge: pad and part meet at up to {}°, more than friction bridges",
+                printable(name),
+                words.number(*angle)
+            ),
             Self::OnePlace { names, .. } => write!(
                 f,
                 "{} are in one place, with parallel normals: a finger that is there twice is twice as stiff",
@@ -259,6 +293,8 @@ impl<const C: usize> Setup<C> {
     pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
         let grasp = self.grasp()?;
         let mut warnings = self.odd_contacts(&grasp)?;
+        #[cfg(feature = "mesh")]
+        warnings.extend(self.badly_touching()?);
         warnings.extend(self.odd_loads());
         if self.nothing_presses(&grasp)? {
             warnings.push(Warning::NothingPresses);

@@ -20,6 +20,11 @@ use crate::serial::{AsGiven, AxisRow, Friction, Given, Number};
 /// A contact in the file.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(all(feature = "schema", not(feature = "mesh")), schemars(extend("required" = ["point", "normal"])))]
+#[cfg_attr(
+    all(feature = "schema", feature = "mesh"),
+    schemars(extend("oneOf" = [{ "required": ["point", "normal"] }, { "required": ["touches"] }]))
+)]
 #[serde(deny_unknown_fields)]
 struct Written<const C: usize> {
     /// The name of the contact in messages and answers.
@@ -35,11 +40,15 @@ struct Written<const C: usize> {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     against: Option<Arc<str>>,
     /// The point of contact, m.
-    #[serde(with = "AsGiven::<SVector<f64, C>>")]
-    point: SVector<f64, C>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    point: Option<AxisRow<Given, C>>,
     /// The direction of the normal into the object, of any length.
-    #[serde(with = "AsGiven::<SVector<f64, C>>")]
-    normal: SVector<f64, C>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    normal: Option<AxisRow<Given, C>>,
+    /// A pad that closes on the part, in place of point and normal.
+    #[cfg(feature = "mesh")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    touches: Option<super::part::Touches>,
     /// The direction of the first tangent; chosen from the normal if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     tangent: Option<AxisRow<Given, C>>,
@@ -108,11 +117,18 @@ fn is_unilateral(hold: &Hold) -> bool {
 impl<const C: usize> Serialize for Fingertip<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let contact = &self.contact;
+        #[cfg(feature = "mesh")]
+        let (is_placed, has_layer) =
+            (self.touches.is_none(), self.touches.as_ref().is_some_and(|touches| touches.layer.is_some()));
+        #[cfg(not(feature = "mesh"))]
+        let (is_placed, has_layer) = (true, false);
         let rigid = |k: &SVector<f64, C>| k.iter().all(|k| *k == f64::INFINITY);
         let unless_rigid = |k: &SVector<f64, C>| (!rigid(k)).then_some(Springs(*k));
         let (body, finger, series) = match &contact.stiffness {
             _ if self.no_stiffness => (None, None, None),
-            Stiffness::BodyAndFinger { body, finger } => (unless_rigid(body), unless_rigid(finger), None),
+            Stiffness::BodyAndFinger { body, finger } => {
+                (unless_rigid(body), unless_rigid(finger).filter(|_| !has_layer), None)
+            }
             Stiffness::Series(k) => (None, None, unless_rigid(k)),
         };
         let said = |x: f64| x.to_bits() != 0;
@@ -125,8 +141,10 @@ impl<const C: usize> Serialize for Fingertip<C> {
             comment: self.comment.clone(),
             on: contact.on.clone(),
             against: contact.against.clone(),
-            point: contact.point,
-            normal: contact.normal,
+            point: is_placed.then(|| AxisRow::new(contact.point)),
+            normal: is_placed.then(|| AxisRow::new(contact.normal)),
+            #[cfg(feature = "mesh")]
+            touches: self.touches.clone(),
             tangent: contact.tangent.map(AxisRow::new),
             body_stiffness: body,
             finger_stiffness: finger,
@@ -184,7 +202,8 @@ impl<'de, const C: usize> Deserialize<'de> for LinkedContact<C> {
 
 impl<const C: usize> Fingertip<C> {
     fn of_written(written: Written<C>, stiffness: Stiffness<C>) -> Result<Self, String> {
-        let mut contact = Contact::new(written.point, written.normal);
+        let (point, normal) = written.place()?;
+        let mut contact = Contact::new(point, normal);
         contact.name = written.name;
         (contact.on, contact.against) = (written.on, written.against);
         contact.tangent = written.tangent.map(|row| row.0);
@@ -238,7 +257,17 @@ impl<const C: usize> Fingertip<C> {
             Some(WrittenMover::Jacobian(rows)) => MovedBy::Jacobian(rows.matrix("jacobian")?),
         };
         let (soft, surface, comment) = (written.soft, written.surface, written.comment);
-        Ok(Self { contact, soft, cup, surface, no_stiffness: false, comment, moved_by })
+        Ok(Self {
+            contact,
+            soft,
+            cup,
+            #[cfg(feature = "mesh")]
+            touches: written.touches,
+            surface,
+            no_stiffness: false,
+            comment,
+            moved_by,
+        })
     }
 
     /// Refuses data that no grasp accepts. If the finger's compliance replaces the springs, the finger checks them.
@@ -256,6 +285,8 @@ impl<const C: usize> Fingertip<C> {
         }
         contact.frame(0).map_err(fault)?;
         self.patch().map_err(fault)?;
+        #[cfg(feature = "mesh")]
+        self.touches.as_ref().map(super::part::Touches::pad).transpose().map_err(fault)?;
         Ok(self)
     }
 }
@@ -266,8 +297,52 @@ fn named(name: Option<&str>) -> String {
 }
 
 impl<const C: usize> Written<C> {
+    /// The point and the normal, or place and direction of the pad that touches.
+    fn place(&self) -> Result<(SVector<f64, C>, SVector<f64, C>), String> {
+        #[cfg(feature = "mesh")]
+        if let Some(touches) = &self.touches {
+            let others = [
+                ("point", self.point.is_some()),
+                ("normal", self.normal.is_some()),
+                ("soft", self.soft.is_some()),
+                ("surface", self.surface.is_some()),
+            ];
+            if let Some((field, _)) = others.iter().find(|(_, given)| *given) {
+                return Err(format!("{field} and touches: a pad finds its points itself, give one of them"));
+            }
+            if matches!(self.suction, Some(WrittenSuction::Cup(_))) {
+                return Err("suction and touches: a cup has a lip of its own, give one of them".to_owned());
+            }
+            let of_axes = |given: [f64; 3]| SVector::from_fn(|a, _| given[a]);
+            return Ok((of_axes(touches.from), of_axes(touches.closing)));
+        }
+        let missing = |field: &str| format!("missing field `{field}`");
+        let point = self.point.as_ref().ok_or_else(|| missing("point"))?;
+        let normal = self.normal.as_ref().ok_or_else(|| missing("normal"))?;
+        Ok((point.0, normal.0))
+    }
+
     /// The springs, if any are given.
     fn stiffness(&self) -> Result<Option<Stiffness<C>>, String> {
+        #[cfg(feature = "mesh")]
+        if let Some(touches) = &self.touches
+            && touches.layer.is_some()
+        {
+            let given = [
+                ("finger_stiffness", self.finger_stiffness.is_some()),
+                ("series_stiffness", self.series_stiffness.is_some()),
+            ];
+            if let Some((field, _)) = given.iter().find(|(_, given)| *given) {
+                return Err(format!(
+                    "{field} and layer: both are the springs of the finger, give one of them"
+                ));
+            }
+            let [normal, tangential] =
+                touches.pad().map_err(|error| error.to_string())?.stiffness().unwrap_or_default();
+            let finger = SVector::from_fn(|a, _| if a == 0 { normal } else { tangential });
+            let body = self.body_stiffness.as_ref().map_or(SVector::repeat(f64::INFINITY), |k| k.0);
+            return Ok(Some(Stiffness::BodyAndFinger { body, finger }));
+        }
         let axes = |side: &Option<Springs<C>>| side.as_ref().map_or(SVector::repeat(f64::INFINITY), |k| k.0);
         match (&self.body_stiffness, &self.finger_stiffness, &self.series_stiffness) {
             (None, None, None) => Ok(None),

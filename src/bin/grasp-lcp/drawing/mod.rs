@@ -28,6 +28,10 @@ pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
     }
 }
 
+/// Edges of a part are drawn where its faces meet at more than this angle, rad.
+#[cfg(feature = "mesh")]
+const SHARP: f64 = 0.5;
+
 /// The end of a picture's name: empty for the first question, its number for later ones, then `besides`.
 fn ending(number: usize, besides: &str) -> String {
     if number == 1 { format!("{besides}.svg") } else { format!("_{number}{besides}.svg") }
@@ -98,6 +102,10 @@ fn spatial(setup: &Setup<3>, answers: Vec<Answer<3>>, pictures: &Pictures) -> Re
     }
     for (number, body) in setup.bodies.iter().enumerate().filter(|(_, body)| !body.outline.is_empty()) {
         page = page.body_outline(number, body.outline.iter().copied());
+    }
+    #[cfg(feature = "mesh")]
+    if let Some(part) = setup.part_read() {
+        page = part.edges(SHARP).into_iter().fold(page, SpatialPage::outline);
     }
     let mut stills = Vec::new();
     for (index, (question, answer)) in setup.questions.iter().zip(answers).enumerate() {

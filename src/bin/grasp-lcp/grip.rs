@@ -1,0 +1,159 @@
+//! A gripper of two jaws on a part from a mesh, as a scene.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::Args;
+use grasp_lcp::scene::{Scene, Space};
+use grasp_lcp::touch::{Part, Unit};
+
+use crate::arguments::Numbers;
+use crate::failure::Failure;
+use crate::loads::direction;
+use crate::numbers::{kilograms, newtons};
+
+/// The part and the jaws of `new grip`.
+#[derive(Debug, Args)]
+pub(crate) struct Grip {
+    /// Of a grip: the mesh of the part, an STL or OBJ. The scene belongs into the folder from which its path counts.
+    mesh: Option<PathBuf>,
+    /// Of a grip: sides of the jaws, such as 20x30mm; the first along the axis that is farthest from the closing direction.
+    #[arg(long, value_name = "AxB")]
+    jaws: Option<Lengths>,
+    /// Of a grip: the direction in which the first jaw closes; the second closes against it.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z", default_value = "1,0,0")]
+    closing: Numbers,
+    /// Of a grip: the force of each jaw, N.
+    #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
+    force: Option<f64>,
+    /// Of a grip: the point between the jaws, such as 3,25,15mm; the centre of mass if left out.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
+    at: Option<Lengths>,
+    /// Of a grip: the distance of the open jaws, such as 80mm; they come from outside of the part if left out.
+    #[arg(long, value_name = "LENGTH")]
+    opening: Option<Lengths>,
+    /// Of a grip: the coefficient of friction.
+    #[arg(long, value_name = "MU", default_value_t = 0.5)]
+    friction: f64,
+    /// Of a grip: the unit of the mesh: m, cm, mm or in.
+    #[arg(long, default_value = "mm")]
+    unit: String,
+    /// Of a grip: the mass of the part, kg; that of steel, 7850 kg/m³, if left out.
+    #[arg(long, value_parser = kilograms, value_name = "KG")]
+    mass: Option<f64>,
+}
+
+/// Lengths with a unit, m if there is none: 20x30mm, 3,25,15mm.
+#[derive(Debug, Clone)]
+struct Lengths(Vec<f64>);
+
+impl std::str::FromStr for Lengths {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let allowed =
+            || format!("`{text}` is no length; write numbers and their unit, such as 20x30mm or 3,25,15mm");
+        let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+        let unit = if digits.len() == text.len() { "m" } else { &text[digits.len()..] };
+        let unit = Unit::of(unit).ok_or_else(allowed)?;
+        let metres =
+            |part: &str| part.trim().parse().map(|length| unit.in_metres(length)).map_err(|_| allowed());
+        digits.split(['x', ',']).map(metres).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+impl Lengths {
+    fn array<const N: usize>(&self, option: &str) -> Result<[f64; N], Failure> {
+        let message = || Failure::Usage(format!("--{option}: {} given, must be {N}", self.0.len()));
+        self.0.as_slice().try_into().map_err(|_| message())
+    }
+}
+
+/// kg/m³; few parts are heavier.
+const STEEL: f64 = 7850.0;
+/// Distance of a jaw that comes from outside to the box around the part, m.
+const AWAY: f64 = 0.005;
+
+impl Grip {
+    /// Two jaws that close on the part, and the question whether they hold its weight.
+    pub(crate) fn scene(&self) -> Result<String, Failure> {
+        let missing = |what: &str| {
+            Failure::Usage(format!("{what}: grasp-lcp new grip part.stl --jaws 20x30mm --force 40"))
+        };
+        let path = self.mesh.as_ref().ok_or_else(|| missing("say the mesh"))?;
+        let sides: [f64; 2] = self.jaws.as_ref().ok_or_else(|| missing("say the jaws"))?.array("jaws")?;
+        let force = self.force.ok_or_else(|| missing("say the force"))?;
+        let unit = Unit::of(&self.unit)
+            .ok_or_else(|| Failure::Usage(format!("--unit: {} given, must be m, cm, mm or in", self.unit)))?;
+        let part = Part::read(path, unit)?;
+        let part =
+            self.mass.map_or_else(|| part.clone().of_density(STEEL), |mass| part.clone().of_mass(mass))?;
+        let centre = part.centre_of_mass();
+        let at = match &self.at {
+            Some(at) => at.array("at")?,
+            None => centre.ok_or_else(|| {
+                Failure::Usage("--at: must be given, for the mesh is not closed".to_owned())
+            })?,
+        };
+        let closing: [f64; 3] = direction(&self.closing, "closing")?;
+        let opening = self.opening.as_ref().map(|opening| opening.array::<1>("opening")).transpose()?;
+        let path = serde_json::to_string(&path.to_string_lossy()).map_err(std::io::Error::from)?;
+        let jaw = |name: &str, sign: f64| {
+            let closing = closing.map(|x| sign * x + 0.0);
+            let from = start(&part, at, closing, opening.map(|[opening]| opening));
+            format!(
+                r#"{{ "name": "{name}", "friction": {}, "pressed_with": {force}, "touches": {{
+        "rectangle": {sides:?}, "from": {from:?}, "closing": {closing:?}, "layer": {{ "modulus": 2e6, "thickness": 0.003 }} }} }}"#,
+                self.friction
+            )
+        };
+        let (first, second) = (jaw("first", 1.0), jaw("second", -1.0));
+        let (of_part, steel) = match self.mass {
+            Some(mass) => (format!(r#""mass": {mass}"#), ""),
+            None => (format!(r#""density": {STEEL}"#), ", and the part is of steel"),
+        };
+        let (unit, mass) = (&self.unit, rounded(part.mass().unwrap_or_default()));
+        let centre = centre.unwrap_or(at).map(rounded);
+        let text = format!(
+            r#"{{
+  "format": "grasp-lcp/1",
+  "comment": "The pads are of rubber, 2 MPa and 3 mm thick, down is along -z{steel}.",
+  "spatial": {{
+    "part": {{ "mesh": {path}, "unit": "{unit}", {of_part} }},
+    "contacts": [
+      {first},
+      {second}
+    ],
+    "questions": [
+      {{ "hold": {{ "load": {{ "mass": {mass}, "at": {centre:?} }} }} }}
+    ]
+  }}
+}}
+"#
+        );
+        // What the scene refuses is said now.
+        let scene = Scene::from_json(text.as_bytes()).map_err(|fault| Failure::Scene(fault.to_string()))?;
+        if let Space::Spatial(setup) = scene.space {
+            setup.on_part(Arc::new(part)).grasp()?;
+        }
+        Ok(text)
+    }
+}
+
+/// The middle of a jaw before it closes through `at`: outside of the box around the part, or at half of the opening.
+fn start(part: &Part, at: [f64; 3], closing: [f64; 3], opening: Option<f64>) -> [f64; 3] {
+    let length = closing.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let way = closing.map(|x| x / length);
+    let [low, high] = part.bounds();
+    let mut nearest = 0.0;
+    for a in 0..3 {
+        nearest += ((low[a] - at[a]) * way[a]).min((high[a] - at[a]) * way[a]);
+    }
+    let back = opening.map_or(nearest.min(0.0) - AWAY, |opening| -0.5 * opening);
+    std::array::from_fn(|a| rounded(at[a] + back * way[a]))
+}
+
+/// A length to 0.1 µm, or a mass to 0.1 mg, so that the numbers of the file are short.
+fn rounded(x: f64) -> f64 {
+    (x * 1e7).round() / 1e7 + 0.0
+}

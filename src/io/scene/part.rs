@@ -1,0 +1,233 @@
+//! A part as a mesh in a file, and pads that touch it in place of contact points (feature `mesh`).
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::fingertip::Fingertip;
+use super::setup::Setup;
+use super::warning::Warning;
+use super::written::{Scene, Space};
+use crate::error::Error;
+use crate::grasp::{Contact, inside, outside};
+use crate::touch::{Pad, Part, Touch, Touched, Unit};
+
+/// The grasped part, `{"mesh": "part.stl", "unit": "mm", "density": 7850}`; see [`Part`].
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct PartSetup {
+    /// A file that ends in `.stl` or `.obj`; a relative path counts from the folder of the scene.
+    pub mesh: String,
+    /// The unit of its lengths; m if left out.
+    #[serde(default)]
+    pub unit: Unit,
+    /// Its mass, kg.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass: Option<f64>,
+    /// Its density, kg/m³, in place of the mass.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub density: Option<f64>,
+    /// The mesh once it is read.
+    #[serde(skip)]
+    pub read: Option<Arc<Part>>,
+}
+
+/// A pad that closes on the part, in place of the point and the normal of a contact; see [`Touch`]. Either a rectangle or a disc.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct Touches {
+    /// Sides along the first and the second tangent, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rectangle: Option<[f64; 2]>,
+    /// Radius of a disc, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub disc: Option<f64>,
+    /// Of a rectangle: it is bent around an axis along the second tangent, as a round finger of this radius, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub round: Option<f64>,
+    /// Of a rectangle: it is a V of this opening angle, degrees, with its bottom along the second tangent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub v_deg: Option<f64>,
+    /// Of a rectangle: strips in half of each side, two points each, 2 and 2 if left out; of a disc: annuli and points on a ring, 2 and 8.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strips: Option<[usize; 2]>,
+    /// The middle of the pad before it closes, m.
+    pub from: [f64; 3],
+    /// The direction in which it closes, of any length.
+    pub closing: [f64; 3],
+    /// Its elastic layer, in place of a stiffness of the contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub layer: Option<Layer>,
+    /// The part once its mesh is read.
+    #[serde(skip)]
+    pub part: Option<Arc<Part>>,
+}
+
+/// An elastic layer, see [`Pad::of_layer`].
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Layer {
+    /// Young's modulus, Pa.
+    pub modulus: f64,
+    /// Thickness, m.
+    pub thickness: f64,
+}
+
+impl PartSetup {
+    /// A part from this file, without mass.
+    #[must_use]
+    pub fn new(mesh: impl Into<String>, unit: Unit) -> Self {
+        Self { mesh: mesh.into(), unit, mass: None, density: None, read: None }
+    }
+
+    /// The part, from a folder from which relative paths count.
+    fn read_from(&self, folder: &Path) -> Result<Part, Error> {
+        let part = Part::read(folder.join(&self.mesh), self.unit)?;
+        match (self.mass, self.density) {
+            (Some(mass), _) => part.of_mass(mass),
+            (None, Some(density)) => part.of_density(density),
+            (None, None) => Ok(part),
+        }
+    }
+}
+
+impl Touches {
+    /// A rectangular pad with these sides, m, from its middle before it closes, m, along a direction.
+    #[must_use]
+    pub fn rectangle(sides: [f64; 2], from: [f64; 3], closing: [f64; 3]) -> Self {
+        let (rectangle, disc, round, v_deg) = (Some(sides), None, None, None);
+        Self { rectangle, disc, round, v_deg, strips: None, from, closing, layer: None, part: None }
+    }
+
+    /// The pad.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] for numbers out of range, and unless it is a rectangle or a disc.
+    pub(super) fn pad(&self) -> Result<Pad, Error> {
+        let strips = self.strips.unwrap_or([2, if self.disc.is_some() { 8 } else { 2 }]);
+        let pad = match (self.rectangle, self.disc, self.round, self.v_deg) {
+            (Some(sides), None, None, None) => Pad::rectangle(sides, strips)?,
+            (Some(sides), None, Some(radius), None) => Pad::cylinder(radius, sides, strips)?,
+            (Some(sides), None, None, Some(degrees)) => Pad::v(degrees.to_radians(), sides, strips)?,
+            (None, Some(radius), None, None) => Pad::disc(radius, strips[0], strips[1])?,
+            (rectangle, disc, ..) => {
+                let value = f64::from(u8::from(rectangle.is_some()) + u8::from(disc.is_some()));
+                let allowed = "1, and of a rectangle one of round and v_deg at most";
+                return Err(Error::Fingertip { what: "number of shapes that touch", value, allowed });
+            }
+        };
+        Ok(self.layer.iter().fold(pad, |pad, layer| pad.of_layer(layer.modulus, layer.thickness)))
+    }
+
+    /// The pad on the part, with the data of the contact of this index.
+    pub(super) fn touched<const C: usize>(
+        &self,
+        index: usize,
+        contact: &Contact<C>,
+    ) -> Result<Touched, Error> {
+        let Some(part) = &self.part else {
+            let fault =
+                "the part is not read; `Scene::with_part_from` reads it from a folder, as the program does";
+            return Err(Error::Mesh { fault: fault.to_owned() });
+        };
+        Touch::new(self.pad()?, inside(contact).into_owned()).on_as(index, part)
+    }
+
+    /// The contacts of its points.
+    pub(super) fn points<const C: usize>(
+        &self,
+        index: usize,
+        contact: &Contact<C>,
+    ) -> Result<Vec<Contact<C>>, Error> {
+        let touched = self.touched(index, contact)?;
+        Ok(touched.into_contacts().into_iter().map(outside::<Contact<C>>).collect())
+    }
+}
+
+impl<const C: usize> Fingertip<C> {
+    /// This contact as a pad that closes on the part of the scene, in space; its point and normal become place and direction of the pad.
+    #[must_use]
+    pub fn touching(mut self, touches: Touches) -> Self {
+        self.contact.point = nalgebra::SVector::from_fn(|a, _| touches.from[a]);
+        self.contact.normal = nalgebra::SVector::from_fn(|a, _| touches.closing[a]);
+        Self { touches: Some(touches), soft: None, cup: None, ..self }
+    }
+}
+
+impl<const C: usize> Setup<C> {
+    /// This setup with its part, m, already read: pads touch it.
+    #[must_use]
+    pub fn on_part(mut self, part: Arc<Part>) -> Self {
+        let of_fingers = self.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
+        for touches in self.contacts.iter_mut().chain(of_fingers).filter_map(|entry| entry.touches.as_mut()) {
+            touches.part = Some(Arc::clone(&part));
+        }
+        if let Some(setup) = &mut self.part {
+            setup.read = Some(part);
+        }
+        self
+    }
+
+    fn with_part_from(self, folder: &Path) -> Result<Self, Error> {
+        let Some(part) = &self.part else { return Ok(self) };
+        let part = Arc::new(part.read_from(folder)?);
+        Ok(self.on_part(part))
+    }
+
+    /// The mesh of the part, if the scene has one that is read.
+    #[must_use]
+    pub fn part_read(&self) -> Option<&Part> {
+        self.part.as_ref()?.read.as_deref()
+    }
+
+    /// Refuses pads without a part, and a part in the plane.
+    pub(super) fn check_part(&self) -> Result<(), String> {
+        let touches = self.entries().position(|entry| entry.touches.is_some());
+        match (&self.part, touches) {
+            (None, Some(contact)) => {
+                Err(format!("contact {contact}: touches nothing, the scene has no `part`"))
+            }
+            (Some(_), _) if C != 3 => Err("part: a mesh belongs to a spatial scene".to_owned()),
+            (Some(part), _) if part.mass.is_some() && part.density.is_some() => {
+                Err("part: mass and density given, must be one of them".to_owned())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Warnings about pads that miss the part in part, or lie over an edge.
+    pub(super) fn badly_touching(&self) -> Result<Vec<Warning>, Error> {
+        let mut warnings = Vec::new();
+        for (contact, entry) in self.entries().enumerate() {
+            let Some(touches) = &entry.touches else { continue };
+            let touched = touches.touched(contact, &entry.contact)?;
+            let name = || entry.contact.label_text(contact);
+            if touched.missing() > 0.0 {
+                warnings.push(Warning::MissesInPart { contact, name: name(), missing: touched.missing() });
+            }
+            if touched.is_over_an_edge() {
+                let (name, angle) = (name(), touched.steepest().to_degrees());
+                warnings.push(Warning::OverAnEdge { contact, name, angle });
+            }
+        }
+        Ok(warnings)
+    }
+}
+
+impl Scene {
+    /// This scene with the mesh of its part, if it has one. Relative paths count from the folder, which is usually that of the scene's file.
+    ///
+    /// # Errors
+    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range.
+    pub fn with_part_from(self, folder: impl AsRef<Path>) -> Result<Self, Error> {
+        let space = match self.space {
+            Space::Planar(setup) => Space::Planar(setup),
+            Space::Spatial(setup) => Space::Spatial(setup.with_part_from(folder.as_ref())?),
+        };
+        Ok(Self { space, ..self })
+    }
+}

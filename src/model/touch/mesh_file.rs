@@ -1,0 +1,122 @@
+//! Readers of STL, as text or in binary, and of OBJ.
+
+use std::fs;
+use std::path::Path;
+
+use super::part::Part;
+use super::unit::Unit;
+use crate::error::Error;
+
+/// Bytes before the triangles of a binary STL: a comment of 80 bytes and their number.
+const HEAD: usize = 84;
+/// Bytes of a triangle: its normal, three corners, and two bytes without meaning.
+const TRIANGLE: usize = 50;
+
+impl Part {
+    /// A part from a file that ends in `.stl` or `.obj`, with lengths in this unit.
+    ///
+    /// # Errors
+    /// [`Error::Mesh`] if the file cannot be read, and as for [`Self::from_stl`] and [`Self::from_obj`].
+    pub fn read(path: impl AsRef<Path>, unit: Unit) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let fault = |fault: String| Error::Mesh { fault: format!("{}: {fault}", path.display()) };
+        let bytes = fs::read(path).map_err(|error| fault(error.to_string()))?;
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        let part = match ending.as_deref() {
+            Some("stl") => Self::from_stl(&bytes, unit),
+            Some("obj") => Self::from_obj(&String::from_utf8_lossy(&bytes), unit),
+            _ => return Err(fault("is no mesh that is read here, must end in .stl or .obj".to_owned())),
+        };
+        part.map_err(|error| match error {
+            Error::Mesh { fault: inner } => fault(inner),
+            other => other,
+        })
+    }
+
+    /// A part from the bytes of an STL, binary or text, with lengths in this unit.
+    ///
+    /// # Errors
+    /// [`Error::Mesh`] if the bytes are no STL, and as for [`Self::new`].
+    pub fn from_stl(bytes: &[u8], unit: Unit) -> Result<Self, Error> {
+        let number = |at: usize| bytes.get(at..at + 4).and_then(|four| <[u8; 4]>::try_from(four).ok());
+        let count = number(HEAD - 4).map_or(0, |four| u32::from_le_bytes(four) as usize);
+        let mut corners = Vec::new();
+        // Some binary files begin with `solid`, as texts do: the length decides.
+        if bytes.len() >= HEAD && bytes.len() - HEAD == count.saturating_mul(TRIANGLE) {
+            for triangle in 0..count {
+                for corner in 0..3 {
+                    let at = HEAD + TRIANGLE * triangle + 12 * (corner + 1);
+                    let axis =
+                        |a: usize| number(at + 4 * a).map_or(f64::NAN, |x| f32::from_le_bytes(x).into());
+                    corners.push([axis(0), axis(1), axis(2)]);
+                }
+            }
+        } else {
+            let text = String::from_utf8_lossy(bytes);
+            if !text.trim_start().starts_with("solid") {
+                return Err(fault(
+                    "is no STL: it neither begins with `solid` nor has the length of a binary file",
+                ));
+            }
+            for (index, line) in text.lines().enumerate() {
+                let mut words = line.split_whitespace();
+                if words.next() == Some("vertex") {
+                    corners.push(three(words, index)?);
+                }
+            }
+        }
+        Self::of_corners(
+            &corners,
+            &Vec::from_iter((0..corners.len() / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2])),
+            unit,
+        )
+    }
+
+    /// A part from the text of an OBJ, with lengths in this unit. Polygons are cut into triangles from their first corner; all objects are one part.
+    ///
+    /// # Errors
+    /// [`Error::Mesh`] if a corner or a face cannot be read, and as for [`Self::new`].
+    pub fn from_obj(text: &str, unit: Unit) -> Result<Self, Error> {
+        let (mut corners, mut faces) = (Vec::new(), Vec::new());
+        for (index, line) in text.lines().enumerate() {
+            let mut words = line.split_whitespace();
+            match words.next() {
+                Some("v") => corners.push(three(words, index)?),
+                Some("f") => {
+                    let of_face = words.map(|word| {
+                        let number = word.split('/').next().and_then(|first| first.parse::<i64>().ok());
+                        // Numbers count from 1, or backwards from the last corner so far.
+                        let place = number.map(|n| if n < 0 { n + corners.len() as i64 } else { n - 1 });
+                        place
+                            .and_then(|place| usize::try_from(place).ok())
+                            .ok_or_else(|| on_line(index, "a face"))
+                    });
+                    let of_face = of_face.collect::<Result<Vec<usize>, _>>()?;
+                    faces.extend(of_face.windows(2).skip(1).map(|pair| [of_face[0], pair[0], pair[1]]));
+                }
+                _ => {}
+            }
+        }
+        Self::of_corners(&corners, &faces, unit)
+    }
+
+    fn of_corners(corners: &[[f64; 3]], faces: &[[usize; 3]], unit: Unit) -> Result<Self, Error> {
+        let corners: Vec<_> = corners.iter().map(|corner| corner.map(|x| unit.in_metres(x))).collect();
+        Self::new(&corners, faces)
+    }
+}
+
+fn three<'t>(words: impl Iterator<Item = &'t str>, index: usize) -> Result<[f64; 3], Error> {
+    let numbers: Vec<f64> = words.take(3).map_while(|word| word.parse().ok()).collect();
+    numbers.try_into().map_err(|_| on_line(index, "a corner"))
+}
+
+fn on_line(index: usize, what: &str) -> Error {
+    Error::Mesh {
+        fault: format!("line {}: is no {what} with its numbers", index + 1).replace("no a ", "no "),
+    }
+}
+
+fn fault(fault: &str) -> Error {
+    Error::Mesh { fault: fault.to_owned() }
+}

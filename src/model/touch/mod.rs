@@ -1,0 +1,67 @@
+//! From surfaces to contacts: pads that close on a part (feature `mesh`).
+//!
+//! A [`Part`] is a mesh of triangles, from STL, OBJ or arrays, in m. A [`Touch`] is a [`Pad`] at a place, which closes along a direction. Laid
+//! [on](Touch::on) the part it gives the points of one contact, each with its own normal, springs and clearance.
+//!
+//! # The model
+//!
+//! A pad is an elastic foundation: a layer of modulus E (Pa) and thickness t (m) has the stiffness `K = E/t` for each m² of its surface, N/m³. Every
+//! point of the pad travels along the closing direction c until it meets the part, at the depth d_i. The point with the least depth touches first, and
+//! the pad may go on by s from there. At the angle θ_i between c and the inward normal of the part
+//!
+//! ```text
+//! clearance_i = (d_i - d_min) cos θ_i        k_i = K A_i        F_i = k_i (s - d_i + d_min) cos θ_i >= 0
+//! ```
+//!
+//! Along the tangents a spring of `E/3t` for each m², as of rubber, follows the pad from the place where the point touches. With
+//! [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) the advance s is that at which the forces along c have this sum, on a part that
+//! stays in place.
+//!
+//! A layer of rubber between plates that are much wider than it is thick is stiffer than E/t, since it cannot bulge: then give the stiffness of the
+//! whole pad instead, [`Contact::series_stiffness`](crate::grasp::Contact::series_stiffness), which is divided by area.
+//!
+//! # How many points
+//!
+//! On a flat face the points have the sums of the uniform pad (see [`SoftFingertip`](crate::grasp::SoftFingertip)), from one strip on. On a cylinder of
+//! radius R, pressed in by δ, a flat pad of length L touches over the half width `√(2Rδ)` and presses with `4/3 K L δ √(2Rδ)`. With three
+//! points across this half width the force is right to 1 %. A mesh of n sides differs from its cylinder by the depth `R (1 - cos(π/n))`, which should
+//! be small beside δ.
+//!
+//! ```
+//! use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+//! use grasp_lcp::touch::{Pad, Part, Touch};
+//!
+//! // A box of 60 x 40 x 30 mm in steel, held by two jaws of 20 x 30 mm that press with 40 N.
+//! let corner = |i: usize| [0.06 * (i & 1) as f64, 0.04 * (i >> 1 & 1) as f64, 0.03 * (i >> 2) as f64];
+//! let corners: Vec<[f64; 3]> = (0..8).map(corner).collect();
+//! let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+//! let faces: Vec<[usize; 3]> = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+//! let part = Part::new(&corners, &faces)?.of_density(7850.0)?;
+//!
+//! let jaw = |x: f64, closing: f64, name| {
+//!     let contact = Contact::new([x, 0.02, 0.015], [closing, 0.0, 0.0]).tangent([0.0, 1.0, 0.0]).name(name);
+//!     Touch::new(Pad::rectangle([0.02, 0.03], [1, 1])?.of_layer(2e6, 0.003), contact.friction(0.5).pressed_with(40.0)).on(&part)
+//! };
+//! let (left, right) = (jaw(-0.01, 1.0, "left")?, jaw(0.07, -1.0, "right")?);
+//! assert_eq!((left.missing(), right.missing()), (0.0, 0.0));
+//! let grasp = Grasp::new([left.contacts(), right.contacts()].concat())?;
+//! let weight = 9.81 * part.mass().expect("of steel");
+//! let pull = Wrench::force_at([0.0, 0.0, -weight], part.centre_of_mass().expect("closed"));
+//! assert_eq!(grasp.hold(pull)?.holds(), Some(true));
+//! # Ok::<(), grasp_lcp::Error>(())
+//! ```
+
+mod edges;
+mod mesh_file;
+mod pad;
+mod part;
+mod rays;
+mod touch;
+mod touched;
+mod unit;
+
+pub use pad::Pad;
+pub use part::Part;
+pub use touch::Touch;
+pub use touched::Touched;
+pub use unit::Unit;

@@ -1,0 +1,170 @@
+//! Pads: the surface with which a finger or a jaw touches.
+
+use core::f64::consts::PI;
+
+use nalgebra::Vector3;
+
+use crate::error::{Error, LARGEST};
+use crate::grasp::{Pressure, SoftFingertip};
+
+/// The surface of a jaw or of a fingertip, and its elastic layer.
+///
+/// Its place is that of the contact: the middle of the pad is at the contact's point, and it closes along the contact's normal. Its first side lies
+/// along the first tangent.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pad {
+    pub(super) points: Vec<PadPoint>,
+    outline: Outline,
+    profile: Profile,
+    /// m².
+    area: f64,
+    /// Stiffness of the layer along the normal and along tangents for each m², N/m³.
+    layer: Option<[f64; 2]>,
+}
+
+/// The pad as seen along the closing direction, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Outline {
+    Rectangle([f64; 2]),
+    Disc(f64),
+}
+
+/// The section of the pad across its second tangent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Profile {
+    Flat,
+    /// Radius, m.
+    Round(f64),
+    /// Rise of both flanks.
+    V(f64),
+}
+
+impl Profile {
+    /// Height along the closing direction, m, and its slope, at a distance from the middle, m.
+    fn at(self, u: f64) -> (f64, f64) {
+        match self {
+            Self::Flat => (0.0, 0.0),
+            Self::Round(radius) => {
+                let height = (radius * radius - u * u).sqrt();
+                (height - radius, -u / height)
+            }
+            Self::V(rise) => (rise * u.abs(), rise * u.signum()),
+        }
+    }
+}
+
+/// A point of the pad, in the frame of the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct PadPoint {
+    /// Place about the middle, m; the first component is along the closing direction.
+    pub(super) offset: Vector3<f64>,
+    /// Direction in which the pad's surface faces there, of length 1.
+    pub(super) facing: Vector3<f64>,
+    /// Share of the area.
+    pub(super) share: f64,
+}
+
+impl Pad {
+    /// A flat rectangle with sides along the first and the second tangent, m, and points as those of [`SoftFingertip::rectangle`]. Strips in half of
+    /// each side: `[1, 1]` will do for a flat face; a curved part takes about six points across the width over which it touches.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] as there.
+    pub fn rectangle(sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
+        Self::on_rectangle(sides, strips, Profile::Flat)
+    }
+
+    /// A flat disc of this radius, m, and points as those of [`SoftFingertip::disc`] under uniform pressure.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] as there.
+    pub fn disc(radius: f64, annuli: usize, points: usize) -> Result<Self, Error> {
+        let patch = SoftFingertip::disc(radius, annuli, points, Pressure::Uniform)?;
+        Ok(Self::of_profile(&patch, Outline::Disc(radius), Profile::Flat))
+    }
+
+    /// A round finger: part of a cylinder of this radius, m, with its axis along the second tangent. The sides are those of its rectangle as seen
+    /// along the closing direction.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] as for a rectangle, and unless the first side is less than the diameter.
+    pub fn cylinder(radius: f64, sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
+        if !(sides[0] < 2.0 * radius && radius <= LARGEST) {
+            let (what, allowed) = ("radius of the pad", "more than half of its first side, and at most 1e50");
+            return Err(Error::Fingertip { what, value: radius, allowed });
+        }
+        Self::on_rectangle(sides, strips, Profile::Round(radius))
+    }
+
+    /// A prismatic jaw: a V of this opening angle, rad, with its bottom along the second tangent in the middle of the rectangle.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] as for a rectangle, and unless the angle is from 0.1 to π.
+    pub fn v(opening: f64, sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
+        if !(0.1..=PI).contains(&opening) {
+            let (what, allowed) = ("opening angle of the V", "from 0.1 to π rad");
+            return Err(Error::Fingertip { what, value: opening, allowed });
+        }
+        Self::on_rectangle(sides, strips, Profile::V((0.5 * opening).tan().recip()))
+    }
+
+    fn on_rectangle(sides: [f64; 2], strips: [usize; 2], profile: Profile) -> Result<Self, Error> {
+        Ok(Self::of_profile(&SoftFingertip::rectangle(sides, strips)?, Outline::Rectangle(sides), profile))
+    }
+
+    /// The points of a flat patch, moved along the closing direction by the height of a profile. Areas are those of the pad's surface.
+    fn of_profile(patch: &SoftFingertip<3>, outline: Outline, profile: Profile) -> Self {
+        let mut points = Vec::new();
+        let mut stretch = 0.0;
+        for (offset, share) in patch.points() {
+            let (height, slope) = profile.at(offset[1]);
+            let length = slope.hypot(1.0);
+            let facing = Vector3::new(1.0, -slope, 0.0) / length;
+            stretch += share * length;
+            let offset = Vector3::new(height, offset[1], offset[2]);
+            points.push(PadPoint { offset, facing, share: share * length });
+        }
+        points.iter_mut().for_each(|point| point.share /= stretch);
+        let flat = match outline {
+            Outline::Rectangle([one, other]) => one * other,
+            Outline::Disc(radius) => PI * radius * radius,
+        };
+        Self { points, outline, profile, area: flat * stretch, layer: None }
+    }
+
+    /// Height of the pad's surface along the closing direction at a place across it, m; `None` beside the pad.
+    pub(super) fn height_at(&self, u: f64, v: f64) -> Option<f64> {
+        let covers = match self.outline {
+            Outline::Rectangle([one, other]) => u.abs() <= 0.5 * one && v.abs() <= 0.5 * other,
+            Outline::Disc(radius) => u.hypot(v) <= radius,
+        };
+        covers.then(|| self.profile.at(u).0)
+    }
+
+    /// This pad with an elastic layer of a modulus, Pa, and a thickness, m: an elastic foundation of `E/t` for each m² along the normal, and of `E/3t`
+    /// along tangents, N/m³. It is the stiffness of the finger, in place of one of the contact.
+    #[must_use]
+    pub fn of_layer(self, modulus: f64, thickness: f64) -> Self {
+        let normal = modulus / thickness;
+        // Rubber keeps its volume: its shear modulus is a third of Young's.
+        Self { layer: Some([normal, normal / 3.0]), ..self }
+    }
+
+    /// Area of the pad, m².
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.area
+    }
+
+    /// Normal and tangential stiffness of the whole layer, N/m, if there is one.
+    #[must_use]
+    pub fn stiffness(&self) -> Option<[f64; 2]> {
+        self.layer.map(|layer| layer.map(|k| k * self.area))
+    }
+
+    /// Number of points.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.points.len()
+    }
+}

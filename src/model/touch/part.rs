@@ -1,0 +1,147 @@
+//! A part: a surface of triangles, with its volume and its mass.
+
+use nalgebra::Vector3;
+
+use crate::error::{Error, is_moderate};
+
+/// Corners of a triangle, m, counterclockwise as seen from outside.
+pub(super) type Triangle = [Vector3<f64>; 3];
+
+/// The area vectors of a closed surface add up to zero; of one that is taken as closed, to this part of the area at most. Single precision, in which
+/// binary STL has its corners, is three digits below.
+const OPEN: f64 = 1e-4;
+
+/// A part with a surface of triangles, in m.
+///
+/// Volume and centre of mass are those of the polyhedron with constant density, in closed form. With the corners a, b, c of each triangle
+///
+/// ```text
+/// V = Σ a·(b × c) / 6        V r = Σ a·(b × c) / 6 · (a + b + c) / 4
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    pub(super) triangles: Vec<Triangle>,
+    /// Length of the diagonal of the bounding box, m.
+    pub(super) size: f64,
+    bounds: [Vector3<f64>; 2],
+    /// Volume, m³, and centre, m, of a closed surface.
+    solid: Option<(f64, Vector3<f64>)>,
+    /// kg.
+    mass: Option<f64>,
+}
+
+impl Part {
+    /// A part from the corners of a mesh, m, and the three corners of each face, by their index from 0, counterclockwise as seen from outside. A closed
+    /// surface that is the wrong way round throughout is turned.
+    ///
+    /// # Errors
+    /// [`Error::Mesh`] without faces, and for a corner that is not there or not finite.
+    pub fn new(corners: &[[f64; 3]], faces: &[[usize; 3]]) -> Result<Self, Error> {
+        let fault = |fault: String| Err(Error::Mesh { fault });
+        if faces.is_empty() {
+            return fault("has no faces, must have some".to_owned());
+        }
+        let mut triangles = Vec::with_capacity(faces.len());
+        let mut bounds = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+        for (index, face) in faces.iter().enumerate() {
+            let mut triangle = [Vector3::zeros(); 3];
+            for (place, corner) in triangle.iter_mut().zip(face) {
+                let Some(given) = corners.get(*corner) else {
+                    let there = corners.len();
+                    return fault(format!("face {index}: corner {corner} is not there, there are {there}"));
+                };
+                if !given.iter().all(|x| is_moderate(*x)) {
+                    return fault(format!(
+                        "corner {corner} is {given:?}, must be finite and at most 1e50 in size"
+                    ));
+                }
+                *place = Vector3::from(*given);
+                bounds = [bounds[0].inf(place), bounds[1].sup(place)];
+            }
+            triangles.push(triangle);
+        }
+        let size = (bounds[1] - bounds[0]).norm();
+        let mut part = Self { triangles, size, bounds, solid: None, mass: None };
+        part.solid = part.volume_and_centre();
+        if part.solid.is_some_and(|(volume, _)| volume < 0.0) {
+            part.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+            part.solid = part.solid.map(|(volume, centre)| (-volume, centre));
+        }
+        Ok(part)
+    }
+
+    /// Volume and centre; `None` of an open surface. Corners are measured from the middle of the box, so that little cancels.
+    fn volume_and_centre(&self) -> Option<(f64, Vector3<f64>)> {
+        let middle = (self.bounds[0] + self.bounds[1]) * 0.5;
+        let (mut area, mut areas) = (Vector3::zeros(), 0.0);
+        let (mut volume, mut moment) = (0.0, Vector3::zeros());
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.map(|corner| corner - middle);
+            let normal = (b - a).cross(&(c - a));
+            let tetrahedron = a.dot(&b.cross(&c)) / 6.0;
+            (area, areas) = (area + normal, areas + normal.norm());
+            (volume, moment) = (volume + tetrahedron, moment + (a + b + c) * (0.25 * tetrahedron));
+        }
+        let is_closed = area.norm() <= OPEN * areas && volume != 0.0;
+        is_closed.then(|| (volume, middle + moment / volume))
+    }
+
+    /// This part with a mass, kg.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] unless the mass is above 0 and at most 1e50.
+    pub fn of_mass(self, mass: f64) -> Result<Self, Error> {
+        check("mass of the part", mass)?;
+        Ok(Self { mass: Some(mass), ..self })
+    }
+
+    /// This part with the mass of its volume at a density, kg/m³.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] unless the density is above 0 and at most 1e50; [`Error::Mesh`] of a surface that is not closed.
+    pub fn of_density(self, density: f64) -> Result<Self, Error> {
+        check("density of the part", density)?;
+        let Some((volume, _)) = self.solid else {
+            let fault = "is not closed, so that it has no volume: say its mass in place of the density";
+            return Err(Error::Mesh { fault: fault.to_owned() });
+        };
+        self.of_mass(density * volume)
+    }
+
+    /// Volume, m³; `None` of a surface that is not closed.
+    #[must_use]
+    pub fn volume(&self) -> Option<f64> {
+        self.solid.map(|(volume, _)| volume)
+    }
+
+    /// Centre of mass at constant density, m; `None` of a surface that is not closed.
+    #[must_use]
+    pub fn centre_of_mass(&self) -> Option<[f64; 3]> {
+        self.solid.map(|(_, centre)| centre.into())
+    }
+
+    /// Mass, kg, if it has one.
+    #[must_use]
+    pub fn mass(&self) -> Option<f64> {
+        self.mass
+    }
+
+    /// Number of triangles.
+    #[must_use]
+    pub fn faces(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// The corners of the box along the axes that contains the part: its least and its greatest coordinates, m.
+    #[must_use]
+    pub fn bounds(&self) -> [[f64; 3]; 2] {
+        self.bounds.map(Into::into)
+    }
+}
+
+fn check(what: &'static str, value: f64) -> Result<(), Error> {
+    if value > 0.0 && is_moderate(value) {
+        return Ok(());
+    }
+    Err(Error::Argument { what, value, allowed: "above 0 and at most 1e50" })
+}

@@ -1,0 +1,94 @@
+//! Parallel rays onto a part: where the points of a pad meet it as the pad closes.
+//!
+//! All points of a pad travel the same way. So each triangle is looked at once, in coordinates along and across the way, and nearly all lie beside
+//! the pad: a tree of boxes would take longer to build.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::pad::Pad;
+use super::part::Part;
+
+/// Points closer than this to the edge of a triangle meet it, as a part of the size of the mesh: pads may be flush with an edge of the part.
+pub(super) const FLUSH: f64 = 1e-9;
+
+/// The place where a ray meets the part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Hit {
+    /// Distance from the plane of the rays' beginnings, m.
+    pub(super) depth: f64,
+    /// Normal of the triangle into the part.
+    pub(super) normal: Vector3<f64>,
+    /// Whether the ray leaves the part there: then it began inside.
+    pub(super) leaves: bool,
+}
+
+/// The places where a pad meets the part.
+pub(super) struct Met {
+    /// That of each point of the pad; `None` where it misses.
+    pub(super) hits: Vec<Option<Hit>>,
+    /// Least travel of the pad until anything of it touches, m: at a point, in its middle, or at a corner of the mesh.
+    pub(super) foremost: f64,
+}
+
+impl Part {
+    /// Where a pad meets the part: the first hit of the ray of each of its points, and of one in its middle. The columns of `frame` are the closing direction and two tangents, and `from` is the middle of the pad.
+    pub(super) fn met_by(&self, pad: &Pad, frame: &Matrix3<f64>, from: &Vector3<f64>) -> Met {
+        let near = FLUSH * self.size;
+        let mut rays: Vec<Vector3<f64>> = pad.points.iter().map(|point| point.offset).collect();
+        rays.push(Vector3::zeros());
+        let mut hits: Vec<Option<Hit>> = vec![None; rays.len()];
+        let mut foremost = f64::INFINITY;
+        let (mut least, mut most) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
+        for ray in &rays {
+            (least, most) = (least.inf(ray), most.sup(ray));
+        }
+        let (least, most) = (least.add_scalar(-near), most.add_scalar(near));
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.map(|corner| frame.tr_mul(&(corner - from)));
+            let (low, high) = (a.inf(&b).inf(&c), a.sup(&b).sup(&c));
+            let beside = |axis: usize| high[axis] < least[axis] || low[axis] > most[axis];
+            if beside(1) || beside(2) || high[0] < least[0] {
+                continue;
+            }
+            let normal = (b - a).cross(&(c - a));
+            let length = normal.norm();
+            // The rays graze such a triangle, or it has no area.
+            if normal[0].abs() <= FLUSH * length {
+                continue;
+            }
+            let orientation = normal[0].signum();
+            // Distance from an edge in the plane across the rays, positive inside.
+            let inside = |p: &Vector3<f64>, q: &Vector3<f64>, ray: &Vector3<f64>| {
+                let (along, to) = ((q[1] - p[1], q[2] - p[2]), (ray[1] - p[1], ray[2] - p[2]));
+                orientation * (along.0 * to.1 - along.1 * to.0) >= -near * along.0.hypot(along.1)
+            };
+            for corner in [&a, &b, &c] {
+                let travel = pad.height_at(corner[1], corner[2]).map(|height| corner[0] - height);
+                foremost =
+                    travel.filter(|travel| *travel >= -near).map_or(foremost, |travel| foremost.min(travel));
+            }
+            for (ray, hit) in rays.iter().zip(&mut hits) {
+                if !(inside(&a, &b, ray) && inside(&b, &c, ray) && inside(&c, &a, ray)) {
+                    continue;
+                }
+                let across = normal[1] * (ray[1] - a[1]) + normal[2] * (ray[2] - a[2]);
+                let depth = a[0] - across / normal[0];
+                let leaves = normal[0] > 0.0;
+                if depth < ray[0] - near {
+                    continue;
+                }
+                let sooner = hit.is_none_or(|before| {
+                    depth < before.depth - near || (depth < before.depth + near && before.leaves && !leaves)
+                });
+                if sooner {
+                    *hit = Some(Hit { depth, normal: frame * normal / -length, leaves });
+                }
+            }
+        }
+        for (ray, hit) in rays.iter().zip(&hits) {
+            foremost = hit.map_or(foremost, |hit| foremost.min(hit.depth - ray[0]));
+        }
+        hits.pop();
+        Met { hits, foremost }
+    }
+}

@@ -1,0 +1,130 @@
+//! A pad that closes on a part until it touches.
+
+use nalgebra::Vector3;
+
+use super::pad::{Pad, PadPoint};
+use super::part::Part;
+use super::rays::{FLUSH, Hit, Met};
+use super::touched::{Touched, advance_under};
+use crate::error::{Error, Field};
+use crate::grasp::Contact;
+
+/// A pad at a place, with a closing direction.
+///
+/// The contact's point is the middle of the pad in front of the part, m, and its normal the closing direction. Name, friction, stiffness and squeeze
+/// are those of the contact; its [layer](Pad::of_layer) gives the stiffness if it has one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Touch {
+    pad: Pad,
+    contact: Contact<3>,
+}
+
+/// A point of the pad where it meets the part.
+struct Meeting<'p> {
+    point: &'p PadPoint,
+    hit: Hit,
+    /// Travel until it touches, m.
+    travel: f64,
+}
+
+impl Touch {
+    /// The pad with the data of a contact.
+    #[must_use]
+    pub fn new(pad: Pad, contact: Contact<3>) -> Self {
+        Self { pad, contact }
+    }
+
+    /// The contacts at which the pad touches the part, as those of one fingertip: `pressed_with` and commands are those of the pad as a whole.
+    /// The clearance of the contact is a gap before its foremost point.
+    ///
+    /// # Errors
+    /// [`Error::Misses`] if no point of the pad meets the part, or some begin inside of it; [`Error::Contact`] with index 0 for data out of range, and
+    /// for a constant force where the part is not flat across the closing direction.
+    pub fn on(&self, part: &Part) -> Result<Touched, Error> {
+        self.on_as(0, part)
+    }
+
+    /// [`Self::on`] for the contact of this index.
+    pub(crate) fn on_as(&self, index: usize, part: &Part) -> Result<Touched, Error> {
+        let mut contact = self.contact.clone();
+        if let Some([normal, tangential]) = self.pad.stiffness() {
+            contact = contact.finger_stiffness(normal, tangential);
+        }
+        contact.check(index)?;
+        let frame = contact.frame(index)?;
+        let Met { hits, foremost } = part.met_by(&self.pad, &frame, &contact.point);
+        let meetings = self.meetings(index, hits)?;
+        let missing = 1.0 - meetings.iter().map(|meeting| meeting.point.share).sum::<f64>();
+        let near = FLUSH * part.size;
+        let gap = |travel: f64| {
+            let behind = travel - foremost;
+            contact.clearance + if behind <= near { 0.0 } else { behind }
+        };
+        let (closing, first_tangent) = (frame.column(0).into_owned(), frame.column(1).into_owned());
+        // Normals of faces across the way are the closing direction but for rounding.
+        let straightened =
+            |normal: &Vector3<f64>| if (normal - closing).norm() <= FLUSH { closing } else { *normal };
+        let mut points = Vec::with_capacity(meetings.len());
+        for (i, meeting) in meetings.iter().enumerate() {
+            let normal = straightened(&meeting.hit.normal);
+            if contact.force.is_some() && (normal != closing || gap(meeting.travel) != contact.clearance) {
+                let (field, value) = (Field::Force, contact.force.unwrap_or(0.0));
+                let allowed = "left out where a pad meets the part at several depths or at an angle: say with what it is pressed";
+                return Err(Error::Contact { contact: contact.label(index), field, value, allowed });
+            }
+            // Of a pad that misses in part, the points that touch carry the whole force.
+            let of_force = meeting.point.share / (1.0 - missing);
+            points.push(Contact {
+                name: contact.name.as_ref().map(|name| format!("{name} {i}").into()),
+                point: contact.point
+                    + frame * (meeting.point.offset + Vector3::new(meeting.travel, 0.0, 0.0)),
+                normal,
+                tangent: Some(first_tangent),
+                stiffness: contact.stiffness.scaled(meeting.point.share),
+                force: contact.force.map(|force| force * of_force),
+                press: None,
+                suction: contact.suction * of_force,
+                clearance: gap(meeting.travel) * normal.dot(&closing),
+                point_of_pad: Some(i),
+                ..contact.clone()
+            });
+        }
+        let gaps: Vec<f64> = meetings.iter().map(|meeting| gap(meeting.travel)).collect();
+        let commanded = frame * Contact { press: None, ..contact.clone() }.commanded();
+        let advance = match contact.press {
+            None => commanded.dot(&closing),
+            Some(force) => advance_under(force, &points, &gaps, &closing)?,
+        };
+        let along = commanded + closing * (advance - commanded.dot(&closing));
+        let touching = gaps.iter().copied().fold(f64::INFINITY, f64::min) + near;
+        let mut steepest = 0.0_f64;
+        for ((point, meeting), gap) in points.iter_mut().zip(&meetings).zip(&gaps) {
+            // Until it touches, the pad drags along no surface.
+            let slope = closing - point.normal * point.normal.dot(&closing);
+            *point = point.clone().command_world(along - slope * advance.min(*gap).max(0.0));
+            if *gap < advance.max(touching) {
+                steepest = steepest.max((frame * meeting.point.facing).angle(&point.normal));
+            }
+        }
+        Ok(Touched { contacts: points, missing: if missing <= FLUSH { 0.0 } else { missing }, steepest })
+    }
+
+    /// The points of the pad that meet the part.
+    fn meetings(&self, index: usize, hits: Vec<Option<Hit>>) -> Result<Vec<Meeting<'_>>, Error> {
+        let misses = |fault: &'static str| Err(Error::Misses { contact: self.contact.label(index), fault });
+        let mut meetings = Vec::new();
+        for (point, hit) in self.pad.points.iter().zip(hits) {
+            let Some(hit) = hit else { continue };
+            if hit.leaves {
+                return misses("begins inside the part, must begin in front of it");
+            }
+            meetings.push(Meeting { point, hit, travel: hit.depth - point.offset[0] });
+        }
+        if meetings.is_empty() {
+            return misses(
+                "misses the part: no point of it lies ahead of the pad along the closing direction",
+            );
+        }
+        Ok(meetings)
+    }
+}

@@ -1,0 +1,83 @@
+//! A pad on a part: the contacts of its points, and how well it lies.
+
+use nalgebra::Vector3;
+
+use crate::error::Error;
+use crate::grasp::Contact;
+
+/// The contacts of a pad on a part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Touched {
+    pub(super) contacts: Vec<Contact<3>>,
+    pub(super) missing: f64,
+    pub(super) steepest: f64,
+}
+
+impl Touched {
+    /// The points at which the pad meets the part, as contacts of one fingertip: "left 0", "left 1" and so on. Those behind the foremost have a
+    /// clearance.
+    #[must_use]
+    pub fn contacts(&self) -> &[Contact<3>] {
+        &self.contacts
+    }
+
+    /// These contacts, to keep.
+    #[must_use]
+    pub fn into_contacts(self) -> Vec<Contact<3>> {
+        self.contacts
+    }
+
+    /// The part of the pad's area that misses the part, from 0 to 1.
+    #[must_use]
+    pub fn missing(&self) -> f64 {
+        self.missing
+    }
+
+    /// The largest angle between the surfaces of pad and part where the pad presses, rad; of a pad without a squeeze, where it touches first.
+    #[must_use]
+    pub fn steepest(&self) -> f64 {
+        self.steepest
+    }
+
+    /// Whether the pad presses on an edge or a slope from which it slips: its surface and the part's meet at a larger angle than that of friction,
+    /// `atan μ`.
+    #[must_use]
+    pub fn is_over_an_edge(&self) -> bool {
+        let friction = self.contacts.first().map_or(0.0, Contact::friction_coefficient);
+        // Faces that are flat but for single precision are no edge without friction.
+        self.steepest > friction.atan().max(1e-3)
+    }
+}
+
+/// The advance of the pad, m, at which the forces of its points along the closing direction have this sum on a part that stays in place.
+///
+/// From its touch on, at the gap g, a point with the angle θ presses with `k_n cos θ (s - g)`. Along the tangent it pulls with the least of
+/// `k_t sin θ (s - g)` and μ times this. Both grow in proportion to s - g, so that the sum is piecewise linear in s.
+pub(super) fn advance_under(
+    force: f64,
+    points: &[Contact<3>],
+    gaps: &[f64],
+    closing: &Vector3<f64>,
+) -> Result<f64, Error> {
+    let mut of_points = Vec::with_capacity(points.len());
+    for (point, gap) in points.iter().zip(gaps) {
+        let along = point.frame(0)?.tr_mul(closing);
+        let k = point.series_stiffness_of_axes();
+        let sine = along[1].hypot(along[2]);
+        let normal = k[0] * along[0];
+        let pull = (k[1] * along[1]).hypot(k[2] * along[2]);
+        let tangential = if point.friction > 0.0 { pull.min(point.friction * normal) } else { 0.0 };
+        of_points.push((*gap, normal * along[0] + tangential * sine));
+    }
+    of_points.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let (mut stiffness, mut moment) = (0.0, 0.0);
+    let mut advance = of_points.first().map_or(0.0, |(gap, _)| *gap);
+    for (i, (gap, k)) in of_points.iter().enumerate() {
+        (stiffness, moment) = (stiffness + k, moment + k * gap);
+        advance = (force + moment) / stiffness;
+        if of_points.get(i + 1).is_none_or(|(next, _)| advance <= *next) {
+            break;
+        }
+    }
+    Ok(advance)
+}

@@ -1,0 +1,46 @@
+//! Units of length in files of meshes, which do not say theirs.
+
+/// The unit of a mesh's lengths.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Unit {
+    /// Metres.
+    #[default]
+    #[cfg_attr(feature = "serde", serde(rename = "m"))]
+    Metre,
+    /// Centimetres.
+    #[cfg_attr(feature = "serde", serde(rename = "cm"))]
+    Centimetre,
+    /// Millimetres, as most programs for construction write.
+    #[cfg_attr(feature = "serde", serde(rename = "mm"))]
+    Millimetre,
+    /// Inches of 25.4 mm.
+    #[cfg_attr(feature = "serde", serde(rename = "in"))]
+    Inch,
+}
+
+impl Unit {
+    /// One length in this unit, m. Division of a length keeps round numbers of mm the nearest to their decimals.
+    #[must_use]
+    pub fn in_metres(self, length: f64) -> f64 {
+        match self {
+            Self::Metre => length,
+            Self::Centimetre => length / 100.0,
+            Self::Millimetre => length / 1000.0,
+            Self::Inch => length * 0.0254,
+        }
+    }
+
+    /// The unit of this abbreviation: m, cm, mm or in.
+    #[must_use]
+    pub fn of(abbreviation: &str) -> Option<Self> {
+        match abbreviation {
+            "m" => Some(Self::Metre),
+            "cm" => Some(Self::Centimetre),
+            "mm" => Some(Self::Millimetre),
+            "in" => Some(Self::Inch),
+            _ => None,
+        }
+    }
+}
