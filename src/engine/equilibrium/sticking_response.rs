@@ -94,3 +94,16 @@ impl<'g> StickingResponse<'g> {
         self.piece.solve(self.problem.sites, drives, load).ok()
     }
 }
+
+impl Engine {
+    /// The least value of a condition of sticking under a load, if every contact stuck, relative to the largest force. `None` where nothing resists the
+    /// load, and without forces.
+    pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
+        let sticking = StickingResponse::new(self, settings);
+        let forces = sticking.forces(&self.drives(), &self.load_alone(load, "load").ok()?).ok()?.of;
+        let largest = forces.iter().map(SVector::norm).fold(0.0, f64::max);
+        let worst = |(edges, force): (&Edges, &SVector<f64, 3>)| Some(edges.worst(force)?.1);
+        let least = sticking.edges.iter().zip(&forces).filter_map(worst).min_by(f64::total_cmp)?;
+        (largest > 0.0).then(|| least / largest)
+    }
+}

@@ -100,6 +100,11 @@ pub(crate) trait Follower<'g>: Debug {
         None
     }
 
+    /// The largest ratio of a motion to its limit so far, for a follower that checks them.
+    fn farthest(&self) -> f64 {
+        0.0
+    }
+
     /// The leg and fraction from which every contact with friction and a normal force slides up to `until`, for a follower that keeps its past.
     fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
         None

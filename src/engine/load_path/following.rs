@@ -109,6 +109,7 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn energies(&self) -> &[LegEnergy];
     fn next_small(&mut self) -> Option<T>;
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions>;
+    fn farthest(&self) -> f64;
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)>;
 }
 
@@ -196,6 +197,10 @@ impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
 
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         self.follower.as_ref()?.end_of_small_motions()
+    }
+
+    fn farthest(&self) -> f64 {
+        self.follower.as_ref().map_or(0.0, Follower::farthest)
     }
 
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {

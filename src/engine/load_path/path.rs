@@ -143,6 +143,10 @@ impl<const C: usize, T: Face> AnyPath<C, T> for AtTheDoor<'_, C, T> {
         self.inside.end_of_small_motions()
     }
 
+    fn farthest(&self) -> f64 {
+        self.inside.farthest()
+    }
+
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.inside.all_slide_from(until)
     }
@@ -240,6 +244,11 @@ impl<const C: usize> LoadPath<'_, C> {
     #[must_use]
     pub fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         self.0.end_of_small_motions()
+    }
+
+    /// The largest ratio of a motion to its limit of small motions so far, at the ends of the pieces of the path.
+    pub(crate) fn farthest(&self) -> f64 {
+        self.0.farthest()
     }
 
     /// [`Self::run`] as far as motions are small: up to the first piece on which they cease to be.

@@ -59,6 +59,8 @@ pub(crate) struct Pieces<'g> {
     pub(super) fallen: Option<Problem<'g>>,
     /// Where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
+    /// The largest ratio of a motion to its limit, at the ends of pieces.
+    pub(super) farthest: f64,
 }
 
 impl Engine {
@@ -140,6 +142,10 @@ impl<'g> Follower<'g> for Pieces<'g> {
         self.end_of_small_motions.as_ref()
     }
 
+    fn farthest(&self) -> f64 {
+        self.farthest
+    }
+
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.pieces_all_slide_from(until)
     }
@@ -196,6 +202,7 @@ impl<'g> Pieces<'g> {
             first: None,
             fallen: None,
             end_of_small_motions: None,
+            farthest: 0.0,
         }
     }
 

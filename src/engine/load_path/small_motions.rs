@@ -37,18 +37,20 @@ pub struct EndOfSmallMotions {
 type Place = (f64, CountedMotion);
 
 impl<'g> Pieces<'g> {
-    /// Records the place where motions cease to be small, after each piece and at the very start.
+    /// Records the farthest motion and the place where motions cease to be small, after each piece and at the very start.
     pub(super) fn note_how_far(&mut self, journey: &Journey<'g>) {
-        if self.end_of_small_motions.is_some() {
-            return;
-        }
         let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
         let drives = self.segment.drives(self.factor);
         let (slips, states) = (&self.segment.problem.slips, &self.node.states);
         let (forces, twist) = (&self.node.at.forces, &self.node.at.twist);
         let motions = grasp
             .counted_motions(&answer_for.small, &Standing { drives: &drives, slips, states, forces, twist });
-        let here = farthest(&motions).filter(|motion| motion.over_the_limit() > 1.0).copied();
+        let here = farthest(&motions).copied();
+        self.farthest = here.map_or(self.farthest, |motion| self.farthest.max(motion.over_the_limit()));
+        if self.end_of_small_motions.is_some() {
+            return;
+        }
+        let here = here.filter(|motion| motion.over_the_limit() > 1.0);
         let found = match self.behind.last() {
             None => here.map(|motion| (self.factor, motion)),
             Some(last) => {

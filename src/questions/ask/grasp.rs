@@ -236,6 +236,18 @@ impl<const C: usize> Grasp<C> {
         self.engine.loaded_bodies()
     }
 
+    /// A verdict with the largest ratio of a motion to its limit of small motions up to the whole load.
+    pub(crate) fn hold_and_measure(&self, load: impl Into<Ramp<C>>) -> Result<(Verdict<C>, f64), Error> {
+        let (verdict, farthest) =
+            self.engine.hold_and_measure(&inside(&load.into()), &self.settings, true)?;
+        Ok((outside(verdict), farthest))
+    }
+
+    /// The least margin of friction at rest if every contact stuck, relative to the largest force; `None` where nothing presses or resists.
+    pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
+        self.engine.sticking_margin(&inside(base), &self.settings)
+    }
+
     /// A motion which proves that no contact forces balance this load and the constant loads beside it.
     pub(crate) fn unbalanced_along(&self, load: &Wrench<C>) -> Result<Option<Vec<f64>>, Error> {
         self.engine.unbalanced_along(&inside(load), &self.settings)

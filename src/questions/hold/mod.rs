@@ -26,6 +26,7 @@
 mod caught;
 mod face;
 mod left_out;
+mod loss;
 mod put_on;
 mod verdict;
 mod way_out;

@@ -2,10 +2,10 @@
 
 use nalgebra::SVector;
 
-use crate::contact::{Polygon, WEIGHTLESS};
-use crate::equilibrium::{ContactState, Equilibrium, Outcome, TooFar};
+use crate::contact::Polygon;
+use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
-use crate::grasp::{Coordinates, Engine, WholeContact, WholeContacts, Wrench};
+use crate::grasp::{Coordinates, Engine, WholeContacts, Wrench};
 use crate::load_path::{
     Beyond, Change, ContactChange, Departure, EndOfSmallMotions, Event, Leaving, Leg, LoadPath, Loss,
     LossKind, Onset, PathEnd, Ramp,
@@ -16,7 +16,7 @@ use crate::search::{Doubt, Settings};
 
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
-use super::way_out::{WayOut, comes_apart, way_out};
+use super::way_out::WayOut;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
@@ -24,6 +24,17 @@ use crate::prelude::*;
 impl Engine {
     /// [`Grasp::hold`](crate::ask::Grasp::hold).
     pub(crate) fn hold(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Verdict<3>, Error> {
+        Ok(self.hold_and_measure(ramp, settings, false)?.0)
+    }
+
+    /// The verdict, and the largest ratio of a motion to its limit while the load is put on. With `measures`, a path on which motions cease to be
+    /// small continues to the whole load for that ratio.
+    pub(crate) fn hold_and_measure(
+        &self,
+        ramp: &Ramp<3>,
+        settings: &Settings,
+        measures: bool,
+    ) -> Result<(Verdict<3>, f64), Error> {
         if !(settings.most_load > 0.0 && is_moderate(settings.most_load)) {
             let (what, allowed) = ("most_load of the settings", "more than 0 and at most 1e50");
             return Err(Error::Argument { what, value: settings.most_load, allowed });
@@ -34,6 +45,10 @@ impl Engine {
         let events = path.run_while_small();
         let is_on = matches!(path.end(), Some(PathEnd::Completed)) && path.end_of_small_motions().is_none();
         let state = is_on.then(|| path.state()).flatten();
+        if measures && path.end_of_small_motions().is_some() {
+            path.run();
+        }
+        let farthest = path.farthest();
         let mut gone = 1.0;
         if is_on && settings.most_load > 1.0 {
             gone = settings.most_load;
@@ -82,7 +97,7 @@ impl Engine {
         let left_out = rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
         let state = state.map(Box::new);
         let caught = Caught::among(self.contacts(), &events);
-        Ok(Verdict {
+        let verdict = Verdict {
             base: ramp.base,
             load: ramp.direction,
             holding,
@@ -93,7 +108,8 @@ impl Engine {
             left_out,
             lost,
             state,
-        })
+        };
+        Ok((verdict, farthest))
     }
 
     /// The end of a path along which not all of the load was put on.
@@ -201,72 +217,6 @@ impl Engine {
         }
     }
 
-    /// The loss of equilibrium at this multiple of the load.
-    pub(crate) fn lost(&self, factor: f64, loss: &Loss<3>, state: Option<Equilibrium<3>>) -> Lost<3> {
-        let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * state.largest_force());
-        let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
-        let presses = |i: usize| of(i).is_none_or(|contact| contact.force.norm() > weightless);
-        let touches =
-            |i: usize| presses(i) || of(i).is_some_and(|contact| contact.gap <= NEGLIGIBLE * self.length());
-        let at_its_edge = |i: usize| loss.contacts.iter().any(|contact| contact.index == i);
-        let sides = self.bodies().map(|bodies| &bodies.sides[..]);
-        let slides = |i: usize| at_its_edge(i) && presses(i);
-        let slides_out = |i: usize| {
-            let leaving = sides.zip(loss.motion.as_ref());
-            slides(i)
-                && leaving.is_none_or(|(sides, motion)| comes_apart(&self.contacts()[i], sides[i], motion))
-        };
-        let parts = WholeContacts::of(self.contacts());
-        let cups = if loss.kind == LossKind::LetsGo { self.cups_open(at_its_edge) } else { Vec::new() };
-        if !cups.is_empty() {
-            return Lost::without_vacuum(factor, cups, state);
-        }
-        Lost {
-            factor,
-            kind: loss.kind,
-            way_out: way_out(self.contacts(), sides, loss.motion.as_ref(), &touches),
-            too_far: None,
-            slide: parts.with(&slides_out),
-            falls_at_once: false,
-            then_takes: None,
-            snaps: false,
-            is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
-            drives: loss.drives.clone(),
-            motion: loss.motion.clone(),
-            state: state.map(Box::new),
-            nothing_near: None,
-        }
-    }
-
-    /// The end of small motions at this multiple of the load.
-    fn gone_too_far(
-        &self,
-        factor: f64,
-        what: &TooFar,
-        state: Option<Equilibrium<3>>,
-        everything_slides: bool,
-    ) -> Lost<3> {
-        let slides = |i: usize| {
-            let contact = state.as_ref().map(|state| &state.contacts[i]);
-            contact.is_some_and(|contact| matches!(contact.state, ContactState::Sliding { .. }))
-        };
-        Lost {
-            factor,
-            kind: LossKind::TooFar,
-            way_out: WayOut::NotKnown,
-            too_far: Some(what.clone()),
-            slide: WholeContacts::of(self.contacts()).with(&slides),
-            is_gross_slip: everything_slides,
-            falls_at_once: false,
-            then_takes: None,
-            snaps: false,
-            drives: Vec::new(),
-            motion: None,
-            state: state.map(Box::new),
-            nothing_near: None,
-        }
-    }
-
     /// The neighbourhood of a loss in which a proof excludes every equilibrium under the whole load.
     fn nothing_near(
         &self,
@@ -307,25 +257,4 @@ fn too_far_on<'p>(path: &'p LoadPath<'_, 3>) -> Option<&'p EndOfSmallMotions> {
         loss.is_none_or(|loss| (far.leg, far.fraction) < (loss.leg, loss.fraction * (1.0 - NEGLIGIBLE)))
     };
     path.end_of_small_motions().filter(before)
-}
-
-impl<const C: usize> Lost<C> {
-    /// The loss of suction cups whose lips are open all around.
-    fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
-        Self {
-            factor,
-            kind: LossKind::LetsGo,
-            way_out: WayOut::LetsGo { cups },
-            too_far: None,
-            slide: Vec::new(),
-            is_gross_slip: false,
-            falls_at_once: false,
-            then_takes: None,
-            snaps: false,
-            drives: Vec::new(),
-            motion: None,
-            state: state.map(Box::new),
-            nothing_near: None,
-        }
-    }
 }

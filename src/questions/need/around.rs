@@ -64,6 +64,10 @@ impl Around {
                 amounts.extend(mapped(known, &|(at, _)| *at));
             }
             in_order(&mut amounts, up);
+            if scan > 0 {
+                amounts.extend(promising(&amounts, tries)?);
+                in_order(&mut amounts, up);
+            }
             let from = if is_beyond {
                 (bound.does, None)
             } else {
@@ -89,9 +93,9 @@ impl Around {
         let up = plan.is_least;
         let mut amounts: Vec<f64> = mapped(known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
-        if !plan.is_monotone {
-            amounts.extend(plan.scanned(plan.begin(), up, scan, true));
-        }
+        // Where more is known to be carried, a far amount shows whether the part moves too far.
+        let count = if plan.is_monotone { scan.min(1) } else { scan };
+        amounts.extend(plan.scanned(plan.begin(), up, count, true));
         in_order(&mut amounts, up);
         around.side((to, None), up, true, &amounts, tries)?;
         Ok(around.until)
@@ -123,9 +127,9 @@ impl Around {
                 if self.changes <= 8 {
                     let (inner, outer) = ((at, trial.clone()), (amount, Some(now.clone())));
                     let (does, does_not) = if did { (inner, outer) } else { (outer, inner) };
-                    let carried = does.1.and_then(|trial| trial.carried());
+                    let measures = does.1.map_or([None; 2], |trial| trial.measures());
                     let Some(does_not) = does_not.1.map(|trial| (does_not.0, trial)) else { continue };
-                    let edge = Threshold { does: does.0, does_not, unknown: None }.beside(tries, carried)?;
+                    let edge = Threshold { does: does.0, does_not, unknown: None }.beside(tries, measures)?;
                     match (did, is_bounds_own) {
                         (true, true) => (self.until, is_bounds_own) = (Some(edge), false),
                         (true, false) => {
@@ -141,6 +145,30 @@ impl Around {
         self.elsewhere.extend(window.map(|near| between(near, None, up)));
         Ok(())
     }
+}
+
+/// Amounts between insufficient neighbours at which the carried part, continued from two amounts on one side, is more than the load.
+fn promising(in_order: &[f64], tries: Tries<'_>) -> Result<Vec<f64>, Error> {
+    let mut carried = Vec::new();
+    for &amount in in_order {
+        if let Some(part) = tries(amount)?.carried() {
+            carried.push((amount, part));
+        }
+    }
+    let mut amounts = Vec::new();
+    for _ in 0..2 {
+        for three in carried.windows(3) {
+            let [(before, less), (at, part), (next, beyond)] = [three[0], three[1], three[2]];
+            let reach = at + (at - before) * ((1.0 - part) / (part - less));
+            let is_between = (reach - at) * (reach - next) < 0.0 && beyond < 1.0;
+            if less < part && part < 1.0 && is_between {
+                // Continued a little farther, since the slope is that of the amounts before.
+                amounts.push(reach + 0.1 * (next - reach));
+            }
+        }
+        carried.reverse();
+    }
+    Ok(amounts)
 }
 
 /// Sorts amounts in a direction.

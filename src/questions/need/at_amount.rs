@@ -1,8 +1,8 @@
 //! A grasp with an amount set, under the load that leaves the least friction in reserve.
 
+use super::loading::{Loading, force_at};
 use super::posed::{Safety, Sought};
 use super::question::Need;
-use super::trial::{Loading, force_at};
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::error::Error;

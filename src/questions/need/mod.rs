@@ -17,14 +17,15 @@
 //! loads are put on again and again, the object comes to rest, or it does not walk.
 //!
 //! Every trial is a verdict from rest ([`Grasp::hold`](crate::ask::Grasp::hold)). The answer names two amounts that were tried: one suffices, the
-//! other beside it does not. Between them, secants of the carried part of the load lead to the last digits.
+//! other beside it does not. Between them, secants of the carried part of the load lead to the last digits; where that jumps, those of small motions
+//! or of sticking at rest.
 //!
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. No
 //! theorem says that more is better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes
 //! both ways from the start, and between trials towards the largest carried part. Then a few amounts around the bound show up to where amounts
 //! suffice ([`FarEnd`]), and which others do ([`AmountWindow`]). A narrow window between two of them stays unseen, so that the answer says how many
 //! amounts were tried ([`TriedAmounts`]), unless a proof excludes all others. Where only loads and squeeze act, twice the squeeze carries twice the load, and this
-//! scan is omitted.
+//! scan is omitted unless a far squeeze moves the part too far.
 //!
 //! Where no command presses there is no squeeze. Then the force of the only loaded body is sought in its place, or the load at rest, and the answer
 //! says so.
@@ -32,6 +33,8 @@
 mod answer;
 mod around;
 mod at_amount;
+mod between;
+mod loading;
 mod needed;
 mod posed;
 mod question;
@@ -41,6 +44,7 @@ mod search;
 mod threshold;
 mod tolerances;
 mod trial;
+mod tried;
 mod words;
 
 pub use answer::{Amount, AmountWindow, FarEnd, Needed, Press, PressedBy, Quantity, TriedAmounts};

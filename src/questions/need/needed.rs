@@ -1,21 +1,19 @@
 //! The question for an amount from its check to its answer: the amount, that with which nothing slides, and a safe one.
 
-use core::cell::{Cell, RefCell};
-
-use super::answer::{Amount, FarEnd, Needed, Press, Quantity, TriedAmounts};
+use super::answer::{Amount, FarEnd, Needed, Press, Quantity};
 use super::around::Around;
 use super::posed::{Posed, Safety, Sought};
 use super::question::{Demand, Need};
-use super::range::Range;
-use super::search::{Guess, SearchPlan, Searched, search};
+use super::search::{Searched, search};
 use super::threshold::Threshold;
-use super::tolerances::{APART_IN_A_SCAN, EXACT, MOST_LOADS, SECOND};
-use super::trial::{Loading, Trial, Trials};
+use super::tolerances::FAR_FROM_START;
+use super::trial::Trial;
+use super::tried::{Look, Tried};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
 use crate::grasp::{WholeContacts, Wrench};
-use crate::numerics::{largest, mapped};
+use crate::numerics::largest;
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
@@ -103,99 +101,6 @@ fn start<const C: usize>(grasp: &Grasp<C>, need: &Posed<C>) -> f64 {
     }
 }
 
-/// The effort of a search.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Look {
-    /// Both directions, then a scan around the bound.
-    Around,
-    /// Both directions.
-    Everywhere,
-    /// A few amounts in the direction of more.
-    Towards,
-}
-
-/// The amounts tried, each once, with their trials.
-struct Tried<'q, const C: usize> {
-    grasp: &'q Grasp<C>,
-    need: &'q Posed<C>,
-    safety: Safety,
-    /// The first amount.
-    start: f64,
-    known: RefCell<Vec<(f64, Trials)>>,
-    /// Index of the load that refuted the last insufficient amount.
-    first: Cell<usize>,
-}
-
-impl<'q, const C: usize> Tried<'q, C> {
-    const fn new(grasp: &'q Grasp<C>, need: &'q Posed<C>, safety: Safety, start: f64) -> Self {
-        Self { grasp, need, safety, start, known: RefCell::new(Vec::new()), first: Cell::new(0) }
-    }
-
-    fn at(&self, amount: f64, demand: Demand) -> Result<Trial, Error> {
-        let found =
-            self.known.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, t)| t.of(demand).cloned());
-        if let Some(trial) = found {
-            return Ok(trial);
-        }
-        let trials = Loading::of(self.grasp, self.need, amount, self.safety)?.put_on(demand, &self.first)?;
-        let trial = trials.of(demand).cloned();
-        self.known.borrow_mut().push((amount, trials));
-        Ok(trial.unwrap_or_else(|| Trial::Unknown(String::new())))
-    }
-
-    fn known(&self, demand: Demand) -> Vec<(f64, Trial)> {
-        let known = self.known.borrow();
-        known.iter().filter_map(|(at, trials)| Some((*at, trials.of(demand)?.clone()))).collect()
-    }
-
-    /// The amounts tried; those that narrow a bracket count once.
-    fn amounts(&self, demand: Demand) -> TriedAmounts {
-        let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
-        amounts.sort_by(f64::total_cmp);
-        let mut all = TriedAmounts { count: 0, from: f64::INFINITY, to: 0.0 };
-        for at in amounts {
-            if all.count == 0 || at - all.to > APART_IN_A_SCAN * at.abs() {
-                all = TriedAmounts { count: all.count + 1, from: all.from.min(at), to: at };
-            }
-        }
-        all
-    }
-
-    fn plan(&self, look: Look) -> Result<SearchPlan, Error> {
-        let (grasp, need) = (self.grasp, self.need);
-        let (start, repeats) = (self.start, need.demand.repeats());
-        let limits = match need.sought {
-            Sought::Angle { .. } => [start / MOST_LOADS, start],
-            Sought::Squeeze if !grasp.is_squeezed() => [start; 2],
-            _ => [start / MOST_LOADS, start * MOST_LOADS],
-        };
-        let is_monotone = match need.sought {
-            // A load put on from rest has passed all smaller ones.
-            Sought::Load | Sought::Angle { .. } => true,
-            Sought::Squeeze => grasp.is_proportional() && need.base == Wrench::ZERO,
-            Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } => false,
-        };
-        let guess = match need.sought {
-            Sought::Load | Sought::Angle { .. } => Guess::Times,
-            Sought::Squeeze | Sought::Friction { .. } | Sought::Force { .. } => Guess::Divided,
-            Sought::Arm { .. } => Guess::Nothing,
-        };
-        let range = Range::of(grasp, need, self.safety, limits)?;
-        let is_least = need.quantity().is_least();
-        let guess = if repeats { Guess::Nothing } else { guess };
-        Ok(SearchPlan {
-            start,
-            limits,
-            range,
-            is_least,
-            guess,
-            is_monotone: is_monotone && !repeats,
-            everywhere: look != Look::Towards,
-            enough: if look == Look::Around { EXACT } else { SECOND },
-        })
-    }
-}
-
 fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> Result<Amount, Error> {
     let (grasp, need) = (tried.grasp, tried.need);
     let tries = |amount: f64| tried.at(amount, demand);
@@ -235,7 +140,10 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
         }
     };
     let (does, does_not) = (bound.does, bound.does_not.0);
-    // More squeeze may move the part too far, whatever friction carries.
+    // More squeeze may move the part too far, whatever friction carries; where it does at a far squeeze, all are looked for.
+    if plan.is_monotone && is_squeeze && scan > 0 && plan.contains(FAR_FROM_START * does) {
+        tries(FAR_FROM_START * does)?;
+    }
     let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
     plan.is_monotone &= !plan.is_least || !tried.known(demand).iter().any(is_too_much);
     let otherwise = match &bound.does_not.1 {

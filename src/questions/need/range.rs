@@ -4,9 +4,9 @@
 //! W(x) to be unbalanced proves it for every amount with W(x)·v > 0. The interval is cut where this work vanishes. Friction widens the cones:
 //! coefficients have a least value.
 
+use super::loading::Loading;
 use super::posed::{Posed, Safety, Sought};
 use super::tolerances::{LAST_DIGITS, SAME_COEFFICIENT};
-use super::trial::Loading;
 use crate::ask::Grasp;
 use crate::error::Error;
 #[cfg(not(feature = "std"))]

@@ -2,8 +2,9 @@
 
 use core::f64::consts::TAU;
 
+use super::loading::Loading;
 use super::question::Demand;
-use super::trial::{Loading, NOT_AT_REST, Trial};
+use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Wrench};
 use crate::load_path::Leg;
@@ -22,8 +23,8 @@ impl<const C: usize> Loading<C> {
         let shaken = self.grasp.shake(base, &legs)?;
         let does = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
         Ok(match does {
-            Some(true) => Trial::Does { carried: f64::INFINITY },
-            Some(false) => Trial::DoesNot { says: self.said(&shaken), carried: carried(&shaken, legs.len()) },
+            Some(true) => Trial::always(),
+            Some(false) => Trial::does_not(self.said(&shaken), carried(&shaken, legs.len())),
             None => Trial::Unknown(self.said(&shaken)),
         })
     }

@@ -21,28 +21,32 @@ pub(super) struct Threshold {
 
 impl Threshold {
     /// This bracket narrowed to [`BESIDE_A_BOUND`].
-    pub(super) fn beside(self, tries: Tries<'_>, carried: Option<f64>) -> Result<Self, Error> {
-        self.narrowed(tries, carried, BESIDE_A_BOUND)
+    pub(super) fn beside(self, tries: Tries<'_>, does: [Option<f64>; 2]) -> Result<Self, Error> {
+        self.narrowed(tries, does, BESIDE_A_BOUND)
     }
 
-    /// This bracket narrowed by secants of the carried part minus 1, and by halving where that is unknown or jumps. `carried` belongs to the
-    /// sufficient amount.
+    /// This bracket narrowed by secants of a [measure](Trial::measures), and by halving where that is unknown, jumps or is rounding. The measures
+    /// `does` belong to the sufficient amount.
+    ///
+    /// The measure is the carried part until it jumps; then it is the other margin.
     pub(super) fn narrowed(
         mut self,
         tries: Tries<'_>,
-        carried: Option<f64>,
+        does: [Option<f64>; 2],
         enough: Enough,
     ) -> Result<Self, Error> {
-        let short = |trial: &Trial| trial.carried().map(|carried| carried - 1.0).filter(|x| x.is_finite());
-        let mut over = carried.map(|carried| carried - 1.0).filter(|x| x.is_finite());
-        let mut under = short(&self.does_not.1);
-        // The end that the last step moved, the least distance of the next trial from both ends relative to the amount, and the last three widths.
+        let mut sides = [Side::of(self.does, does), Side::of(self.does_not.0, self.does_not.1.measures())];
+        let is_at_rest = self.does_not.1.carried().is_some_and(|carried| carried <= 0.0);
+        let mut which = usize::from(is_at_rest && signs_differ(&sides, 1).is_some());
+        // The end that the last step moved, the least distance of the next trial from both ends relative to the amount, the last three widths, and the
+        // last root of a secant.
         let (mut kept, mut push, mut widths) = (None, 0.5 * LAST_DIGITS, [f64::INFINITY; 3]);
-        // `over` and `under` may be halved below; the last true values measure the fall of the carried part.
-        let falls =
-            |does: Option<f64>, does_not: Option<f64>| does.zip(does_not).map(|(over, under)| over - under);
-        let (mut last_over, mut last_under) = (over, under);
-        let (at_first, fall_at_first) = ((self.does_not.0 - self.does).abs(), falls(over, under));
+        let mut last_root = None;
+        let first = |sides: &[Side; 2], which: usize| {
+            let fall = signs_differ(sides, which).map(|[over, under]| over - under);
+            ((sides[1].at - sides[0].at).abs(), fall)
+        };
+        let mut at_first = first(&sides, which);
         // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; those past 120 only follow rounding.
         for step in 0..120 {
             let (from, to) = (self.does, self.does_not.0);
@@ -54,41 +58,47 @@ impl Threshold {
             }
             let is_slow = width > 0.125 * widths[step % 3];
             widths[step % 3] = width;
-            let secant =
-                over.zip(under).filter(|(over, under)| *over >= 0.0 && *under <= 0.0 && over > under);
-            let fall = falls(last_over, last_under).zip(fall_at_first);
-            // A linear part falls by 1/16 where the bracket is 1/16 as wide as the first. A quarter is a jump
-            // at the bound, where only halving helps.
-            let jumps = width <= 1.0 / 16.0 * at_first && fall.is_some_and(|(now, first)| now > 0.25 * first);
-            let at = match secant {
-                Some((over, under)) if !(jumps || step >= 3 && is_slow && kept.is_none()) => {
-                    let least = (push * from.abs().max(to.abs()) / width).min(0.5);
-                    from + (to - from) * (over / (over - under)).clamp(least, 1.0 - least)
-                }
-                _ => middle(from, to),
+            // A linear measure falls by 1/16 where the bracket is 1/16 as wide as the first. A quarter is a jump at the bound.
+            let jumps = |sides: &[Side; 2], which: usize| {
+                let now = signs_differ(sides, which).map(|[over, under]| over - under);
+                let falls = now.zip(at_first.1).is_some_and(|(now, first)| now > 0.25 * first);
+                width <= at_first.0 / 16.0 && falls
             };
+            let mut halves = jumps(&sides, which);
+            if halves && which == 0 && signs_differ(&sides, 1).is_some() {
+                (which, halves) = (1, false);
+                at_first = first(&sides, which);
+            }
+            let root = signs_differ(&sides, which).and_then(|[over, under]| {
+                let secant = || from + (to - from) * (over / (over - under));
+                // Of measures that rounding leaves on both sides a secant says nothing.
+                let root = || kept.and_then(|side: usize| sides[side].root(which)).unwrap_or_else(secant);
+                (over - under >= ROUNDING).then(root)
+            });
+            let at = match root.filter(|_| !(halves || step >= 3 && is_slow && kept.is_none())) {
+                Some(root) => {
+                    let moves = last_root.map_or(0.0, |last: f64| 1e-2 * (root - last).abs());
+                    let least = (push * from.abs().max(to.abs()) / width).min(0.5);
+                    // The next trial should fall on the other side of the root than the last.
+                    let beyond = (moves / width).max(least) * if kept == Some(1) { -1.0 } else { 1.0 };
+                    let beyond = if kept.is_some() { beyond } else { 0.0 };
+                    from + (to - from) * ((root - from) / (to - from) + beyond).clamp(least, 1.0 - least)
+                }
+                None => middle(from, to),
+            };
+            last_root = root;
             if at == from || at == to {
                 break;
             }
             let (at, now) = decided(tries, at, Some(width))?;
-            // Illinois: where the same end moves twice, the value at the other counts half, and the next trial keeps farther from both ends.
-            let is_over = now.does();
-            let again = kept == Some(is_over);
-            push = if again { 16.0 * push } else { 0.5 * LAST_DIGITS };
-            kept = if step % 4 == 3 && is_slow { None } else { Some(is_over) };
+            // Where the same end moves twice, the next trial keeps farther from both ends.
+            let side = usize::from(!now.does());
+            push = if kept == Some(side) { 16.0 * push } else { 0.5 * LAST_DIGITS };
+            kept = if step % 4 == 3 && is_slow { None } else { Some(side) };
+            sides[side].moves_to(at, now.measures());
             match now {
-                Trial::Does { .. } => {
-                    over = short(&now);
-                    last_over = over;
-                    under = under.map(|under| if again { 0.5 * under } else { under });
-                    self.does = at;
-                }
-                Trial::DoesNot { .. } => {
-                    under = short(&now);
-                    last_under = under;
-                    over = over.map(|over| if again { 0.5 * over } else { over });
-                    self.does_not = (at, now);
-                }
+                Trial::Does { .. } => self.does = at,
+                Trial::DoesNot { .. } => self.does_not = (at, now),
                 Trial::Unknown(why) => {
                     self.unknown = Some((at, why));
                     break;
@@ -98,6 +108,42 @@ impl Threshold {
         Ok(self)
     }
 }
+
+/// One end of a bracket with its measures, and the end before.
+struct Side {
+    at: f64,
+    measures: [Option<f64>; 2],
+    before: Option<(f64, [Option<f64>; 2])>,
+}
+
+impl Side {
+    const fn of(at: f64, measures: [Option<f64>; 2]) -> Self {
+        Self { at, measures, before: None }
+    }
+
+    fn moves_to(&mut self, at: f64, measures: [Option<f64>; 2]) {
+        self.before = Some((self.at, self.measures));
+        (self.at, self.measures) = (at, measures);
+    }
+
+    /// Where a measure vanishes, continued from two amounts on this side: its slope may differ on both sides of the bound.
+    fn root(&self, which: usize) -> Option<f64> {
+        let (before, measures) = self.before?;
+        let (now, then) = (self.measures[which]?, measures[which]?);
+        let is_nearer = now * then > 0.0 && now.abs() < then.abs();
+        is_nearer.then(|| self.at + (self.at - before) * (now / (then - now)))
+    }
+}
+
+/// A measure at the sufficient and at the insufficient end, if its sign differs by more than rounding.
+fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
+    let (over, under) = (sides[0].measures[which]?, sides[1].measures[which]?);
+    let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);
+    (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
+}
+
+/// The least difference of a measure between two amounts that is more than its rounding.
+const ROUNDING: f64 = 1e-11;
 
 /// The mean of two amounts, geometric where their ratio exceeds [`FAR_APART`].
 fn middle(from: f64, to: f64) -> f64 {

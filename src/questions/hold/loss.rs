@@ -1,0 +1,100 @@
+//! The loss of equilibrium, or the end of small motions, as an answer.
+
+use crate::contact::WEIGHTLESS;
+use crate::equilibrium::{ContactState, Equilibrium, TooFar};
+use crate::grasp::{Engine, WholeContact, WholeContacts};
+use crate::load_path::{Loss, LossKind};
+
+use super::verdict::Lost;
+use super::way_out::{WayOut, comes_apart, way_out};
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::prelude::*;
+
+impl Engine {
+    /// The loss of equilibrium at this multiple of the load.
+    pub(crate) fn lost(&self, factor: f64, loss: &Loss<3>, state: Option<Equilibrium<3>>) -> Lost<3> {
+        let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * state.largest_force());
+        let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
+        let presses = |i: usize| of(i).is_none_or(|contact| contact.force.norm() > weightless);
+        let touches =
+            |i: usize| presses(i) || of(i).is_some_and(|contact| contact.gap <= NEGLIGIBLE * self.length());
+        let at_its_edge = |i: usize| loss.contacts.iter().any(|contact| contact.index == i);
+        let sides = self.bodies().map(|bodies| &bodies.sides[..]);
+        let slides = |i: usize| at_its_edge(i) && presses(i);
+        let slides_out = |i: usize| {
+            let leaving = sides.zip(loss.motion.as_ref());
+            slides(i)
+                && leaving.is_none_or(|(sides, motion)| comes_apart(&self.contacts()[i], sides[i], motion))
+        };
+        let parts = WholeContacts::of(self.contacts());
+        let cups = if loss.kind == LossKind::LetsGo { self.cups_open(at_its_edge) } else { Vec::new() };
+        if !cups.is_empty() {
+            return Lost::without_vacuum(factor, cups, state);
+        }
+        Lost {
+            factor,
+            kind: loss.kind,
+            way_out: way_out(self.contacts(), sides, loss.motion.as_ref(), &touches),
+            too_far: None,
+            slide: parts.with(&slides_out),
+            falls_at_once: false,
+            then_takes: None,
+            snaps: false,
+            is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
+            drives: loss.drives.clone(),
+            motion: loss.motion.clone(),
+            state: state.map(Box::new),
+            nothing_near: None,
+        }
+    }
+
+    /// The end of small motions at this multiple of the load.
+    pub(super) fn gone_too_far(
+        &self,
+        factor: f64,
+        what: &TooFar,
+        state: Option<Equilibrium<3>>,
+        everything_slides: bool,
+    ) -> Lost<3> {
+        let slides = |i: usize| {
+            let contact = state.as_ref().map(|state| &state.contacts[i]);
+            contact.is_some_and(|contact| matches!(contact.state, ContactState::Sliding { .. }))
+        };
+        Lost {
+            factor,
+            kind: LossKind::TooFar,
+            way_out: WayOut::NotKnown,
+            too_far: Some(what.clone()),
+            slide: WholeContacts::of(self.contacts()).with(&slides),
+            is_gross_slip: everything_slides,
+            falls_at_once: false,
+            then_takes: None,
+            snaps: false,
+            drives: Vec::new(),
+            motion: None,
+            state: state.map(Box::new),
+            nothing_near: None,
+        }
+    }
+}
+
+impl<const C: usize> Lost<C> {
+    /// The loss of suction cups whose lips are open all around.
+    fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
+        Self {
+            factor,
+            kind: LossKind::LetsGo,
+            way_out: WayOut::LetsGo { cups },
+            too_far: None,
+            slide: Vec::new(),
+            is_gross_slip: false,
+            falls_at_once: false,
+            then_takes: None,
+            snaps: false,
+            drives: Vec::new(),
+            motion: None,
+            state: state.map(Box::new),
+            nothing_near: None,
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! The search for a sufficient amount between insufficient ones.
+
+use super::search::{SearchPlan, Tries};
+use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NEAR_DOUBLINGS};
+use super::trial::Trial;
+use crate::error::Error;
+use crate::numerics::increasing;
+use crate::prelude::*;
+
+/// A sufficient amount between insufficient ones, first where the largest part is carried, then in the middle of the widest gaps near the start.
+pub(super) fn refined(
+    tries: Tries<'_>,
+    plan: &SearchPlan,
+    begin: f64,
+    vain: &mut Vec<(f64, Trial)>,
+) -> Result<Option<(f64, Trial)>, Error> {
+    if let Some(does) = where_most_is_carried(tries, vain)? {
+        return Ok(Some(does));
+    }
+    let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
+    // Two halves of each gap: fewer leave windows of sufficient amounts in them unseen.
+    for _ in 0..4 * NEAR_DOUBLINGS {
+        let mut amounts: Vec<f64> = vain.iter().map(|(at, _)| *at).filter(|at| near(*at)).collect();
+        amounts.sort_by(f64::total_cmp);
+        let ratio = |pair: &[f64]| pair[1] / pair[0];
+        let Some(widest) = amounts.windows(2).max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { break };
+        let at = (widest[0] * widest[1]).sqrt();
+        let trial = tries(at)?;
+        if trial.does() {
+            return Ok(Some((at, trial)));
+        }
+        vain.push((at, trial));
+    }
+    Ok(None)
+}
+
+/// While contacts and drives keep their states, the carried part is a concave function of the squeeze. A golden section around the best trial finds
+/// its maximum, or ends where chords of such a function stay below 1.
+fn where_most_is_carried(
+    tries: Tries<'_>,
+    vain: &mut Vec<(f64, Trial)>,
+) -> Result<Option<(f64, Trial)>, Error> {
+    let known = vain.iter().filter_map(|(at, trial)| Some((*at, trial.carried()?)));
+    let (amounts, carried): (Vec<f64>, Vec<f64>) = known.unzip();
+    let in_order: Vec<_> = increasing(&amounts).into_iter().map(|i| (amounts[i], carried[i])).collect();
+    let carries_most = |i: &usize, j: &usize| in_order[*i].1.total_cmp(&in_order[*j].1);
+    let Some(best) = (0..in_order.len()).max_by(carries_most) else { return Ok(None) };
+    // Equal carried parts show no direction.
+    if in_order.iter().all(|(_, carried)| *carried == in_order[best].1) {
+        return Ok(None);
+    }
+    let mut ends = [best.saturating_sub(1), (best + 1).min(in_order.len() - 1)].map(|k| in_order[k]);
+    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let between = |from: f64, to: f64| from * (to / from).powf(golden);
+    let [low, high] = ends.map(|(at, _)| at);
+    let mut inner = [between(high, low), between(low, high)];
+    let mut parts = [None; 2];
+    // Each section leaves 0.618 of the logarithmic width, 40 leave 4e-9 of it; fewer miss narrow windows.
+    for _ in 0..40 {
+        for k in 0..2 {
+            if parts[k].is_none() {
+                let trial = tries(inner[k])?;
+                if trial.does() {
+                    return Ok(Some((inner[k], trial)));
+                }
+                parts[k] = Some(trial.carried().unwrap_or(f64::NEG_INFINITY));
+                vain.push((inner[k], trial));
+            }
+        }
+        let [(low, at_low), (high, at_high)] = ends;
+        let [one, other] = parts.map(|part| part.unwrap_or(f64::NEG_INFINITY));
+        // A concave function lies below its chords, continued.
+        let gap = inner[1] - inner[0];
+        let slope = (other - one) / gap;
+        let before = one + (-slope).max(0.0) * (inner[0] - low);
+        let beyond = other + slope.max(0.0) * (high - inner[1]);
+        let rising = one + (one - at_low) / (inner[0] - low) * gap;
+        let falling = other + (other - at_high) / (high - inner[1]) * gap;
+        let most = before.max(beyond).max(rising.min(falling));
+        if high - low <= LAST_DIGITS * high || slope.is_finite() && most < 1.0 {
+            break;
+        }
+        if one < other {
+            ends[0] = (inner[0], one);
+            (inner, parts) = ([inner[1], between(inner[0], high)], [parts[1], None]);
+        } else {
+            ends[1] = (inner[1], other);
+            (inner, parts) = ([between(inner[1], low), inner[0]], [None, parts[0]]);
+        }
+    }
+    Ok(None)
+}

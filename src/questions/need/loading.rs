@@ -1,0 +1,282 @@
+//! The trial of one amount: a grasp with the amount set, and the verdicts on its loads.
+
+use core::cell::Cell;
+use core::f64::consts::{PI, TAU};
+use core::fmt;
+
+use super::posed::{Posed, Safety, Sought};
+use super::question::Demand;
+use super::tolerances::MOST_LOADS;
+use super::trial::{NOT_AT_REST, Trial, Trials};
+use crate::ask::Grasp;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::hold::{Holding, Verdict};
+use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
+use crate::numerics::{mapped, numbered};
+use crate::prelude::*;
+use crate::squeeze::{Loads, WeakestDirection};
+use crate::words::Words;
+
+/// A grasp with an amount set, and its loads with their factor.
+pub(super) struct Loading<const C: usize> {
+    pub(super) grasp: Grasp<C>,
+    pub(super) loads: Loads<C>,
+    /// The load at rest, to which `times` does not apply.
+    pub(super) base: Wrench<C>,
+    /// Factor on `loads`.
+    pub(super) times: f64,
+    words: Words,
+    /// The multiple of the load up to which a path follows it.
+    followed: f64,
+}
+
+impl<const C: usize> Loading<C> {
+    /// The grasp and its loads with an amount of the sought quantity, friction and squeeze reduced and loads enlarged by `safety`.
+    pub(super) fn of(grasp: &Grasp<C>, need: &Posed<C>, amount: f64, safety: Safety) -> Result<Self, Error> {
+        let (friction, squeeze) = (1.0 - safety.lower[0], 1.0 - safety.lower[1]);
+        let (mut times, mut base, mut loads) = (safety.load, need.base, need.loads.clone());
+        let squeeze = if need.sought == Sought::Squeeze { squeeze * amount } else { squeeze };
+        let mut grasp = if squeeze == 1.0 { grasp.clone() } else { grasp.squeezed(squeeze)? };
+        match &need.sought {
+            Sought::Squeeze => {}
+            Sought::Friction { contacts } => {
+                let is_meant =
+                    |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));
+                grasp = grasp.with_friction(|i, mu| if is_meant(i, mu) { amount } else { mu })?;
+            }
+            Sought::Load => times *= amount,
+            Sought::Arm { at, per_metre } => loads = (*at + *per_metre * amount).into(),
+            Sought::Angle { turn } => loads = Loads::Turn(turn.up_to(amount)),
+            Sought::Force { of: Some(part) } => grasp = grasp.scaled(part, amount)?.1,
+            Sought::Force { of: None } => base = base * amount,
+        }
+        let grasp = if friction == 1.0 { grasp } else { grasp.with_friction(|_, mu| friction * mu)? };
+        let followed =
+            // The carried part of a sufficient amount shows its distance from the bound up to this multiple;
+            // a larger one costs longer paths.
+            if matches!(need.sought, Sought::Load) { MOST_LOADS / amount.max(1.0) } else { 32.0 };
+        let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
+        Ok(Self { grasp, loads, base, times, words: need.words, followed })
+    }
+
+    /// Loads that contact forces must balance for the amount to suffice: the load at rest, and its sum with each load. A force of any direction
+    /// counts along both senses of each axis, a turn at nine angles.
+    pub(super) fn to_balance(&self) -> Vec<Wrench<C>> {
+        let mut list = vec![self.base];
+        match &self.loads {
+            Loads::Each(loads) => list.extend(mapped(loads, &|load| self.base + *load * self.times)),
+            Loads::AnyForce { base, size, point } => {
+                for k in 0..2 * C {
+                    let mut force = [0.0; C];
+                    force[k / 2] = if k.is_multiple_of(2) { size * self.times } else { -size * self.times };
+                    list.push(self.base + *base * self.times + force_at(force, *point));
+                }
+            }
+            Loads::Turn(turn) => {
+                let turn = self.so_many(turn);
+                // Fewer angles leave the range of amounts wider, though still proved.
+                let parts = 8_u32;
+                list = (0..=parts)
+                    .map(|k| turn.load_at(turn.angle() * f64::from(k) / f64::from(parts)))
+                    .collect();
+            }
+        }
+        list
+    }
+
+    /// The trials of this loading. The load of index `first` comes first, and the index of a load that is not carried replaces it: as a rule that
+    /// load refutes the next amount with a single verdict.
+    pub(super) fn put_on(&self, demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
+        if demand.repeats() {
+            return Ok(Trials::only(demand, self.again_and_again(demand)?));
+        }
+        let (besides, times) = (self.base, self.times);
+        Ok(match &self.loads {
+            Loads::Each(loads) => {
+                let ramps: Vec<_> = mapped(loads, &|load| Ramp::load(besides, *load * times));
+                self.all(&ramps, demand, first)?
+            }
+            Loads::AnyForce { base, size, point } => {
+                let trial = self.any_force(*base * times, *size * times, *point, demand)?;
+                match (demand, &trial) {
+                    (Demand::Held, Some(Trial::Does { .. })) | (Demand::Sticks, _) => {
+                        Trials::only(demand, trial.unwrap_or_else(Trial::always))
+                    }
+                    _ => {
+                        // The constant load beside the force is put on first, on top of the load at rest.
+                        let force = |d: [f64; C]| force_at(d.map(|x| x * *size * times), *point);
+                        let loaded = besides + *base * times;
+                        let mut ramps = vec![Ramp::load(besides, *base * times)];
+                        for d in directions::<C>() {
+                            ramps.push(Ramp::load(loaded, force(d)));
+                        }
+                        Trials { sticks: None, ..self.all(&ramps, demand, first)? }
+                    }
+                }
+            }
+            Loads::Turn(turn) => Trials::only(demand, self.turn(&self.so_many(turn), demand)?),
+        })
+    }
+
+    /// The turn with its loads multiplied by `times`, plus the load at rest.
+    pub(super) fn so_many(&self, turn: &Turn<C>) -> Turn<C> {
+        let ([constant, cosine, sine], times) = (turn.parts(), self.times);
+        Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
+    }
+
+    /// The trials of these ramps, up to the first that is not carried.
+    fn all(&self, ramps: &[Ramp<C>], demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
+        let (mut held, mut sticks) = (Trial::always(), Trial::always());
+        for k in 0..ramps.len() {
+            let which = (first.get() + k) % ramps.len();
+            let (verdict, farthest) = self.grasp.hold_and_measure(ramps[which].clone())?;
+            held = held.or_worse(self.judged((&verdict, 1.0 - farthest), Demand::Held));
+            let at_rest = self.grasp.sticking_margin(&verdict.base).unwrap_or(f64::INFINITY);
+            sticks = sticks.or_worse(self.judged((&verdict, at_rest), Demand::Sticks));
+            let wanted = if demand == Demand::Sticks { &sticks } else { &held };
+            if let Trial::DoesNot { .. } = wanted {
+                first.set(which);
+                // A load that is not held slides, too. Where one slides before all were tried, holding stays open.
+                let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
+                return Ok(Trials { held, sticks: Some(sticks) });
+            }
+        }
+        Ok(Trials { held: Some(held), sticks: Some(sticks) })
+    }
+
+    /// Whether everything sticks under a force of any direction, and without it at rest and under `load`. `None` where something slides and the
+    /// demand allows it.
+    fn any_force(
+        &self,
+        load: Wrench<C>,
+        size: f64,
+        point: [f64; C],
+        demand: Demand,
+    ) -> Result<Option<Trial>, Error> {
+        let base = &(self.base + load);
+        let verdict = self.grasp.hold(Ramp::load(self.base, load))?;
+        let at_rest = self.judged((&verdict, f64::INFINITY), Demand::Sticks);
+        if !at_rest.does() {
+            return Ok((demand == Demand::Sticks).then_some(match at_rest {
+                Trial::DoesNot { says, carried, .. } => Trial::does_not(says, carried - 1.0),
+                other => other,
+            }));
+        }
+        Ok(Some(match self.grasp.weakest_direction(base, point)? {
+            WeakestDirection::Never => Trial::always(),
+            WeakestDirection::Force { size: most, .. } if most >= size => {
+                Trial::carries(most / size)
+            }
+            WeakestDirection::Force { .. } if demand != Demand::Sticks => return Ok(None),
+            WeakestDirection::Force { load, size: most, .. } => {
+                let first = self.grasp.hold(Ramp::load(*base, load - *base))?;
+                let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| self.said(&first));
+                Trial::does_not(format!("{who} under a force of one direction"), most / size)
+            }
+            WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
+            // No closed form compares directions where a force closes an open contact.
+            WeakestDirection::NotSticking => Trial::Unknown(
+                "a contact is open or at its edge before the force acts, and directions are compared only where all of \
+                 them press"
+                    .to_owned(),
+            ),
+            WeakestDirection::Undecided => {
+                Trial::Unknown("rounding keeps the weakest direction from being told".to_owned())
+            }
+        }))
+    }
+
+    pub(super) fn said(&self, what: &impl fmt::Display) -> String {
+        let digits = self.words.digits();
+        format!("{what:.digits$}")
+    }
+
+    /// A trial from its verdict and another margin: that of small motions for holding, that at rest for sticking.
+    fn judged(&self, (verdict, other): (&Verdict<C>, f64), demand: Demand) -> Trial {
+        let does = match demand {
+            Demand::Sticks => verdict.sticks(),
+            _ => verdict.holds(),
+        };
+        match does {
+            Some(true) => {
+                let lost = verdict.lost.as_ref().map(|lost| lost.factor);
+                // A path that ended before the limit without a loss carries at least the load reached.
+                let held = lost.or((verdict.held_to < self.followed).then_some(verdict.held_to));
+                let slides = verdict.first_slip.as_ref().map(|first| first.factor);
+                let carried = if demand == Demand::Sticks { slides.or(held) } else { held };
+                let carried = carried.map_or(f64::INFINITY, |carried| carried.max(1.0));
+                Trial::Does { carried, other }
+            }
+            Some(false) => {
+                let (says, part) = match (&verdict.first_slip, verdict.holds()) {
+                    (Some(first), Some(true)) => (self.said(first), first.factor),
+                    _ => (self.said(verdict), verdict.held_to),
+                };
+                let first_slip = verdict.first_slip.as_ref().map_or(part, |first| first.factor);
+                let carried = match &verdict.holding {
+                    Holding::NoRest(_) => NOT_AT_REST,
+                    Holding::LostAtRest { at_rest } => at_rest.factor - 1.0,
+                    _ if demand == Demand::Sticks => part.min(first_slip),
+                    _ => part,
+                };
+                Trial::DoesNot { says, carried, other }
+            }
+            None => Trial::Unknown(self.said(verdict)),
+        }
+    }
+
+    fn turn(&self, turn: &Turn<C>, demand: Demand) -> Result<Trial, Error> {
+        let degrees = |angle: f64| self.words.angle(angle);
+        let part_of_it = |says: String, angle: f64| Trial::does_not(says, angle / turn.angle());
+        if demand == Demand::Sticks {
+            return Ok(match self.grasp.onset_of_turn(turn)?.onset {
+                Onset::Never => Trial::always(),
+                Onset::Undecided(undecided) => Trial::Unknown(self.said(&undecided)),
+                Onset::At(event) => {
+                    part_of_it(format!("something slides at {}", degrees(event.factor)), event.factor)
+                }
+                Onset::GivesWay { factor, .. } => {
+                    part_of_it(format!("it gives way at {}", degrees(factor)), factor)
+                }
+                Onset::AlreadySliding(_) => Trial::nothing("something slides before it turns"),
+                Onset::NoBase(none) => Trial::does_not(self.said(&none), NOT_AT_REST),
+            });
+        }
+        let mut path = self.grasp.follow(&turn.load_at(0.0), &[Leg::turn(turn)])?;
+        path.run_while_small();
+        if let Some(end) = path.end_of_small_motions() {
+            let angle = end.fraction * turn.angle();
+            return Ok(part_of_it(format!("from {} on {}", degrees(angle), end.what), angle));
+        }
+        Ok(match path.end() {
+            Some(PathEnd::Completed) => Trial::always(),
+            Some(PathEnd::Lost(loss)) => {
+                let angle = loss.fraction * turn.angle();
+                part_of_it(format!("it is lost at {}", degrees(angle)), angle)
+            }
+            Some(end @ PathEnd::NoStart(_)) => Trial::does_not(self.said(end), NOT_AT_REST),
+            Some(end @ PathEnd::Undecided { .. }) => Trial::Unknown(self.said(end)),
+            None => Trial::Unknown("the path has no end".to_owned()),
+        })
+    }
+}
+
+/// The wrench of a force (N) at a point (m), with its moment about the origin.
+pub(super) fn force_at<const C: usize>(force: [f64; C], point: [f64; C]) -> Wrench<C> {
+    Wrench::force_through(&point.into(), &force.into())
+}
+
+/// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
+fn directions<const C: usize>() -> Vec<[f64; C]> {
+    // A loss has no closed form over directions, and fewer of them can pass over the weakest.
+    let count = if C == 2 { 72 } else { 200 };
+    let golden = PI * (3.0 - 5.0_f64.sqrt());
+    let direction = |k: usize| {
+        let z = 1.0 - (2 * k + 1) as f64 / count as f64;
+        let (radius, angle) = if C == 2 { (1.0, TAU / count as f64) } else { ((1.0 - z * z).sqrt(), golden) };
+        let (sin, cos) = (angle * k as f64).sin_cos();
+        core::array::from_fn(|a| [radius * cos, radius * sin, z][a])
+    };
+    numbered(count, &direction)
+}
