@@ -53,11 +53,15 @@ fn fields(page: &mut String, of: &Value) {
         if field["properties"].is_object() {
             let mut own = String::new();
             fields(&mut own, field);
-            own.lines().for_each(|line| writeln!(page, "  {line}").expect("text"));
+            for line in own.lines() {
+                writeln!(page, "  {line}").expect("text");
+            }
         }
     }
     for several in ["oneOf", "anyOf"] {
-        of[several].as_array().into_iter().flatten().for_each(|variant| fields(page, variant));
+        for variant in of[several].as_array().into_iter().flatten() {
+            fields(page, variant);
+        }
     }
 }
 

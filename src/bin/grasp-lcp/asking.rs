@@ -260,7 +260,9 @@ impl<const C: usize> Meaning<C> {
             (wrench, times) => (wrench.or(base.map(|_| Wrench::ZERO)), times.unwrap_or(1.0)),
         };
         let (base, mut together_with) = (self.base(base, load.at.as_ref())?, self.together_with(load)?);
-        together_with.values_mut().for_each(|load| *load = *load * times);
+        for load in together_with.values_mut() {
+            *load = *load * times;
+        }
         Ok(wrench.map(|load| Question::Hold { base, load: load * times, together_with }))
     }
 

@@ -133,7 +133,7 @@ impl<const C: usize> Meaning<C> {
         let table = bytes(path, "a table of slips, numbers separated by commas")?;
         let text = std::str::from_utf8(&table).map_err(|error| {
             let read = &table[..error.valid_up_to()];
-            let line = read.iter().filter(|byte| **byte == b'\n').count();
+            let line = read.split(|byte| *byte == b'\n').count() - 1;
             refused(line, "no UTF-8: the table must be saved as UTF-8".to_owned())
         })?;
         let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
