@@ -51,17 +51,17 @@
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```
 
+mod closing;
 mod edges;
 mod mesh_file;
 mod pad;
 mod part;
 mod rays;
-mod touch;
 mod touched;
 mod unit;
 
+pub use closing::Touch;
 pub use pad::Pad;
 pub use part::Part;
-pub use touch::Touch;
 pub use touched::Touched;
 pub use unit::Unit;
