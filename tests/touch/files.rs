@@ -7,10 +7,11 @@ use grasp_lcp::touch::{Part, Unit};
 
 use crate::shapes::{Mesh, bracket};
 
+#[expect(clippy::cast_possible_truncation, reason = "such a file is in single precision")]
 fn binary_stl((corners, faces): &Mesh) -> Vec<u8> {
     let mut bytes = b"solid in spite of its first word".to_vec();
     bytes.resize(80, b' ');
-    bytes.extend((faces.len() as u32).to_le_bytes());
+    bytes.extend(u32::try_from(faces.len()).expect("few").to_le_bytes());
     for face in faces {
         bytes.extend([0; 12]);
         for x in face.iter().flat_map(|corner| corners[*corner]) {

@@ -34,7 +34,7 @@ fn force(touched: &Touched) -> f64 {
     forces(touched).iter().map(|force| force[0]).sum()
 }
 
-/// Three points across the half width suffice for 1 %; more are better.
+/// Six points across the width, and 26.
 #[test]
 fn a_flat_pad_on_a_fine_shaft() {
     let shaft = part(&round(RADIUS, 3000, 0.08));

@@ -65,11 +65,8 @@ impl Part {
                 }
             }
         }
-        Self::of_corners(
-            &corners,
-            &Vec::from_iter((0..corners.len() / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2])),
-            unit,
-        )
+        let faces: Vec<[usize; 3]> = (0..corners.len() / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        Self::of_corners(&corners, &faces, unit)
     }
 
     /// A part from the text of an OBJ, with lengths in this unit. Polygons are cut into triangles from their first corner; all objects are one part.
@@ -84,12 +81,14 @@ impl Part {
                 Some("v") => corners.push(three(words, index)?),
                 Some("f") => {
                     let of_face = words.map(|word| {
-                        let number = word.split('/').next().and_then(|first| first.parse::<i64>().ok());
+                        let number = word.split('/').next().and_then(|first| first.parse::<isize>().ok());
                         // Numbers count from 1, or backwards from the last corner so far.
-                        let place = number.map(|n| if n < 0 { n + corners.len() as i64 } else { n - 1 });
-                        place
-                            .and_then(|place| usize::try_from(place).ok())
-                            .ok_or_else(|| on_line(index, "a face"))
+                        let place = number.and_then(|n| match n {
+                            0 => None,
+                            n if n > 0 => Some(n.unsigned_abs() - 1),
+                            n => corners.len().checked_sub(n.unsigned_abs()),
+                        });
+                        place.ok_or_else(|| on_line(index, "face"))
                     });
                     let of_face = of_face.collect::<Result<Vec<usize>, _>>()?;
                     faces.extend(of_face.windows(2).skip(1).map(|pair| [of_face[0], pair[0], pair[1]]));
@@ -108,13 +107,11 @@ impl Part {
 
 fn three<'t>(words: impl Iterator<Item = &'t str>, index: usize) -> Result<[f64; 3], Error> {
     let numbers: Vec<f64> = words.take(3).map_while(|word| word.parse().ok()).collect();
-    numbers.try_into().map_err(|_| on_line(index, "a corner"))
+    numbers.try_into().map_err(|_| on_line(index, "corner"))
 }
 
 fn on_line(index: usize, what: &str) -> Error {
-    Error::Mesh {
-        fault: format!("line {}: is no {what} with its numbers", index + 1).replace("no a ", "no "),
-    }
+    Error::Mesh { fault: format!("line {}: is no {what} with its numbers", index + 1) }
 }
 
 fn fault(fault: &str) -> Error {

@@ -23,8 +23,8 @@
 //! # How many points
 //!
 //! On a flat face the points have the sums of the uniform pad (see [`SoftFingertip`](crate::grasp::SoftFingertip)), from one strip on. On a cylinder of
-//! radius R, pressed in by δ, a flat pad of length L touches over the half width `√(2Rδ)` and presses with `4/3 K L δ √(2Rδ)`. With three
-//! points across this half width the force is right to 1 %. A mesh of n sides differs from its cylinder by the depth `R (1 - cos(π/n))`, which should
+//! radius R, pressed in by δ, a flat pad of length L touches over the half width `√(2Rδ)` and presses with `4/3 K L δ √(2Rδ)`. With six
+//! points across the whole of this width the force is right to 2 %, with 26 to 0.1 %; the report `from_mesh` prints it. A mesh of n sides differs from its cylinder by the depth `R (1 - cos(π/n))`, which should
 //! be small beside δ.
 //!
 //! ```
@@ -51,17 +51,17 @@
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```
 
+mod closing;
 mod edges;
 mod mesh_file;
 mod pad;
 mod part;
 mod rays;
-mod touch;
 mod touched;
 mod unit;
 
+pub use closing::Touch;
 pub use pad::Pad;
 pub use part::Part;
-pub use touch::Touch;
 pub use touched::Touched;
 pub use unit::Unit;

@@ -124,7 +124,9 @@ impl Pad {
             let offset = Vector3::new(height, offset[1], offset[2]);
             points.push(PadPoint { offset, facing, share: share * length });
         }
-        points.iter_mut().for_each(|point| point.share /= stretch);
+        for point in &mut points {
+            point.share /= stretch;
+        }
         let flat = match outline {
             Outline::Rectangle([one, other]) => one * other,
             Outline::Disc(radius) => PI * radius * radius,

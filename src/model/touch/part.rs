@@ -64,7 +64,9 @@ impl Part {
         let mut part = Self { triangles, size, bounds, solid: None, mass: None };
         part.solid = part.volume_and_centre();
         if part.solid.is_some_and(|(volume, _)| volume < 0.0) {
-            part.triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+            for triangle in &mut part.triangles {
+                triangle.swap(1, 2);
+            }
             part.solid = part.solid.map(|(volume, centre)| (-volume, centre));
         }
         Ok(part)
