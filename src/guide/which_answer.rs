@@ -44,7 +44,7 @@
 //!
 //! ```
 //! use grasp_lcp::load_path::{Leg, PathEnd};
-//! use grasp_lcp::planar::{Contact, Grasp, Wrench};
+//! use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
 //!
 //! // Three fingers under a body of 5 N, which is pulled sideways. The middle one carries least.
 //! let finger = |x: f64, press: f64| {
@@ -58,7 +58,7 @@
 //! let onset = grasp.onset(Ramp::load(weight, pull))?.factor();
 //! assert!(onset.is_some_and(|factor| (factor - 1.5).abs() < 1e-12));
 //! // … but the others hold until friction is used up everywhere: 0.5 · 5 N.
-//! let mut path = grasp.follow(&weight, &[Leg::load_by(Wrench::force([10.0, 0.0]))])?;
+//! let mut path = grasp.follow(weight, &[Leg::load_by(Wrench::force([10.0, 0.0]))])?;
 //! path.run();
 //! let Some(PathEnd::Lost(loss)) = path.end() else { panic!("something gives way") };
 //! assert!((10.0 * loss.fraction - 2.5).abs() < 1e-12);

@@ -185,7 +185,7 @@ fn a_force_of_any_direction_beside_a_weight_that_is_not_held() -> Tested {
     let needed = pinch.with_friction(|_, _| 0.0)?.need(&Need::squeeze(loads))?;
     assert!(matches!(needed.amount, Amount::None { .. }), "{needed}");
     assert!(
-        needed.to_string().contains("the squeeze given: SLIPS OUT at once, under any part of 12 N"),
+        needed.to_string().contains("the squeeze given: DROPS at once, under any part of 12 N"),
         "{needed}"
     );
     Ok(())
