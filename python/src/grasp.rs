@@ -129,14 +129,11 @@ where
 {
     fn drawn(&self, state: Option<&str>, title: &str, page: bool) -> PyResult<Option<String>> {
         let Some(grasp) = &self.grasp else { return Ok(None) };
-        let state = match state {
-            Some(text) => {
-                Some(serde_json::from_str::<Equilibrium<C>>(text).map_err(|error| of_json("state", &error))?)
-            }
-            None => {
-                let rest = grasp.with(&self.setup.settings).solve(&Wrench::ZERO).map_err(refused)?;
-                rest.equilibrium().cloned()
-            }
+        let state = if let Some(text) = state {
+            Some(serde_json::from_str::<Equilibrium<C>>(text).map_err(|error| of_json("state", &error))?)
+        } else {
+            let rest = grasp.with(&self.setup.settings).solve(Wrench::ZERO).map_err(refused)?;
+            rest.equilibrium().cloned()
         };
         let Some(state) = state else { return Ok(None) };
         if page { self.page(&state, title) } else { self.svg(&state, title).map(Some) }

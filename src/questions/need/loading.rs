@@ -243,7 +243,7 @@ impl<const C: usize> Loading<C> {
                 Onset::NoBase(none) => Trial::does_not(self.said(&none), NOT_AT_REST),
             });
         }
-        let mut path = self.grasp.follow(&turn.load_at(0.0), &[Leg::turn(turn)])?;
+        let mut path = self.grasp.follow(turn.load_at(0.0), &[Leg::turn(turn)])?;
         path.run_while_small();
         if let Some(end) = path.end_of_small_motions() {
             let angle = end.fraction * turn.angle();
