@@ -133,14 +133,6 @@ impl<const C: usize> Fingertip<C> {
         self.soft.is_some() || self.cup.is_some()
     }
 
-    /// Whether it touches a part whose mesh is not read yet.
-    pub(super) fn awaits_its_part(&self) -> bool {
-        #[cfg(feature = "mesh")]
-        return self.touches.as_ref().is_some_and(|touches| touches.part.is_none());
-        #[cfg(not(feature = "mesh"))]
-        false
-    }
-
     /// Number of point contacts of the patch; 1 for a point.
     pub(super) fn count(&self) -> Result<usize, Error> {
         #[cfg(feature = "mesh")]

@@ -184,8 +184,9 @@ impl<const C: usize> Setup<C> {
         self.part.as_ref()?.read.as_deref()
     }
 
-    /// Refuses pads without a part, and a part in the plane.
-    pub(super) fn check_part(&self) -> Result<(), String> {
+    /// Refuses pads without a part, and a part in the plane. Returns whether all contacts have their points: those of pads are found once the mesh is
+    /// read.
+    pub(super) fn check_part(&self) -> Result<bool, String> {
         let touches = self.entries().position(|entry| entry.touches.is_some());
         match (&self.part, touches) {
             (None, Some(contact)) => {
@@ -195,7 +196,7 @@ impl<const C: usize> Setup<C> {
             (Some(part), _) if part.mass.is_some() && part.density.is_some() => {
                 Err("part: mass and density given, must be one of them".to_owned())
             }
-            _ => Ok(()),
+            _ => Ok(touches.is_none()),
         }
     }
 

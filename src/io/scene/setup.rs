@@ -117,8 +117,10 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
                 return Err(Error::EmptyGrasp.to_string());
             }
             #[cfg(feature = "mesh")]
-            setup.check_part()?;
-            if setup.is_complete() && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
+            let has_points = setup.check_part()?;
+            #[cfg(not(feature = "mesh"))]
+            let has_points = true;
+            if has_points && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
                 // The numbers of joints depend on their contacts, and are checked with the grasp.
                 setup.grasp().map(drop).map_err(|error| error.to_string())?;
             }
@@ -183,11 +185,6 @@ impl<const C: usize> Setup<C> {
     pub fn with_settings(mut self, settings: Settings) -> Self {
         self.settings = settings;
         self
-    }
-
-    /// Whether all contacts have their points: pads that touch a part have them once its mesh is read.
-    fn is_complete(&self) -> bool {
-        self.entries().all(|entry| !entry.awaits_its_part())
     }
 
     /// All contacts, those of fingers behind the others. The index of an entry is that of the contact in questions and answers.
