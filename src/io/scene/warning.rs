@@ -225,19 +225,9 @@ impl fmt::Display for Warning {
                 words.number(*pressed)
             ),
             #[cfg(feature = "mesh")]
-            Self::MissesInPart { name, missing, .. } => write!(
-                f,
-                "{} misses the part with {} % of its pad: the rest carries all of its force",
-                printable(name),
-                words.number(100.0 * missing)
-            ),
+            Self::MissesInPart { name, missing, .. } => misses(f, words, name, *missing),
             #[cfg(feature = "mesh")]
-            Self::OverAnEdge { name, angle, .. } => write!(
-                f,
-                "{} lies over an edge: pad and part meet at up to {}°, more than friction bridges",
-                printable(name),
-                words.number(*angle)
-            ),
+            Self::OverAnEdge { name, angle, .. } => lies_over_an_edge(f, words, name, *angle),
             Self::OnePlace { names, .. } => write!(
                 f,
                 "{} are in one place, with parallel normals: a finger that is there twice is twice as stiff",
@@ -265,6 +255,22 @@ impl fmt::Display for Warning {
             ),
         }
     }
+}
+
+#[cfg(feature = "mesh")]
+fn misses(f: &mut fmt::Formatter<'_>, words: Words, name: &str, missing: f64) -> fmt::Result {
+    let percent = words.number(100.0 * missing);
+    write!(
+        f,
+        "{} misses the part with {percent} % of its pad: the rest carries all of its force",
+        printable(name)
+    )
+}
+
+#[cfg(feature = "mesh")]
+fn lies_over_an_edge(f: &mut fmt::Formatter<'_>, words: Words, name: &str, angle: f64) -> fmt::Result {
+    let (name, angle) = (printable(name), words.number(angle));
+    write!(f, "{name} lies over an edge: pad and part meet at up to {angle}°, more than friction bridges")
 }
 
 /// A list of the names of contacts.
