@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{HandPart, Wrench};
-use grasp_lcp::load_path::{EdgeOf, Leg, Touch, Turn};
+use grasp_lcp::load_path::{EdgeOf, EdgeTouch, Leg, Turn};
 use grasp_lcp::planar::hand::{self, Hand, Joint};
 use grasp_lcp::scene::{
     Answer, Answers, Fingertip, OnsetAnswer, PathOutcome, Question, Scene, Setup, TurnAnswer,
@@ -192,7 +192,7 @@ fn a_limit_that_is_touched_is_told_by_its_joint() -> Tested {
     let [Answer::OnsetOfTurn(TurnAnswer { onset: OnsetAnswer::Never, touches, .. })] = &answers[..] else {
         return Err(format!("{answers:?}").into());
     };
-    let joint = |touch: &Touch| match &touch.of {
+    let joint = |touch: &EdgeTouch| match &touch.of {
         EdgeOf::Drive(part) => Some(part.part),
         _ => None,
     };

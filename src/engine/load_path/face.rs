@@ -12,11 +12,11 @@ use super::onset_margins::Leaver;
 use super::ramp::Ramp;
 use super::sensitivity::Derivative;
 use super::stepped::Step;
-use super::turn::{Touch, Turn};
+use super::turn::{EdgeTouch, Turn};
 use super::turn_questions::TurnOnset;
 use crate::grasp::{Coordinates, Face, face_of_enum, face_of_struct, same_on_both_sides};
 
-same_on_both_sides! { Coordinates, Leaver, LossKind, PartChange, StickingState, Touch }
+same_on_both_sides! { Coordinates, Leaver, LossKind, PartChange, StickingState, EdgeTouch }
 
 face_of_struct! {
     Continuation { states, force_rates, twist_rate, rule }

@@ -130,7 +130,7 @@ pub use small_motions::EndOfSmallMotions;
 pub use stepped::Step;
 #[cfg(feature = "serde")]
 pub(crate) use stepped::check_leg_error;
-pub use turn::{EdgeOf, Touch, Turn};
+pub use turn::{EdgeOf, EdgeTouch, Turn};
 pub use turn_questions::TurnOnset;
 #[cfg(feature = "serde")]
 pub(crate) use whole_change::whole_changes;

@@ -15,7 +15,7 @@ use super::ramp::Ramp;
 use super::segment::Segment;
 use super::sticking_path::StickingPath;
 use super::trajectory::Trajectory;
-use super::turn::Touch;
+use super::turn::EdgeTouch;
 use super::turn_questions::TurnOnset;
 use crate::contact::State;
 use crate::equilibrium::{AnswerFor, Equilibrium, Outcome};
@@ -97,7 +97,7 @@ impl Engine {
         let mut walk =
             StickingPath { segment, course, end, settings, rule, factor: 0.0, touches: Vec::new() };
         let onset = walk.run(found.states);
-        let touch = |(site, angle)| Some(Touch { of: self.edge_of(site)?, angle });
+        let touch = |(site, angle)| Some(EdgeTouch { of: self.edge_of(site)?, angle });
         TurnOnset { onset, touches: walk.touches.into_iter().filter_map(touch).collect() }
     }
 

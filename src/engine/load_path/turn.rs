@@ -245,7 +245,7 @@ pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vec
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Touch {
+pub struct EdgeTouch {
     /// The contact or drive that touches its edge.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,

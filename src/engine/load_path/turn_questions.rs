@@ -7,7 +7,7 @@ use super::first_to_leave::{WhileTurning, first_to_leave_on_turn};
 use super::onset::Onset;
 use super::onset_workspace::OnsetMemory;
 use super::trajectory::Trajectory;
-use super::turn::{Touch, Turn};
+use super::turn::{EdgeTouch, Turn};
 use crate::error::Error;
 use crate::grasp::Engine;
 use crate::prelude::*;
@@ -21,7 +21,7 @@ pub struct TurnOnset<const C: usize> {
     pub onset: Onset<C>,
     /// Contacts that come as near to the edge of their cone as rounding, without crossing it, up to the onset. If there are any, the last digits of
     /// the question may make one of them the onset.
-    pub touches: Vec<Touch>,
+    pub touches: Vec<EdgeTouch>,
 }
 
 impl Engine {

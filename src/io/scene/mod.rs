@@ -396,7 +396,7 @@ pub use held::{HoldAnswer, IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakeAnswe
 pub use link::LinkSetup;
 pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 #[cfg(feature = "mesh")]
-pub use part::{Layer, PartSetup, Touches};
+pub use part::{PadLayer, PartSetup, Touches};
 pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::Question;

@@ -7,8 +7,8 @@ use crate::ask::Grasp;
 use crate::equilibrium::{Doubt, Equilibrium, NoEquilibrium, Undecided, WorkDone};
 use crate::grasp::Wrench;
 use crate::load_path::{
-    self as path, Beyond, Change, ContactChange, Departure, EdgeOf, Leaving, PadChange, PartChange, Touch,
-    WholeChange, whole_changes,
+    self as path, Beyond, Change, ContactChange, Departure, EdgeOf, EdgeTouch, Leaving, PadChange,
+    PartChange, WholeChange, whole_changes,
 };
 use crate::serial::AsComputed;
 
@@ -134,7 +134,7 @@ pub struct TurnAnswer<const C: usize> {
     #[serde(flatten)]
     pub onset: OnsetAnswer<C, Angle>,
     /// Contacts and drives that touch their edge up to rounding without crossing it, before the onset.
-    pub touches: Vec<Touch>,
+    pub touches: Vec<EdgeTouch>,
 }
 
 impl SceneNames {

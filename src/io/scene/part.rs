@@ -60,7 +60,7 @@ pub struct Touches {
     pub closing: [f64; 3],
     /// Its elastic layer, in place of a stiffness of the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub layer: Option<Layer>,
+    pub layer: Option<PadLayer>,
     /// The part once its mesh is read.
     #[serde(skip)]
     pub part: Option<Arc<Part>>,
@@ -70,7 +70,7 @@ pub struct Touches {
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub struct Layer {
+pub struct PadLayer {
     /// Young's modulus, Pa.
     pub modulus: f64,
     /// Thickness, m.

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::error::{Error, is_moderate};
 
 /// Corners of a triangle, m, counterclockwise as seen from outside.
-pub(super) type Triangle = [Vector3<f64>; 3];
+pub(super) type Corners = [Vector3<f64>; 3];
 
 /// The area vectors of a closed surface add up to zero; of one that is taken as closed, to this part of the area at most. Single precision, in which
 /// binary STL has its corners, is three digits below.
@@ -20,7 +20,7 @@ const OPEN: f64 = 1e-4;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
-    pub(super) triangles: Vec<Triangle>,
+    pub(super) triangles: Vec<Corners>,
     /// Length of the diagonal of the bounding box, m.
     pub(super) size: f64,
     bounds: [Vector3<f64>; 2],
