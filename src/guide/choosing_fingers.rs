@@ -19,7 +19,7 @@
 //!
 //! ```text
 //! $ grasp-lcp improve disc.json
-//! FIRST SLIP at 13.4164 N instead of 10.8291 N: index moves 5.99153 mm along its circle and middle 5.99153 mm along its circle; all press with 10 N. Nothing nearby is better to first order, as thumb and middle leave first, within the greatest force of thumb, the greatest force of index and the greatest force of middle
+//! FIRST SLIP at 13.4164 N instead of 10.8291 N: index moves 5.99153 mm along its circle and middle 5.99153 mm along its circle; all press with 10 N. Nothing nearby is better to first order, as thumb, index and middle leave first, within the greatest force of thumb, the greatest force of index and the greatest force of middle
 //! ```
 //!
 //! The optimum has the fingers at thirds of the circle, wherever the first of them is. The least force that slides is `3 N sin α`, with the friction
