@@ -1,12 +1,12 @@
 //! Many grasps of equally many contacts, laid out so that several are screened at once.
 
+use super::batch_part::BatchPart;
 use super::block::Layout;
 use super::fingers::Fingers;
 use super::gradient::GradientOf;
 use super::kernels::{Kernel, Kernels};
 use super::lanes::{LANES, Lanes, Packed};
 use super::load_cases::LoadCases;
-use super::part::Part;
 use super::pull::Pull;
 use super::question::ScreeningQuestion;
 use super::screened::{Screened, ScreenedTurn};
@@ -204,14 +204,14 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         questions: &'a [Q],
         blocks: usize,
         answers: &'a mut Vec<Q::Answer>,
-    ) -> impl Iterator<Item = Part<'a, C, Q>> {
+    ) -> impl Iterator<Item = BatchPart<'a, C, Q>> {
         // Every slot is written later, so that old answers need not be wiped.
         let of_grasp = questions.len() * Q::answers(N);
         answers.resize(self.len * of_grasp, Q::UNKNOWN);
         let (blocks, [numbers, parted]) = (blocks.max(1), Self::SIZES);
         let places = answers.chunks_mut((blocks * LANES * of_grasp).max(1));
         let parts = self.numbers.chunks(blocks * numbers).zip(self.parted.chunks(blocks * parted));
-        parts.zip(places).map(move |((numbers, parted), answers)| Part {
+        parts.zip(places).map(move |((numbers, parted), answers)| BatchPart {
             contacts: N,
             numbers,
             parted,

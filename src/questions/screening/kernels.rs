@@ -5,10 +5,10 @@
 
 use core::any::Any;
 
+use super::batch_part::{BatchPart, screen};
 use super::gradient::GradientOf;
 use super::load_cases::LoadCases;
 use super::one_grasp::OneGrasp;
-use super::part::{Part, screen};
 use super::pull::Pull;
 use super::question::ScreeningQuestion;
 use super::turning_pull::TurningPull;
@@ -29,7 +29,7 @@ pub(super) struct Kernels<const C: usize> {
 /// One question, for one grasp and for a batch.
 pub(super) struct Kernel<const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) one: fn(&OneGrasp<C>, &Q, &mut [Q::Answer]),
-    pub(super) many: fn(Part<'_, C, Q>),
+    pub(super) many: fn(BatchPart<'_, C, Q>),
 }
 
 // Each is a static of its own, so that a program for a small controller links only the one that it uses.

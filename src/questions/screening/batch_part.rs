@@ -10,7 +10,7 @@ use super::springs::StickingSprings;
 use crate::numerics::{OnVectors, Vectors, on_the_widest};
 
 /// Scenes, the questions about them, and the slots for their answers.
-pub(super) struct Part<'a, const C: usize, Q: ScreeningQuestion<C>> {
+pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) contacts: usize,
     /// Laid out as in [`Block`], block after block.
     pub(super) numbers: &'a [Lanes],
@@ -21,11 +21,11 @@ pub(super) struct Part<'a, const C: usize, Q: ScreeningQuestion<C>> {
 }
 
 /// Answers the questions for a part.
-pub(super) fn screen<const C: usize, Q: ScreeningQuestion<C>>(part: Part<'_, C, Q>) {
+pub(super) fn screen<const C: usize, Q: ScreeningQuestion<C>>(part: BatchPart<'_, C, Q>) {
     on_the_widest(part);
 }
 
-impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for Part<'_, C, Q> {
+impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> {
     type Output = ();
     #[inline(always)]
     fn on<V: Vectors>(self, vectors: V) {
