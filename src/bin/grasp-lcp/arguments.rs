@@ -74,7 +74,7 @@ pub(crate) enum Command {
         /// A force that acts before the load and stays, N, at the same point.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
-        /// The load is so many times as large; the base load is not.
+        /// Factor on the load; the base load keeps its size.
         #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
         safety: Option<f64>,
         #[command(flatten)]
@@ -328,7 +328,7 @@ pub(crate) struct Wanted {
     /// The load is put on and taken off again and again, until it comes to rest; with --may-slide it only must not walk.
     #[arg(long)]
     pub(crate) repeats: bool,
-    /// For the safe amount the load is so many times as large.
+    /// Factor on the load for the safe amount.
     #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
     pub(crate) safety: Option<f64>,
     /// For the safe amount friction is less by so many percent; 10 if left out, 0 beside --safety.

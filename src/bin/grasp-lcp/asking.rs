@@ -244,7 +244,7 @@ impl<const C: usize> Meaning<C> {
         Ok(all)
     }
 
-    /// The question whether the grasp holds a load, so many times as large; with a base load alone, whether it stands.
+    /// The question whether the grasp holds a load multiplied by `safety`; with a base load alone, whether it stands.
     fn hold(
         &self,
         load: &LoadArguments,

@@ -7,7 +7,7 @@ use super::onset::{OnsetAnswer, OnsetAt};
 use super::path::{PathAnswer, PathOutcome};
 use super::question::Question;
 use super::solved::SolveAnswer;
-use crate::equilibrium::{Equilibrium, Outcome, TooFar};
+use crate::equilibrium::{ContactState, Equilibrium, Outcome, TooFar, WholeAnswer};
 use crate::grasp::Wrench;
 use crate::load_path::{Change, PadChange};
 use crate::words::{Words, listed, printable};
@@ -109,9 +109,14 @@ fn beyond_small_motions(far: &TooFar) -> String {
 fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
     let (mut slide, mut in_part) = (Vec::new(), Vec::new());
     for contact in state.whole_contacts() {
-        match contact.doing() {
-            does if does == "slides" || does == "slides everywhere" => slide.push(contact.text()),
-            does if does.contains("points slide") => in_part.push(format!("{} ({does})", contact.text())),
+        match contact {
+            WholeAnswer::Pad(pad) if pad.sliding > 0 && pad.sliding < pad.points - pad.open => {
+                in_part.push(format!("{} ({})", contact.text(), pad.doing()));
+            }
+            WholeAnswer::Pad(pad) if pad.sliding > 0 => slide.push(contact.text()),
+            WholeAnswer::Point(point) if matches!(point.state, ContactState::Sliding { .. }) => {
+                slide.push(contact.text());
+            }
             _ => {}
         }
     }

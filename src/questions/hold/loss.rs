@@ -61,19 +61,10 @@ impl Engine {
             contact.is_some_and(|contact| matches!(contact.state, ContactState::Sliding { .. }))
         };
         Lost {
-            factor,
-            kind: LossKind::TooFar,
-            way_out: WayOut::NotKnown,
             too_far: Some(what.clone()),
             slide: WholeContacts::of(self.contacts()).with(&slides),
             is_gross_slip: everything_slides,
-            falls_at_once: false,
-            then_takes: None,
-            snaps: false,
-            drives: Vec::new(),
-            motion: None,
-            state: state.map(Box::new),
-            nothing_near: None,
+            ..Lost::alone(factor, LossKind::TooFar, WayOut::NotKnown, state)
         }
     }
 }
@@ -81,10 +72,15 @@ impl Engine {
 impl<const C: usize> Lost<C> {
     /// The loss of suction cups whose lips are open all around.
     fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
+        Self::alone(factor, LossKind::LetsGo, WayOut::LetsGo { cups }, state)
+    }
+
+    /// A loss of which no more is known than its kind, the way out and the state there.
+    fn alone(factor: f64, kind: LossKind, way_out: WayOut<C>, state: Option<Equilibrium<C>>) -> Self {
         Self {
             factor,
-            kind: LossKind::LetsGo,
-            way_out: WayOut::LetsGo { cups },
+            kind,
+            way_out,
             too_far: None,
             slide: Vec::new(),
             is_gross_slip: false,

@@ -218,3 +218,12 @@ fn turns(twist: &Twist<3>, near: &SVector<f64, 3>, moves: &SVector<f64, 3>) -> W
     let is_there = centre.iter().chain(axis.iter()).all(|x: &f64| x.is_finite());
     if is_there { WayOut::Turns { centre, axis } } else { WayOut::NotKnown }
 }
+
+impl<const C: usize> WayOut<C> {
+    /// Whether the object falls: it moves down, against the last axis, and no contact with friction holds it back.
+    pub(super) fn falls(&self, slide: &[WholeContact]) -> bool {
+        let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
+        // Within 25 degrees of the vertical a colleague would say that it falls.
+        slide.is_empty() && direction[C - 1] < -0.9
+    }
+}

@@ -350,13 +350,6 @@ fn told_together<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String 
 }
 
 impl<const C: usize> WayOut<C> {
-    /// Whether the object falls: it moves down, against the last axis, and no contact with friction holds it back.
-    fn falls(&self, slide: &[WholeContact]) -> bool {
-        let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
-        // Within 25 degrees of the vertical a colleague would say that it falls.
-        slide.is_empty() && direction[C - 1] < -0.9
-    }
-
     /// The verb of one body or of several that slide or turn: "moves along −x", "turn about (0.1, 0) m".
     fn goes(&self, words: Words, are_several: bool) -> String {
         let ending = if are_several { "" } else { "s" };

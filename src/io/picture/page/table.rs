@@ -11,7 +11,7 @@ use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::word;
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, without_rounding};
-use crate::picture::words::{escaped, short};
+use crate::picture::words::{caution, escaped, short};
 use crate::words::{LinkKind, Words};
 
 /// Headings and their explanations.
@@ -65,7 +65,7 @@ pub(super) fn write<const C: usize>(
         open(page, k);
         let _ = writeln!(page, "<h2>{}</h2>", escaped(&frame.label));
         if let Ok(state) = &frame.shown {
-            write_words(page, actuators, state);
+            write_words(page, actuators, state, &frame.says);
             write_rows(page, grasp, tips, frame, state)?;
         }
         page.push_str("</section>\n");
@@ -73,7 +73,12 @@ pub(super) fn write<const C: usize>(
     Ok(())
 }
 
-fn write_words<const C: usize>(page: &mut String, actuators: &Actuators<C>, state: &Equilibrium<C>) {
+fn write_words<const C: usize>(
+    page: &mut String,
+    actuators: &Actuators<C>,
+    state: &Equilibrium<C>,
+    says: &[String],
+) {
     let words = Words::default();
     let _ = writeln!(
         page,
@@ -82,7 +87,7 @@ fn write_words<const C: usize>(page: &mut String, actuators: &Actuators<C>, stat
         escaped(&state.told_motions(words).join("; ")),
         Words::with_digits(1).number(state.residuals.worst())
     );
-    let caution = state.caution().map(|caution| format!("CAUTION: {caution}."));
+    let caution = caution(Some(state), says.iter().map(String::as_str)).map(|words| format!("{words}."));
     for note in state.vacuum_gone().into_iter().chain(caution) {
         let _ = writeln!(page, "<p class=\"none\">{}</p>", escaped(&note));
     }
