@@ -64,10 +64,6 @@ impl Around {
                 amounts.extend(mapped(known, &|(at, _)| *at));
             }
             in_order(&mut amounts, up);
-            if scan > 0 {
-                amounts.extend(promising(&amounts, tries)?);
-                in_order(&mut amounts, up);
-            }
             let from = if is_beyond {
                 (bound.does, None)
             } else {
@@ -116,7 +112,7 @@ impl Around {
             if (amount > at) != up {
                 continue;
             }
-            let now = tries(amount)?;
+            let now = tries.at(amount)?;
             let (did, does) = (trial.as_ref().is_none_or(Trial::does), now.does());
             if let Trial::Unknown(_) = now {
                 continue;
@@ -145,30 +141,6 @@ impl Around {
         self.elsewhere.extend(window.map(|near| between(near, None, up)));
         Ok(())
     }
-}
-
-/// Amounts between insufficient neighbours at which the carried part, continued from two amounts on one side, is more than the load.
-fn promising(in_order: &[f64], tries: Tries<'_>) -> Result<Vec<f64>, Error> {
-    let mut carried = Vec::new();
-    for &amount in in_order {
-        if let Some(part) = tries(amount)?.carried() {
-            carried.push((amount, part));
-        }
-    }
-    let mut amounts = Vec::new();
-    for _ in 0..2 {
-        for three in carried.windows(3) {
-            let [(before, less), (at, part), (next, beyond)] = [three[0], three[1], three[2]];
-            let reach = at + (at - before) * ((1.0 - part) / (part - less));
-            let is_between = (reach - at) * (reach - next) < 0.0 && beyond < 1.0;
-            if less < part && part < 1.0 && is_between {
-                // Continued a little farther, since the slope is that of the amounts before.
-                amounts.push(reach + 0.1 * (next - reach));
-            }
-        }
-        carried.reverse();
-    }
-    Ok(amounts)
 }
 
 /// Sorts amounts in a direction.

@@ -25,7 +25,7 @@ pub(super) fn refined(
         let ratio = |pair: &[f64]| pair[1] / pair[0];
         let Some(widest) = amounts.windows(2).max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { break };
         let at = (widest[0] * widest[1]).sqrt();
-        let trial = tries(at)?;
+        let trial = tries.at(at)?;
         if trial.does() {
             return Ok(Some((at, trial)));
         }
@@ -59,7 +59,7 @@ fn where_most_is_carried(
     for _ in 0..40 {
         for k in 0..2 {
             if parts[k].is_none() {
-                let trial = tries(inner[k])?;
+                let trial = tries.at(inner[k])?;
                 if trial.does() {
                     return Ok(Some((inner[k], trial)));
                 }

@@ -29,6 +29,8 @@ pub(super) struct Loading<const C: usize> {
     words: Words,
     /// The multiple of the load up to which a path follows it.
     followed: f64,
+    /// Whether trials leave out the search of every case.
+    is_quick: bool,
 }
 
 impl<const C: usize> Loading<C> {
@@ -57,7 +59,7 @@ impl<const C: usize> Loading<C> {
             // a larger one costs longer paths.
             if matches!(need.sought, Sought::Load) { MOST_LOADS / amount.max(1.0) } else { 32.0 };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
-        Ok(Self { grasp, loads, base, times, words: need.words, followed })
+        Ok(Self { grasp, loads, base, times, words: need.words, followed, is_quick: false })
     }
 
     /// Loads that contact forces must balance for the amount to suffice: the load at rest, and its sum with each load. A force of any direction
@@ -83,6 +85,16 @@ impl<const C: usize> Loading<C> {
             }
         }
         list
+    }
+
+    /// This loading without the search of every case; if `short` without loads beyond those asked about.
+    pub(super) fn quick(mut self, short: bool) -> Self {
+        self.followed = if short { 1.0 } else { self.followed };
+        self.is_quick = true;
+        self.grasp = self
+            .grasp
+            .with(&self.grasp.settings().with_most_states(0).with_most_load(self.followed.max(1.0)));
+        self
     }
 
     /// The trials of this loading. The load of index `first` comes first, and the index of a load that is not carried replaces it: as a rule that
@@ -130,6 +142,14 @@ impl<const C: usize> Loading<C> {
         let (mut held, mut sticks) = (Trial::always(), Trial::always());
         for k in 0..ramps.len() {
             let which = (first.get() + k) % ramps.len();
+            if self.is_quick && demand == Demand::Sticks {
+                sticks = sticks.or_worse(self.first_slip(&ramps[which])?);
+                if let Trial::DoesNot { .. } = sticks {
+                    first.set(which);
+                    return Ok(Trials::only(demand, sticks));
+                }
+                continue;
+            }
             let (verdict, farthest) = self.grasp.hold_and_measure(ramps[which].clone())?;
             held = held.or_worse(self.judged((&verdict, 1.0 - farthest), Demand::Held));
             let at_rest = self.grasp.sticking_margin(&verdict.base).unwrap_or(f64::INFINITY);
@@ -142,7 +162,26 @@ impl<const C: usize> Loading<C> {
                 return Ok(Trials { held, sticks: Some(sticks) });
             }
         }
-        Ok(Trials { held: Some(held), sticks: Some(sticks) })
+        let is_held = !(self.is_quick && demand == Demand::Sticks);
+        Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks) })
+    }
+
+    /// Whether everything sticks under a ramp, by its onset alone.
+    fn first_slip(&self, ramp: &Ramp<C>) -> Result<Trial, Error> {
+        let factor = match self.grasp.onset(ramp)? {
+            Onset::At(event) => event.factor,
+            Onset::GivesWay { factor, .. } => factor,
+            Onset::Never => f64::INFINITY,
+            Onset::AlreadySliding(_) => 0.0,
+            Onset::NoBase(_) => NOT_AT_REST,
+            Onset::Undecided(undecided) => return Ok(Trial::Unknown(self.said(&undecided))),
+        };
+        let other = self.grasp.sticking_margin(&ramp.base).unwrap_or(f64::INFINITY);
+        Ok(if factor > 1.0 {
+            Trial::Does { carried: factor, other }
+        } else {
+            Trial::DoesNot { says: String::new(), carried: factor, other }
+        })
     }
 
     /// Whether everything sticks under a force of any direction, and without it at rest and under `load`. `None` where something slides and the

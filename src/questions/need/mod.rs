@@ -18,7 +18,7 @@
 //!
 //! Every trial is a verdict from rest ([`Grasp::hold`](crate::ask::Grasp::hold)). The answer names two amounts that were tried: one suffices, the
 //! other beside it does not. Between them, secants of the carried part of the load lead to the last digits; where that jumps, those of small motions
-//! or of sticking at rest.
+//! or of sticking at rest. These trials leave out the search of every case, which takes longest beside a bound; both amounts of the answer have it.
 //!
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. No
 //! theorem says that more is better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes

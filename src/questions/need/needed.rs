@@ -4,7 +4,7 @@ use super::answer::{Amount, FarEnd, Needed, Press, Quantity};
 use super::around::Around;
 use super::posed::{Posed, Safety, Sought};
 use super::question::{Demand, Need};
-use super::search::{Searched, search};
+use super::search::{Searched, Tries, search};
 use super::threshold::Threshold;
 use super::tolerances::FAR_FROM_START;
 use super::trial::Trial;
@@ -103,14 +103,18 @@ fn start<const C: usize>(grasp: &Grasp<C>, need: &Posed<C>) -> f64 {
 
 fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> Result<Amount, Error> {
     let (grasp, need) = (tried.grasp, tried.need);
-    let tries = |amount: f64| tried.at(amount, demand);
+    let (whole, quick) = (
+        |amount: f64| tried.at(amount, demand),
+        |amount: f64, short: bool| tried.quick(amount, demand, short),
+    );
+    let tries = Tries { whole: &whole, quick: &quick };
     let mut plan = tried.plan(look)?;
     if plan.range.is_empty {
-        let trial = tries(plan.start)?;
+        let trial = tries.at(plan.start)?;
         return Ok(nothing_does(vec![(plan.start, trial)], plan.limits, true));
     }
     // Angles beyond the given turn are not tried.
-    if matches!(need.sought, Sought::Angle { .. }) && tries(plan.start)?.does() {
+    if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.does() {
         return Ok(Amount::Any { to: plan.start, until: None, tried: None });
     }
     let is_squeeze = matches!(need.sought, Sought::Squeeze);
@@ -124,10 +128,10 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
         Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
     };
     let scan = if look == Look::Around { need.scan } else { 0 };
-    let bound = match search(&tries, &plan, &tried.known(demand))? {
+    let bound = match search(tries, &plan, &tried.known(demand))? {
         Searched::Threshold(edge) => edge,
         Searched::All(to) => {
-            let until = Around::far_end(to, scan, &plan, &tried.known(demand), &tries)?;
+            let until = Around::far_end(to, scan, &plan, &tried.known(demand), tries)?;
             let until = until.map(far_end).transpose()?.flatten();
             return Ok(Amount::Any { to, until, tried: (!plan.is_monotone).then(|| tried.amounts(demand)) });
         }
@@ -142,7 +146,7 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
     let (does, does_not) = (bound.does, bound.does_not.0);
     // More squeeze may move the part too far, whatever friction carries; where it does at a far squeeze, all are looked for.
     if plan.is_monotone && is_squeeze && scan > 0 && plan.contains(FAR_FROM_START * does) {
-        tries(FAR_FROM_START * does)?;
+        tries.at(FAR_FROM_START * does)?;
     }
     let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
     plan.is_monotone &= !plan.is_least || !tried.known(demand).iter().any(is_too_much);
@@ -153,7 +157,7 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
     };
     let is_far = is_squeeze || matches!(need.sought, Sought::Force { .. });
     let Around { changes, until, elsewhere } =
-        Around::of(&bound, scan, is_far, &plan, &tried.known(demand), &tries)?;
+        Around::of(&bound, scan, is_far, &plan, &tried.known(demand), tries)?;
     let until = until.map(far_end).transpose()?.flatten();
     let (presses, at_their_limit) = at_rest(does)?;
     let unknown = bound.unknown.map(|(at, _)| at);

@@ -11,8 +11,23 @@ use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The trial of an amount.
-pub(super) type Tries<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
+/// The trials of amounts.
+#[derive(Clone, Copy)]
+pub(super) struct Tries<'t> {
+    /// The trial by the whole search for equilibria.
+    pub(super) whole: TrialOf<'t>,
+    /// The same but for the search of every case, which costs most where no equilibrium exists: there the trial is undecided. With `true` loads
+    /// beyond those asked about are left out, and with them how far a sufficient amount is from the bound.
+    pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
+}
+
+pub(super) type TrialOf<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
+
+impl Tries<'_> {
+    pub(super) fn at(&self, amount: f64) -> Result<Trial, Error> {
+        (self.whole)(amount)
+    }
+}
 
 /// The result of a search.
 #[derive(Debug)]
@@ -106,7 +121,7 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     if let Some(does) = nearest {
         return edge_from(tries, plan, does, &vain);
     }
-    let first = decided(tries, plan.begin(), None)?;
+    let first = decided(tries.whole, plan.begin(), None)?;
     if first.1.does() {
         return edge_from(tries, plan, first, &vain);
     }
@@ -124,7 +139,7 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
             for near in NEAR_AN_END {
                 let Some(end) = plan.end(up) else { continue };
                 let at = if up { end * (1.0 - near) } else { end * (1.0 + near) };
-                let trial = tries(at)?;
+                let trial = tries.at(at)?;
                 if trial.does() {
                     return edge_from(tries, plan, (at, trial), &vain);
                 }
@@ -152,20 +167,21 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
 }
 
 /// The trial of an amount, or of one beside it where the first is undecided. Offsets are parts of `width`, of the amount itself if there is none.
-pub(super) fn decided(tries: Tries<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
+pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
-        // Without offsets one doubtful amount ends the search; below 1e-9 the same tie may remain.
-        let offsets = if width.is_some() {
-            [0.3, -0.3, 0.1, -0.1, 0.01, -0.01]
-        } else {
-            [1e-9, -1e-9, 1e-6, -1e-6, 1e-3, -1e-3]
+        // Without offsets one doubtful amount ends the search; below 1e-9 the same tie may remain. In a narrow bracket two are enough.
+        let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
+        let offsets: &[f64] = match width {
+            Some(_) if is_narrow => &[0.3, -0.3],
+            Some(_) => &[0.3, -0.3, 0.1, -0.1, 0.01, -0.01],
+            None => &[1e-9, -1e-9, 1e-6, -1e-6, 1e-3, -1e-3],
         };
         for part in offsets {
-            let trial = tries(beside(part))?;
+            let trial = tries(beside(*part))?;
             if !matches!(trial, Trial::Unknown(_)) {
-                return Ok((beside(part), trial));
+                return Ok((beside(*part), trial));
             }
         }
     }
@@ -186,7 +202,7 @@ fn guessed(
         let Some(guess) = plan.guessed(at, &trial) else { break };
         beyond *= 2.0;
         let guess = if plan.is_least { guess * (1.0 + beyond) } else { guess * (1.0 - beyond) };
-        (at, trial) = (guess, tries(guess)?);
+        (at, trial) = (guess, tries.at(guess)?);
         if trial.does() {
             return Ok(Some((at, trial)));
         }
@@ -212,7 +228,7 @@ fn walk(
         if !plan.contains(at) {
             return Ok(None);
         }
-        let trial = tries(at)?;
+        let trial = tries.at(at)?;
         if trial.does() {
             return Ok(Some((at, trial)));
         }
@@ -254,22 +270,28 @@ fn edge_from(
         if does_not.as_ref().is_some_and(|not: &(f64, Trial)| !is_beyond(not.0, at)) || !is_beyond(at, does) {
             continue;
         }
-        match tries(at)? {
+        // A guess that takes the search of every case is no better than the next one.
+        if let Trial::Unknown(_) = (tries.quick)(at, false)? {
+            continue;
+        }
+        match tries.at(at)? {
             now @ Trial::Does { .. } => (does, trial) = (at, now),
             now @ Trial::DoesNot { .. } => does_not = Some((at, now)),
             Trial::Unknown(_) => {}
         }
     }
-    let mut at = does;
+    let (mut at, mut factor) = (does, 1.0);
     while does_not.is_none() {
-        at *= if up { FAR_APART } else { FAR_APART.recip() };
+        // Far from the start a carried part is a better guess than the next step, and paths at tiny forces are long.
+        factor *= FAR_APART;
+        at = if up { at * factor } else { at / factor };
         if !plan.contains(at) {
             // Beyond the end of the range its proof replaces a trial.
             let says = || Trial::does_not("no forces of the contacts balance it", NOT_AT_REST);
             does_not = near(near_enough).map(|end| (end, says()));
             break;
         }
-        match decided(tries, at, None)? {
+        match decided(tries.whole, at, None)? {
             (at, now @ Trial::Does { .. }) => (does, trial) = (at, now),
             (_, Trial::Unknown(why)) => unknown = unknown.or(Some((at, why))),
             (at, now @ Trial::DoesNot { .. }) => does_not = Some((at, now)),

@@ -11,7 +11,7 @@ use crate::prelude::*;
 pub(super) type Enough = &'static [(usize, f64)];
 
 /// A bracket of the bound: a sufficient amount, and an insufficient one beside it with its trial.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Threshold {
     pub(super) does: f64,
     pub(super) does_not: (f64, Trial),
@@ -34,6 +34,43 @@ impl Threshold {
         tries: Tries<'_>,
         does: [Option<f64>; 2],
         enough: Enough,
+    ) -> Result<Self, Error> {
+        let presumed = self.clone().by(tries, true, (does, enough))?;
+        let (here, beside) = (tries.at(presumed.does)?, presumed.does_not.0);
+        if !here.does() {
+            return self.by(tries, false, (does, enough));
+        }
+        self.does = presumed.does;
+        // The whole search is the longer the nearer the amount is to the bound, and undecided beside it: it comes near from afar.
+        let is_hard = matches!(presumed.does_not.1, Trial::Unknown(_));
+        loop {
+            let far = self.does_not.0;
+            let near = beside + (far - beside) / NEARER;
+            let is_last = !is_hard || (near - beside).abs() <= enough[0].1 * beside.abs();
+            let at = if is_last { beside } else { near };
+            match tries.at(at)? {
+                now @ Trial::DoesNot { .. } => self.does_not = (at, now),
+                Trial::Unknown(why) => {
+                    self.unknown = Some((at, why));
+                    return Ok(self);
+                }
+                now @ Trial::Does { .. } => {
+                    self.does = at;
+                    return self.by(tries, false, (now.measures(), enough));
+                }
+            }
+            if is_last {
+                return Ok(self);
+            }
+        }
+    }
+
+    /// The narrowing by quick trials, where undecided amounts are presumed insufficient, or by whole ones, where such an amount ends it.
+    fn by(
+        mut self,
+        tries: Tries<'_>,
+        presumes: bool,
+        (does, enough): ([Option<f64>; 2], Enough),
     ) -> Result<Self, Error> {
         let mut sides = [Side::of(self.does, does), Side::of(self.does_not.0, self.does_not.1.measures())];
         let is_at_rest = self.does_not.1.carried().is_some_and(|carried| carried <= 0.0);
@@ -90,7 +127,11 @@ impl Threshold {
             if at == from || at == to {
                 break;
             }
-            let (at, now) = decided(tries, at, Some(width))?;
+            let (at, now) = if presumes {
+                (at, (tries.quick)(at, halves)?)
+            } else {
+                decided(tries.whole, at, Some(width))?
+            };
             // Where the same end moves twice, the next trial keeps farther from both ends.
             let side = usize::from(!now.does());
             push = if kept == Some(side) { 16.0 * push } else { 0.5 * LAST_DIGITS };
@@ -99,6 +140,7 @@ impl Threshold {
             match now {
                 Trial::Does { .. } => self.does = at,
                 Trial::DoesNot { .. } => self.does_not = (at, now),
+                Trial::Unknown(_) if presumes => self.does_not = (at, now),
                 Trial::Unknown(why) => {
                     self.unknown = Some((at, why));
                     break;
@@ -141,6 +183,11 @@ fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
     let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
 }
+
+/// The distance from a bound falls by this factor from one whole search to the next.
+///
+/// Smaller, more of them are made; larger, the insufficient amount of the answer is farther from the bound than it need be.
+const NEARER: f64 = 64.0;
 
 /// The least difference of a measure between two amounts that is more than its rounding.
 const ROUNDING: f64 = 1e-11;

@@ -35,24 +35,51 @@ pub(super) struct Tried<'q, const C: usize> {
     /// The first amount.
     pub(super) start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
+    /// Trials without the search of every case.
+    quick: RefCell<Vec<(f64, Trials)>>,
     /// Index of the load that refuted the last insufficient amount.
     first: Cell<usize>,
 }
 
 impl<'q, const C: usize> Tried<'q, C> {
     pub(super) const fn new(grasp: &'q Grasp<C>, need: &'q Posed<C>, safety: Safety, start: f64) -> Self {
-        Self { grasp, need, safety, start, known: RefCell::new(Vec::new()), first: Cell::new(0) }
+        Self {
+            grasp,
+            need,
+            safety,
+            start,
+            known: RefCell::new(Vec::new()),
+            quick: RefCell::new(Vec::new()),
+            first: Cell::new(0),
+        }
     }
 
     pub(super) fn at(&self, amount: f64, demand: Demand) -> Result<Trial, Error> {
-        let found =
-            self.known.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, t)| t.of(demand).cloned());
+        if let Some(trial) = of(&self.known, amount, demand) {
+            return Ok(trial);
+        }
+        self.put_on(&Loading::of(self.grasp, self.need, amount, self.safety)?, (amount, demand), &self.known)
+    }
+
+    /// The trial without the search of every case, and if `short` without loads beyond those asked about.
+    pub(super) fn quick(&self, amount: f64, demand: Demand, short: bool) -> Result<Trial, Error> {
+        let found = of(&self.known, amount, demand).or_else(|| of(&self.quick, amount, demand));
         if let Some(trial) = found {
             return Ok(trial);
         }
-        let trials = Loading::of(self.grasp, self.need, amount, self.safety)?.put_on(demand, &self.first)?;
+        let loading = Loading::of(self.grasp, self.need, amount, self.safety)?.quick(short);
+        self.put_on(&loading, (amount, demand), &self.quick)
+    }
+
+    fn put_on(
+        &self,
+        loading: &Loading<C>,
+        (amount, demand): (f64, Demand),
+        list: &RefCell<Vec<(f64, Trials)>>,
+    ) -> Result<Trial, Error> {
+        let trials = loading.put_on(demand, &self.first)?;
         let trial = trials.of(demand).cloned();
-        self.known.borrow_mut().push((amount, trials));
+        list.borrow_mut().push((amount, trials));
         Ok(trial.unwrap_or_else(|| Trial::Unknown(String::new())))
     }
 
@@ -107,4 +134,9 @@ impl<'q, const C: usize> Tried<'q, C> {
             enough: if look == Look::Around { EXACT } else { SECOND },
         })
     }
+}
+
+/// The trial of an amount in a list.
+fn of(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64, demand: Demand) -> Option<Trial> {
+    trials.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, trials)| trials.of(demand).cloned())
 }

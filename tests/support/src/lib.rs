@@ -10,6 +10,7 @@
 )]
 
 mod affine;
+pub mod amounts;
 pub mod best_time;
 pub mod cards;
 mod close;

@@ -1,0 +1,274 @@
+//! Amounts that `need` answers, against brute force: amounts around each answer are put on by `hold` one by one, on random scenes.
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few fingers are counted")]
+
+use std::f64::consts::TAU;
+use std::time::Instant;
+
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
+use grasp_lcp::load_path::Ramp;
+use grasp_lcp::need::{Amount, Need, Needed, TriedAmounts};
+use grasp_lcp::{Error, planar, spatial};
+
+use crate::splitmix::Random;
+
+/// How far below and above an answer amounts are tried.
+const REACH: f64 = 16.0;
+
+/// A scene with a load at rest and one that is put on.
+pub struct Scene<const C: usize> {
+    grasp: Grasp<C>,
+    fingers: Vec<(Contact<C>, Press)>,
+    base: Wrench<C>,
+    load: Wrench<C>,
+}
+
+/// What presses a finger, N.
+#[derive(Clone, Copy)]
+enum Press {
+    Command(f64),
+    Force(f64),
+    Nothing,
+}
+
+impl Press {
+    fn put_on<const C: usize>(self, finger: &Contact<C>, times: f64) -> Contact<C> {
+        let finger = finger.clone();
+        match self {
+            Self::Command(force) => finger.pressed_with(force * times),
+            Self::Force(force) => finger.force(force * times),
+            Self::Nothing => finger,
+        }
+    }
+}
+
+impl<const C: usize> Scene<C> {
+    fn of(fingers: Vec<(Contact<C>, Press)>, base: Wrench<C>, load: Wrench<C>) -> Result<Self, Error> {
+        let grasp = Grasp::new(fingers.iter().map(|(finger, press)| press.put_on(finger, 1.0)))?;
+        Ok(Self { grasp, fingers, base, load })
+    }
+
+    /// The grasp with the force of its first pressed finger multiplied by `times`.
+    fn pressed(&self, times: f64) -> Result<Grasp<C>, Error> {
+        let presser = self.presser();
+        let scaled = |(i, (finger, press)): (usize, &(Contact<C>, Press))| {
+            press.put_on(finger, if Some(i) == presser { times } else { 1.0 })
+        };
+        Grasp::new(self.fingers.iter().enumerate().map(scaled))
+    }
+
+    fn presser(&self) -> Option<usize> {
+        self.fingers.iter().position(|(_, press)| !matches!(press, Press::Nothing))
+    }
+}
+
+/// Fingers around a part or anywhere on it, pressed by commands or by forces, or idle; a weight at rest, or none.
+pub fn planar(random: &mut Random) -> Result<Scene<2>, Error> {
+    let count = 2 + (3.0 * random.uniform()) as usize;
+    let is_around = random.uniform() < 0.6;
+    let mut fingers = Vec::new();
+    for i in 0..count {
+        let around = TAU * (i as f64 + random.between(-0.2, 0.2)) / count as f64;
+        let angle = if is_around { around } else { random.between(0.0, TAU) };
+        let ((sin, cos), off) = (angle.sin_cos(), random.between(-0.02, 0.02));
+        let point = [0.04 * cos + off * sin, 0.04 * sin - off * cos];
+        let finger = planar::Contact::new(point, [-cos, -sin])
+            .name(format!("finger {i}"))
+            .series_stiffness(random.between(5e3, 5e4), random.between(5e3, 5e4))
+            .friction(if random.uniform() < 0.1 { 0.0 } else { random.between(0.2, 1.0) });
+        let drawn = random.uniform();
+        let press = if drawn < 0.55 {
+            Press::Command(random.between(5.0, 20.0))
+        } else if drawn < 0.8 {
+            Press::Force(random.between(2.0, 20.0))
+        } else {
+            Press::Nothing
+        };
+        fingers.push((finger, press));
+    }
+    let mut force = |size: f64| {
+        let angle = random.between(0.0, TAU);
+        let at = [random.between(-0.02, 0.02), random.between(-0.02, 0.02)];
+        planar::Wrench::force_at([size * angle.cos(), size * angle.sin()], at)
+    };
+    let (base, load) = (force(3.0), force(4.0));
+    let is_loaded = random.uniform() < 0.5;
+    Scene::of(fingers, if is_loaded { base } else { Wrench::ZERO }, load)
+}
+
+/// Three or four fingers around a part in space, pressed by commands or by forces.
+pub fn spatial(random: &mut Random) -> Result<Scene<3>, Error> {
+    let count = 3 + (2.0 * random.uniform()) as usize;
+    let mut fingers = Vec::new();
+    for i in 0..count {
+        let angle = TAU * (i as f64 + random.between(-0.2, 0.2)) / count as f64;
+        let ((sin, cos), up) = (angle.sin_cos(), random.between(-0.02, 0.02));
+        let normal = [-cos + random.between(-0.2, 0.2), -sin, random.between(-0.3, 0.3)];
+        let finger = spatial::Contact::new([0.04 * cos, 0.04 * sin, up], normal)
+            .name(format!("finger {i}"))
+            .series_stiffness(random.between(5e3, 5e4), random.between(5e3, 5e4))
+            .friction(random.between(0.3, 1.0));
+        let is_held = random.uniform() < 0.2;
+        let force = random.between(5.0, 20.0);
+        fingers.push((finger, if is_held { Press::Force(force) } else { Press::Command(force) }));
+    }
+    let mut force = |size: f64| {
+        let mut draw = || random.between(-1.0, 1.0);
+        let force: [f64; 3] = std::array::from_fn(|_| size * draw());
+        spatial::Wrench::force_at(force, std::array::from_fn(|_| 0.02 * draw()))
+    };
+    let (base, load) = (force(2.0), force(3.0));
+    let is_loaded = random.uniform() < 0.5;
+    Scene::of(fingers, if is_loaded { base } else { Wrench::ZERO }, load)
+}
+
+/// A quantity: its need, and whether an amount of it is held.
+pub type Quantity<const C: usize> =
+    (fn(&Scene<C>) -> Need<C>, fn(&Scene<C>, f64) -> Result<Option<bool>, Error>);
+
+/// The squeeze of all fingers.
+pub fn squeeze<const C: usize>() -> Quantity<C> {
+    (
+        |scene| Need::squeeze(scene.load).on_top_of(scene.base),
+        |scene, x| Ok(scene.grasp.squeezed(x)?.hold(Ramp::load(scene.base, scene.load))?.holds()),
+    )
+}
+
+/// The coefficient of all fingers with friction.
+pub fn friction<const C: usize>() -> Quantity<C> {
+    (
+        |scene| Need::friction(scene.load).on_top_of(scene.base),
+        |scene, x| {
+            let grasp = scene.grasp.with_friction(|_, mu| if mu > 0.0 { x } else { mu })?;
+            Ok(grasp.hold(Ramp::load(scene.base, scene.load))?.holds())
+        },
+    )
+}
+
+/// A multiple of the load.
+pub fn load<const C: usize>() -> Quantity<C> {
+    (
+        |scene| Need::load(scene.load).on_top_of(scene.base),
+        |scene, x| Ok(scene.grasp.hold(Ramp::load(scene.base, scene.load * x))?.holds()),
+    )
+}
+
+/// A multiple of the load at rest.
+pub fn at_rest<const C: usize>() -> Quantity<C> {
+    (
+        |scene| Need::load_at_rest(scene.load).on_top_of(rest(scene)),
+        |scene, x| Ok(scene.grasp.hold(Ramp::load(rest(scene) * x, scene.load))?.holds()),
+    )
+}
+
+/// The load at rest; half of the load the other way where there is none.
+fn rest<const C: usize>(scene: &Scene<C>) -> Wrench<C> {
+    if scene.base == Wrench::ZERO { scene.load * -0.5 } else { scene.base }
+}
+
+/// A displacement of the load, m.
+pub fn arm<const C: usize>() -> Quantity<C> {
+    (
+        |scene| Need::arm(scene.load, metre(scene)).on_top_of(scene.base),
+        |scene, x| Ok(scene.grasp.hold(Ramp::load(scene.base, scene.load + metre(scene) * x))?.holds()),
+    )
+}
+
+/// What a metre more adds to the load: a moment.
+fn metre<const C: usize>(scene: &Scene<C>) -> Wrench<C> {
+    let size = scene.load.components()[..C].iter().map(|x| x * x).sum::<f64>().sqrt();
+    let moment: Vec<_> =
+        (0..scene.load.components().len()).map(|k| if k == C { size } else { 0.0 }).collect();
+    Wrench::from_components(&moment)
+}
+
+/// The force of the first pressed finger; the squeeze where none is pressed.
+pub fn force<const C: usize>() -> Quantity<C> {
+    (
+        |scene| match scene.presser() {
+            Some(i) => Need::force(format!("finger {i}"), scene.load).on_top_of(scene.base),
+            None => Need::squeeze(scene.load).on_top_of(scene.base),
+        },
+        |scene, x| Ok(scene.pressed(x)?.hold(Ramp::load(scene.base, scene.load))?.holds()),
+    )
+}
+
+/// One answer beside brute force.
+pub struct Checked {
+    /// A sentence for each claim of the answer that an amount refutes.
+    pub wrong: Vec<String>,
+    /// Whether no amount is the answer because a trial is undecided.
+    pub is_undecided: bool,
+    /// Amounts tried for what holds, where the answer says so.
+    pub tried: Option<usize>,
+    /// Run times of `need` and, on average, of `hold`, s.
+    pub times: [f64; 2],
+}
+
+/// Asks for the amount of a scene, and tries `amounts` others around the answer, at random places in equal parts of the reach.
+pub fn checked<const C: usize>(
+    scene: &Scene<C>,
+    (need, tried): Quantity<C>,
+    amounts: i32,
+    random: &mut Random,
+) -> Result<Checked, Error> {
+    let begin = Instant::now();
+    let needed = scene.grasp.need(&need(scene).if_lower_by(0.0, 0.0))?;
+    let time = begin.elapsed().as_secs_f64();
+    let is_least = needed.quantity.is_least();
+    let mut wrong = Vec::new();
+    let mut claim = |is_right: bool, what: &str, amount: f64| {
+        if !is_right {
+            wrong.push(format!("{what} at {amount}: {needed}"));
+        }
+    };
+    // Here a force is multiplied before a command is computed from it, in the crate after: their last digits differ.
+    let off = if needed.of.is_some() { 1e-12 } else { 0.0 };
+    let middle = match &needed.amount {
+        Amount::Bound { does, does_not, until, .. } => {
+            claim(tried(scene, does * (1.0 + off))? == Some(true), "what does fails", *does);
+            claim(tried(scene, does_not * (1.0 - off))? != Some(true), "what does not holds", *does_not);
+            if let Some(end) = until {
+                claim(tried(scene, end.does)? == Some(true), "the far end fails", end.does);
+            }
+            *does
+        }
+        Amount::None { best, .. } => *best,
+        _ => 1.0,
+    };
+    let begin = Instant::now();
+    for k in 0..amounts {
+        let part = (f64::from(k) + random.uniform()) / f64::from(amounts);
+        let amount = middle * REACH.powf(2.0 * part - 1.0);
+        let holds = tried(scene, amount)?;
+        match &needed.amount {
+            Amount::None { .. } => claim(holds != Some(true), "no amount, but one holds", amount),
+            Amount::Bound { does, elsewhere, .. } => {
+                let is_beyond = if is_least { amount < *does } else { amount > *does };
+                let is_told = elsewhere.iter().any(|window| {
+                    window.from.is_none_or(|from| from <= amount * 1.001)
+                        && window.to.is_none_or(|to| amount <= to * 1.001)
+                });
+                claim(!(is_beyond && holds == Some(true)) || is_told, "less would do", amount);
+            }
+            Amount::Any { to, until, .. } => {
+                let far = until.as_ref().map_or(if is_least { f64::INFINITY } else { 0.0 }, |end| end.does);
+                let is_inside = (amount - to) * (amount - far) < 0.0;
+                claim(!is_inside || holds != Some(false), "any does, but one fails", amount);
+            }
+            _ => {}
+        }
+    }
+    let times = [time, begin.elapsed().as_secs_f64() / f64::from(amounts)];
+    let is_undecided = matches!(needed.amount, Amount::Undecided { .. });
+    Ok(Checked { wrong, is_undecided, tried: count(&needed), times })
+}
+
+fn count(needed: &Needed) -> Option<usize> {
+    match &needed.amount {
+        Amount::None { tried, .. } => Some(*tried),
+        Amount::Bound { tried: Some(TriedAmounts { count, .. }), .. }
+        | Amount::Any { tried: Some(TriedAmounts { count, .. }), .. } => Some(*count),
+        _ => None,
+    }
+}
