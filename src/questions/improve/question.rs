@@ -39,7 +39,7 @@ pub struct Improve<const C: usize> {
         serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
-    at: Option<SVector<f64, C>>,
+    pub(super) at: Option<SVector<f64, C>>,
     /// The largest force with which a contact may press, N; if left out, commands stay.
     #[cfg_attr(
         feature = "serde",
@@ -49,24 +49,24 @@ pub struct Improve<const C: usize> {
     pub(super) at_most: Option<f64>,
     /// The quantity to maximise; the load at first slip if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    goal: Option<ImproveGoal>,
+    pub(super) goal: Option<ImproveGoal>,
     /// Number of random starts beside the grasp of the scene; 8 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    starts: Option<usize>,
+    pub(super) starts: Option<usize>,
     /// Largest number of steps from each start; 200 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    steps: Option<usize>,
+    pub(super) steps: Option<usize>,
     /// The seed of the random starts; 0 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) seed: Option<u64>,
     /// A load that turns, which is refused.
     #[cfg_attr(feature = "serde", serde(skip))]
-    turn: Option<Turn<C>>,
+    pub(super) turn: Option<Turn<C>>,
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) surfaces: BTreeMap<usize, Surface<C>>,
     /// The greatest allowed force of contacts with a limit of their own.
     #[cfg_attr(feature = "serde", serde(skip))]
-    most: BTreeMap<usize, f64>,
+    pub(super) most: BTreeMap<usize, f64>,
 }
 
 impl<const C: usize> Improve<C> {
@@ -100,14 +100,6 @@ impl<const C: usize> Improve<C> {
     #[must_use]
     pub fn goal(&self) -> ImproveGoal {
         self.goal.unwrap_or_default()
-    }
-
-    pub(super) fn starts(&self) -> usize {
-        self.starts.unwrap_or(8)
-    }
-
-    pub(super) fn steps(&self) -> usize {
-        self.steps.unwrap_or(200)
     }
 
     /// Adds a load that acts at rest, such as the weight of the object where a push is to slide late.
@@ -182,6 +174,16 @@ impl<const C: usize> Improve<C> {
         self.seed = Some(seed);
         self
     }
+}
+
+impl Improve<3> {
+    pub(super) fn starts(&self) -> usize {
+        self.starts.unwrap_or(8)
+    }
+
+    pub(super) fn steps(&self) -> usize {
+        self.steps.unwrap_or(200)
+    }
 
     /// The greatest allowed force of a contact, if its squeeze may change.
     pub(super) fn most_of(&self, contact: usize) -> Option<f64> {
@@ -189,9 +191,10 @@ impl<const C: usize> Improve<C> {
     }
 
     /// Refuses numbers out of range, loads that turn, soft fingertips as variables, suction and questions without variables.
-    pub(crate) fn check(&self, grasp: &Grasp<C>) -> Result<(), Error> {
+    pub(super) fn check(&self, grasp: &Grasp<3>) -> Result<(), Error> {
         grasp.refuse_hands("improve")?;
-        self.base().check("base load")?;
+        let space = grasp.engine.space();
+        self.base().check_in(space, "base load")?;
         // More starts would take minutes and hardly find anything better.
         if self.starts() > 1_000 {
             let (what, allowed) = ("number of starts", "at most 1000");
@@ -204,9 +207,9 @@ impl<const C: usize> Improve<C> {
         let loads = self.given_loads()?;
         loads.check_size()?;
         match &loads {
-            Loads::Each(list) => list.iter().try_for_each(|load| load.check("load"))?,
+            Loads::Each(list) => list.iter().try_for_each(|load| load.check_in(space, "load"))?,
             Loads::AnyForce { base, size, point } => {
-                base.check("base load")?;
+                base.check_in(space, "base load")?;
                 if *size <= 0.0 {
                     return wrong(
                         "any_force",
@@ -240,7 +243,7 @@ impl<const C: usize> Improve<C> {
                 return refused(Field::Suction, contact.suction, "0 where fingers are improved");
             }
             if let Some(surface) = self.surfaces.get(&i) {
-                surface.check(&contact.label(i))?;
+                surface.0.check(&contact.label(i))?;
                 if contact.point_of_pad.is_some() {
                     return wrong(
                         "surface",
