@@ -344,6 +344,7 @@ mod carried;
 mod compared;
 mod cup;
 #[cfg(feature = "json")]
+mod face;
 mod fault;
 #[cfg(feature = "json")]
 mod field_path;

@@ -3,11 +3,11 @@
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use crate::grasp::Face;
+use crate::grasp::{Face, Space};
 use crate::improve::{Shape, Surface};
 use crate::numerics::mapped;
 use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Given};
+use crate::serial::{AsGiven, AxisRow, Given, space_of_text};
 
 /// A curve in the plane or a surface in space, all lengths in m.
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -86,13 +86,15 @@ impl<const C: usize> WrittenSurface<C> {
             Self::Sphere { .. } => ("sphere", 3),
             Self::Triangles(_) => ("triangles", 3),
         };
-        if axes != C {
-            let allowed = if C == 2 {
+        let text = space_of_text::<C>();
+        if axes != text.axes() {
+            let is_planar = text == Space::Planar;
+            let allowed = if is_planar {
                 "segment, polyline, circle, arc, spline and closed_spline"
             } else {
                 "rectangle, cylinder, sphere and triangles"
             };
-            let space = if C == 2 { "the plane" } else { "space" };
+            let space = if is_planar { "the plane" } else { "space" };
             return Err(format!("{name} given, must be one of {allowed} in {space}"));
         }
         let points = |rows: Vec<AxisRow<Given, C>>| mapped(&rows, &|row| row.0.enter());

@@ -1,7 +1,5 @@
 //! Questions for finger places, and their answers, at the door.
 
-use alloc::collections::BTreeMap;
-
 use super::answer::{Improved, InTheWay, Placed, SearchEnd};
 use super::goal::ImproveGoal;
 use super::question::Improve;
@@ -14,7 +12,7 @@ face_of_struct! {
     Placed { contact, surface, point, normal, tangent, command, moved, pressed_with, normal_force }
 }
 
-same_on_both_sides! { BTreeMap<usize, f64>, ImproveGoal, InTheWay, SearchEnd, u64 }
+same_on_both_sides! { ImproveGoal, InTheWay, SearchEnd, u64 }
 
 impl<const C: usize> Face for Surface<C> {
     type Inside = Surface<3>;
@@ -25,17 +23,5 @@ impl<const C: usize> Face for Surface<C> {
 
     fn leave(inside: Surface<3>) -> Self {
         Self(inside.0)
-    }
-}
-
-impl<const C: usize> Face for BTreeMap<usize, Surface<C>> {
-    type Inside = BTreeMap<usize, Surface<3>>;
-
-    fn enter(self) -> Self::Inside {
-        self.into_iter().map(|(contact, surface)| (contact, surface.enter())).collect()
-    }
-
-    fn leave(inside: Self::Inside) -> Self {
-        inside.into_iter().map(|(contact, surface)| (contact, Surface::leave(surface))).collect()
     }
 }

@@ -9,6 +9,8 @@ use nalgebra::SVector;
 use super::link::{Link, LinkPlace};
 use crate::error::{Error, LARGEST, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
+#[cfg(feature = "serde")]
+use crate::grasp::{Face, Space};
 use crate::prelude::*;
 
 /// Unit vectors across a direction: two in space, one in the plane.
@@ -22,6 +24,16 @@ impl<const C: usize> Link<C> {
     /// [`Error::Link`] with the link's name, the field and the allowed values.
     pub fn contacts(&self) -> Result<Vec<Contact<C>>, Error> {
         self.contacts_called(self.name.as_deref().unwrap_or(self.kind().name()))
+    }
+
+    /// Refuses a link of a space as [`Self::contacts`] does.
+    #[cfg(feature = "serde")]
+    pub(crate) fn check_in(&self, space: Space) -> Result<(), Error> {
+        let link = self.clone().enter();
+        match space {
+            Space::Planar => Link::<2>::leave(link).contacts().map(drop),
+            Space::Spatial => link.contacts().map(drop),
+        }
     }
 
     /// The contacts, named after `name`.

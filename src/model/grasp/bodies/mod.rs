@@ -14,6 +14,8 @@ mod assembled;
 mod body;
 mod builder;
 mod coordinates;
+#[cfg(feature = "serde")]
+mod face;
 mod link;
 mod link_points;
 mod place;
