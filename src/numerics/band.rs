@@ -4,6 +4,7 @@
 //! n³/3, and a solution 3 n b in place of n².
 
 use super::tolerances::BAND_PIVOT;
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// A matrix whose entries are up to `reach` places from the diagonal.
@@ -135,7 +136,7 @@ impl BandFactors {
             solve(self, &mut x);
             x
         };
-        self.pinned.iter().map(from).collect()
+        mapped(&self.pinned, &from)
     }
 
     /// The part of a stored column that begins `above` places above the diagonal.

@@ -37,3 +37,13 @@ pub(crate) fn largest<T>(list: &[T], f: &dyn Fn(&T) -> f64) -> f64 {
     }
     largest
 }
+
+/// The sum of `f` of all elements, from the first on.
+pub(crate) fn summed<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
+    // The neutral element of a sum; 0.0 would lose the sign of a sum of negative zeros.
+    let mut sum = -0.0;
+    for element in list {
+        sum += f(element);
+    }
+    sum
+}

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::contact::State;
 use crate::grasp::{Drive, Engine, HandPart, JointKind, Linkage, Named, Owner, PartLabel, Role};
+use crate::numerics::numbered;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Found;
@@ -126,7 +127,7 @@ impl Engine {
             let tendon = linkage.label(HandPart::Tendon(number));
             TendonAnswer { tendon, state, tension: carried + named.held, margin, yielded }
         };
-        let joints = (0..linkage.joints.len()).map(joint).collect();
+        let joints = numbered(linkage.joints.len(), &joint);
         (joints, linkage.tendons.iter().enumerate().map(tendon).collect())
     }
 

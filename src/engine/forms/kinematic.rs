@@ -16,6 +16,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
+use crate::numerics::mapped;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -95,7 +96,7 @@ pub(crate) fn kinematic_form_among(
                 // Facets come in pairs of opposite directions.
                 let opposite = of_contact[..k].iter().position(|other| other.column == -jump.column);
                 moved.push(match opposite {
-                    Some(other) => moved[other].iter().map(|x| -x).collect(),
+                    Some(other) => mapped(&moved[other], &|x| -x),
                     None => trial.moved_by(contact, &jump.column)?,
                 });
             }
@@ -128,8 +129,8 @@ fn form(
         let force = &state.forces[jump.contact];
         (0..springs.axes()).map(|a| jump.row[a] * force[a] / springs.root_along(a)).sum()
     });
-    let z_unit = jumps.iter().map(|jump| jump.z_unit).collect();
-    let w_unit = jumps.iter().map(|jump| jump.w_unit).collect();
+    let z_unit = mapped(jumps, &|jump| jump.z_unit);
+    let w_unit = mapped(jumps, &|jump| jump.w_unit);
     Some(Form { lcp: Lcp::new(m, q).ok()?, rows, z_unit, w_unit })
 }
 

@@ -7,6 +7,7 @@ use super::jump::Jump;
 use super::pieces::Pieces;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Mode};
+use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
@@ -18,7 +19,7 @@ impl<'g> Pieces<'g> {
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
             return Ok(self);
         }
-        self.segment.problem.cones = grasp.sites().iter().map(|site| site.friction).collect();
+        self.segment.problem.cones = mapped(grasp.sites(), &|site| site.friction);
         let slides = |i| Some((i, Change::Slides { direction: self.node.directions[i]? }));
         let changes: Vec<_> = grasp.weaker_once_they_slide().filter_map(slides).collect();
         let begin = self.begin_to_slide(&changes);

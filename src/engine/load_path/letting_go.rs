@@ -25,7 +25,7 @@ use super::stretch::{Bend, Fallen};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
 use crate::equilibrium::ACCURATE;
-use crate::numerics::Vector;
+use crate::numerics::{Vector, largest};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, Settings, Settled, settle};
@@ -121,7 +121,7 @@ impl<'g> Pieces<'g> {
         let mut segment = self.segment.at_rest(self.factor);
         let (mut states, mut forces) = (self.node.states.clone(), self.node.at.forces.clone());
         let mut from = segment.course.at(0.0);
-        let largest = forces.iter().map(Matrix::norm).fold(0.0, f64::max);
+        let largest = largest(&forces, &Matrix::norm);
         let problem = &mut segment.problem;
         for &i in begin {
             problem.cones[i] = problem.sites[i].kinetic.unwrap_or(problem.cones[i]);

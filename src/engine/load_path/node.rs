@@ -12,6 +12,7 @@ use super::trajectory::Trajectory;
 use super::transition::{change, nothing_changes, others};
 use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
+use crate::numerics::numbered;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
@@ -192,7 +193,7 @@ impl Node {
             let idle = local.may_open() && (nothing || force.norm() <= ZERO_SLACK * size);
             if idle { Mode::Open } else { found.states[i] }
         };
-        let states: Vec<State> = (0..self.states.len()).map(state).collect();
+        let states: Vec<State> = numbered(self.states.len(), &state);
         if states == found.states {
             return found;
         }

@@ -8,6 +8,7 @@ use nalgebra::SVector;
 use super::written_leg::{check_drives, check_rows};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// At factor τ >= 0 the load is `base + τ direction` and the finger commands are those of the grasp plus τ times their
@@ -74,15 +75,12 @@ impl<const C: usize> Ramp<C> {
 
     /// This ramp with all its rates multiplied by a factor; backwards for a negative one.
     pub(crate) fn times(&self, factor: f64) -> Self {
-        let times = |change: &Vec<SVector<f64, C>>| change.iter().map(|a| a * factor).collect();
+        let times = |change: &Vec<SVector<f64, C>>| mapped(change, &|a| a * factor);
         Self {
             base: self.base,
             direction: self.direction * factor,
             command_change: self.command_change.as_ref().map(times),
-            joint_change: self
-                .joint_change
-                .as_ref()
-                .map(|change| change.iter().map(|a| a * factor).collect()),
+            joint_change: self.joint_change.as_ref().map(|change| mapped(change, &|a| a * factor)),
         }
     }
 

@@ -12,7 +12,7 @@ use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
 use crate::equilibrium::{AnswerFor, Equilibrium};
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, mapped};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, told_at_rest};
@@ -208,5 +208,5 @@ impl<'g> Stretch<'g> {
 
 /// The state at the beginning of a step.
 fn start_of(here: &PathPoint) -> PieceState {
-    PieceState { forces: here.lines.iter().map(|line| line.force).collect(), twist: here.twist.clone() }
+    PieceState { forces: mapped(&here.lines, &|line| line.force), twist: here.twist.clone() }
 }

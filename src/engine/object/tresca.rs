@@ -19,7 +19,7 @@ use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, narrow_order, widest};
+use crate::numerics::{PositiveBand, Vector, mapped, narrow_order, widest};
 use crate::prelude::*;
 
 /// All contacts with given limits of friction, in a narrow order of coordinates.
@@ -72,7 +72,7 @@ pub(crate) fn twist_by_tresca(problem: &Problem<'_>) -> Option<Vector> {
 impl GivenLimits {
     fn of(problem: &Problem<'_>, on_polygons: bool) -> Option<Self> {
         let count = problem.size().count();
-        let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges()).collect();
+        let couplings: Vec<_> = mapped(problem.sites, &|site| site.support.ranges());
         let numbers = narrow_order(count, &couplings);
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
         let (mut felt, mut first) = (Vec::new(), vec![0]);
@@ -159,8 +159,7 @@ impl GivenLimits {
             let next = self.limits_of(&answers.of);
             let change: Vec<f64> = next.iter().zip(&self.limits).map(|(next, last)| next - last).collect();
             let change = norm(&change) / norm(&next).max(f64::MIN_POSITIVE);
-            let last =
-                core::mem::replace(&mut states, answers.of.iter().map(|answer| answer.state).collect());
+            let last = core::mem::replace(&mut states, mapped(&answers.of, &|answer| answer.state));
             // The iteration ends when limits change by less than this part and no contact changes its state.
             if last == states && change <= 1e-4 {
                 break;

@@ -20,7 +20,7 @@ use nalgebra::{SMatrix, SVector};
 use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, narrow_order, unit, widest};
+use crate::numerics::{PositiveBand, Vector, mapped, narrow_order, unit, widest};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -117,7 +117,7 @@ pub(super) fn left_of_many(problem: &Problem, judged: &dyn Fn(&Vector) -> bool) 
 impl PushedBack {
     fn of(problem: &Problem) -> Option<Self> {
         let count = problem.size().count();
-        let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges()).collect();
+        let couplings: Vec<_> = mapped(problem.sites, &|site| site.support.ranges());
         let numbers = narrow_order(count, &couplings);
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
         let numbered = |range: &Range<usize>| range.clone().map(|k| (k, numbers[k])).collect::<Vec<_>>();

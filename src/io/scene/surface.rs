@@ -102,7 +102,9 @@ impl<const C: usize> WrittenSurface<C> {
         Ok(Surface::of(match self {
             Self::Segment(ends) => Shape::Segments(vec![two(ends)]),
             Self::Polyline(rows) => Shape::polyline(&points(rows)),
-            Self::Circle { centre, radius } => Shape::Arc { centre: centre.0.enter(), radius, from: 0.0, over: None },
+            Self::Circle { centre, radius } => {
+                Shape::Arc { centre: centre.0.enter(), radius, from: 0.0, over: None }
+            }
             Self::Arc { centre, radius, from_deg, over_deg } => Shape::Arc {
                 centre: centre.0.enter(),
                 radius,
@@ -111,10 +113,14 @@ impl<const C: usize> WrittenSurface<C> {
             },
             Self::Spline(rows) => Shape::spline(points(rows), false),
             Self::ClosedSpline(rows) => Shape::spline(points(rows), true),
-            Self::Rectangle { corner, sides } => Shape::Rectangle { corner: corner.0.enter(), sides: two(sides) },
+            Self::Rectangle { corner, sides } => {
+                Shape::Rectangle { corner: corner.0.enter(), sides: two(sides) }
+            }
             Self::Cylinder { axis, radius } => Shape::Cylinder { ends: two(axis), radius },
             Self::Sphere { centre, radius } => Shape::Sphere { centre: centre.0.enter(), radius },
-            Self::Triangles(rows) => Shape::Triangles(mapped(&rows, &|corners| corners.each_ref().map(|row| row.0.enter()))),
+            Self::Triangles(rows) => {
+                Shape::Triangles(mapped(&rows, &|corners| corners.each_ref().map(|row| row.0.enter())))
+            }
         }))
     }
 

@@ -74,7 +74,11 @@ impl<const C: usize> WrittenTurn<C> {
             (Some(_), Some(_)) => return Err("angle_deg and angle_rad: a turn has one of them".to_owned()),
         };
         let turn = turn.up_to(angle);
-        let checked = if turn.tilts_bodies_about.is_some() { turn.check_angle() } else { turn.check_in(space_of_text::<C>()) };
+        let checked = if turn.tilts_bodies_about.is_some() {
+            turn.check_angle()
+        } else {
+            turn.check_in(space_of_text::<C>())
+        };
         checked.map_err(|error| error.to_string())?;
         Ok(turn)
     }
@@ -106,7 +110,8 @@ impl<const C: usize> WrittenTurn<C> {
         let axes = space.axes();
         let (force, at) = (part(Some(force), axes, name)?, part(self.at.as_ref(), axes, "at")?);
         let turn = Turn::<3>::force_at(force, at, self.axis()?).map_err(|error| error.to_string())?;
-        let [constant, cosine, sine] = turn.parts().map(|part| Wrench::among(space, &part.coordinates(space)));
+        let [constant, cosine, sine] =
+            turn.parts().map(|part| Wrench::among(space, &part.coordinates(space)));
         Ok(Turn::new(constant, cosine, sine).beside(self.beside.unwrap_or(Wrench::ZERO)))
     }
 

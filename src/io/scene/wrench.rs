@@ -140,7 +140,8 @@ impl<'de, const C: usize> Deserialize<'de> for Twist<C> {
         object::read(deserializer, "a twist", |WrittenTwist { translation, rotation }| {
             let parts = [translation.as_ref(), rotation.as_ref()];
             let space = space_of_text::<C>();
-            join(space, parts, ["translation", "rotation"]).map(|coordinates| Self::among(space, &coordinates))
+            join(space, parts, ["translation", "rotation"])
+                .map(|coordinates| Self::among(space, &coordinates))
         })
     }
 }

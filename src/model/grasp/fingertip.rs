@@ -11,6 +11,7 @@ use nalgebra::SVector;
 use super::contact::Contact;
 use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
+use crate::numerics::largest;
 use crate::prelude::*;
 
 /// A patch of point contacts that models one fingertip, with its stiffness and its friction in closed form.
@@ -316,7 +317,7 @@ impl<const C: usize> SoftFingertip<C> {
     }
 
     fn largest(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
-        self.points.iter().map(|place| f(&place.offset)).fold(0.0, f64::max)
+        largest(&self.points, &|place| f(&place.offset))
     }
 }
 

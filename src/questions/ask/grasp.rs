@@ -15,7 +15,7 @@ use crate::grasp::{
 };
 use crate::hold::Verdict;
 use crate::load_path::Ramp;
-use crate::numerics::Once;
+use crate::numerics::{Once, mapped, numbered};
 use crate::prelude::*;
 
 /// An object held by elastic fingers: a checked list of contacts, and the joints behind them if a [`Hand`] holds it.
@@ -108,8 +108,8 @@ impl<const C: usize> Grasp<C> {
             let engine = &*self.engine;
             Arc::new(Door {
                 contacts: engine.contacts().iter().cloned().map(outside).collect(),
-                frames: (0..engine.len()).map(|contact| frame_outside(engine.frame(contact))).collect(),
-                links: engine.links().iter().map(|link| link.map(outside)).collect(),
+                frames: numbered(engine.len(), &|contact| frame_outside(engine.frame(contact))),
+                links: mapped(engine.links(), &|link| link.map(outside)),
                 joint_centres: engine.joint_centres().iter().copied().map(outside).collect(),
             })
         })

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::grasp::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::numerics::mapped;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 
@@ -21,10 +22,8 @@ impl<const C: usize> Grasp<C> {
         if told.is_empty() {
             return Ok(self);
         }
-        let stiffness: Vec<f64> =
-            told.iter().map(|(i, _)| self.contacts()[*i].stiffness.series()[0]).collect();
-        let mut commands: Vec<[f64; C]> =
-            self.contacts().iter().map(|contact| contact.command.into()).collect();
+        let stiffness: Vec<f64> = mapped(&told, &|(i, _)| self.contacts()[*i].stiffness.series()[0]);
+        let mut commands: Vec<[f64; C]> = mapped(self.contacts(), &|contact| contact.command.into());
         let mut off = self.missing(&commands, &told)?;
         // Most Newton steps: one is enough while no contact changes state, and each change of state takes one more.
         for _ in 0..20 {

@@ -7,12 +7,11 @@ use super::slip::Grown;
 use super::unknown::{UnknownKind, carried_by};
 use crate::error::Error;
 use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
+use crate::numerics::numbered;
 use crate::prelude::*;
 
 /// The load factor or angle at first slip.
-pub(super) fn predicted(
-    seen: &SlipToPredict<'_>,
-) -> Result<Result<Predicted, NoSlip>, Error> {
+pub(super) fn predicted(seen: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
     let onset = match seen.slip.grown() {
         Grown::Load(load) => seen.grasp.onset(Ramp::load(seen.base, load))?,
         Grown::Turn(turn) => {
@@ -52,7 +51,7 @@ fn exact(seen: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
             UnknownKind::Stiffness => {
                 (1..axes).map(|axis| (Parameter::Stiffness { contact, axis }, springs[axis])).collect()
             }
-            UnknownKind::Squeeze => (0..axes).map(|axis| (along(axis), data.command[axis])).collect(),
+            UnknownKind::Squeeze => numbered(axes, &|axis| (along(axis), data.command[axis])),
             UnknownKind::Carried => {
                 let pressed = carried_by(data, value).coordinates(space);
                 let mut changes = Vec::new();

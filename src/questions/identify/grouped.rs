@@ -15,8 +15,8 @@ use alloc::collections::BTreeMap;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{mapped, summed};
 use crate::prelude::*;
 
 /// Information and influence of each group.
@@ -67,7 +67,7 @@ impl Grouped {
     /// The error of an unknown with these components in the basis. `None` if one group determines it alone.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
-        let variance = sure + self.groups.iter().map(|group| group.moves.dot(unknown).powi(2)).sum::<f64>();
+        let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
         let made_up: Vec<_> = mapped(&self.groups, &|group| &group.made_up * unknown);
         let told: Vec<_> = self.groups.iter().zip(&made_up).map(|(group, a)| &group.tells * a).collect();
         // Covariances of the groups' contributions, for independent rows.

@@ -10,9 +10,9 @@ use super::spread::told;
 use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
 use crate::error::Error;
-use crate::grasp::{WholeContacts, inside, outside};
 #[cfg(feature = "serde")]
 use crate::grasp::Wrench;
+use crate::grasp::{WholeContacts, inside, outside};
 use crate::numerics::mapped;
 use crate::prelude::*;
 #[cfg(feature = "serde")]

@@ -192,12 +192,7 @@ impl Climb<'_> {
     }
 
     /// The program of a step, and the contacts of its last bounds, which are ends of surfaces.
-    fn program(
-        &self,
-        held: &Held,
-        events: &[SlipEvent],
-        bounds: &[Constraint],
-    ) -> (StepProgram, Vec<usize>) {
+    fn program(&self, held: &Held, events: &[SlipEvent], bounds: &[Constraint]) -> (StepProgram, Vec<usize>) {
         let variables = &self.choice.variables;
         let force = self.choice.unit_of_force();
         let mut rows: Vec<_> = mapped(bounds, &|bound| (&bound.gradient / force, bound.left / force));

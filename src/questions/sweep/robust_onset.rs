@@ -17,6 +17,7 @@ use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Engine, face_of_struct, same_on_both_sides};
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Ramp};
+use crate::numerics::summed;
 use crate::prelude::*;
 
 /// An onset of sliding with its spread.
@@ -97,7 +98,7 @@ impl Engine {
         }
         let Some(margins) = OnsetMargins::new(self, event) else { return Ok(None) };
         let moves = self.moves(&margins, event, uncertainty);
-        let norm = |of: &dyn Fn(&Vec<f64>) -> f64| moves.iter().map(|g| of(g).powi(2)).sum::<f64>().sqrt();
+        let norm = |of: &dyn Fn(&Vec<f64>) -> f64| summed(&moves, &|g| of(g).powi(2)).sqrt();
         let leaving: Vec<_> = margins
             .leavers()
             .enumerate()

@@ -7,7 +7,7 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::eye::Eye;
 use super::mark::{Mark, MarkShape};
-use crate::numerics::{increasing, mapped};
+use crate::numerics::{increasing, mapped, summed};
 use crate::picture::layout::MARKS;
 use crate::picture::painting::{EyePoint, Painting};
 use crate::picture::palette::{CONTOUR, FACE};
@@ -109,7 +109,7 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColo
         painting.area(corners.iter().map(|corner| (corner.x, corner.y)), ink.mix(0.12), depth);
     };
     let depth = |part: &[EyePoint]| {
-        let mean = part.iter().map(|corner| corner.z).sum::<f64>() / part.len() as f64;
+        let mean = summed(part, &|corner| corner.z) / part.len() as f64;
         (apex.z + 2.0 * mean) / 3.0
     };
     if ends.is_empty() {
