@@ -181,8 +181,8 @@ impl<'g> Problem<'g> {
     }
 
     /// All contacts with their laws, in order.
-    pub(crate) fn locals(&self) -> impl ExactSizeIterator<Item = LocalLaw<'_>> {
-        (0..self.len()).map(|contact| self.local(contact))
+    pub(crate) fn locals(&self) -> Locals<'_> {
+        Locals { problem: self, next: 0 }
     }
 
     /// The value of `of` for each contact, in order.
@@ -250,3 +250,29 @@ impl<'g> Problem<'g> {
         })
     }
 }
+
+/// The laws of all contacts, in order: a type with a name, of which functions of iterators have fewer copies than of a closure.
+pub(crate) struct Locals<'p> {
+    problem: &'p Problem<'p>,
+    next: usize,
+}
+
+impl<'p> Iterator for Locals<'p> {
+    type Item = LocalLaw<'p>;
+
+    #[inline]
+    fn next(&mut self) -> Option<LocalLaw<'p>> {
+        if self.next == self.problem.len() {
+            return None;
+        }
+        self.next += 1;
+        Some(self.problem.local(self.next - 1))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = self.problem.len() - self.next;
+        (left, Some(left))
+    }
+}
+
+impl ExactSizeIterator for Locals<'_> {}

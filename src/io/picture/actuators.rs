@@ -26,12 +26,18 @@ impl<const C: usize> Actuators<C> {
     pub(super) fn that_yield(
         &self,
         state: &Equilibrium<C>,
-    ) -> impl Iterator<Item = (&str, Option<SVector<f64, C>>)> {
-        let yields = |state: DriveState| state == DriveState::Yields;
-        let joints = self.joints.iter().zip(&state.joints).filter(move |(_, answer)| yields(answer.state));
-        let tendons = self.tendons.iter().zip(&state.tendons).filter(move |(_, answer)| yields(answer.state));
-        joints
-            .map(|((name, at), _)| (name.as_str(), *at))
-            .chain(tendons.map(|(name, _)| (name.as_str(), None)))
+    ) -> Vec<(&str, Option<SVector<f64, C>>)> {
+        let mut yielding = Vec::new();
+        for ((name, at), answer) in self.joints.iter().zip(&state.joints) {
+            if answer.state == DriveState::Yields {
+                yielding.push((name.as_str(), *at));
+            }
+        }
+        for (name, answer) in self.tendons.iter().zip(&state.tendons) {
+            if answer.state == DriveState::Yields {
+                yielding.push((name.as_str(), None));
+            }
+        }
+        yielding
     }
 }

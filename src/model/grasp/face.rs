@@ -159,15 +159,23 @@ impl<T: Face> Face for Option<T> {
     }
 }
 
-impl<K: Ord + Clone + 'static, T: Face> Face for BTreeMap<K, T> {
-    type Inside = BTreeMap<K, T::Inside>;
+impl<T: Face> Face for BTreeMap<String, T> {
+    type Inside = BTreeMap<String, T::Inside>;
 
     fn enter(self) -> Self::Inside {
-        self.into_iter().map(|(key, value)| (key, value.enter())).collect()
+        let mut all = BTreeMap::new();
+        for (key, value) in self {
+            all.insert(key, value.enter());
+        }
+        all
     }
 
     fn leave(inside: Self::Inside) -> Self {
-        inside.into_iter().map(|(key, value)| (key, T::leave(value))).collect()
+        let mut all = Self::new();
+        for (key, value) in inside {
+            all.insert(key, T::leave(value));
+        }
+        all
     }
 }
 

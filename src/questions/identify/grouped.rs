@@ -11,8 +11,6 @@
 //! of an unknown, c in this basis, is `Σ (c'w_g)²`. For independent rows, `c'w_g` would have the covariances
 //! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
-use alloc::collections::BTreeMap;
-
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -47,8 +45,15 @@ pub(super) struct GroupedError {
 impl Grouped {
     /// From rows in the basis (one slip for each entry of `groups`, then the known sums) and their residuals.
     pub(super) fn of(rows: &DMatrix<f64>, off: &[f64], groups: &[usize]) -> Self {
-        let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        groups.iter().enumerate().for_each(|(slip, group)| members.entry(*group).or_default().push(slip));
+        let mut names = groups.to_vec();
+        names.sort_unstable();
+        names.dedup();
+        let mut members = vec![Vec::new(); names.len()];
+        for (slip, group) in groups.iter().enumerate() {
+            if let Ok(place) = names.binary_search(group) {
+                members[place].push(slip);
+            }
+        }
         let known: Vec<usize> = (groups.len()..rows.nrows()).collect();
         let square = |those: &[usize]| {
             let own = rows.select_rows(those);
@@ -61,7 +66,7 @@ impl Grouped {
             let moves = &made_up * rows.select_rows(those).tr_mul(&own);
             Group { tells, made_up, moves }
         };
-        Self { groups: members.values().map(group).collect(), known: square(&known) }
+        Self { groups: mapped(&members, &group), known: square(&known) }
     }
 
     /// The error of an unknown with these components in the basis. `None` if one group determines it alone.

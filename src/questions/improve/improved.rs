@@ -169,7 +169,7 @@ fn placed(choice: &Choice<'_>, held: &Held) -> Vec<Placed<3>> {
         for part in parts.with(&|k| k == i) {
             all.push(Placed {
                 contact: part,
-                surface: choice.question.surfaces.get(&i).map(|surface| surface.0.name().to_owned()),
+                surface: choice.question.surface_of(i).map(|surface| surface.name().to_owned()),
                 point: contact.point,
                 normal: contact.normal.normalize(),
                 tangent: held.placing.tangents[i],

@@ -60,10 +60,8 @@ impl<'q> Choice<'q> {
         let length = grasp.engine.length();
         let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
         for (contact, at) in given.iter().enumerate() {
-            let spot = question
-                .surfaces
-                .get(&contact)
-                .map(|surface| Spot::nearest(&surface.0, &at.point, &at.normal));
+            let surface = question.surface_of(contact);
+            let spot = surface.map(|surface| Spot::nearest(surface, &at.point, &at.normal));
             if let Some(spot) = &spot {
                 let refused = |field, value, allowed| {
                     Err(Error::Surface { contact: at.label(contact), field, value, allowed })

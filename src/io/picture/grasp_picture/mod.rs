@@ -205,9 +205,12 @@ impl<'a> Picture<'a> {
                 painting.dot(flat(place(at)), 5.0, GREY, false);
             }
         }
-        let yielding = self.of.state.iter().flat_map(|state| self.actuators.that_yield(state));
-        for at in yielding.filter_map(|(_, at)| at) {
-            painting.dot(flat(place(&at)), 8.0, VERMILION, false);
+        if let Some(state) = self.of.state {
+            for (_, at) in self.actuators.that_yield(state) {
+                if let Some(at) = at {
+                    painting.dot(flat(place(&at)), 8.0, VERMILION, false);
+                }
+            }
         }
         for outline in self.of.outlines.iter().filter(|outline| outline.len() > 2) {
             painting.area(outline.iter().map(place), GREY.mix(0.12), -3.0);
