@@ -8,7 +8,7 @@
 
 use super::nearest_point::NearestPoint;
 use super::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{largest, mapped, summed};
+use crate::numerics::{largest, mapped, moved, summed};
 use crate::prelude::*;
 
 /// The least τ with `b + a·τ >= 0` for all rows (b, a) of one length, none of which is zero. `None` if no τ meets all rows, or there are none.
@@ -23,7 +23,7 @@ pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
         }
         row
     };
-    let generators: Vec<Vec<f64>> = rows.into_iter().map(generator).collect();
+    let generators: Vec<Vec<f64>> = moved(rows, &generator);
     let mut target = vec![0.0; count + 1];
     target[count] = 1.0;
     let mut nearest = NearestPoint::new(&target);

@@ -11,7 +11,7 @@ use num_traits::{FromPrimitive, One, Signed, Zero};
 
 use crate::contact::{Label, LocalLaw, Sector};
 use crate::grasp::{Contact, Engine, Site, Wrench};
-use crate::numerics::{Vector, mapped, numbered};
+use crate::numerics::{Vector, mapped, numbered, paired};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, ProofStep, check};
@@ -154,7 +154,7 @@ fn is_contradicted(
     let most = &gain / (exact(ESCAPE) * data);
     gain.is_positive()
         && parts().zip(labels).all(|((contact, f), label)| {
-            let give: Vec<Rational> = f.iter().zip(&contact.stiffness).map(|(f, k)| f / k).collect();
+            let give: Vec<Rational> = paired(&f, &contact.stiffness, &|(f, k)| f / k);
             let moved = contact.map.each_ref().map(|column| dot(column, &motion));
             contact.generators(label).iter().all(|[xi, force]| {
                 let work = dot(&give, xi) + dot(&moved, force);

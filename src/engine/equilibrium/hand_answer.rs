@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::contact::State;
 use crate::grasp::{Drive, Engine, HandPart, JointKind, Linkage, Named, Owner, PartLabel, Role};
-use crate::numerics::numbered;
+use crate::numerics::{indexed, numbered};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Found;
@@ -128,7 +128,7 @@ impl Engine {
             TendonAnswer { tendon, state, tension: carried + named.held, margin, yielded }
         };
         let joints = numbered(linkage.joints.len(), &joint);
-        (joints, linkage.tendons.iter().enumerate().map(tendon).collect())
+        (joints, indexed(&linkage.tendons, &tendon))
     }
 
     fn own(&self, linkage: &Linkage, problem: &Problem, found: &Found, owner: Owner) -> Own {

@@ -7,8 +7,8 @@ use super::jump::Jump;
 use super::pieces::Pieces;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Mode};
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
@@ -92,13 +92,12 @@ impl<'g> Pieces<'g> {
         let slides = |i: &usize| {
             self.node.states[*i].slides() && segment.problem.cone(*i) != segment.problem.sites[*i].friction
         };
-        let rest: Vec<_> =
-            if is_still { (0..segment.problem.len()).filter(slides).collect() } else { Vec::new() };
+        let rest: Vec<_> = if is_still { chosen(segment.problem.len(), &slides) } else { Vec::new() };
         for &i in &rest {
             (self.node.states[i], self.node.directions[i]) = (Mode::Sticking, None);
         }
         self.friction_of_rest();
-        rest.into_iter().map(|i| (i, Change::Sticks)).collect()
+        moved(rest, &|i| (i, Change::Sticks))
     }
 
     /// Sets the friction of contacts after these changes, and makes the jump that follows if some begin to slide.
@@ -120,6 +119,6 @@ impl<'g> Pieces<'g> {
             let site = &problem.sites[*i];
             (begins && site.kinetic.is_some() && problem.cone(*i) == site.friction).then_some(*i)
         };
-        changes.iter().filter_map(falls).collect()
+        picked(changes, &falls)
     }
 }

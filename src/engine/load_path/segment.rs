@@ -9,7 +9,7 @@ use super::turning_state::TurningState;
 use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
 use crate::equilibrium::{AnswerFor, NoEquilibrium, Proof};
 use crate::grasp::Engine;
-use crate::numerics::{Vector, cleared_for, mapped};
+use crate::numerics::{Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
@@ -99,7 +99,7 @@ impl<'g> Segment<'g> {
             .map_err(|u| self.unbalanced(factor, u.motion))?;
         let rate = self.pushed_along(&piece, rate, pushed);
         let at = self.state(&piece, factor, near).unwrap_or_else(|| PieceState {
-            forces: base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect(),
+            forces: paired(&base.forces, &rate.forces, &|(f, df)| f + df * factor),
             twist: &base.twist + &rate.twist * factor,
         });
         Ok(self.here(piece, factor, at, (&rate, 1.0), (0.0, &base)))

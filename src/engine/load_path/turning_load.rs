@@ -10,7 +10,7 @@ use super::turning_state::TurningState;
 use crate::contact::Wave;
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Harmonic, Vector, mapped, numbered};
+use crate::numerics::{Harmonic, Vector, mapped, numbered, paired};
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
@@ -103,6 +103,6 @@ impl Segment<'_> {
 /// The state at the beginning of a turn, from those under the parts of its load.
 pub(super) fn at_start(parts: &Harmonic<PieceState>) -> PieceState {
     let Harmonic { constant, cosine, .. } = parts;
-    let forces = constant.forces.iter().zip(&cosine.forces).map(|(f, more)| f + more).collect();
+    let forces = paired(&constant.forces, &cosine.forces, &|(f, more)| f + more);
     PieceState { forces, twist: &constant.twist + &cosine.twist }
 }

@@ -10,7 +10,7 @@
 //! nearly singular T is left to orthogonal factors.
 
 use crate::numerics::{
-    Band, BandFactors, Size, Vector, generic, mapped, narrow_order, numbered, summed, widest,
+    Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,
 };
 
 use core::ops::Range;
@@ -133,7 +133,7 @@ impl BandPiece {
             let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
             Vector::from_fn(Size::of(q.len()), entry)
         };
-        self.factors.null_vectors().into_iter().map(motion).collect()
+        moved(self.factors.null_vectors(), &motion)
     }
 
     /// `T⁻¹` times a load.
@@ -235,7 +235,7 @@ impl SpringLists {
             longest = longest.max(rows[range].iter().map(|x| x * x).sum());
         });
         let unit = |square: f64| if square > 0.0 { 1.0 / square.sqrt() } else { 1.0 };
-        Side { rows, units: squares.into_iter().map(unit).collect(), longest: longest.sqrt() }
+        Side { rows, units: moved(squares, &unit), longest: longest.sqrt() }
     }
 
     /// Adds the pushes of springs to q and scales q by the units of the columns.

@@ -6,7 +6,7 @@
 //!
 //! At rest the drives a_i are commanded displacements and the laws are whole; in rates both describe what happens next.
 
-use crate::numerics::{Size, Vector};
+use crate::numerics::{Size, Vector, indexed};
 use alloc::sync::Arc;
 
 use nalgebra::SVector;
@@ -229,7 +229,7 @@ impl<'g> Problem<'g> {
             let lambda = (slip.dot(&friction) / square).max(0.0);
             Mode::Round(Slide::new(&friction, lambda))
         };
-        states.iter().enumerate().map(slid_on).collect()
+        indexed(states, &slid_on)
     }
 
     /// The slip of a contact with this friction force, in twice the working precision: for a stiff contact it is a small difference.

@@ -17,13 +17,13 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::escape::counts_from_here_on;
 use crate::contact::LocalLaw;
 use crate::lcp::{Lcp, Outcome, Settings};
-use crate::numerics::{Vector, largest, unit};
+use crate::numerics::{Vector, chosen, largest, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
 /// Whether no forces hold any load between a load (not included) and another a little beyond.
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
-    let free: Vec<usize> = (0..here.len()).filter(|&i| here.local(i).may_open()).collect();
+    let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
     // Most contacts that may open: all choices of open ones among them are tried.
     whole

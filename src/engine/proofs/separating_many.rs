@@ -20,7 +20,7 @@ use nalgebra::{SMatrix, SVector};
 use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, mapped, narrow_order, unit, widest};
+use crate::numerics::{PositiveBand, Vector, mapped, moved, narrow_order, paired, unit, widest};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -124,11 +124,7 @@ impl PushedBack {
         let felt = |contact: usize| couplings[contact].iter().flat_map(numbered).collect::<Vec<_>>();
         let ray = |Generator { contact, wrench, .. }: Generator| {
             let along = |(k, number)| (number, unit::<3>(0) * wrench[k]);
-            Pushing {
-                felt: felt(contact).into_iter().map(along).collect(),
-                cone: None,
-                told: SVector::zeros(),
-            }
+            Pushing { felt: moved(felt(contact), &along), cone: None, told: SVector::zeros() }
         };
         let mut contacts: Vec<_> = straight_generators(problem)?.into_iter().map(ray).collect();
         for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
@@ -138,11 +134,7 @@ impl PushedBack {
             let size = site.map.column(0).norm();
             let entry = |(k, number)| (number, SVector::from_fn(|a, _| site.map[(k, a)] / size));
             let cone = Some(local.cone().limit(1.0));
-            contacts.push(Pushing {
-                felt: felt(contact).into_iter().map(entry).collect(),
-                cone,
-                told: SVector::zeros(),
-            });
+            contacts.push(Pushing { felt: moved(felt(contact), &entry), cone, told: SVector::zeros() });
         }
         let mut load = vec![0.0; count];
         let size = problem.wrench.norm();
@@ -165,7 +157,7 @@ impl PushedBack {
             let falls = dot(&missing, &step);
             let mut part = 1.0;
             for shorter in 0.. {
-                let next: Vec<f64> = v.iter().zip(&step).map(|(v, step)| v + step * part).collect();
+                let next: Vec<f64> = paired(v, &step, &|(v, step)| v + step * part);
                 missing = self.missing(&next);
                 let rises = -dot(&missing, &step);
                 // A step is reduced at most twelve times. It is reduced while the energy rises at its end by more than this part of its initial

@@ -10,7 +10,7 @@ use super::answer::Found;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, least_distance, mapped};
+use crate::numerics::{Vector, chosen, least_distance, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -57,7 +57,7 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
         let open = found.states[*i].is_open() && problem.local(*i).may_open();
         open && reach >= -ZERO_SLACK * problem.span(*i, base)
     };
-    let open: Vec<usize> = (0..problem.len()).filter(touches).collect();
+    let open: Vec<usize> = chosen(problem.len(), &touches);
     if open.is_empty() {
         return Vector::zeros();
     }

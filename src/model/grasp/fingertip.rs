@@ -11,7 +11,7 @@ use nalgebra::SVector;
 use super::contact::Contact;
 use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
-use crate::numerics::largest;
+use crate::numerics::{indexed, largest, moved};
 use crate::prelude::*;
 
 /// A patch of point contacts that models one fingertip, with its stiffness and its friction in closed form.
@@ -262,7 +262,7 @@ impl<const C: usize> SoftFingertip<C> {
             point_of_pad: Some(i),
             ..contact.clone()
         };
-        Ok(self.points.iter().enumerate().map(child).collect())
+        Ok(indexed(&self.points, &child))
     }
 
     /// This patch as one with `B` axes, for callers generic over that number; `None` if it has another number.
@@ -273,7 +273,7 @@ impl<const C: usize> SoftFingertip<C> {
             offset: SVector::from_fn(|a, _| place.offset[a]),
             share: place.share,
         };
-        (B == C).then(|| SoftFingertip { radius, points: points.into_iter().map(place).collect() })
+        (B == C).then(|| SoftFingertip { radius, points: moved(points, &place) })
     }
 
     /// Distance of the outermost points from the centre, m: the radius R, or half the width.

@@ -6,6 +6,7 @@
 
 use crate::equilibrium::Equilibrium;
 use crate::grasp::Engine;
+use crate::numerics::summed;
 
 impl Engine {
     /// The share of the geometric stiffness in the resistance to the motion q from rest to another state with the same commands:
@@ -26,7 +27,7 @@ impl Engine {
         let moved: alloc::vec::Vec<f64> = moved.collect();
         let kept: f64 = moved.iter().zip(load.components()).map(|(q, w)| q * w).sum();
         let rotation = &moved[3..];
-        let square: f64 = rotation.iter().map(|x| x * x).sum();
+        let square: f64 = summed(rotation, &|x| x * x);
         let mut left_out = 0.0;
         for (contact, answer) in self.contacts().iter().zip(&rest.contacts) {
             let (force, arm) = (answer.force_world, contact.point - self.origin());

@@ -14,7 +14,7 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{mapped, summed};
+use crate::numerics::{mapped, paired, summed};
 use crate::prelude::*;
 
 /// Information and influence of each group.
@@ -74,7 +74,7 @@ impl Grouped {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
         let made_up: Vec<_> = mapped(&self.groups, &|group| &group.made_up * unknown);
-        let told: Vec<_> = self.groups.iter().zip(&made_up).map(|(group, a)| &group.tells * a).collect();
+        let told: Vec<_> = paired(&self.groups, &made_up, &|(group, a)| &group.tells * a);
         // Covariances of the groups' contributions, for independent rows.
         let covariance = |g: usize, h: usize| {
             let own = if g == h { made_up[g].dot(&told[g]) } else { 0.0 };

@@ -18,7 +18,7 @@ use super::tolerances::INDISTINCT;
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Space, Twist, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{largest, mapped};
+use crate::numerics::{largest, mapped, summed};
 use crate::prelude::*;
 
 /// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
@@ -84,7 +84,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
     }
 
     fn is_root(&self) -> bool {
-        let forces: f64 = self.pressing.iter().map(|contact| contact.normal_force.abs()).sum();
+        let forces: f64 = summed(&self.pressing, &|contact| contact.normal_force.abs());
         self.left_over().norm() <= SOLVED_ROUNDING * forces
     }
 

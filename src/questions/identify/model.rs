@@ -9,7 +9,7 @@ use super::{first, gross};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::numerics::mapped;
+use crate::numerics::{chosen, mapped, summed};
 use crate::prelude::*;
 use crate::sweep::map_in_order;
 
@@ -101,7 +101,7 @@ impl Model<'_> {
         };
         let (slips, knowns, columns) = (all.len(), self.asked.known.len(), logs.len());
         let mut jacobian = DMatrix::zeros(slips + knowns, columns);
-        let unknown: Vec<_> = (0..slips).filter(|k| all[*k].exact.is_none()).collect();
+        let unknown: Vec<_> = chosen(slips, &|k| all[*k].exact.is_none());
         for (k, told) in all.iter().enumerate() {
             let Some(exact) = &told.exact else { continue };
             for j in 0..columns {
@@ -117,7 +117,7 @@ impl Model<'_> {
             }
         }
         for (k, known) in self.asked.known.iter().enumerate() {
-            let sum: f64 = known.unknowns.iter().map(|j| logs[*j].exp()).sum();
+            let sum: f64 = summed(&known.unknowns, &|j| logs[*j].exp());
             for j in &known.unknowns {
                 jacobian[(slips + k, *j)] = logs[*j].exp() / sum;
             }
@@ -161,7 +161,7 @@ impl Model<'_> {
     fn off(&self, logs: &[f64], all: &[Predicted]) -> Vec<f64> {
         let slips = self.asked.slips.iter().zip(all).map(|(slip, told)| (slip.seen_at() / told.at).ln());
         let knowns = self.asked.known.iter().map(|known| {
-            let sum: f64 = known.unknowns.iter().map(|j| logs[*j].exp()).sum();
+            let sum: f64 = summed(&known.unknowns, &|j| logs[*j].exp());
             (known.value / sum).ln()
         });
         slips.chain(knowns).collect()

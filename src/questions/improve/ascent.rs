@@ -13,8 +13,8 @@ use super::step::{StepProgram, TrialStep};
 use super::tolerances::{ARRIVED_AT_TOP, OPTIMAL, ROUNDED_GAIN};
 use crate::ask::Grasp;
 use crate::error::Error;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{least, mapped};
 use crate::prelude::*;
 
 /// A placing that sticks at rest, with its forces.
@@ -124,7 +124,7 @@ impl Climb<'_> {
             }
             // A negative reserve means that a contact slides under a load. It is kept, because its gradient leads to a better place.
             ImproveGoal::Reserve => {
-                let least = events.iter().map(|event| event.value).fold(f64::INFINITY, f64::min);
+                let least = least(&events, &|event| event.value);
                 (least, if size > 0.0 { size } else { self.choice.unit_of_force() })
             }
         };

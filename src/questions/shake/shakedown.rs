@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{largest, mapped};
+use crate::numerics::{indexed, largest, mapped};
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -210,7 +210,7 @@ impl Program {
             return None;
         }
         let factor = if z[0] >= farthest * (1.0 - NEGLIGIBLE) { f64::INFINITY } else { z[0] * self.units.0 };
-        let sizes = self.units.1.iter().enumerate().map(|(k, unit)| size(k) * unit).collect();
+        let sizes = indexed(&self.units.1, &|(k, unit)| size(k) * unit);
         Some((factor, sizes, multipliers.iter().take(rows).copied().collect()))
     }
 }

@@ -6,7 +6,7 @@ use super::loads::Loads;
 use crate::contact::{Edges, ZERO_SLACK, is_broken};
 use crate::equilibrium::{ContactForces, Influence, StickingResponse, push};
 use crate::grasp::{Motion, Wrench};
-use crate::numerics::{Harmonic, Vector, mapped, summed};
+use crate::numerics::{Harmonic, Vector, mapped, moved, summed};
 use crate::prelude::*;
 
 /// A condition `row·F >= 0`, its value under a load, and the size of its forces.
@@ -104,7 +104,7 @@ impl<'l> Parts<'l> {
                     let load = *base + push(point, &against) * *size;
                     Condition { row, value, size: pressed + influence.size * size, load }
                 };
-                edges.on_a_sphere(&force, &influence.of, *size).into_iter().map(condition).collect()
+                moved(edges.on_a_sphere(&force, &influence.of, *size), &condition)
             }
             Loads::Turn(turn) => {
                 let mut force = Harmonic::new(core::array::from_fn(|k| self.base[k].of[contact]));

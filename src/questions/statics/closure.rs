@@ -16,7 +16,7 @@ use crate::contact::{LocalLaw, Mode, Polygon};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, Twist};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Orthogonal, Vector, largest, mapped, numbered, unit};
+use crate::numerics::{Orthogonal, Vector, largest, mapped, moved, numbered, unit};
 use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
@@ -129,7 +129,7 @@ impl Engine {
             forces[i][axis] = *x;
         }
         let largest = largest(&forces, &SVector::norm);
-        let internal: Vec<_> = forces.into_iter().map(|force| force / largest).collect();
+        let internal: Vec<_> = moved(forces, &|force| force / largest);
         if inside(&internal) { Closure::Closed { internal } } else { Closure::Boundary }
     }
 

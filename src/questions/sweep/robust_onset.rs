@@ -17,7 +17,7 @@ use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Engine, face_of_struct, same_on_both_sides};
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Ramp};
-use crate::numerics::summed;
+use crate::numerics::{moved, summed};
 use crate::prelude::*;
 
 /// An onset of sliding with its spread.
@@ -144,7 +144,7 @@ impl Engine {
         }
         if load != 0.0 {
             let by = margins.by_load(&event.load).unwrap_or_else(unknown);
-            moves.push(by.into_iter().map(|by| load * by).collect());
+            moves.push(moved(by, &|by| load * by));
         }
         moves
     }

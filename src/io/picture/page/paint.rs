@@ -7,7 +7,7 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::eye::Eye;
 use super::mark::{Mark, MarkShape};
-use crate::numerics::{increasing, mapped, summed};
+use crate::numerics::{increasing, mapped, moved, summed};
 use crate::picture::layout::MARKS;
 use crate::picture::painting::{EyePoint, Painting};
 use crate::picture::palette::{CONTOUR, FACE};
@@ -129,7 +129,7 @@ fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     // By the first coordinate, and by the second among places of the same first.
     for coordinate in [|place: &(f64, f64)| place.1, |place: &(f64, f64)| place.0] {
         let values: Vec<f64> = mapped(&places, &coordinate);
-        places = increasing(&values).into_iter().map(|i| places[i]).collect();
+        places = moved(increasing(&values), &|i| places[i]);
     }
     let mut corners: Vec<(f64, f64)> = Vec::new();
     let turns_back =

@@ -12,7 +12,7 @@ use crate::grasp::contact::Contact;
 use crate::grasp::face::Face;
 use crate::grasp::hand::{Finger, Hand};
 use crate::grasp::wrench::Wrench;
-use crate::numerics::mapped;
+use crate::numerics::{mapped, summed};
 use crate::prelude::*;
 
 /// Several bodies that touch each other, the ground and fingers. [`Bodies::grasp`] makes a grasp of them, which is asked like any other.
@@ -155,7 +155,7 @@ impl<const C: usize> Bodies<C> {
                 None => return refuse(name, format!("is to be loaded, and is none of {}", names.join(", "))),
             },
         };
-        let mass: f64 = bodies.iter().map(|body| body.mass).sum();
+        let mass: f64 = summed(&bodies, &|body| body.mass);
         if loaded == Loaded::ByMass && mass == 0.0 {
             return refuse(
                 &names[0],

@@ -10,7 +10,7 @@ use crate::grasp::engine::space_of;
 use crate::grasp::hand::Columns;
 use crate::grasp::wrench::Wrench;
 use crate::numerics::Space;
-use crate::numerics::{Size, Vector, mapped, numbered};
+use crate::numerics::{Size, Vector, mapped, numbered, paired};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -199,7 +199,7 @@ impl PlacedBodies {
 
     /// These bodies with the loads `put_on` in addition to the constant ones.
     pub(super) fn under(&self, put_on: Vec<Wrench<3>>) -> Self {
-        let loads = self.loads.iter().zip(&put_on).map(|(always, more)| *always + *more).collect();
+        let loads = paired(&self.loads, &put_on, &|(always, more)| *always + *more);
         Self { loads, put_on, ..self.clone() }
     }
 
