@@ -8,7 +8,7 @@
 
 use super::nearest_point::NearestPoint;
 use super::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{largest, mapped, moved, summed};
+use crate::numerics::{dot, largest, mapped, moved, summed};
 use crate::prelude::*;
 
 /// The least τ with `b + a·τ >= 0` for all rows (b, a) of one length, none of which is zero. `None` if no τ meets all rows, or there are none.
@@ -29,7 +29,7 @@ pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
     let mut nearest = NearestPoint::new(&target);
     for _ in 0..4 * generators.len() + 4 {
         let works = |k: &usize| {
-            let work: f64 = generators[*k].iter().zip(nearest.residual()).map(|(a, r)| a * r).sum();
+            let work: f64 = dot(&generators[*k], nearest.residual());
             if nearest.has(*k) { f64::NEG_INFINITY } else { work }
         };
         let most = (0..generators.len()).max_by(|a, b| works(a).total_cmp(&works(b)))?;

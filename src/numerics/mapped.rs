@@ -109,3 +109,12 @@ pub(crate) fn least<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
     }
     least
 }
+
+/// The sum of the products of two lists, place by place from the first on.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sum = -0.0;
+    for (a, b) in a.iter().zip(b) {
+        sum += a * b;
+    }
+    sum
+}

@@ -103,7 +103,7 @@ pub(crate) use largest_ball::largest_ball;
 pub(crate) use least_distance::least_distance;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use mapped::{
-    chosen, indexed, largest, least, mapped, moved, numbered, paired, picked, summed, tried,
+    chosen, dot, indexed, largest, least, mapped, moved, numbered, paired, picked, summed, tried,
 };
 pub(crate) use memory::Memory;
 pub(crate) use narrow_order::{narrow_order, widest};

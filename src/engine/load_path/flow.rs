@@ -113,10 +113,13 @@ impl<'s, 'g> Flow<'s, 'g> {
         let sites = segment.grasp.sites();
         let drives = segment.drives(from);
         let load = segment.course.at(from).norm();
-        let forces = here.lines.iter().map(|line| line.force.norm());
-        let force = largest_force(sites, &drives, &here.twist, load, forces).max(segment.largest);
-        let spans = sites.iter().zip(&drives).map(|(site, a)| site.span(a, &here.twist));
-        let sizes = [force, spans.fold(0.0, f64::max)];
+        let forces = mapped(&here.lines, &|line| line.force.norm());
+        let force = largest_force(sites, &drives, &here.twist, load, forces.into_iter()).max(segment.largest);
+        let mut span = 0.0_f64;
+        for (site, a) in sites.iter().zip(&drives) {
+            span = span.max(site.span(a, &here.twist));
+        }
+        let sizes = [force, span];
         // Motions that no force drives continue at their present rate.
         let pushed = |v: &Vector| {
             let rate = v.dot(&here.twist_rate);

@@ -19,7 +19,7 @@ use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, mapped, moved, narrow_order, paired, widest};
+use crate::numerics::{PositiveBand, Vector, dot, mapped, moved, narrow_order, paired, widest};
 use crate::prelude::*;
 
 /// All contacts with given limits of friction, in a narrow order of coordinates.
@@ -212,10 +212,6 @@ impl GivenLimits {
         }
         Some(here)
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 fn norm(list: &[f64]) -> f64 {

@@ -13,14 +13,12 @@
 //! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1
 //! (1976).
 
-use core::ops::Range;
-
 use nalgebra::{SMatrix, SVector};
 
 use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, mapped, moved, narrow_order, paired, unit, widest};
+use crate::numerics::{PositiveBand, Vector, dot, mapped, narrow_order, paired, unit, widest};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -120,11 +118,18 @@ impl PushedBack {
         let couplings: Vec<_> = mapped(problem.sites, &|site| site.support.ranges());
         let numbers = narrow_order(count, &couplings);
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
-        let numbered = |range: &Range<usize>| range.clone().map(|k| (k, numbers[k])).collect::<Vec<_>>();
-        let felt = |contact: usize| couplings[contact].iter().flat_map(numbered).collect::<Vec<_>>();
+        let felt = |contact: usize| {
+            let mut felt = Vec::new();
+            for range in &couplings[contact] {
+                for k in range.clone() {
+                    felt.push((k, numbers[k]));
+                }
+            }
+            felt
+        };
         let ray = |Generator { contact, wrench, .. }: Generator| {
-            let along = |(k, number)| (number, unit::<3>(0) * wrench[k]);
-            Pushing { felt: moved(felt(contact), &along), cone: None, told: SVector::zeros() }
+            let along = |(k, number): &(usize, usize)| (*number, unit::<3>(0) * wrench[*k]);
+            Pushing { felt: mapped(&felt(contact), &along), cone: None, told: SVector::zeros() }
         };
         let mut contacts: Vec<_> = straight_generators(problem)?.into_iter().map(ray).collect();
         for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
@@ -132,9 +137,10 @@ impl PushedBack {
                 continue;
             }
             let size = site.map.column(0).norm();
-            let entry = |(k, number)| (number, SVector::from_fn(|a, _| site.map[(k, a)] / size));
+            let entry =
+                |(k, number): &(usize, usize)| (*number, SVector::from_fn(|a, _| site.map[(*k, a)] / size));
             let cone = Some(local.cone().limit(1.0));
-            contacts.push(Pushing { felt: moved(felt(contact), &entry), cone, told: SVector::zeros() });
+            contacts.push(Pushing { felt: mapped(&felt(contact), &entry), cone, told: SVector::zeros() });
         }
         let mut load = vec![0.0; count];
         let size = problem.wrench.norm();
@@ -209,10 +215,6 @@ impl PushedBack {
         }
         band.factor()
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 fn norm(list: &[f64]) -> f64 {

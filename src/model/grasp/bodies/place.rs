@@ -10,7 +10,7 @@ use crate::grasp::engine::space_of;
 use crate::grasp::hand::Columns;
 use crate::grasp::wrench::Wrench;
 use crate::numerics::Space;
-use crate::numerics::{Size, Vector, mapped, numbered, paired};
+use crate::numerics::{Size, Vector, dot, mapped, numbered, paired};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -159,9 +159,7 @@ impl PlacedBodies {
                 return numbered(self.names.len(), &on);
             }
             Sharing::Together { one, loads } => {
-                let along = |x: &Wrench<3>| {
-                    x.components().iter().zip(one.components()).map(|(x, one)| x * one).sum::<f64>()
-                };
+                let along = |x: &Wrench<3>| dot(x.components(), one.components());
                 let times = along(load) / along(one);
                 return mapped(loads, &|of| *of * times);
             }
