@@ -63,8 +63,8 @@ impl<'g> OnsetMargins<'g> {
     }
 
     /// The contacts and drives that leave.
-    pub(crate) fn leavers(&self) -> impl Iterator<Item = Leaver> {
-        self.margins.iter().map(|margin| margin.leaver)
+    pub(crate) fn leavers(&self) -> Vec<Leaver> {
+        mapped(&self.margins, &|margin| margin.leaver)
     }
 
     /// The derivative, with respect to one datum, of the factor of each contact or drive that leaves. `None` where

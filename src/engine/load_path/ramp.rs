@@ -93,10 +93,14 @@ impl<const C: usize> Ramp<C> {
         if let Some(change) = &self.joint_change {
             check_drives(change.len(), "changes of joint commands", drives)?;
         }
-        let commands = self.command_change.iter().flatten().flat_map(|change| change.iter());
-        let joints = self.joint_change.iter().flatten();
-        let mut rates = self.direction.components().iter().chain(commands).chain(joints);
-        if rates.all(|x| *x == 0.0) { Err(Error::NothingChanges) } else { Ok(()) }
+        let mut changes = self.direction != Wrench::ZERO;
+        for change in self.command_change.iter().flatten() {
+            changes |= *change != SVector::<f64, C>::zeros();
+        }
+        for change in self.joint_change.iter().flatten() {
+            changes |= *change != 0.0;
+        }
+        if changes { Ok(()) } else { Err(Error::NothingChanges) }
     }
 }
 

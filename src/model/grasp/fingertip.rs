@@ -94,9 +94,15 @@ pub(super) struct PatchPoint<const C: usize> {
 }
 
 /// Layers on both sides of the middle, in order along a line: place in units of the half width, and share.
-pub(super) fn along_a_line(layers: &[Layer]) -> impl Iterator<Item = (f64, f64)> {
-    let side = |sign: f64| move |layer: &Layer| (sign * layer.distance, 0.5 * layer.share);
-    layers.iter().rev().map(side(-1.0)).chain(layers.iter().map(side(1.0)))
+pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
+    let mut all = Vec::with_capacity(2 * layers.len());
+    for layer in layers.iter().rev() {
+        all.push((-layer.distance, 0.5 * layer.share));
+    }
+    for layer in layers {
+        all.push((layer.distance, 0.5 * layer.share));
+    }
+    all
 }
 
 impl SoftFingertip<3> {
@@ -232,7 +238,7 @@ impl SoftFingertip<2> {
     fn of_layers(width: f64, layers: &[Layer]) -> Result<Self, Error> {
         let radius = 0.5 * usable(width, "width")?;
         let place = |(at, share)| PatchPoint { offset: SVector::from([0.0, at * radius]), share };
-        let points = along_a_line(layers).map(place).collect();
+        let points = moved(along_a_line(layers), &place);
         Ok(Self { radius, points })
     }
 }

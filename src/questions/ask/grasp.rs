@@ -95,7 +95,12 @@ impl<const C: usize> Grasp<C> {
     pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
         const { assert_plane_or_space::<C>() };
         let contacts: Vec<_> = contacts.into_iter().map(Face::enter).collect();
-        Self::of(engine_of_contacts(contacts)?).installed()
+        Grasp::installed_by(engine_of_contacts(contacts)?)
+    }
+
+    /// The grasp of an engine, with links under the tensions that they have at rest.
+    fn installed_by(engine: Engine) -> Result<Self, Error> {
+        Grasp::<3>::of(engine).installed().map(outside)
     }
 
     pub(super) fn of(engine: Engine) -> Self {
@@ -355,7 +360,7 @@ impl<const C: usize> Hand<C> {
     /// as for [`Grasp::new`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
         const { assert_plane_or_space::<C>() };
-        Grasp::of(self.enter().engine(None)?).installed()
+        Grasp::installed_by(self.enter().engine(None)?)
     }
 }
 
@@ -367,7 +372,7 @@ impl<const C: usize> Bodies<C> {
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
         const { assert_plane_or_space::<C>() };
         let (hand, bodies) = self.checked()?;
-        Grasp::of(hand.enter().engine(Some(bodies))?).installed()
+        Grasp::installed_by(hand.enter().engine(Some(bodies))?)
     }
 }
 

@@ -39,7 +39,7 @@ fn exact(seen: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
     let margins = OnsetMargins::new(&seen.grasp.engine, event)?;
     let space = seen.grasp.engine.space();
     let axes = space.axes();
-    let leavers = margins.leavers().count();
+    let leavers = margins.leavers().len();
     let contacts = seen.grasp.contacts();
     // The parameters of a contact that an unknown scales, each with its change by the logarithm of the unknown.
     let changes = |kind: UnknownKind, contact: usize, value: f64| -> Vec<(Parameter, f64)> {

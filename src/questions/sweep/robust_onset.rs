@@ -101,6 +101,7 @@ impl Engine {
         let norm = |of: &dyn Fn(&Vec<f64>) -> f64| summed(&moves, &|g| of(g).powi(2)).sqrt();
         let leaving: Vec<_> = margins
             .leavers()
+            .into_iter()
             .enumerate()
             .map(|(j, leaving)| LeaverSpread { leaving, deviation: norm(&|g| g[j]) })
             .collect();
@@ -125,7 +126,7 @@ impl Engine {
         event: &OnsetEvent<3>,
         uncertainty: &Uncertainty,
     ) -> Vec<Vec<f64>> {
-        let leavers = margins.leavers().count();
+        let leavers = margins.leavers().len();
         let unknown = || vec![f64::NAN; leavers];
         let Uncertainty { friction, load, .. } = *uncertainty;
         let mut data = self.data(uncertainty);

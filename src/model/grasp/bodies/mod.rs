@@ -14,7 +14,6 @@ mod assembled;
 mod body;
 mod builder;
 mod coordinates;
-#[cfg(feature = "serde")]
 mod face;
 mod link;
 mod link_points;
