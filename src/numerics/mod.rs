@@ -37,7 +37,7 @@
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
 //! | `square_root` | the square root of std under a name of its own |
-//! | `mapped` | lists made of other lists or of numbers |
+//! | `mapped` | lists, sums and extremes made of other lists or of numbers |
 //! | `cleared_for` | lists that are refilled in their own memory |
 //! | `memory` | memory that is kept from question to question |
 //! | `without_std` | replacements for std where it is missing |

@@ -5,7 +5,7 @@ use crate::prelude::*;
 
 /// `f` of every item, with results in the order of the items.
 pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sync)) -> Vec<R> {
-    mapped(&items, &f)
+    mapped(items, &f)
 }
 
 /// Calls `f` with each item, which it consumes.

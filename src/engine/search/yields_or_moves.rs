@@ -8,7 +8,7 @@ use nalgebra::SVector;
 use super::enumerate::search;
 use crate::contact::{Law, LocalLaw, tangential};
 use crate::grasp::{Contact, Engine, Face, Site, Wrench};
-use crate::numerics::{Draw, Vector, numbered};
+use crate::numerics::{Draw, Vector};
 use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{Fit, PolygonCone, planar, spatial};
@@ -95,7 +95,7 @@ fn in_the_plane() {
                 .friction(0.25 * (1.0 + whole(&mut draw, 3.0).abs()))
                 .enter()
         };
-        let contacts: Vec<_> = numbered(number, &contact);
+        let contacts: Vec<_> = (0..number).map(contact).collect();
         let grasp = Engine::new(contacts).expect("valid");
         ask(&grasp, &planar::Wrench::force([0.0, draw.sign()]).enter(), &mut draw, &mut count);
     }
@@ -121,7 +121,7 @@ fn in_space() {
                 .series_stiffness_axes(stiffness)
                 .friction(0.25 * (1.0 + own(3.0)))
         };
-        let contacts: Vec<_> = numbered(number, &contact);
+        let contacts: Vec<_> = (0..number).map(contact).collect();
         let grasp = Engine::new(contacts).expect("valid");
         let turn = if draw.normal() > 1.0 { 1.0 } else { 0.0 };
         let along = spatial::Wrench::new([0.0, 0.0, draw.sign()], [0.0, 0.0, turn]);

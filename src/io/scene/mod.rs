@@ -343,8 +343,8 @@ mod brief;
 mod carried;
 mod compared;
 mod cup;
-#[cfg(feature = "json")]
 mod face;
+#[cfg(feature = "json")]
 mod fault;
 #[cfg(feature = "json")]
 mod field_path;
