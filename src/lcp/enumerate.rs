@@ -11,6 +11,7 @@ use super::settings::Settings;
 use super::solution::Solution;
 use super::tolerances::{MOST_ENUMERATED, ZERO_VALUE};
 use super::vertices;
+use crate::numerics::chosen;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
@@ -66,7 +67,7 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     scaling.balance(n, lcp.m.as_slice(), lcp.q.as_slice());
     let found = AllSolutions { solutions: Vec::new(), singular: Vec::new() };
     let mut search = Search { lcp, settings, scaling, found };
-    let indices = |bits: u32| -> Vec<usize> { (0..n).filter(|i| bits >> i & 1 == 1).collect() };
+    let indices = |bits: u32| -> Vec<usize> { chosen(n, &|i| bits >> i & 1 == 1) };
     let mut without_point = Vec::new();
     for bits in 0..1_u32 << n {
         let alpha = indices(bits);
@@ -96,7 +97,7 @@ pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     let found = AllSolutions { solutions: Vec::new(), singular: Vec::new() };
     let mut search = Search { lcp, settings, scaling, found };
     (1..1_u32 << n).find_map(|bits| {
-        let alpha: Vec<usize> = (0..n).filter(|i| bits >> i & 1 == 1).collect();
+        let alpha: Vec<usize> = chosen(n, &|i| bits >> i & 1 == 1);
         principal::solve(lcp, &alpha).is_none().then_some(())?;
         let _basis = vertices::of_piece(lcp, &alpha).find_map(|basic| search.offer(&alpha, &basic))?;
         search.found.solutions.pop()

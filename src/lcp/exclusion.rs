@@ -15,7 +15,7 @@ use super::linear_program::{self, MARGINS};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
-use crate::numerics::{increasing, mapped};
+use crate::numerics::{chosen, increasing, mapped};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -25,7 +25,7 @@ pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> 
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
     let judge = Judge { lcp, scaling, settings, m, q };
     (0..1_u32 << n).all(|bits| {
-        let alpha: Vec<usize> = (0..n).filter(|i| bits >> i & 1 == 1).collect();
+        let alpha: Vec<usize> = chosen(n, &|i| bits >> i & 1 == 1);
         judge.excludes(&alpha)
     })
 }

@@ -156,10 +156,12 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
 /// larger and larger rounding.
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     let noise = ZERO_VALUE * y.amax();
-    let without_noise = y.map(|y| if y.abs() <= noise { 0.0 } else { y });
+    let mut all = vec![y.clone(), y.map(|y| if y.abs() <= noise { 0.0 } else { y })];
     // The rounding of the path is not known beforehand, so the smallest that leads to a proof is used.
-    let whole = [1e-14, 1e-11, 1e-8].iter().filter_map(|rounding| whole_within(y, *rounding));
-    [y.clone(), without_noise].into_iter().chain(whole)
+    for rounding in [1e-14, 1e-11, 1e-8] {
+        all.extend(whole_within(y, rounding));
+    }
+    all.into_iter()
 }
 
 /// The vector of whole numbers with these ratios, if there is one. Entries are made whole one after the other, each by the least

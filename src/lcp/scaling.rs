@@ -21,6 +21,7 @@ use super::logarithms::Logarithms;
 use super::memory::refill;
 use super::pattern::Pattern;
 use super::tolerances::BALANCED_EXPONENTS;
+use crate::numerics::dot;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -115,7 +116,7 @@ impl Scaling {
             pattern.for_each(&self.columns.count, |_, count, column| {
                 column.add(-column.sum(&self.direction) / count, &mut self.image);
             });
-            let curvature: f64 = self.direction.iter().zip(&self.image).map(|(d, a)| d * a).sum();
+            let curvature: f64 = dot(&self.direction, &self.image);
             if curvature.is_nan() || curvature <= 0.0 {
                 break;
             }

@@ -82,8 +82,38 @@ fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
 }
 
 /// All subsets of 0 … count − 1, those of few elements first.
-fn subsets(count: usize) -> impl Iterator<Item = Vec<usize>> {
-    let members = move |bits: u32| (0..count).filter(move |i| bits >> i & 1 == 1);
-    let of_size = move |size| (0..1_u32 << count).filter(move |bits| bits.count_ones() as usize == size);
-    (0..=count).flat_map(of_size).map(move |bits| members(bits).collect())
+fn subsets(count: usize) -> Subsets {
+    Subsets { count, size: 0, bits: 0 }
+}
+
+/// Subsets as bits: all of one size, then those of the next.
+struct Subsets {
+    count: usize,
+    size: usize,
+    bits: u32,
+}
+
+impl Iterator for Subsets {
+    type Item = Vec<usize>;
+
+    fn next(&mut self) -> Option<Vec<usize>> {
+        while self.size <= self.count {
+            if self.bits >> self.count != 0 {
+                (self.size, self.bits) = (self.size + 1, 0);
+                continue;
+            }
+            let bits = self.bits;
+            self.bits += 1;
+            if bits.count_ones() as usize == self.size {
+                let mut members = Vec::with_capacity(self.size);
+                for i in 0..self.count {
+                    if bits >> i & 1 == 1 {
+                        members.push(i);
+                    }
+                }
+                return Some(members);
+            }
+        }
+        None
+    }
 }

@@ -4,6 +4,7 @@
 //! n³/3, and a solution 3 n b in place of n².
 
 use super::tolerances::BAND_PIVOT;
+use crate::numerics::{dot, mapped};
 use crate::prelude::*;
 
 /// A matrix whose entries are up to `reach` places from the diagonal.
@@ -135,7 +136,7 @@ impl BandFactors {
             solve(self, &mut x);
             x
         };
-        self.pinned.iter().map(from).collect()
+        mapped(&self.pinned, &from)
     }
 
     /// The part of a stored column that begins `above` places above the diagonal.
@@ -177,13 +178,13 @@ impl BandFactors {
         for k in 0..count {
             let above = (2 * reach).min(k);
             let column = self.column(k, above);
-            let known: f64 = x[k - above..k].iter().zip(column).map(|(x, entry)| x * entry).sum();
+            let known: f64 = dot(&x[k - above..k], column);
             x[k] = (x[k] - known) / column[above];
         }
         for k in (0..count).rev() {
             let below = reach.min(count - 1 - k);
             let factors = &self.column(k, 0)[1..];
-            let known: f64 = x[k + 1..=k + below].iter().zip(factors).map(|(x, factor)| x * factor).sum();
+            let known: f64 = dot(&x[k + 1..=k + below], factors);
             x[k] -= known;
             x.swap(k, k + self.pivots[k]);
         }

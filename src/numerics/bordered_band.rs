@@ -9,6 +9,7 @@
 //! systems, SIAM J. Matrix Anal. Appl. 12, 1991). If T has no factors, the caller factorises the whole matrix.
 
 use super::band::{Band, BandFactors};
+use crate::numerics::dot;
 use crate::prelude::*;
 
 /// Factors of a bordered matrix, based on those of T.
@@ -59,10 +60,6 @@ impl BorderedBand {
         b.iter_mut().zip(&self.covered).for_each(|(y, covered)| *y -= covered * z);
         z
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]

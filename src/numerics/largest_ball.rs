@@ -16,6 +16,7 @@ use super::coordinates::{Size, Square, Vector, WHOLE};
 use super::partial_pivoting::PartialPivoting;
 use super::support::{SupportFunction, Vertex, middle};
 use super::tolerances::{POLYTOPE_SHRINKS, SOLVED_ROUNDING};
+use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
 /// Bounds of the radius.
@@ -79,7 +80,7 @@ impl Polytope {
     /// The simplex of some vertices, one more than there are dimensions.
     fn of(simplex: &[Vertex]) -> Self {
         let size = Size::of(simplex.len() - 1);
-        let points: Vec<_> = simplex.iter().map(|vertex| vertex.at.clone()).collect();
+        let points: Vec<_> = mapped(simplex, &|vertex| vertex.at.clone());
         let (faces, alive, queue, ridges) = (Vec::new(), Vec::new(), BinaryHeap::new(), Vec::new());
         let mut polytope = Self { size, middle: middle(simplex), points, faces, alive, queue, ridges };
         for without in 0..simplex.len() {
@@ -153,7 +154,7 @@ pub(crate) fn largest_ball(
 ) -> Option<BallBounds> {
     let mut polytope = Polytope::of(simplex);
     let mut bounds: Option<BallBounds> = None;
-    let size = simplex.iter().map(|vertex| vertex.at.norm()).fold(0.0, f64::max);
+    let size = largest(simplex, &|vertex| vertex.at.norm());
     for _ in 0..most_points {
         let (distance, direction) = polytope.nearest()?;
         let shrinks = bounds

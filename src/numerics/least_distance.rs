@@ -8,27 +8,28 @@
 
 use super::nearest_point::NearestPoint;
 use super::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
+use crate::numerics::{dot, largest, mapped, moved, summed};
 use crate::prelude::*;
 
 /// The least τ with `b + a·τ >= 0` for all rows (b, a) of one length, none of which is zero. `None` if no τ meets all rows, or there are none.
 pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
-    let largest = rows.iter().map(|(value, _)| value.abs()).fold(0.0, f64::max);
+    let largest = largest(&rows, &|(value, _)| value.abs());
     let count = rows.first()?.1.len();
     let generator = |(value, mut row): (f64, Vec<f64>)| {
         row.push(if largest > 0.0 { -value / largest } else { 0.0 });
-        let length = row.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let length = summed(&row, &|x| x * x).sqrt();
         for x in &mut row {
             *x /= length;
         }
         row
     };
-    let generators: Vec<Vec<f64>> = rows.into_iter().map(generator).collect();
+    let generators: Vec<Vec<f64>> = moved(rows, &generator);
     let mut target = vec![0.0; count + 1];
     target[count] = 1.0;
     let mut nearest = NearestPoint::new(&target);
     for _ in 0..4 * generators.len() + 4 {
         let works = |k: &usize| {
-            let work: f64 = generators[*k].iter().zip(nearest.residual()).map(|(a, r)| a * r).sum();
+            let work: f64 = dot(&generators[*k], nearest.residual());
             if nearest.has(*k) { f64::NEG_INFINITY } else { work }
         };
         let most = (0..generators.len()).max_by(|a, b| works(a).total_cmp(&works(b)))?;
@@ -36,7 +37,7 @@ pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
         if works(&most) <= SOLVED_ROUNDING {
             let (parts, last) = nearest.residual().split_at(count);
             // If the last component of the residual is below this, no τ meets all rows.
-            return (last[0] > NEGLIGIBLE).then(|| parts.iter().map(|r| -r / last[0] * largest).collect());
+            return (last[0] > NEGLIGIBLE).then(|| mapped(parts, &|r| -r / last[0] * largest));
         }
         if !nearest.take_in(most, &generators[most], &target) {
             return None;

@@ -37,3 +37,84 @@ pub(crate) fn largest<T>(list: &[T], f: &dyn Fn(&T) -> f64) -> f64 {
     }
     largest
 }
+
+/// The sum of `f` of all elements, from the first on.
+pub(crate) fn summed<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
+    // The neutral element of a sum; 0.0 would lose the sign of a sum of negative zeros.
+    let mut sum = -0.0;
+    for element in list {
+        sum += f(element);
+    }
+    sum
+}
+
+/// `f` of each element of a list that is given away, in order.
+pub(crate) fn moved<T, U>(list: Vec<T>, f: &dyn Fn(T) -> U) -> Vec<U> {
+    let mut all = Vec::with_capacity(list.len());
+    for element in list {
+        all.push(f(element));
+    }
+    all
+}
+
+/// `f` of each element and its place, in order.
+pub(crate) fn indexed<'a, T, U>(list: &'a [T], f: &dyn Fn((usize, &'a T)) -> U) -> Vec<U> {
+    let mut all = Vec::with_capacity(list.len());
+    for (place, element) in list.iter().enumerate() {
+        all.push(f((place, element)));
+    }
+    all
+}
+
+/// `f` of the elements at each place of two lists, up to the end of the shorter.
+pub(crate) fn paired<'a, 'b, T, U, V>(
+    one: &'a [T],
+    other: &'b [U],
+    f: &dyn Fn((&'a T, &'b U)) -> V,
+) -> Vec<V> {
+    let mut all = Vec::with_capacity(one.len().min(other.len()));
+    for place in 0..one.len().min(other.len()) {
+        all.push(f((&one[place], &other[place])));
+    }
+    all
+}
+
+/// What `f` makes of elements, without those of which it makes nothing.
+pub(crate) fn picked<'a, T, U>(list: &'a [T], f: &dyn Fn(&'a T) -> Option<U>) -> Vec<U> {
+    let mut all = Vec::new();
+    for element in list {
+        if let Some(value) = f(element) {
+            all.push(value);
+        }
+    }
+    all
+}
+
+/// The numbers from 0 to `count` − 1 that `keeps` accepts.
+pub(crate) fn chosen(count: usize, keeps: &dyn Fn(&usize) -> bool) -> Vec<usize> {
+    let mut all = Vec::new();
+    for k in 0..count {
+        if keeps(&k) {
+            all.push(k);
+        }
+    }
+    all
+}
+
+/// The least of `f` of all elements; infinite for none.
+pub(crate) fn least<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
+    let mut least = f64::INFINITY;
+    for element in list {
+        least = least.min(f(element));
+    }
+    least
+}
+
+/// The sum of the products of two lists, place by place from the first on.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sum = -0.0;
+    for (a, b) in a.iter().zip(b) {
+        sum += a * b;
+    }
+    sum
+}

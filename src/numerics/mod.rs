@@ -37,7 +37,7 @@
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
 //! | `square_root` | the square root of std under a name of its own |
-//! | `mapped` | lists made of other lists or of numbers |
+//! | `mapped` | lists, sums and extremes made of other lists or of numbers |
 //! | `cleared_for` | lists that are refilled in their own memory |
 //! | `memory` | memory that is kept from question to question |
 //! | `without_std` | replacements for std where it is missing |
@@ -102,7 +102,9 @@ pub(crate) use increasing::increasing;
 pub(crate) use largest_ball::largest_ball;
 pub(crate) use least_distance::least_distance;
 pub(crate) use linearly_implicit::implicit_step;
-pub(crate) use mapped::{largest, mapped, numbered, tried};
+pub(crate) use mapped::{
+    chosen, dot, indexed, largest, least, mapped, moved, numbered, paired, picked, summed, tried,
+};
 pub(crate) use memory::Memory;
 pub(crate) use narrow_order::{narrow_order, widest};
 pub(crate) use nearest_point::NearestPoint;

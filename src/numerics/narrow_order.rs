@@ -42,8 +42,12 @@ pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usiz
 
 /// The first coordinate of each node, followed by their total number, and the neighbours of each node.
 fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<usize>>) {
-    let ends = couplings.iter().flatten().filter(|range| !range.is_empty());
-    let mut starts: Vec<usize> = ends.flat_map(|range| [range.start, range.end]).chain([0, count]).collect();
+    let mut starts = vec![0, count];
+    for range in couplings.iter().flatten() {
+        if !range.is_empty() {
+            starts.extend([range.start, range.end]);
+        }
+    }
     starts.sort_unstable();
     starts.dedup();
     let mut neighbours = vec![Vec::new(); starts.len() - 1];
@@ -52,11 +56,16 @@ fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<
         coupled.clear();
         for range in ranges.iter().filter(|range| !range.is_empty()) {
             let first = starts.partition_point(|start| *start < range.start);
-            coupled.extend((first..neighbours.len()).take_while(|place| starts[*place] < range.end));
+            for place in first..neighbours.len() {
+                if starts[place] >= range.end {
+                    break;
+                }
+                coupled.push(place);
+            }
         }
         for (k, place) in coupled.iter().enumerate() {
-            let others = coupled[..k].iter().chain(&coupled[k + 1..]);
-            neighbours[*place].extend(others);
+            neighbours[*place].extend_from_slice(&coupled[..k]);
+            neighbours[*place].extend_from_slice(&coupled[k + 1..]);
         }
     }
     for list in &mut neighbours {
@@ -88,8 +97,11 @@ fn outwards(neighbours: &[Vec<usize>], from: usize, seen: &mut [bool]) -> Vec<Ve
         let mut next = Vec::new();
         for place in level {
             let begin = next.len();
-            let unseen = |other: &usize| !core::mem::replace(&mut seen[*other], true);
-            next.extend(neighbours[*place].iter().copied().filter(unseen));
+            for other in &neighbours[*place] {
+                if !core::mem::replace(&mut seen[*other], true) {
+                    next.push(*other);
+                }
+            }
             next[begin..].sort_by_key(|other| neighbours[*other].len());
         }
         if next.is_empty() {

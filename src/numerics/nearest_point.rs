@@ -35,8 +35,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
             sums[k] += x[k] * y[k];
         }
     }
-    let rest: f64 = a[whole..].iter().zip(&b[whole..]).map(|(x, y)| x * y).sum();
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + crate::numerics::dot(&a[whole..], &b[whole..])
 }
 
 fn subtract(from: &mut [f64], factor: f64, what: &[f64]) {

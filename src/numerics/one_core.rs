@@ -1,10 +1,11 @@
 //! Work on one core, without the feature `parallel`: the functions of `cores`, run one item after the other.
 
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// `f` of every item, with results in the order of the items.
 pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sync)) -> Vec<R> {
-    items.iter().map(f).collect()
+    mapped(items, &f)
 }
 
 /// Calls `f` with each item, which it consumes.

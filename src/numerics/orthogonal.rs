@@ -11,6 +11,7 @@ use super::gram_schmidt::factorise;
 use super::orthonormal_set::orthonormalise_against;
 use super::pairwise::in_halves;
 use super::tolerances::FEW_ROUNDINGS;
+use crate::numerics::summed;
 use crate::prelude::*;
 
 /// `A Π = Q [R11 R12; 0 0]` for an `m x D` matrix A of rank r: Q is `m x r` with orthonormal columns, R11 is upper
@@ -105,7 +106,7 @@ impl Orthogonal {
         // more than one repetition.
         for _ in 0..4 {
             let step = self.coordinates(x) + &load;
-            if step.norm() <= FEW_ROUNDINGS * x.iter().map(|x| x * x).sum::<f64>().sqrt() {
+            if step.norm() <= FEW_ROUNDINGS * summed(x, &|x| x * x).sqrt() {
                 break;
             }
             self.subtract(x, &step);

@@ -11,6 +11,7 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use super::harmonic::Harmonic;
+use crate::numerics::summed;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -142,7 +143,7 @@ impl Trigonometric {
 /// The first fall of a polynomial in (0, end].
 fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
     // The constant exceeds all that the negative terms can subtract.
-    if p[0] + p[1..].iter().map(|p| p.min(0.0)).sum::<f64>() > rounding {
+    if p[0] + summed(&p[1..], &|p| p.min(0.0)) > rounding {
         return None;
     }
     let mut bends = Roots::default();

@@ -8,7 +8,7 @@ use serde::ser::{Serialize, Serializer};
 
 use super::numbers::{Computed, Given, Kind, Number};
 use super::rows::AxisRow;
-use crate::numerics::mapped;
+use crate::numerics::{mapped, moved};
 
 /// A value made of numbers of kind `K`.
 pub(crate) trait Numeric<K>: Sized {
@@ -53,7 +53,7 @@ impl<K, T: Numeric<K>> Numeric<K> for Vec<T> {
         mapped(self, &T::write)
     }
     fn read(written: Self::Written) -> Self {
-        written.into_iter().map(T::read).collect()
+        moved(written, &T::read)
     }
 }
 

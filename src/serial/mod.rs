@@ -8,6 +8,7 @@ pub(crate) mod object;
 mod rows;
 #[cfg(feature = "schema")]
 mod schema_as_written;
+mod text_space;
 
 #[cfg(feature = "schema")]
 pub(crate) use fields::{As, Numeric};
@@ -18,3 +19,4 @@ pub(crate) use numbers::{Computed, Friction, Given, Number, SpringStiffness};
 pub(crate) use rows::{AxisRow, Few};
 #[cfg(feature = "schema")]
 pub(crate) use schema_as_written::schema_as_written;
+pub(crate) use text_space::{in_text_of, space_of_text};

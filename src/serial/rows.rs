@@ -8,6 +8,8 @@ use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 use serde::ser::{Serialize, SerializeSeq, Serializer};
 
 use super::numbers::{Kind, Number, NumberVisitor};
+use super::text_space::space_of_text;
+use crate::numerics::Space;
 
 /// A list of at most `MOST` numbers; a single number is read as a list of one.
 pub(crate) struct Few<K, const MOST: usize> {
@@ -110,7 +112,8 @@ impl<K, const C: usize> AxisRow<K, C> {
 
 impl<K: Kind, const C: usize> Serialize for AxisRow<K, C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Few::<K, C>::of(self.0.as_slice()).serialize(serializer)
+        let axes = space_of_text::<C>().axes();
+        Few::<K, C>::of(&self.0.as_slice()[..axes]).serialize(serializer)
     }
 }
 
@@ -127,18 +130,20 @@ impl<'de, K: Kind, const C: usize> Visitor<'de> for RowVisitor<K, C> {
     type Value = SVector<f64, C>;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{C} numbers in a {} scene", if C == 2 { "planar" } else { "spatial" })
+        let space = space_of_text::<C>();
+        let name = if space == Space::Planar { "planar" } else { "spatial" };
+        write!(f, "{} numbers in a {name} scene", space.axes())
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
-        let mut row = SVector::zeros();
-        let mut count = 0;
+        let axes = space_of_text::<C>().axes();
+        let (mut row, mut count) = (SVector::zeros(), 0);
         while let Some(number) = seq.next_element::<Number<K>>()? {
-            if count < C {
+            if count < axes {
                 row[count] = number.0;
             }
             count += 1;
         }
-        if count == C { Ok(row) } else { Err(A::Error::invalid_length(count, &self)) }
+        if count == axes { Ok(row) } else { Err(A::Error::invalid_length(count, &self)) }
     }
 }

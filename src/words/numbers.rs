@@ -5,8 +5,8 @@ use core::fmt;
 use nalgebra::SVector;
 
 use super::tolerances::ALIKE_IN_WORDS;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{dot, mapped};
 use crate::prelude::*;
 
 /// Default number of significant digits.
@@ -102,13 +102,23 @@ impl Words {
     /// A direction: "−z", or the components.
     #[must_use]
     pub fn along<const C: usize>(self, direction: &SVector<f64, C>) -> String {
-        let (axis, sign) = (direction.iamax(), if direction[direction.iamax()] < 0.0 { "−" } else { "+" });
-        let mut across = *direction;
+        self.along_axes(direction.as_slice())
+    }
+
+    fn along_axes(self, direction: &[f64]) -> String {
+        let mut axis = 0;
+        for k in 1..direction.len() {
+            if direction[k].abs() > direction[axis].abs() {
+                axis = k;
+            }
+        }
+        let mut across = direction.to_vec();
         across[axis] = 0.0;
-        if across.norm() <= ALIKE_IN_WORDS * direction.norm() {
+        if dot(&across, &across).sqrt() <= ALIKE_IN_WORDS * dot(direction, direction).sqrt() {
+            let sign = if direction[axis] < 0.0 { "−" } else { "+" };
             format!("{sign}{}", ["x", "y", "z"][axis])
         } else {
-            self.numbers(direction.as_slice())
+            self.numbers(direction)
         }
     }
 }

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::answer::Equilibrium;
 use super::contact_answer::ContactState;
 use crate::grasp::{Engine, Site};
-use crate::numerics::Map;
+use crate::numerics::{Map, paired};
 use crate::object::least_forces;
 use crate::prelude::*;
 
@@ -47,8 +47,7 @@ impl Engine {
             .take(equilibrium.contacts.len())
             .map(|(force, site)| site.frame * force)
             .collect();
-        let interaction =
-            equilibrium.contacts.iter().zip(&equilibrating).map(|(c, e)| c.force_world - e).collect();
+        let interaction = paired(&equilibrium.contacts, &equilibrating, &|(c, e)| c.force_world - e);
         Decomposition { equilibrating, interaction }
     }
 }

@@ -8,6 +8,7 @@ use super::hand_answer::{DriveState, JointAnswer, TendonAnswer};
 use super::no_equilibrium::{NoEquilibrium, Proof};
 use super::pad_answer::WholeAnswer;
 use crate::grasp::{JointKind, vacuum_is_gone};
+use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::search::Doubt;
 use crate::words::Words;
@@ -109,7 +110,7 @@ impl<const C: usize> Equilibrium<C> {
     /// The motion of the object in words: "turns 1.9° about …, moves 2.8 mm".
     #[must_use]
     pub fn motion(&self, words: Words) -> String {
-        let moved: Vec<_> = self.contacts.iter().map(|contact| contact.body_core).collect();
+        let moved: Vec<_> = mapped(&self.contacts, &|contact| contact.body_core);
         words.motion(&self.twist, &moved)
     }
 
@@ -119,7 +120,7 @@ impl<const C: usize> Equilibrium<C> {
         if self.bodies.is_empty() {
             return vec![format!("the object {}", self.motion(words))];
         }
-        self.bodies.iter().map(|body| words.body_motion(body)).collect()
+        mapped(&self.bodies, &|body| words.body_motion(body))
     }
 
     /// A warning beside the answer, where a motion [is not small](Self::too_far).
@@ -132,7 +133,7 @@ impl<const C: usize> Equilibrium<C> {
     #[must_use]
     pub fn told_free_motions(&self, words: Words) -> Vec<String> {
         let told = |motion| format!("nothing resists {}", words.direction_of(motion));
-        self.free_motions.iter().map(told).collect()
+        mapped(&self.free_motions, &told)
     }
 }
 

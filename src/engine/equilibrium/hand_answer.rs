@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::contact::State;
 use crate::grasp::{Drive, Engine, HandPart, JointKind, Linkage, Named, Owner, PartLabel, Role};
+use crate::numerics::{indexed, numbered};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Found;
@@ -126,8 +127,8 @@ impl Engine {
             let tendon = linkage.label(HandPart::Tendon(number));
             TendonAnswer { tendon, state, tension: carried + named.held, margin, yielded }
         };
-        let joints = (0..linkage.joints.len()).map(joint).collect();
-        (joints, linkage.tendons.iter().enumerate().map(tendon).collect())
+        let joints = numbered(linkage.joints.len(), &joint);
+        (joints, indexed(&linkage.tendons, &tendon))
     }
 
     fn own(&self, linkage: &Linkage, problem: &Problem, found: &Found, owner: Owner) -> Own {

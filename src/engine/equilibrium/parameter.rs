@@ -19,7 +19,7 @@ use super::sticking_response::StickingResponse;
 use crate::contact::Mode;
 use crate::grasp::Wrench;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Map, Vector};
+use crate::numerics::{Map, Vector, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
@@ -108,7 +108,7 @@ impl StickingResponse<'_> {
                 drives[contact][axis] = 1.0;
             }
             Parameter::JointCommand { joint } if joint < actuators => {
-                let unit: Vec<f64> = (0..actuators).map(|k| f64::from(u8::from(k == joint))).collect();
+                let unit: Vec<f64> = numbered(actuators, &|k| f64::from(u8::from(k == joint)));
                 drives = self.grasp.drive_changes(None, Some(&unit));
             }
             Parameter::JointStiffness { joint } if joint < actuators => {

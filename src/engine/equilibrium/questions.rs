@@ -8,8 +8,8 @@ use super::tolerances::ACCURATE;
 use crate::contact::Polygon;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Vector;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Vector, largest};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{
@@ -136,9 +136,9 @@ fn accurate(equilibrium: &Equilibrium<3>) -> bool {
 
 /// Whether two answers to the same question are the same equilibrium.
 fn same(a: &Equilibrium<3>, b: &Equilibrium<3>) -> bool {
-    let size = |e: &Equilibrium<3>| e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
+    let size = |e: &Equilibrium<3>| largest(&e.contacts, &|c| c.force.norm());
     let force_size = size(a).max(size(b));
-    let travel = |e: &Equilibrium<3>| e.contacts.iter().map(|c| c.body_core.norm()).fold(0.0, f64::max);
+    let travel = |e: &Equilibrium<3>| largest(&e.contacts, &|c| c.body_core.norm());
     let motion_size = travel(a).max(travel(b));
     let contacts_agree = a.contacts.iter().zip(&b.contacts).all(|(x, y)| {
         // Difference of forces and of displacements, over the largest, below which two answers are the same equilibrium.

@@ -7,7 +7,7 @@ use super::contact_answer::{ContactAnswer, ContactState};
 use super::residuals::Residuals;
 use crate::contact::{Coulomb, Polygon, SMALLEST};
 use crate::grasp::{Engine, Hold, Site, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, numbered};
 use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
@@ -98,16 +98,14 @@ impl Engine {
         // The law is about the slip since the state from which the drives count.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drives_told(problem, twist, found);
-        let mut travels: Vec<f64> = (0..self.len())
-            .map(|i| {
-                let contact = &self.contacts()[i];
-                let give = self.sites()[i].springs.give(&answers[i].force).norm();
-                let own = problem.drives[i].norm() + contact.clearance.abs() + give;
-                let moved = translated.norm() + turned * contact.point.norm() + self.carried(i, twist).1;
-                // Least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
-                (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
-            })
-            .collect();
+        let mut travels: Vec<f64> = numbered(self.len(), &|i| {
+            let contact = &self.contacts()[i];
+            let give = self.sites()[i].springs.give(&answers[i].force).norm();
+            let own = problem.drives[i].norm() + contact.clearance.abs() + give;
+            let moved = translated.norm() + turned * contact.point.norm() + self.carried(i, twist).1;
+            // Least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
+            (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
+        });
         for (k, told) in of_drives.iter().enumerate() {
             let i = self.len() + k;
             let give = self.sites()[i].springs.give(told.force).norm();

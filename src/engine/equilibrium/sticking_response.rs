@@ -10,7 +10,7 @@ use nalgebra::SVector;
 use super::cone::Cone;
 use crate::contact::{Edges, LocalLaw, State};
 use crate::grasp::{Engine, Motion, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, largest};
 use crate::object::{Load, Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::Settings;
@@ -101,7 +101,7 @@ impl Engine {
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
         let forces = sticking.forces(&self.drives(), &self.load_alone(load, "load").ok()?).ok()?.of;
-        let largest = forces.iter().map(SVector::norm).fold(0.0, f64::max);
+        let largest = largest(&forces, &SVector::norm);
         let worst = |(edges, force): (&Edges, &SVector<f64, 3>)| Some(edges.worst(force)?.1);
         let least = sticking.edges.iter().zip(&forces).filter_map(worst).min_by(f64::total_cmp)?;
         (largest > 0.0).then(|| least / largest)

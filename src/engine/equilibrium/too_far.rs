@@ -9,8 +9,8 @@ use nalgebra::SVector;
 
 use crate::contact::State;
 use crate::grasp::{Engine, WholeContact, WholeContacts};
-use crate::numerics::Vector;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{Vector, largest};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, SmallMotions};
@@ -138,7 +138,7 @@ impl Engine {
     /// The root mean square distance of contact points from their centroid, of several bodies the largest; infinite where all are at one point.
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
-        let far = self.contacts().iter().map(|contact| contact.point.amax()).fold(0.0, f64::max);
+        let far = largest(self.contacts(), &|contact| contact.point.amax());
         // Contact points are apart if their distance is more than this part of their coordinates: less is the rounding of their centroid.
         if self.contacts().iter().all(|contact| (contact.point - first).amax() <= SOLVED_ROUNDING * far) {
             return f64::INFINITY;

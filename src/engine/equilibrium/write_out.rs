@@ -9,7 +9,7 @@ use super::too_far::Standing;
 use crate::contact::{LocalLaw, Mode, State, ZERO_SLACK};
 use crate::forms::{LeftOut, Why};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy};
@@ -36,7 +36,7 @@ impl Engine {
         };
         let contacts: Vec<_> = solved.map(answer).collect();
         let twist = self.outside_coordinates(&found.twist);
-        let motions = |list: &[Vector]| list.iter().map(|v| self.motion_outside(v)).collect::<Vec<_>>();
+        let motions = |list: &[Vector]| mapped(list, &|v| self.motion_outside(v));
         let drive_forces = found.forces[self.len()..].to_vec();
         let stored = contacts.iter().zip(self.sites()).map(|(c, site)| site.springs.stored(&c.force));
         let mut stored_energy: f64 = stored.sum();
@@ -80,7 +80,7 @@ impl Engine {
                 states: found.states,
                 drive_forces,
                 twist: Coordinates::of(&found.twist),
-                free_motions: found.free_motions.iter().map(Coordinates::of).collect(),
+                free_motions: mapped(&found.free_motions, &Coordinates::of),
                 drives: problem.drives.clone(),
                 slips: problem.slips.clone(),
                 cones: problem.cones.clone(),

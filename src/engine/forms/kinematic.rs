@@ -16,6 +16,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
+use crate::numerics::{mapped, numbered};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -29,15 +30,16 @@ struct Jump {
 }
 
 /// The rows that these contacts need, on the trial state in which every contact sticks.
-fn jumps(problem: &Problem, contacts: impl Iterator<Item = usize>) -> Vec<(Row, Jump)> {
-    let mut jumps = Vec::new();
-    for contact in contacts {
+fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
+    let (mut rows, mut jumps) = (Vec::new(), Vec::new());
+    for &contact in contacts {
         let local = problem.local(contact);
         let root = local.springs.root();
         let mut push = |meaning: Row, row: SVector<f64, 3>, column: SVector<f64, 3>| {
             let (w_unit, z_unit) = (row.norm(), 1.0 / column.norm());
             let (row, column) = (row / w_unit, column * z_unit);
-            jumps.push((meaning, Jump { contact, row, column, w_unit, z_unit }));
+            rows.push(meaning);
+            jumps.push(Jump { contact, row, column, w_unit, z_unit });
         };
         if local.may_open() {
             let normal = root - tangential(&root);
@@ -48,20 +50,22 @@ fn jumps(problem: &Problem, contacts: impl Iterator<Item = usize>) -> Vec<(Row, 
             push(Row::Slip { contact, facet }, row, tangential(&row));
         }
     }
-    jumps
+    (rows, jumps)
 }
 
 /// The kinematic form on the trial state in which every contact sticks; `None` if no contact needs a row or a number
 /// overflows.
 pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Form> {
-    let (rows, jumps): (Vec<_>, Vec<_>) = jumps(problem, 0..problem.len()).into_iter().unzip();
+    let (rows, jumps) = jumps(problem, &numbered(problem.len(), &|contact| contact));
     if jumps.is_empty() {
         return None;
     }
     if trial.is_banded() {
-        let moved = jumps.iter().map(|jump| trial.moved_by(jump.contact, &jump.column));
-        let moved = moved.collect::<Option<Vec<_>>>()?;
-        return form(problem, state, rows, &jumps, |i, j| {
+        let mut moved = Vec::with_capacity(jumps.len());
+        for jump in &jumps {
+            moved.push(trial.moved_by(jump.contact, &jump.column)?);
+        }
+        return form(problem, state, rows, &jumps, &|i, j| {
             trial.felt(jumps[i].contact, &jumps[i].row, &moved[j])
         });
     }
@@ -69,9 +73,11 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
     let mut seen = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.seen(of_contact[0].contact);
-        seen.extend(of_contact.iter().map(|jump| [&by_contact * jump.row, &by_contact * jump.column]));
+        for jump in of_contact {
+            seen.push([&by_contact * jump.row, &by_contact * jump.column]);
+        }
     }
-    form(problem, state, rows, &jumps, |i, j| seen[i][0].dot(&seen[j][1]))
+    form(problem, state, rows, &jumps, &|i, j| seen[i][0].dot(&seen[j][1]))
 }
 
 /// Motions of the coordinates by jumps along the columns of the kinematic form computed so far, by contact.
@@ -86,7 +92,7 @@ pub(crate) fn kinematic_form_among(
     contacts: &[usize],
     Moved(known): &mut Moved,
 ) -> Option<Form> {
-    let (rows, jumps): (Vec<_>, Vec<_>) = jumps(problem, contacts.iter().copied()).into_iter().unzip();
+    let (rows, jumps) = jumps(problem, contacts);
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let contact = of_contact[0].contact;
         if let Entry::Vacant(place) = known.entry(contact) {
@@ -95,17 +101,18 @@ pub(crate) fn kinematic_form_among(
                 // Facets come in pairs of opposite directions.
                 let opposite = of_contact[..k].iter().position(|other| other.column == -jump.column);
                 moved.push(match opposite {
-                    Some(other) => moved[other].iter().map(|x| -x).collect(),
+                    Some(other) => mapped(&moved[other], &|x| -x),
                     None => trial.moved_by(contact, &jump.column)?,
                 });
             }
             place.insert(moved);
         }
     }
-    let moved =
-        jumps.chunk_by(|a, b| a.contact == b.contact).flat_map(|of_contact| &known[&of_contact[0].contact]);
-    let moved: Vec<_> = moved.collect();
-    form(problem, state, rows, &jumps, |i, j| trial.felt(jumps[i].contact, &jumps[i].row, moved[j]))
+    let mut moved = Vec::with_capacity(jumps.len());
+    for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
+        moved.extend(&known[&of_contact[0].contact]);
+    }
+    form(problem, state, rows, &jumps, &|i, j| trial.felt(jumps[i].contact, &jumps[i].row, moved[j]))
 }
 
 /// The form of these rows; `felt(i, j)` is the product of row i with `Q Qᵀ` and the column of row j.
@@ -114,7 +121,7 @@ fn form(
     state: &PieceState,
     rows: Vec<Row>,
     jumps: &[Jump],
-    felt: impl Fn(usize, usize) -> f64,
+    felt: &dyn Fn(usize, usize) -> f64,
 ) -> Option<Form> {
     let n = jumps.len();
     let m = DMatrix::from_fn(n, n, |i, j| {
@@ -128,8 +135,8 @@ fn form(
         let force = &state.forces[jump.contact];
         (0..springs.axes()).map(|a| jump.row[a] * force[a] / springs.root_along(a)).sum()
     });
-    let z_unit = jumps.iter().map(|jump| jump.z_unit).collect();
-    let w_unit = jumps.iter().map(|jump| jump.w_unit).collect();
+    let z_unit = mapped(jumps, &|jump| jump.z_unit);
+    let w_unit = mapped(jumps, &|jump| jump.w_unit);
     Some(Form { lcp: Lcp::new(m, q).ok()?, rows, z_unit, w_unit })
 }
 

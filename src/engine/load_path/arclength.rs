@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use super::pieces::Pieces;
 use super::segment::PathPoint;
 use super::trajectory::Trajectory;
+use crate::numerics::{largest, least};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -30,8 +31,8 @@ impl Pieces<'_> {
     /// Deflection of the softest spring under all present forces and those that one unit of the factor adds.
     fn springs_give(&self, here: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
-        let softest = sites.iter().map(|site| site.springs.softest()).fold(f64::INFINITY, f64::min);
-        let drives = self.segment.change.iter().map(SVector::norm).fold(0.0, f64::max);
+        let softest = least(sites, &|site| site.springs.softest());
+        let drives = largest(&self.segment.change, &SVector::norm);
         let load = self.segment.course.rate_at(self.factor).norm();
         (here.sizes[0] + load) / softest + drives
     }

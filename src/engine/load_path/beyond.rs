@@ -13,8 +13,8 @@ use crate::equilibrium::{ContactState, NoEquilibrium, Outcome, site_states};
 use crate::forms::kinematic_form;
 use crate::grasp::{Engine, Motion, WholeContact};
 use crate::lcp;
-use crate::numerics::Vector;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Vector, largest, summed};
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
@@ -196,7 +196,7 @@ fn from_scratch<'g>(
 
 /// Whether forces could belong to a path that continues by this part: over so short a way they change by at most its square root.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
-    let largest = forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
+    let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
@@ -210,7 +210,7 @@ fn way_beyond(here: &Problem, rates: &Problem) -> f64 {
 
 /// The change of the load factor that makes up the whole load, or all commands, whichever is less; zero if there is neither.
 fn whole_way(here: &Problem, rates: &Problem) -> f64 {
-    let total = |drives: &[SVector<f64, 3>]| drives.iter().map(nalgebra::Matrix::norm).sum::<f64>();
+    let total = |drives: &[SVector<f64, 3>]| summed(drives, &nalgebra::Matrix::norm);
     let load_way = here.wrench.norm() / rates.wrench.norm();
     let command_way = total(&here.drives) / total(&rates.drives);
     let way = load_way.min(command_way);

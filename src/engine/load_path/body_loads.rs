@@ -6,7 +6,7 @@ use alloc::sync::Arc;
 use super::leg::{Leg, LegGoal, LegLoad};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, paired};
 use crate::prelude::*;
 
 /// The body and the change of its load along a leg.
@@ -122,7 +122,7 @@ impl BodyLoads {
     pub(super) fn put_on<'g>(&self, grasp: &'g Engine, fraction: f64) -> Cow<'g, Engine> {
         let Some(loads) = &self.0 else { return Cow::Borrowed(grasp) };
         let at = |(from, to): (&Wrench<3>, &Wrench<3>)| *from + (*to - *from) * fraction;
-        let now = loads[0].iter().zip(&loads[1]).map(at).collect();
+        let now = paired(&loads[0], &loads[1], &at);
         Cow::Owned(grasp.under_body_loads(now))
     }
 }

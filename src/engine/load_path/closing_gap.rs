@@ -17,8 +17,8 @@ use super::letting_go::JumpInProgress;
 use super::pieces::Pieces;
 use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
 use crate::grasp::Coordinates;
-use crate::numerics::Vector;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Vector, mapped};
 use crate::object::PieceState;
 use crate::prelude::*;
 use crate::search::Found;
@@ -119,7 +119,7 @@ impl<'g> Pieces<'g> {
     fn go_free_way(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
         let here = self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
         // Forces are solved anew in the new states, so that contacts that have opened lose the rounding of their force, too.
-        let forces = here.lines.iter().map(|line| line.force).collect();
+        let forces = mapped(&here.lines, &|line| line.force);
         let twist = &self.node.at.twist + motion * way.length;
         self.node.arrive(&mut self.segment, &here, self.factor, &PieceState { forces, twist });
         let drives = self.segment.drives(self.factor);

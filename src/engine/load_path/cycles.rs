@@ -11,8 +11,8 @@ use crate::contact::{Coulomb, Mode, State};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Vector;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
+use crate::numerics::{Vector, largest, numbered};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
@@ -97,7 +97,7 @@ impl<'g> Cycles<'g> {
     /// Before a cycle that begins in another state; `None` if that state is no equilibrium of the grasp with these slips.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
-        let largest = from.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
+        let largest = largest(&from.forces, &Matrix::norm);
         let begin = Following::start(grasp, (&self.base, &self.legs), settings, |journey, problem| {
             let mut slipped = problem.clone();
             slipped.drives.iter_mut().zip(&from.slips).for_each(|(drive, slip)| *drive -= slip);
@@ -193,7 +193,7 @@ impl<'g> Cycles<'g> {
         };
         Some(CycleState {
             forces: at.forces.clone(),
-            gaps: (0..at.forces.len()).map(gap).collect(),
+            gaps: numbered(at.forces.len(), &gap),
             slips: segment.problem.slips.clone(),
             twist: at.twist.clone(),
             weaker: segment.problem.weaker(),

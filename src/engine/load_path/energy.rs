@@ -6,8 +6,7 @@ use super::segment::{PathPoint, Segment};
 use super::turning_state::TurningState;
 use crate::contact::State;
 use crate::grasp::Site;
-use crate::numerics::Harmonic;
-use crate::prelude::*;
+use crate::numerics::{Harmonic, mapped};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
@@ -108,8 +107,8 @@ impl LegEnergy {
             self.turnover += work.abs();
         }
         let sites = segment.grasp.sites();
-        let [before, after] = [0.0, angle]
-            .map(|angle| turned.waves.iter().map(|[force, _]| force.of.at(angle)).collect::<Vec<_>>());
+        let [before, after] =
+            [0.0, angle].map(|angle| mapped(&turned.waves, &|[force, _]| force.of.at(angle)));
         self.store(sites, &before, &after);
         for ((site, [force, stretch]), _) in
             sites.iter().zip(&turned.waves).zip(states).filter(|(_, state)| state.slides())

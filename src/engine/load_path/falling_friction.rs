@@ -8,6 +8,7 @@ use super::pieces::Pieces;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Mode};
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
@@ -18,7 +19,7 @@ impl<'g> Pieces<'g> {
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
             return Ok(self);
         }
-        self.segment.problem.cones = grasp.sites().iter().map(|site| site.friction).collect();
+        self.segment.problem.cones = mapped(grasp.sites(), &|site| site.friction);
         let slides = |i| Some((i, Change::Slides { direction: self.node.directions[i]? }));
         let changes: Vec<_> = grasp.weaker_once_they_slide().filter_map(slides).collect();
         let begin = self.begin_to_slide(&changes);
@@ -91,13 +92,12 @@ impl<'g> Pieces<'g> {
         let slides = |i: &usize| {
             self.node.states[*i].slides() && segment.problem.cone(*i) != segment.problem.sites[*i].friction
         };
-        let rest: Vec<_> =
-            if is_still { (0..segment.problem.len()).filter(slides).collect() } else { Vec::new() };
+        let rest: Vec<_> = if is_still { chosen(segment.problem.len(), &slides) } else { Vec::new() };
         for &i in &rest {
             (self.node.states[i], self.node.directions[i]) = (Mode::Sticking, None);
         }
         self.friction_of_rest();
-        rest.into_iter().map(|i| (i, Change::Sticks)).collect()
+        moved(rest, &|i| (i, Change::Sticks))
     }
 
     /// Sets the friction of contacts after these changes, and makes the jump that follows if some begin to slide.
@@ -119,6 +119,6 @@ impl<'g> Pieces<'g> {
             let site = &problem.sites[*i];
             (begins && site.kinetic.is_some() && problem.cone(*i) == site.friction).then_some(*i)
         };
-        changes.iter().filter_map(falls).collect()
+        picked(changes, &falls)
     }
 }

@@ -20,7 +20,7 @@ use super::trajectory::Trajectory;
 use super::watch::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Size, Stepped, Vector, explicit_step, implicit_step};
+use crate::numerics::{Size, Stepped, Vector, explicit_step, implicit_step, mapped, summed};
 use crate::object::{PieceState, largest_force};
 use crate::prelude::*;
 
@@ -97,10 +97,7 @@ pub(super) struct Reached {
 
 impl Reached {
     pub(super) fn at(&self) -> PieceState {
-        PieceState {
-            forces: self.here.lines.iter().map(|line| line.force).collect(),
-            twist: self.here.twist.clone(),
-        }
+        PieceState { forces: mapped(&self.here.lines, &|line| line.force), twist: self.here.twist.clone() }
     }
 }
 
@@ -116,10 +113,13 @@ impl<'s, 'g> Flow<'s, 'g> {
         let sites = segment.grasp.sites();
         let drives = segment.drives(from);
         let load = segment.course.at(from).norm();
-        let forces = here.lines.iter().map(|line| line.force.norm());
-        let force = largest_force(sites, &drives, &here.twist, load, forces).max(segment.largest);
-        let spans = sites.iter().zip(&drives).map(|(site, a)| site.span(a, &here.twist));
-        let sizes = [force, spans.fold(0.0, f64::max)];
+        let forces = mapped(&here.lines, &|line| line.force.norm());
+        let force = largest_force(sites, &drives, &here.twist, load, forces.into_iter()).max(segment.largest);
+        let mut span = 0.0_f64;
+        for (site, a) in sites.iter().zip(&drives) {
+            span = span.max(site.span(a, &here.twist));
+        }
+        let sizes = [force, span];
         // Motions that no force drives continue at their present rate.
         let pushed = |v: &Vector| {
             let rate = v.dot(&here.twist_rate);
@@ -132,8 +132,8 @@ impl<'s, 'g> Flow<'s, 'g> {
             let size = tangential_norm(&here.lines[i].force);
             states[i].slide().map_or_else(SVector::zeros, |slide| slide.direction * size)
         };
-        let begin = arc.sliding.iter().map(friction).collect();
-        let vanishing = arc.sliding.iter().map(|&i| is_vanishing(&here.lines[i])).collect();
+        let begin = mapped(&arc.sliding, &friction);
+        let vanishing = mapped(&arc.sliding, &|&i| is_vanishing(&here.lines[i]));
         Self { arc, from, here, begin, vanishing, sizes }
     }
 
@@ -170,9 +170,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         rate(&first.clone(), &mut first)?;
         let size = |error: &[f64]| self.error_size(error, length);
         let Stepped { change: y, error } = match rule {
-            Rule::Straight => {
-                Stepped { change: first.iter().map(|rate| rate * length).collect(), error: 0.0 }
-            }
+            Rule::Straight => Stepped { change: mapped(&first, &|rate| rate * length), error: 0.0 },
             Rule::Explicit => explicit_step(length, &first, rate, size)?,
             Rule::Implicit { tolerance } => {
                 let relaxation = Relaxation::new(&self.arc, &self.begin, self.from, self.onward());
@@ -211,7 +209,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let rate = PieceState { forces: self.arc.force_rates(&tangents, &way), twist: way.twist };
         let [finger_work, dissipated, load_work, turnover] = core::array::from_fn(|k| y[works + k]);
         let mut energy = LegEnergy { load_work, finger_work, stored: 0.0, dissipated, turnover };
-        let before: Vec<_> = self.here.lines.iter().map(|line| line.force).collect();
+        let before: Vec<_> = mapped(&self.here.lines, &|line| line.force);
         energy.store(self.arc.sites(), &before, &at.forces);
         let here = self.arc.segment.along(&self.here.piece, to, &at, &rate, way.factor);
         Some(Reached { to, here, energy, error, backwards })
@@ -303,7 +301,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let size = |k: usize| self.sizes[k] + length * self.here.rate_sizes[k];
         let [force, travel] = [0, 1].map(size);
         let (of_frictions, others) = error.split_at(self.arc.sliding.len() * (2));
-        let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
+        let norm = |part: &[f64]| summed(part, &|e| e * e).sqrt();
         let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);

@@ -7,6 +7,7 @@ use super::onset_margins::{Leaver, OnsetMargins};
 use crate::equilibrium::Parameter;
 use crate::error::Error;
 use crate::grasp::{Engine, Space};
+use crate::numerics::moved;
 use crate::prelude::*;
 
 /// Derivatives of the load factor (without unit) at which one contact stops sticking, with respect to the geometry of every contact. Commands,
@@ -42,7 +43,7 @@ impl Engine {
         let Some(margins) = OnsetMargins::new(self, event) else { return Ok(Vec::new()) };
         let none = vec![SVector::repeat(f64::NAN); self.len()];
         let empty = |leaving| GeometryGradient { leaving, point: none.clone(), normal: none.clone() };
-        let mut gradients: Vec<_> = margins.leavers().map(empty).collect();
+        let mut gradients = moved(margins.leavers(), &empty);
         for contact in 0..self.len() {
             for axis in 0..self.space().axes() {
                 let by = margins.by(Parameter::Point { contact, axis });

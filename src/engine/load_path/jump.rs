@@ -9,6 +9,7 @@ use super::event::ContactChange;
 use crate::equilibrium::Equilibrium;
 use crate::error::ContactLabel;
 use crate::grasp::BodyMotion;
+use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -66,9 +67,9 @@ impl<const C: usize> fmt::Display for Jump<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         if !self.reaches.is_empty() {
-            let mut reached: Vec<_> = self.reaches.iter().map(|contact| contact.whole().text()).collect();
+            let mut reached: Vec<_> = mapped(&self.reaches, &|contact| contact.whole().text());
             reached.dedup();
-            let farthest = self.moved.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+            let farthest = largest(&self.moved, &BodyMotion::speed);
             // A body that moves by less than this part of the largest motion is not named in the sentence.
             let moved = self.moved.iter().filter(|body| body.speed() > 1e-6 * farthest);
             let moved: Vec<_> = moved.map(|body| words.body_motion(body)).collect();

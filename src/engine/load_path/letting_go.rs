@@ -25,7 +25,7 @@ use super::stretch::{Bend, Fallen};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
 use crate::equilibrium::ACCURATE;
-use crate::numerics::Vector;
+use crate::numerics::{Vector, chosen, largest};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, Settings, Settled, settle};
@@ -121,7 +121,7 @@ impl<'g> Pieces<'g> {
         let mut segment = self.segment.at_rest(self.factor);
         let (mut states, mut forces) = (self.node.states.clone(), self.node.at.forces.clone());
         let mut from = segment.course.at(0.0);
-        let largest = forces.iter().map(Matrix::norm).fold(0.0, f64::max);
+        let largest = largest(&forces, &Matrix::norm);
         let problem = &mut segment.problem;
         for &i in begin {
             problem.cones[i] = problem.sites[i].kinetic.unwrap_or(problem.cones[i]);
@@ -147,8 +147,7 @@ impl<'g> Pieces<'g> {
         problem.wrench.clone_from(&from);
         let rate = goal - &from;
         segment.course = Trajectory::Straight { from, rate };
-        let slide_on: Vec<_> =
-            (0..states.len()).filter(|i| states[*i].slides() && !begin.contains(i)).collect();
+        let slide_on: Vec<_> = chosen(states.len(), &|i| states[*i].slides() && !begin.contains(i));
         let mut node = Node::at_start(&mut segment, Found::new(states, forces, self.node.at.twist.clone()));
         node.holds.clone_from(&self.node.holds);
         for i in slide_on {

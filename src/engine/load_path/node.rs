@@ -13,6 +13,7 @@ use super::transition::{change, nothing_changes, others};
 use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{chosen, moved, numbered};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{
@@ -68,7 +69,7 @@ impl Node {
         self.ahead = ahead;
         let stands = |i: &usize| matches!(rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let loss = |kind, motion| {
-            let edge = (0..self.states.len()).filter(stands).collect();
+            let edge = chosen(self.states.len(), &stands);
             journey.loss(factor, kind, edge, motion)
         };
         let Settled::Found(found, _) = settled else {
@@ -192,7 +193,7 @@ impl Node {
             let idle = local.may_open() && (nothing || force.norm() <= ZERO_SLACK * size);
             if idle { Mode::Open } else { found.states[i] }
         };
-        let states: Vec<State> = (0..self.states.len()).map(state).collect();
+        let states: Vec<State> = numbered(self.states.len(), &state);
         if states == found.states {
             return found;
         }
@@ -256,5 +257,5 @@ fn slide_where_they_graze(rates: &Problem, found: &mut Found) {
 pub(super) fn directions(problem: &Problem, found: &Found) -> Vec<Option<SVector<f64, 3>>> {
     let direction =
         |state| if let ContactState::Sliding { direction } = state { Some(direction) } else { None };
-    site_states(problem, found).into_iter().map(direction).collect()
+    moved(site_states(problem, found), &direction)
 }

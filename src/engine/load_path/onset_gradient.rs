@@ -6,6 +6,7 @@ use super::onset::OnsetEvent;
 use super::onset_margins::{Leaver, OnsetMargins};
 use crate::equilibrium::Parameter;
 use crate::grasp::Engine;
+use crate::numerics::moved;
 use crate::prelude::*;
 
 /// Derivatives of the load factor (without unit) at which one contact stops sticking. Derivatives with respect to positions and normals are a
@@ -57,7 +58,7 @@ impl Engine {
             base_load: vec![f64::NAN; self.space().of_the_object()],
             load_scale: f64::NAN,
         };
-        let mut gradients: Vec<_> = margins.leavers().map(empty).collect();
+        let mut gradients = moved(margins.leavers(), &empty);
         let mut put = |by: Option<Vec<f64>>, place: &dyn Fn(&mut OnsetGradient<3>, f64)| {
             by.map(|by| gradients.iter_mut().zip(by).for_each(|(gradient, value)| place(gradient, value)))
         };

@@ -6,6 +6,7 @@ use super::onset::{OnsetEvent, StickingState};
 use crate::contact::rubs;
 use crate::equilibrium::{Parameter, StickingResponse};
 use crate::grasp::{Engine, HandPart, Wrench};
+use crate::numerics::mapped;
 use crate::object::PieceState;
 use crate::prelude::*;
 
@@ -62,8 +63,8 @@ impl<'g> OnsetMargins<'g> {
     }
 
     /// The contacts and drives that leave.
-    pub(crate) fn leavers(&self) -> impl Iterator<Item = Leaver> {
-        self.margins.iter().map(|margin| margin.leaver)
+    pub(crate) fn leavers(&self) -> Vec<Leaver> {
+        mapped(&self.margins, &|margin| margin.leaver)
     }
 
     /// The derivative, with respect to one datum, of the factor of each contact or drive that leaves. `None` where
@@ -76,13 +77,13 @@ impl<'g> OnsetMargins<'g> {
             }
             _ => 0.0,
         };
-        Some(self.margins.iter().map(|margin| margin.moved(&change.forces, direct(margin))).collect())
+        Some(mapped(&self.margins, &|margin| margin.moved(&change.forces, direct(margin))))
     }
 
     /// The derivative along an additional load, in proportion to it.
     pub(crate) fn by_load(&self, load: &Wrench<3>) -> Option<Vec<f64>> {
         let change = self.response.by_load(load).ok()?;
-        Some(self.margins.iter().map(|margin| margin.moved(&change.of, 0.0)).collect())
+        Some(mapped(&self.margins, &|margin| margin.moved(&change.of, 0.0)))
     }
 }
 

@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use crate::grasp::Site;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{Band, Bordered, BorderedBand, Size, Square, Vector, narrow_order, widest};
+use crate::numerics::{Band, Bordered, BorderedBand, Size, Square, Vector, mapped, narrow_order, widest};
 use crate::object::uses_band;
 use crate::prelude::*;
 
@@ -22,7 +22,7 @@ impl NarrowOrder {
         if !uses_band(size) {
             return None;
         }
-        let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges()).collect();
+        let couplings: Vec<_> = mapped(sites, &|site| site.support.ranges());
         let numbers = narrow_order(size.count(), &couplings);
         let reach = widest(&numbers, &couplings);
         Some(Arc::new(Self { numbers, reach }))

@@ -28,7 +28,7 @@ use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ACCURATE, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, largest, mapped};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
@@ -241,7 +241,7 @@ impl<'g> Pieces<'g> {
         let grasp = journey.grasp;
         let free = self.here.as_ref().map_or(0, |here| here.free_motions.len());
         let set_free = onward.here.free_motions.len() > free;
-        let free_motions = onward.here.free_motions.iter().map(|v| grasp.motion_outside(v)).collect();
+        let free_motions = mapped(&onward.here.free_motions, &|v| grasp.motion_outside(v));
         self.here = Some(onward.here);
         self.pace = self.pace.at_node();
         let jump = if self.friction_falls() { self.friction_after(journey, &onward.changes)? } else { None };
@@ -253,7 +253,7 @@ impl<'g> Pieces<'g> {
         }
         let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
         // Where all forces vanish together, the forces that remain are rounding, and residuals relative to them mean nothing.
-        let largest = state.contacts.iter().map(|contact| contact.force.norm()).fold(0.0, f64::max);
+        let largest = largest(&state.contacts, &|contact| contact.force.norm());
         let carries = largest > WEIGHTLESS * self.segment.largest
             && self.node.at.forces.iter().any(|force| force.norm() > 0.0);
         if carries && state.residuals.worst() > ACCURATE {

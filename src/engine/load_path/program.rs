@@ -11,7 +11,7 @@ use super::trajectory::Trajectory;
 use super::turn::inside;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 
 /// A load program in progress.
@@ -42,7 +42,7 @@ pub(super) struct Program {
 impl Program {
     /// A program without legs, under a load and the commands of a grasp.
     pub(super) fn new(grasp: &Engine, start: Wrench<3>) -> Self {
-        let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
+        let commands: Vec<_> = mapped(grasp.contacts(), &|c| c.command);
         let joints = grasp.joint_commands().to_vec();
         Self {
             legs: Vec::new(),
@@ -134,7 +134,7 @@ impl Program {
     /// After all legs, returns exactly to this load and to the commands of a grasp: removes the rounding of a closed program.
     pub(super) fn return_to(&mut self, grasp: &Engine, load: &Wrench<3>) {
         self.goal = *load;
-        self.commands[1] = grasp.contacts().iter().map(|contact| contact.command).collect();
+        self.commands[1] = mapped(grasp.contacts(), &|contact| contact.command);
         self.joints[1] = grasp.joint_commands().to_vec();
         self.bodies = BodyLoads::default();
         self.torques = HeldTorques::default();

@@ -8,6 +8,7 @@ use nalgebra::SVector;
 use super::written_leg::{check_drives, check_rows};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// At factor τ >= 0 the load is `base + τ direction` and the finger commands are those of the grasp plus τ times their
@@ -74,15 +75,12 @@ impl<const C: usize> Ramp<C> {
 
     /// This ramp with all its rates multiplied by a factor; backwards for a negative one.
     pub(crate) fn times(&self, factor: f64) -> Self {
-        let times = |change: &Vec<SVector<f64, C>>| change.iter().map(|a| a * factor).collect();
+        let times = |change: &Vec<SVector<f64, C>>| mapped(change, &|a| a * factor);
         Self {
             base: self.base,
             direction: self.direction * factor,
             command_change: self.command_change.as_ref().map(times),
-            joint_change: self
-                .joint_change
-                .as_ref()
-                .map(|change| change.iter().map(|a| a * factor).collect()),
+            joint_change: self.joint_change.as_ref().map(|change| mapped(change, &|a| a * factor)),
         }
     }
 
@@ -95,10 +93,14 @@ impl<const C: usize> Ramp<C> {
         if let Some(change) = &self.joint_change {
             check_drives(change.len(), "changes of joint commands", drives)?;
         }
-        let commands = self.command_change.iter().flatten().flat_map(|change| change.iter());
-        let joints = self.joint_change.iter().flatten();
-        let mut rates = self.direction.components().iter().chain(commands).chain(joints);
-        if rates.all(|x| *x == 0.0) { Err(Error::NothingChanges) } else { Ok(()) }
+        let mut changes = self.direction != Wrench::ZERO;
+        for change in self.command_change.iter().flatten() {
+            changes |= *change != SVector::<f64, C>::zeros();
+        }
+        for change in self.joint_change.iter().flatten() {
+            changes |= *change != 0.0;
+        }
+        if changes { Ok(()) } else { Err(Error::NothingChanges) }
     }
 }
 

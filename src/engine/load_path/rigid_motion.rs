@@ -16,7 +16,7 @@ use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
 use crate::friction::FrictionProblem;
 use crate::grasp::Space;
-use crate::numerics::{Vector, across};
+use crate::numerics::{Vector, across, chosen};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -42,7 +42,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         }
     }
     let touches = |i: &usize| matches!(rates.laws[*i], Law::Cone { .. });
-    let touching: Vec<usize> = (0..rates.len()).filter(touches).collect();
+    let touching: Vec<usize> = chosen(rates.len(), &touches);
     let never_slides = |i: &usize| rates.local(*i).never_slides();
     if touching.is_empty() || touching.len() > MOST_RIGID || touching.iter().any(never_slides) {
         return None;

@@ -9,7 +9,7 @@ use super::turning_state::TurningState;
 use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
 use crate::equilibrium::{AnswerFor, NoEquilibrium, Proof};
 use crate::grasp::Engine;
-use crate::numerics::{Vector, cleared_for};
+use crate::numerics::{Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
@@ -56,7 +56,7 @@ impl PathPoint {
             let PieceState { forces, twist } = turned.after(step);
             return PieceState { forces, twist: &self.twist + twist };
         }
-        let forces = self.lines.iter().map(|line| line.force + line.rate * step).collect();
+        let forces = mapped(&self.lines, &|line| line.force + line.rate * step);
         PieceState { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
@@ -99,7 +99,7 @@ impl<'g> Segment<'g> {
             .map_err(|u| self.unbalanced(factor, u.motion))?;
         let rate = self.pushed_along(&piece, rate, pushed);
         let at = self.state(&piece, factor, near).unwrap_or_else(|| PieceState {
-            forces: base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect(),
+            forces: paired(&base.forces, &rate.forces, &|(f, df)| f + df * factor),
             twist: &base.twist + &rate.twist * factor,
         });
         Ok(self.here(piece, factor, at, (&rate, 1.0), (0.0, &base)))
@@ -136,7 +136,7 @@ impl<'g> Segment<'g> {
         (since, base): (f64, &PieceState),
     ) -> PathPoint {
         let PieceState { forces, twist } = at;
-        let change: Vec<_> = self.change.iter().map(|a| a * factor_rate).collect();
+        let change: Vec<_> = mapped(&self.change, &|a| a * factor_rate);
         let way = factor - since;
         let [base_drives, drives] = [since, factor].map(|factor| self.drives(factor));
         let base_load = self.course.at(since);

@@ -9,6 +9,7 @@ use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, State, ZERO_SLACK};
 use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_states};
 use crate::grasp::Wrench;
+use crate::numerics::mapped;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, FoundBy, Settings, Settled, settle};
@@ -124,8 +125,8 @@ impl StickingPath<'_> {
             Some(_) => None,
         };
         let leaving: Vec<_> = standing.filter_map(leaves).collect();
-        let sites = leaving.iter().map(|leaving| leaving.contact.index).collect();
-        let forces = here.lines.iter().map(|line| line.force).collect();
+        let sites = mapped(&leaving, &|leaving| leaving.contact.index);
+        let forces = mapped(&here.lines, &|line| line.force);
         let found = Found {
             free_motions: here.free_motions.clone(),
             sizes: here.sizes,

@@ -12,7 +12,7 @@ use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
 use crate::equilibrium::{AnswerFor, Equilibrium};
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, mapped, paired};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, told_at_rest};
@@ -125,7 +125,7 @@ impl<'g> Stretch<'g> {
                 (at.forces, at.twist)
             }
             _ => (
-                self.here.lines.iter().zip(&self.there.forces).map(|(a, b)| between(a, b)).collect(),
+                paired(&self.here.lines, &self.there.forces, &|(a, b)| between(a, b)),
                 &self.here.twist * (1.0 - part) + &self.there.twist * part,
             ),
         };
@@ -151,7 +151,7 @@ impl<'g> Stretch<'g> {
         let state = |(state, force): (&State, &SVector<f64, 3>)| {
             if state.slides() { State::sliding_along(force) } else { *state }
         };
-        let states = self.states.iter().zip(&at.forces).map(state).collect();
+        let states = paired(&self.states, &at.forces, &state);
         let found = Found {
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
@@ -186,7 +186,7 @@ impl<'g> Stretch<'g> {
                 let slid = |(state, line): (&State, &Line)| {
                     if state.slides() { State::sliding_along(&line.force) } else { *state }
                 };
-                states = states.iter().zip(&reached.here.lines).map(slid).collect();
+                states = paired(&states, &reached.here.lines, &slid);
                 (from, here) = (reached.to, reached.here);
                 if from == fraction {
                     return Some(start_of(&here));
@@ -208,5 +208,5 @@ impl<'g> Stretch<'g> {
 
 /// The state at the beginning of a step.
 fn start_of(here: &PathPoint) -> PieceState {
-    PieceState { forces: here.lines.iter().map(|line| line.force).collect(), twist: here.twist.clone() }
+    PieceState { forces: mapped(&here.lines, &|line| line.force), twist: here.twist.clone() }
 }

@@ -10,7 +10,7 @@ use super::turning_state::TurningState;
 use crate::contact::Wave;
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Harmonic, Vector};
+use crate::numerics::{Harmonic, Vector, mapped, numbered, paired};
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
@@ -40,7 +40,7 @@ impl Segment<'_> {
             sine: solved(&at_rest, &onward.sine)?,
         };
         let rate = PieceState {
-            forces: parts.sine.forces.iter().map(|force| force * angle).collect(),
+            forces: mapped(&parts.sine.forces, &|force| force * angle),
             twist: &parts.sine.twist * angle,
         };
         let at = self.state(piece, factor, near).unwrap_or_else(|| at_start(&parts));
@@ -95,7 +95,7 @@ impl Segment<'_> {
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };
-        let waves = (0..sites.len()).map(wave).collect();
+        let waves = numbered(sites.len(), &wave);
         TurningState { waves, twist: parts.map(|part| part.twist.clone()), load: load.clone(), angle }
     }
 }
@@ -103,6 +103,6 @@ impl Segment<'_> {
 /// The state at the beginning of a turn, from those under the parts of its load.
 pub(super) fn at_start(parts: &Harmonic<PieceState>) -> PieceState {
     let Harmonic { constant, cosine, .. } = parts;
-    let forces = constant.forces.iter().zip(&cosine.forces).map(|(f, more)| f + more).collect();
+    let forces = paired(&constant.forces, &cosine.forces, &|(f, more)| f + more);
     PieceState { forces, twist: &constant.twist + &cosine.twist }
 }

@@ -2,7 +2,7 @@
 
 use super::first_exits::{FirstExits, first_standing};
 use crate::contact::{Exit, State, TurningExit, Wave};
-use crate::numerics::{Harmonic, Vector};
+use crate::numerics::{Harmonic, Vector, mapped};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 
@@ -21,7 +21,7 @@ impl TurningState {
     /// Forces after a step of the factor, and the change of the twist.
     pub(super) fn after(&self, step: f64) -> PieceState {
         let angle = self.angle * step;
-        let forces = self.waves.iter().map(|[force, _]| force.of.at(angle)).collect();
+        let forces = mapped(&self.waves, &|[force, _]| force.of.at(angle));
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 

@@ -5,6 +5,7 @@ use core::fmt;
 use super::event::{Change, ContactChange, Event};
 use crate::equilibrium::{ContactState, Equilibrium, PadAnswer};
 use crate::error::ContactLabel;
+use crate::numerics::picked;
 use crate::prelude::*;
 use crate::words::{Words, opens};
 
@@ -124,7 +125,7 @@ pub(crate) fn whole_changes<const C: usize>(
     let site = |change: &ContactChange<C>| {
         state.contacts.iter().position(|contact| contact.contact == change.contact)
     };
-    let sites: Vec<_> = changes.iter().filter_map(|change| Some((site(change)?, change))).collect();
+    let sites: Vec<_> = picked(changes, &|change| Some((site(change)?, change)));
     let pad_of = |site: usize| state.pads.iter().find(|pad| pad.range().contains(&site));
     let mut all = Vec::new();
     let mut told = Vec::new();
@@ -139,7 +140,7 @@ pub(crate) fn whole_changes<const C: usize>(
         told.push(pad.first);
         let its_own =
             |(i, change): &(usize, &ContactChange<C>)| pad.range().contains(i).then_some((*i, change.what));
-        let its_own: Vec<_> = sites.iter().filter_map(its_own).collect();
+        let its_own: Vec<_> = picked(&sites, &its_own);
         let whole = |what| WholeChange { contact: pad.contact.clone(), what };
         all.extend(PadAtEvent::of(state, pad, &its_own).doings().into_iter().map(whole));
     }

@@ -12,6 +12,7 @@ use nalgebra::SVector;
 
 use super::segment::{PathPoint, Segment};
 use crate::contact::{Coulomb, Mode, State};
+use crate::numerics::least;
 
 /// The four Bézier points of a piece of the cubic.
 type Points = [SVector<f64, 3>; 4];
@@ -95,7 +96,7 @@ impl Bounded {
         // Most pieces that are examined before a step is refused as too long.
         for _ in 0..200 {
             let (from, to, points) = pieces.pop()?;
-            let least = points.iter().map(|point| self.margin(point)).fold(f64::INFINITY, f64::min);
+            let least = least(&points, &|point| self.margin(point));
             let farthest = if to <= 0.5 { to } else { from.max(0.5) };
             if least - self.off(farthest) >= -self.nothing {
                 continue;

@@ -9,7 +9,9 @@
 //! that they cannot. Where some motions stretch no spring, and equally many are balanced by no spring, T is singular in these alone. Every other
 //! nearly singular T is left to orthogonal factors.
 
-use crate::numerics::{Band, BandFactors, Size, Vector, generic, narrow_order, widest};
+use crate::numerics::{
+    Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,
+};
 
 use core::ops::Range;
 
@@ -71,7 +73,7 @@ impl BandPiece {
         if !uses_band(size_of(sites)) {
             return None;
         }
-        let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges()).collect();
+        let couplings: Vec<_> = mapped(sites, &|site| site.support.ranges());
         let numbers = narrow_order(count, &couplings);
         let reach = widest(&numbers, &couplings);
         let mut lists =
@@ -131,7 +133,7 @@ impl BandPiece {
             let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
             Vector::from_fn(Size::of(q.len()), entry)
         };
-        self.factors.null_vectors().into_iter().map(motion).collect()
+        moved(self.factors.null_vectors(), &motion)
     }
 
     /// `T⁻¹` times a load.
@@ -166,8 +168,8 @@ impl BandPiece {
     pub(super) fn growth(&self) -> f64 {
         let Some(left) = &self.left else { return 1.0 };
         let springs: usize = self.springs.counts.iter().sum();
-        let mut x: Vec<f64> = (0..springs).map(generic).collect();
-        let length = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let mut x: Vec<f64> = numbered(springs, &generic);
+        let length = |x: &[f64]| summed(x, &|x| x * x).sqrt();
         let mut growth = 1.0_f64;
         let mut q = vec![0.0; self.numbers.len()];
         // Steps of the power method, which estimates the norm from below.
@@ -233,7 +235,7 @@ impl SpringLists {
             longest = longest.max(rows[range].iter().map(|x| x * x).sum());
         });
         let unit = |square: f64| if square > 0.0 { 1.0 / square.sqrt() } else { 1.0 };
-        Side { rows, units: squares.into_iter().map(unit).collect(), longest: longest.sqrt() }
+        Side { rows, units: moved(squares, &unit), longest: longest.sqrt() }
     }
 
     /// Adds the pushes of springs to q and scales q by the units of the columns.

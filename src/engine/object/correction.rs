@@ -16,7 +16,7 @@ use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use super::tolerances::{MOST_CORRECTIONS, NEARLY_CORRECTED};
 use crate::contact::{LocalLaw, Mode, Spring, State};
-use crate::numerics::{DoubleDouble, Vector, without};
+use crate::numerics::{DoubleDouble, Vector, mapped, without};
 use crate::prelude::*;
 
 /// The difference between a solution and given forces and twist.
@@ -41,7 +41,7 @@ impl Piece {
         size: f64,
     ) -> Correction {
         let mut forces: Vec<[DoubleDouble; 3]> =
-            at.iter().map(|f| core::array::from_fn(|a| DoubleDouble::new(f[a]))).collect();
+            mapped(at, &|f| core::array::from_fn(|a| DoubleDouble::new(f[a])));
         let mut twist = from.clone();
         let mut change = vec![0.0; self.springs.len()];
         let mut doubt = 0.0;

@@ -12,7 +12,7 @@ use nalgebra::DMatrix;
 use super::band_piece::{BandPiece, Side};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{BandFactors, Size, Vector, orthonormalise_against};
+use crate::numerics::{BandFactors, Size, Vector, dot, orthonormalise_against};
 use crate::prelude::*;
 
 /// Motions in which T is singular.
@@ -146,8 +146,4 @@ fn apart(
         apart.felt.push((v * unit, stretches));
     }
     Some(apart)
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -6,7 +6,7 @@
 //! With x_r = right_r · v the rows of A = right Gᵀ, B = left Gᵀ and α = right·a give `x = α - A q`, `Bᵀx = -W`: an
 //! oblique projection (an orthogonal one when nothing slides). Both factors are orthogonalised.
 
-use crate::numerics::{Map, Size, Square, Vector};
+use crate::numerics::{Map, Size, Square, Vector, mapped, numbered};
 use core::ops::Range;
 
 use nalgebra::SVector;
@@ -134,10 +134,9 @@ impl Piece {
 
     /// For each spring of a contact the entry of its axis.
     fn along_springs(&self, contact: usize, axes: &SVector<f64, 3>) -> Vec<f64> {
-        self.springs[self.first[contact]..self.first[contact + 1]]
-            .iter()
-            .map(|spring| axes[spring.right.iamax()])
-            .collect()
+        mapped(&self.springs[self.first[contact]..self.first[contact + 1]], &|spring| {
+            axes[spring.right.iamax()]
+        })
     }
 
     /// The least motion with the coordinates R q.
@@ -240,7 +239,7 @@ pub(crate) fn least_forces(sites: &[Site], carries: &[bool], wrench: &Vector) ->
         .filter(|&i| carries[i])
         .flat_map(|i| (0..sites[i].springs.axes()).map(move |a| (i, a)))
         .collect();
-    let columns: Vec<Vector> = axes.iter().map(|&(i, a)| sites[i].map.column(a)).collect();
+    let columns: Vec<Vector> = mapped(&axes, &|&(i, a)| sites[i].map.column(a));
     let shares = least_combination(size_of(sites), &columns, wrench);
     let mut forces = vec![SVector::<f64, 3>::zeros(); sites.len()];
     for (&(i, a), share) in axes.iter().zip(shares) {
@@ -254,5 +253,5 @@ pub(crate) fn least_combination(size: Size, vectors: &[Vector], target: &Vector)
     let count = vectors.len();
     let factor = Orthogonal::new(size, vectors);
     let coordinates = factor.load_coordinates(target);
-    (0..count).map(|i| factor.along_row(i, &coordinates)).collect()
+    numbered(count, &|i| factor.along_row(i, &coordinates))
 }

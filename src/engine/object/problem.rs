@@ -6,7 +6,7 @@
 //!
 //! At rest the drives a_i are commanded displacements and the laws are whole; in rates both describe what happens next.
 
-use crate::numerics::{Size, Vector};
+use crate::numerics::{Size, Vector, indexed};
 use alloc::sync::Arc;
 
 use nalgebra::SVector;
@@ -181,8 +181,8 @@ impl<'g> Problem<'g> {
     }
 
     /// All contacts with their laws, in order.
-    pub(crate) fn locals(&self) -> impl ExactSizeIterator<Item = LocalLaw<'_>> {
-        (0..self.len()).map(|contact| self.local(contact))
+    pub(crate) fn locals(&self) -> Locals<'_> {
+        Locals { problem: self, next: 0 }
     }
 
     /// The value of `of` for each contact, in order.
@@ -229,7 +229,7 @@ impl<'g> Problem<'g> {
             let lambda = (slip.dot(&friction) / square).max(0.0);
             Mode::Round(Slide::new(&friction, lambda))
         };
-        states.iter().enumerate().map(slid_on).collect()
+        indexed(states, &slid_on)
     }
 
     /// The slip of a contact with this friction force, in twice the working precision: for a stiff contact it is a small difference.
@@ -250,3 +250,29 @@ impl<'g> Problem<'g> {
         })
     }
 }
+
+/// The laws of all contacts, in order: a type with a name, of which functions of iterators have fewer copies than of a closure.
+pub(crate) struct Locals<'p> {
+    problem: &'p Problem<'p>,
+    next: usize,
+}
+
+impl<'p> Iterator for Locals<'p> {
+    type Item = LocalLaw<'p>;
+
+    #[inline]
+    fn next(&mut self) -> Option<LocalLaw<'p>> {
+        if self.next == self.problem.len() {
+            return None;
+        }
+        self.next += 1;
+        Some(self.problem.local(self.next - 1))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = self.problem.len() - self.next;
+        (left, Some(left))
+    }
+}
+
+impl ExactSizeIterator for Locals<'_> {}

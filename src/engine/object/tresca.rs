@@ -19,7 +19,7 @@ use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, narrow_order, widest};
+use crate::numerics::{PositiveBand, Vector, dot, mapped, moved, narrow_order, paired, widest};
 use crate::prelude::*;
 
 /// All contacts with given limits of friction, in a narrow order of coordinates.
@@ -55,7 +55,7 @@ pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
         Mode::Corner(corner) => Mode::Corner(corner),
         _ => Mode::Sticking,
     };
-    Some(states.into_iter().map(state).collect())
+    Some(moved(states, &state))
 }
 
 /// The motion on the round cone with nearly balanced forces, and friction nearly at the limits of its normal forces.
@@ -72,7 +72,7 @@ pub(crate) fn twist_by_tresca(problem: &Problem<'_>) -> Option<Vector> {
 impl GivenLimits {
     fn of(problem: &Problem<'_>, on_polygons: bool) -> Option<Self> {
         let count = problem.size().count();
-        let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges()).collect();
+        let couplings: Vec<_> = mapped(problem.sites, &|site| site.support.ranges());
         let numbers = narrow_order(count, &couplings);
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
         let (mut felt, mut first) = (Vec::new(), vec![0]);
@@ -157,17 +157,16 @@ impl GivenLimits {
         for round in 0..30 {
             answers = self.least_energy(&mut q, (&mut kept, enough))?;
             let next = self.limits_of(&answers.of);
-            let change: Vec<f64> = next.iter().zip(&self.limits).map(|(next, last)| next - last).collect();
+            let change: Vec<f64> = paired(&next, &self.limits, &|(next, last)| next - last);
             let change = norm(&change) / norm(&next).max(f64::MIN_POSITIVE);
-            let last =
-                core::mem::replace(&mut states, answers.of.iter().map(|answer| answer.state).collect());
+            let last = core::mem::replace(&mut states, mapped(&answers.of, &|answer| answer.state));
             // The iteration ends when limits change by less than this part and no contact changes its state.
             if last == states && change <= 1e-4 {
                 break;
             }
             // The first six iterations are undamped, later ones average to stop oscillation.
             let mean = |(next, last): (&f64, &f64)| if round < 6 { *next } else { 0.5 * (next + last) };
-            self.limits = next.iter().zip(&self.limits).map(mean).collect();
+            self.limits = paired(&next, &self.limits, &mean);
             kept = kept.max(1e-4);
             // Later rounds end at a tenth of the change of limits, but no lower than 1e-9.
             enough = enough.min(0.1 * change * size).max(1e-9 * size);
@@ -193,7 +192,7 @@ impl GivenLimits {
             let falls = dot(&here.left, &step);
             let mut part = 1.0;
             for shorter in 0.. {
-                let next: Vec<f64> = q.iter().zip(&step).map(|(q, step)| q + step * part).collect();
+                let next: Vec<f64> = paired(q, &step, &|(q, step)| q + step * part);
                 here = self.answers(&next);
                 let rises = -dot(&here.left, &step);
                 // A step is reduced at most eight times. It is reduced while the energy rises at its end by more than this part of its initial rate
@@ -213,10 +212,6 @@ impl GivenLimits {
         }
         Some(here)
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 fn norm(list: &[f64]) -> f64 {

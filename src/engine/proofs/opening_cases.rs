@@ -17,13 +17,13 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::escape::counts_from_here_on;
 use crate::contact::LocalLaw;
 use crate::lcp::{Lcp, Outcome, Settings};
-use crate::numerics::{Vector, unit};
+use crate::numerics::{Vector, chosen, largest, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
 /// Whether no forces hold any load between a load (not included) and another a little beyond.
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
-    let free: Vec<usize> = (0..here.len()).filter(|&i| here.local(i).may_open()).collect();
+    let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
     // Most contacts that may open: all choices of open ones among them are tried.
     whole
@@ -139,7 +139,7 @@ fn proved(columns: &[DVector<f64>], here: &DVector<f64>, past: &DVector<f64>) ->
     let settings = Settings { enumerate_up_to: 0, ..Settings::default() };
     let Outcome::Solved(solution) = lcp.solve_with(&settings) else { return false };
     let y = (&gamma * &solution.z + &w).normalize();
-    let against = columns.iter().map(|column| -y.dot(column)).fold(0.0, f64::max);
+    let against = largest(columns, &|column| -y.dot(column));
     let (here, past) = (y.dot(here) / size, y.dot(&w));
     past > 0.0 && counts_from_here_on(here, past, against, 1.0)
 }

@@ -13,14 +13,12 @@
 //! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1
 //! (1976).
 
-use core::ops::Range;
-
 use nalgebra::{SMatrix, SVector};
 
 use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{PositiveBand, Vector, narrow_order, unit, widest};
+use crate::numerics::{PositiveBand, Vector, dot, mapped, narrow_order, paired, unit, widest};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -117,18 +115,21 @@ pub(super) fn left_of_many(problem: &Problem, judged: &dyn Fn(&Vector) -> bool) 
 impl PushedBack {
     fn of(problem: &Problem) -> Option<Self> {
         let count = problem.size().count();
-        let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges()).collect();
+        let couplings: Vec<_> = mapped(problem.sites, &|site| site.support.ranges());
         let numbers = narrow_order(count, &couplings);
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
-        let numbered = |range: &Range<usize>| range.clone().map(|k| (k, numbers[k])).collect::<Vec<_>>();
-        let felt = |contact: usize| couplings[contact].iter().flat_map(numbered).collect::<Vec<_>>();
-        let ray = |Generator { contact, wrench, .. }: Generator| {
-            let along = |(k, number)| (number, unit::<3>(0) * wrench[k]);
-            Pushing {
-                felt: felt(contact).into_iter().map(along).collect(),
-                cone: None,
-                told: SVector::zeros(),
+        let felt = |contact: usize| {
+            let mut felt = Vec::new();
+            for range in &couplings[contact] {
+                for k in range.clone() {
+                    felt.push((k, numbers[k]));
+                }
             }
+            felt
+        };
+        let ray = |Generator { contact, wrench, .. }: Generator| {
+            let along = |(k, number): &(usize, usize)| (*number, unit::<3>(0) * wrench[*k]);
+            Pushing { felt: mapped(&felt(contact), &along), cone: None, told: SVector::zeros() }
         };
         let mut contacts: Vec<_> = straight_generators(problem)?.into_iter().map(ray).collect();
         for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
@@ -136,13 +137,10 @@ impl PushedBack {
                 continue;
             }
             let size = site.map.column(0).norm();
-            let entry = |(k, number)| (number, SVector::from_fn(|a, _| site.map[(k, a)] / size));
+            let entry =
+                |(k, number): &(usize, usize)| (*number, SVector::from_fn(|a, _| site.map[(*k, a)] / size));
             let cone = Some(local.cone().limit(1.0));
-            contacts.push(Pushing {
-                felt: felt(contact).into_iter().map(entry).collect(),
-                cone,
-                told: SVector::zeros(),
-            });
+            contacts.push(Pushing { felt: mapped(&felt(contact), &entry), cone, told: SVector::zeros() });
         }
         let mut load = vec![0.0; count];
         let size = problem.wrench.norm();
@@ -165,7 +163,7 @@ impl PushedBack {
             let falls = dot(&missing, &step);
             let mut part = 1.0;
             for shorter in 0.. {
-                let next: Vec<f64> = v.iter().zip(&step).map(|(v, step)| v + step * part).collect();
+                let next: Vec<f64> = paired(v, &step, &|(v, step)| v + step * part);
                 missing = self.missing(&next);
                 let rises = -dot(&missing, &step);
                 // A step is reduced at most twelve times. It is reduced while the energy rises at its end by more than this part of its initial
@@ -217,10 +215,6 @@ impl PushedBack {
         }
         band.factor()
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 fn norm(list: &[f64]) -> f64 {

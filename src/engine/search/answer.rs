@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::contact::State;
 use crate::grasp::Coordinates;
-use crate::numerics::Vector;
+use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 
 /// By which rule a solution was found; with several equilibria this says which one it is.
@@ -103,8 +103,8 @@ impl Kept {
             states: found.states,
             forces: found.forces,
             twist: Coordinates::of_in(&found.twist, list),
-            free_motions: found.free_motions.iter().map(Coordinates::of).collect(),
-            neutral_motions: found.neutral_motions.iter().map(Coordinates::of).collect(),
+            free_motions: mapped(&found.free_motions, &Coordinates::of),
+            neutral_motions: mapped(&found.neutral_motions, &Coordinates::of),
             sizes: found.sizes,
             from_polygon: found.from_polygon,
         }
@@ -115,8 +115,8 @@ impl Kept {
             states: self.states.clone(),
             forces: self.forces.clone(),
             twist: self.twist.to(),
-            free_motions: self.free_motions.iter().map(Coordinates::to).collect(),
-            neutral_motions: self.neutral_motions.iter().map(Coordinates::to).collect(),
+            free_motions: mapped(&self.free_motions, &Coordinates::to),
+            neutral_motions: mapped(&self.neutral_motions, &Coordinates::to),
             sizes: self.sizes,
             from_polygon: self.from_polygon,
         }

@@ -7,7 +7,7 @@ use nalgebra::{Matrix, SVector};
 use super::answer::Found;
 use crate::contact::{At, MOST_SLACK, State, ZERO_SLACK};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, least_distance};
+use crate::numerics::{Vector, chosen, least_distance};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
@@ -120,7 +120,7 @@ pub(super) fn breaking(problem: &Problem, states: &[State], at: &PieceState) -> 
         });
         !holds
     };
-    (0..problem.len()).filter(breaks).collect()
+    chosen(problem.len(), &breaks)
 }
 
 /// Calls `visit(value, size)` for every condition `value >= 0` of all contacts.

@@ -8,6 +8,7 @@ use nalgebra::SVector;
 use super::answer::{Doubt, Effort, Found, Settled};
 use super::settings::Settings;
 use crate::contact::{Polygon, PolygonCone, State, tangential_norm};
+use crate::numerics::mapped;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -90,5 +91,5 @@ pub(super) fn on_polygons<'g>(
             polygon.turned_to(traction)
         }
     };
-    Problem { turned: trial.iter().map(turn).collect(), ..problem.clone() }
+    Problem { turned: mapped(trial, &turn), ..problem.clone() }
 }

@@ -4,6 +4,7 @@ use super::answer::Found;
 use super::candidate::Judged;
 use super::polish::accept;
 use crate::contact::State;
+use crate::numerics::paired;
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -17,7 +18,7 @@ pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<
     let choices = problem.each(|local| local.states());
     let mut at = vec![0; choices.len()];
     loop {
-        let states = choices.iter().zip(&at).map(|(choice, &k)| choice[k]).collect();
+        let states = paired(&choices, &at, &|(choice, &k)| choice[k]);
         if visit(states) {
             return;
         }

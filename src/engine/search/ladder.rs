@@ -17,6 +17,7 @@ use super::tolerances::{MANY_CONTACTS, MOST_WORK};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::forms;
+use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Problem, newton_on_cones, twist_by_tresca};
 use crate::prelude::*;
@@ -142,7 +143,7 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
         let propose = |problem: &Problem, _: &mut Log| {
             let mut contacts = Vec::new();
             newton_on_cones(problem, (scene.state.twist.clone(), NEGLIGIBLE), &mut contacts)?;
-            Some(contacts.iter().map(|contact| contact.state).collect())
+            Some(mapped(&contacts, &|contact| contact.state))
         };
         return Attempt::of(climb(scene.proposing(), &propose, log));
     }

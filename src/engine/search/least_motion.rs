@@ -10,7 +10,7 @@ use super::answer::Found;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, least_distance};
+use crate::numerics::{Vector, chosen, least_distance, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -34,7 +34,7 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
     let values = conditions(problem, &found.forces, &base);
     let nothing = vec![SVector::zeros(); problem.len()];
     let moving = Problem { drives: nothing.clone(), ..problem.clone() };
-    let changes: Vec<_> = found.free_motions.iter().map(|v| conditions(&moving, &nothing, v)).collect();
+    let changes: Vec<_> = mapped(&found.free_motions, &|v| conditions(&moving, &nothing, v));
     let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
     for (i, (value, _)) in values.iter().enumerate() {
         let changes = changes.iter().map(|list| list[i]);
@@ -57,7 +57,7 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
         let open = found.states[*i].is_open() && problem.local(*i).may_open();
         open && reach >= -ZERO_SLACK * problem.span(*i, base)
     };
-    let open: Vec<usize> = (0..problem.len()).filter(touches).collect();
+    let open: Vec<usize> = chosen(problem.len(), &touches);
     if open.is_empty() {
         return Vector::zeros();
     }

@@ -12,6 +12,7 @@ use super::settings::Settings;
 use super::tolerances::MOST_WORK;
 use crate::contact::{Mode, State};
 use crate::forms::{Moved, kinematic_form_among, kinematic_states};
+use crate::numerics::chosen;
 use crate::object::{Piece, PieceState, Problem, states_by_tresca};
 use crate::prelude::*;
 
@@ -114,7 +115,7 @@ fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
     let felt = |i: usize| problem.sites[i].support.ranges().into_iter().flatten();
     let mut is_near = vec![false; problem.size().count()];
     among.iter().flat_map(|i| felt(*i)).for_each(|k| is_near[k] = true);
-    (0..problem.len()).filter(|i| felt(*i).any(|k| is_near[k])).collect()
+    chosen(problem.len(), &|i| felt(*i).any(|k| is_near[k]))
 }
 
 /// The states, with further contacts sticking until no motion is loose. For each loose motion the contact with the largest displacement sticks,

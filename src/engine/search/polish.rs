@@ -9,7 +9,7 @@ use super::candidate::{Judged, try_states};
 use super::round_pieces::RoundPieces;
 use crate::contact::State;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{PartialPivoting, Vector};
+use crate::numerics::{PartialPivoting, Vector, paired};
 use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
 use crate::prelude::*;
 
@@ -46,7 +46,7 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
     let springs: Vec<_> =
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).collect();
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
-    let forces = springs.iter().zip(&problem.drives).map(|(springs, drive)| springs * drive).collect();
+    let forces = paired(&springs, &problem.drives, &|(springs, drive)| springs * drive);
     let mut near = PieceState { forces, twist: Vector::zeros() };
     // Imbalance of a polygon's answer, as a part of its forces, with which Newton's method may start.
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, SOLVED_ROUNDING)?;

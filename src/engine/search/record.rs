@@ -1,5 +1,7 @@
 //! A record of what every rung of the ladder makes of each search, for the report `rungs`.
 
+use crate::numerics::mapped;
+
 use std::cell::RefCell;
 use std::time::Instant;
 
@@ -36,7 +38,7 @@ std::thread_local! {
 /// The names of the rungs, from below.
 #[must_use]
 pub fn names() -> Vec<&'static str> {
-    LADDER.iter().map(|rung| rung.name).collect()
+    mapped(&LADDER, &|rung| rung.name)
 }
 
 /// Asks a question, and returns with its answer all of its searches that went beyond the elastic trial.

@@ -20,7 +20,7 @@ use nalgebra::SVector;
 
 use crate::contact::HullRay;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{NearestPoint, Vector};
+use crate::numerics::{NearestPoint, Vector, mapped, numbered, summed};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
@@ -52,7 +52,7 @@ impl BalanceEquation {
     /// The equation of a scene with its elastic trial; `None` where the trial carries no force.
     pub(super) fn new(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Self> {
         let size = 3 * problem.len();
-        let roots: Vec<_> = problem.sites.iter().map(|site| site.springs.root()).collect();
+        let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
         let energy = |(root, force): (&SVector<f64, 3>, &SVector<f64, 3>)| {
             SVector::<f64, 3>::from_fn(|a, _| if root[a] > 0.0 { force[a] / root[a] } else { 0.0 })
         };
@@ -60,14 +60,14 @@ impl BalanceEquation {
         for pair in roots.iter().zip(&state.forces) {
             target.extend_from_slice(energy(pair).as_slice());
         }
-        let unit = target.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let unit = summed(&target, &|x| x * x).sqrt();
         if !(unit > 0.0 && unit.is_finite()) {
             return None;
         }
         for x in &mut target {
             *x /= unit;
         }
-        let seen: Vec<_> = (0..problem.len()).map(|contact| trial.seen(contact)).collect();
+        let seen: Vec<_> = numbered(problem.len(), &|contact| trial.seen(contact));
         let mut projector = Vec::with_capacity(size * size);
         for column in seen.iter().flat_map(|seen| (0..3).map(|a| seen.column(a))) {
             for rows in &seen {

@@ -14,7 +14,7 @@ use super::polish::polish_from;
 use super::relaxed::{BalanceEquation, Relaxed, Tag};
 use super::settings::Settings;
 use crate::contact::{HullRay, Label, LocalLaw};
-use crate::numerics::{NearestPoint, Vector};
+use crate::numerics::{NearestPoint, Vector, paired};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::ProofStep;
@@ -103,7 +103,7 @@ pub(super) fn search_tree(
         // An error of the law below this part of the trial state is rounding: Newton's method should have converged.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
-            let from: Vec<_> = problem.drives.iter().zip(&stretches).map(|(a, v)| a - v).collect();
+            let from: Vec<_> = paired(&problem.drives, &stretches, &|(a, v)| a - v);
             let twist = trial.solve_roughly(&from, &Vector::zeros()).twist;
             if let Some(found) = polish_from(problem, twist) {
                 return Tree::Found(found);

@@ -11,6 +11,7 @@ use super::least_motion::at_the_least_motion;
 use super::settings::Settings;
 use super::solution_interval::on_the_solution_interval;
 use crate::contact::{ActiveSet, Mode, WEIGHTLESS};
+use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, Problem};
 
@@ -38,7 +39,7 @@ pub(crate) fn told_at_rest(problem: &Problem, found: Found) -> Found {
 /// The same forces with all contacts open that carry none; `None` if there is no such contact. `None` also if no contact carries a force, since
 /// nothing then defines a small force.
 fn opened(problem: &Problem, found: &Found) -> Option<Found> {
-    let largest = found.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
+    let largest = largest(&found.forces, &Matrix::norm);
     // The scale is the largest span of all contacts: the own span of a contact without motion is zero.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));
     let farthest = spans.fold(0.0, f64::max);

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Equilibrium};
 use crate::grasp::HandPart;
-use crate::numerics::numbered;
+use crate::numerics::{indexed, numbered};
 
 /// Names of joints and tendons, and the centres of the joints.
 #[derive(Debug, Clone)]
@@ -17,21 +17,24 @@ pub(super) struct Actuators<const C: usize> {
 impl<const C: usize> Actuators<C> {
     pub(super) fn of(grasp: &Grasp<C>) -> Self {
         let joint = |(j, at): (usize, &Option<SVector<f64, C>>)| (grasp.label_of(HandPart::Joint(j)), *at);
-        let joints: Vec<_> = grasp.joint_centres().iter().enumerate().map(joint).collect();
+        let joints: Vec<_> = indexed(grasp.joint_centres(), &joint);
         let tendons = grasp.joint_commands().len() - joints.len();
         Self { joints, tendons: numbered(tendons, &|t| grasp.label_of(HandPart::Tendon(t))) }
     }
 
     /// Joints and tendons at their limit; joints with their centres, if these are known.
-    pub(super) fn that_yield(
-        &self,
-        state: &Equilibrium<C>,
-    ) -> impl Iterator<Item = (&str, Option<SVector<f64, C>>)> {
-        let yields = |state: DriveState| state == DriveState::Yields;
-        let joints = self.joints.iter().zip(&state.joints).filter(move |(_, answer)| yields(answer.state));
-        let tendons = self.tendons.iter().zip(&state.tendons).filter(move |(_, answer)| yields(answer.state));
-        joints
-            .map(|((name, at), _)| (name.as_str(), *at))
-            .chain(tendons.map(|(name, _)| (name.as_str(), None)))
+    pub(super) fn that_yield(&self, state: &Equilibrium<C>) -> Vec<(&str, Option<SVector<f64, C>>)> {
+        let mut yielding = Vec::new();
+        for ((name, at), answer) in self.joints.iter().zip(&state.joints) {
+            if answer.state == DriveState::Yields {
+                yielding.push((name.as_str(), *at));
+            }
+        }
+        for (name, answer) in self.tendons.iter().zip(&state.tendons) {
+            if answer.state == DriveState::Yields {
+                yielding.push((name.as_str(), None));
+            }
+        }
+        yielding
     }
 }

@@ -13,7 +13,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Leg;
-use crate::numerics::{increasing, largest, mapped};
+use crate::numerics::{chosen, increasing, largest, mapped, moved};
 
 /// Two charts of `count` cycles from rest: the slip of each contact against cycles, and its friction against its slip in the last cycle. The area
 /// that the loop encloses is the heat of that cycle. Slip and friction are components along the direction in which the contact slips farthest. For a
@@ -55,12 +55,12 @@ pub fn charts_of_cycles<const C: usize>(
     let farthest = largest(&slides, &|slide| slide.farthest);
     // Slips below this part of the longest count as zero.
     let no_slip = 1e-6;
-    let mut order: Vec<_> = (0..tips.len()).filter(|k| slides[*k].farthest > no_slip * farthest).collect();
+    let mut order: Vec<_> = chosen(tips.len(), &|k| slides[*k].farthest > no_slip * farthest);
     if order.is_empty() {
         return Ok(Vec::new());
     }
     let lengths: Vec<f64> = mapped(&order, &|k| -slides[*k].farthest);
-    order = increasing(&lengths).into_iter().map(|i| order[i]).collect();
+    order = moved(increasing(&lengths), &|i| order[i]);
     let others = if order.len() > MOST_CURVES { "slide less, or nowhere" } else { "slide nowhere" };
     order.truncate(MOST_CURVES);
     order.sort_unstable();
@@ -78,7 +78,7 @@ pub fn charts_of_cycles<const C: usize>(
             loops = loops.series(name, mapped(&of_the_last, &|(_, s, force)| (*s, *force)), stroke);
         }
     }
-    let rest: Vec<_> = (0..tips.len()).filter(|tip| !order.contains(tip)).collect();
+    let rest: Vec<_> = chosen(tips.len(), &|tip| !order.contains(tip));
     if !rest.is_empty() {
         let names: Vec<_> = mapped(&rest, &|tip| tips[*tip].name.as_str());
         slips = slips.note(format!(

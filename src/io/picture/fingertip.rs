@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use super::contact_look::word;
 use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::grasp::{Contact, WholeContacts};
+use crate::numerics::{indexed, summed};
 use crate::words::{LinkKind, Words};
 
 /// Consecutive contacts of a grasp with a common name.
@@ -40,7 +41,7 @@ pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<Contact
         contacts: range.clone(),
         link: contacts[range.start].link,
     };
-    whole.ranges().iter().enumerate().map(group).collect()
+    indexed(whole.ranges(), &group)
 }
 
 /// A force for pictures and tables, N; zero if it is rounding beside the largest force.
@@ -80,7 +81,7 @@ impl ContactGroup {
         state: &Equilibrium<C>,
     ) -> Resultant<C> {
         let answers = &state.contacts[self.contacts.clone()];
-        let pressed: f64 = answers.iter().map(|answer| answer.normal_force().max(0.0)).sum();
+        let pressed: f64 = summed(answers, &|answer| answer.normal_force().max(0.0));
         // For a single point the share is exactly one, without rounding.
         let share = |answer: &ContactAnswer<C>| match pressed > 0.0 {
             _ if answers.len() == 1 => 1.0,
@@ -98,7 +99,7 @@ impl ContactGroup {
         let along: SVector<f64, C> = along.sum();
         let force: SVector<f64, C> = answers.iter().map(|answer| answer.force_world).sum();
         let acts = without_rounding(force.norm(), state) > 0.0;
-        let normal_force: f64 = answers.iter().map(ContactAnswer::normal_force).sum();
+        let normal_force: f64 = summed(answers, &ContactAnswer::normal_force);
         Resultant {
             at: points.map(|(contact, answer)| contact.point * share(answer)).sum(),
             force: if acts { force } else { SVector::zeros() },

@@ -1,5 +1,7 @@
 //! The scale of forces in pictures.
 
+use crate::numerics::least;
+
 use nalgebra::SVector;
 
 /// A contact that carries a force: its place, its unit normal, and its normal force.
@@ -14,7 +16,7 @@ pub(super) fn metres_per_newton<const C: usize>(pushes: &[PushedContact<C>], siz
         // lie side by side, and the depth is rounding.
         if depth > 1e-3 * size && *force > 0.0 { 0.48 * depth / force } else { f64::INFINITY }
     };
-    let inside = pushes.iter().map(inwards).fold(f64::INFINITY, f64::min);
+    let inside = least(pushes, &inwards);
     let part = |part: f64| part * size / largest;
     // The largest force has this part of the size of the picture at most, and 0.12 of it at least.
     if largest > 0.0 { inside.min(part(0.4)).max(part(0.12)) } else { 0.0 }

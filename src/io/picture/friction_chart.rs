@@ -11,7 +11,7 @@ use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
-use crate::numerics::{largest, mapped};
+use crate::numerics::{largest, mapped, moved};
 use crate::words::opens;
 
 /// Most curves in a chart: each colour is used for a line and for a dashed line. Further curves are only named.
@@ -190,7 +190,7 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
         ));
         drawn = kept;
     }
-    Shared { drawn: drawn.into_iter().map(|(_, series)| series).collect(), left_out }
+    Shared { drawn: moved(drawn, &|(_, series)| series), left_out }
 }
 
 /// Whether two curves coincide on paper. The second is then dashed, so that both are visible.

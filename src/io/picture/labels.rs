@@ -4,7 +4,7 @@ use super::palette::GREY;
 use super::sheet::{Place, Sheet, plaque_size};
 use super::window::Window;
 use super::words::{lines, shortened};
-use crate::numerics::{largest, mapped};
+use crate::numerics::{largest, mapped, summed};
 
 /// The middle of a rectangle, and its width and height, pixels.
 type Plate = (Place, (f64, f64));
@@ -41,7 +41,7 @@ impl Labels {
         for count in [words.len(), 1] {
             let sizes: Vec<_> = mapped(&words[..count], &|line| plaque_size(line, size));
             let wide = largest(&sizes, &|line| line.0);
-            let high: f64 = sizes.iter().map(|line| line.1).sum();
+            let high: f64 = summed(&sizes, &|line| line.1);
             let Some((x, y)) = self.place(paper, point, (wide, high)) else { continue };
             let (mut below, line) = (y - high / 2.0, high / count as f64);
             for words in &words[..count] {

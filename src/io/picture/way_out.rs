@@ -8,7 +8,7 @@ use super::painting::{Painting, flat};
 use super::palette::VERMILION;
 use super::sheet::Place;
 use crate::grasp::Motion;
-use crate::numerics::{largest, mapped};
+use crate::numerics::{largest, mapped, moved};
 use crate::planar::Twist;
 
 /// Points of the object, or of several bodies, and their next places.
@@ -45,7 +45,7 @@ impl MovedOutlines {
         }
         let next = |(p, twist): &(Vector2<f64>, &Twist)| ((**twist * time).exp() * Point2::from(*p)).coords;
         let to = mapped(&points, &next);
-        Some(Self { from: points.into_iter().map(|(point, _)| point).collect(), to, closed })
+        Some(Self { from: moved(points, &|(point, _)| point), to, closed })
     }
 
     /// The points that the picture must contain.

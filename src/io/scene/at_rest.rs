@@ -9,8 +9,9 @@ use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
-use crate::grasp::{Hold, Wrench};
+use crate::grasp::{Hold, Wrench, inside, outside};
 use crate::load_path::Ramp;
+use crate::numerics::summed;
 
 impl<const C: usize> Setup<C> {
     /// Whether no command presses, and some question has no load at rest and no load that presses contacts on, as a weight or a jamming load does. A
@@ -41,7 +42,7 @@ impl<const C: usize> Setup<C> {
     /// Whether a load presses an object onto a contact without a squeeze, as a weight presses it onto a table.
     fn lies_on_a_contact(&self, load: &Wrench<C>) -> bool {
         let force = &load.components()[..C];
-        let size = force.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let size = summed(force, &|x| x * x).sqrt();
         let presses = |normal: &[f64]| {
             let (mut along, mut length) = (0.0, 0.0_f64);
             for (n, x) in normal.iter().zip(force) {
@@ -92,7 +93,7 @@ impl<const C: usize> Setup<C> {
             pressed += 1;
             // A pad that touches a curved part presses along its closing direction.
             let along = entry.contact.frame(contact)?.column(0).into_owned();
-            let force = state.contacts[points].iter().map(|point| point.force_world.dot(&along)).sum::<f64>();
+            let force = summed(&state.contacts[points], &|point| point.force_world.dot(&along));
             if (force - told).abs() > OTHERWISE_PRESSED * told {
                 let name = entry.contact.label_text(contact);
                 warnings.push(Warning::PressesOtherwise { contact, name, told, force });
@@ -146,6 +147,6 @@ fn at_rest<const C: usize>(question: &Question<C>) -> Wrench<C> {
         Question::Solve { .. } => Wrench::ZERO,
         Question::OnsetOfTurn(turn) => turn.load_at(0.0),
         Question::Follow { start, .. } => *start,
-        Question::Identify(asked) => asked.at_rest(),
+        Question::Identify(asked) => outside(inside(asked).at_rest()),
     }
 }

@@ -1,7 +1,7 @@
 //! A load by its mass: a body that an arm carries, `{"mass": 0.5, "at": [0.5, 0], "turning": {"velocity_deg": 90}}`.
 
 use super::wrench::part;
-use crate::grasp::{ArmMotion, Payload, Wrench, of_the_object};
+use crate::grasp::{ArmMotion, Face, Payload, Space, Wrench, of_the_object};
 use crate::serial::{Few, Given, Number};
 
 /// The rotation of the arm.
@@ -31,8 +31,16 @@ pub(super) struct WrittenMass<'w> {
 }
 
 impl WrittenMass<'_> {
+    /// [`Self::load`] of a space, with components as inside the engine.
+    pub(super) fn load_in(&self, space: Space) -> Result<Option<Wrench<3>>, String> {
+        match space {
+            Space::Planar => Ok(self.load::<2>()?.map(Face::enter)),
+            Space::Spatial => self.load::<3>(),
+        }
+    }
+
     /// The force of the mass on the grasp, if there is a mass.
-    pub(super) fn load<const C: usize>(&self) -> Result<Option<Wrench<C>>, String> {
+    fn load<const C: usize>(&self) -> Result<Option<Wrench<C>>, String> {
         let Some(mass) = self.mass else {
             let others = [
                 ("inertia", self.inertia.is_some()),

@@ -9,6 +9,7 @@ use super::matrix::Rows;
 use super::written_contact::LinkedContact;
 use crate::error::Error;
 use crate::grasp::{self, Joint};
+use crate::numerics::moved;
 use crate::serial::AsGiven;
 use crate::serial::object;
 
@@ -148,8 +149,7 @@ impl<'de, const C: usize> Deserialize<'de> for FingerSetup<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "a finger", |written: Written<C>| {
             let matrix = |rows: Option<Rows>, field| rows.map(|rows| rows.matrix(field)).transpose();
-            let mut contacts: Vec<_> =
-                written.contacts.into_iter().map(|LinkedContact(entry)| entry).collect();
+            let mut contacts: Vec<_> = moved(written.contacts, &|LinkedContact(entry)| entry);
             if let Some(force) = written.presses_with {
                 let [entry] = &mut contacts[..] else {
                     return Err(

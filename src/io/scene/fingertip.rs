@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::cup::Cup;
 use super::patch::Tip;
 use crate::error::Error;
-use crate::grasp::{Contact, SoftFingertip};
+use crate::grasp::{Contact, SoftFingertip, Space};
 use crate::improve::Surface;
 
 /// A contact of a scene: one point, or the patch of a soft fingertip around it.
@@ -116,11 +116,23 @@ impl<const C: usize> Fingertip<C> {
 
     /// The patch, and the force of its vacuum, N; `None` for a point.
     pub(super) fn patch(&self) -> Result<Option<(SoftFingertip<C>, f64)>, Error> {
+        self.patch_of_axes()
+    }
+
+    /// Refuses a patch that a space does not have.
+    pub(super) fn check_patch(&self, space: Space) -> Result<(), Error> {
+        match space {
+            Space::Planar => self.patch_of_axes::<2>().map(drop),
+            Space::Spatial => self.patch_of_axes::<3>().map(drop),
+        }
+    }
+
+    fn patch_of_axes<const A: usize>(&self) -> Result<Option<(SoftFingertip<A>, f64)>, Error> {
         if let Some(cup) = &self.cup {
-            let cup = cup.made::<C>()?;
+            let cup = cup.made::<A>()?;
             return Ok(cup.lip().clone().of_axes().map(|lip| (lip, cup.force())));
         }
-        let soft = self.soft.as_ref().map(Tip::spread::<C>).transpose()?;
+        let soft = self.soft.as_ref().map(Tip::spread::<A>).transpose()?;
         Ok(soft.map(|patch| (patch, self.contact.suction)))
     }
 

@@ -10,6 +10,7 @@ use super::solved::SolveAnswer;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome, TooFar, WholeAnswer};
 use crate::grasp::Wrench;
 use crate::load_path::{Change, PadChange};
+use crate::numerics::mapped;
 use crate::words::{Words, listed, printable};
 
 impl<const C: usize> Question<C> {
@@ -166,7 +167,7 @@ fn leaving<const C: usize, At>(event: &OnsetAt<C, At>) -> (&'static str, String)
         changes.iter().map(|change| (change.contact.text(), change.verb())).chain(drives).collect();
     let mut told: Vec<String> = Vec::new();
     for group in verbs.chunk_by(|a, b| a.1 == b.1) {
-        let names: Vec<&str> = group.iter().map(|(name, _)| name.as_str()).collect();
+        let names: Vec<&str> = mapped(group, &|(name, _)| name.as_str());
         told.push(plural(&names, &group[0].1));
     }
     let what = match (slides, changes.is_empty()) {

@@ -6,9 +6,9 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use crate::grasp::{Joint, JointMotion, Limit, Tendon};
+use crate::grasp::{Joint, JointMotion, Limit, Space, Tendon};
 use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Given};
+use crate::serial::{AsGiven, AxisRow, Given, space_of_text};
 
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -88,9 +88,10 @@ fn is_absent(x: &f64) -> bool {
 
 impl<const C: usize> Serialize for Joint<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let is_spatial = space_of_text::<C>() == Space::Spatial;
         let (revolute, prismatic) = match &self.motion {
             JointMotion::Revolute { point, axis } => {
-                (Some(Hinge { point: *point, axis: (C == 3).then(|| AxisRow::new(*axis)) }), None)
+                (Some(Hinge { point: *point, axis: is_spatial.then(|| AxisRow::new(*axis)) }), None)
             }
             JointMotion::Prismatic { direction } => (None, Some(AxisRow::new(*direction))),
             JointMotion::Given => (None, None),
@@ -106,7 +107,7 @@ impl<'de, const C: usize> Deserialize<'de> for Joint<C> {
             let motion = match (written.revolute, written.prismatic) {
                 (None, None) => JointMotion::Given,
                 (None, Some(direction)) => JointMotion::Prismatic { direction: direction.0 },
-                (Some(Hinge { point, axis }), None) => match (C, axis) {
+                (Some(Hinge { point, axis }), None) => match (space_of_text::<C>().axes(), axis) {
                     (3, Some(axis)) => JointMotion::Revolute { point, axis: axis.0 },
                     (3, None) => return Err("missing field `axis` of a revolute joint in space".to_owned()),
                     (_, None) => JointMotion::Revolute { point, axis: SVector::zeros() },

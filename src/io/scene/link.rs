@@ -8,9 +8,9 @@ use serde::ser::{Serialize, Serializer};
 
 use super::setup::Setup;
 use crate::error::Error;
-use crate::grasp::{Contact, Link, LinkPlace};
+use crate::grasp::{Contact, Link, LinkPlace, Space};
 use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Given};
+use crate::serial::{AsGiven, AxisRow, Given, space_of_text};
 
 /// A link of a scene with its comment; see [`Link`].
 ///
@@ -195,14 +195,15 @@ impl<'de, const C: usize> Deserialize<'de> for LinkSetup<C> {
 
 impl<const C: usize> LinkSetup<C> {
     fn of_written(written: Written<C>) -> Result<Self, String> {
+        let space = space_of_text::<C>();
         let Written { hinge, ball, slide, rigid, spring, cable, .. } = written;
         let line = |Line { from, to }: &Line<C>| (from.0, to.0);
         let mut places = Vec::new();
         if let Some(hinge) = hinge {
-            places.push(hinge.place()?);
+            places.push(hinge.place(space)?);
         }
         if let Some(Point { point }) = ball {
-            if C == 2 {
+            if space == Space::Planar {
                 return Err(
                     "ball: given, must be left out in the plane, where a hinge is what turns".to_owned()
                 );
@@ -221,7 +222,7 @@ impl<const C: usize> LinkSetup<C> {
         places.extend(spring.as_ref().map(line).map(|(from, to)| LinkPlace::Spring { from, to }));
         places.extend(cable.as_ref().map(line).map(|(from, to)| LinkPlace::Cable { from, to }));
         let [place] = places[..] else {
-            let ball = if C == 3 { "ball, " } else { "" };
+            let ball = if space == Space::Spatial { "ball, " } else { "" };
             let kinds = format!("one of hinge, {ball}slide, rigid, spring, cable");
             return Err(format!("{} kinds of link given, must be {kinds}", places.len()));
         };
@@ -242,7 +243,7 @@ impl<const C: usize> LinkSetup<C> {
         }
         link.slack = written.slack.unwrap_or(0.0);
         // The caller adds the name of the link to the message.
-        link.contacts().map_err(|error| match error {
+        link.check_in(space).map_err(|error| match error {
             Error::Link { kind, field, value, allowed, .. } => {
                 format!("{field} of the {kind} is {value}, must be {allowed}")
             }
@@ -253,12 +254,12 @@ impl<const C: usize> LinkSetup<C> {
 }
 
 impl<const C: usize> Hinge<C> {
-    fn place(self) -> Result<LinkPlace<C>, String> {
+    fn place(self, space: Space) -> Result<LinkPlace<C>, String> {
         let Self { point, axis, length } = self;
-        let bearings = match (axis, length) {
-            (Some(axis), Some(length)) if C == 3 => Some((axis.0, length)),
-            (None, None) if C == 2 => None,
-            _ if C == 2 => {
+        let bearings = match (space, axis, length) {
+            (Space::Spatial, Some(axis), Some(length)) => Some((axis.0, length)),
+            (Space::Planar, None, None) => None,
+            (Space::Planar, ..) => {
                 return Err("hinge: axis or length given, must be left out in the plane".to_owned());
             }
             _ => return Err("hinge: axis or length left out, must both be given in space".to_owned()),

@@ -343,6 +343,7 @@ mod brief;
 mod carried;
 mod compared;
 mod cup;
+mod face;
 #[cfg(feature = "json")]
 mod fault;
 #[cfg(feature = "json")]

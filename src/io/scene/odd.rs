@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Leg;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{largest, mapped};
+use crate::numerics::{chosen, largest, mapped, picked};
 use crate::statics::Closure;
 
 impl<const C: usize> Setup<C> {
@@ -24,7 +24,7 @@ impl<const C: usize> Setup<C> {
         let mu = |i: usize| entries[i].contact.friction_coefficient();
         // Soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
         let much = |i: &usize| mu(*i) > 2.0 && mu(*i).is_finite();
-        let contacts: Vec<_> = (0..entries.len()).filter(much).collect();
+        let contacts: Vec<_> = chosen(entries.len(), &much);
         if let Some(first) = contacts.first() {
             let (friction, names) = (mu(*first), names(&contacts));
             warnings.push(Warning::MuchFriction { contacts, names, friction });
@@ -50,10 +50,9 @@ impl<const C: usize> Setup<C> {
         let is_stiff = |i: &usize| stiffness(*i).is_finite() && stiffness(*i) >= 1e11_f64.min(1e7 * softest);
         // The largest presses have less than 1e9 N.
         let is_strong = |i: &usize| force(*i) >= 1e9;
-        for (is_stiffness, those) in [
-            (true, (0..entries.len()).filter(is_stiff).collect::<Vec<_>>()),
-            (false, (0..entries.len()).filter(is_strong).collect()),
-        ] {
+        for (is_stiffness, those) in
+            [(true, chosen(entries.len(), &is_stiff)), (false, chosen(entries.len(), &is_strong))]
+        {
             if let Some(first) = those.first() {
                 let value = if is_stiffness { stiffness(*first) } else { force(*first) };
                 warnings.push(Warning::OutOfProportion {
@@ -200,9 +199,9 @@ pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
         Question::Improve(asked) => asked.load.iter().chain(&asked.loads).copied().collect(),
         Question::Onset { direction, .. } => vec![*direction],
         Question::OnsetOfTurn(_) => Vec::new(),
-        Question::Follow { legs, .. } => legs.iter().filter_map(Leg::straight_load).collect(),
+        Question::Follow { legs, .. } => picked(legs, &Leg::straight_load),
         Question::Shake { loads, .. } | Question::Shakedown { loads, .. } => loads.clone(),
-        Question::Identify(asked) => asked.slips.iter().filter_map(|slip| slip.load).collect(),
+        Question::Identify(asked) => picked(&asked.slips, &|slip| slip.load),
     }
 }
 

@@ -11,6 +11,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
+use crate::numerics::summed;
 
 impl<const C: usize> Setup<C> {
     /// The total mass of all bodies, kg, and their centre of mass, m; `None` without a mass or without gravity.
@@ -34,7 +35,7 @@ impl<const C: usize> Setup<C> {
     #[must_use]
     pub fn own_mass(&self) -> Option<(f64, [f64; C])> {
         self.gravity.filter(|gravity| gravity.iter().any(|x| *x != 0.0))?;
-        let mass: f64 = self.bodies.iter().map(|body| body.mass).sum();
+        let mass: f64 = summed(&self.bodies, &|body| body.mass);
         let moment = self
             .bodies
             .iter()

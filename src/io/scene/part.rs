@@ -9,6 +9,7 @@ use super::warning::Warning;
 use super::written::{Scene, Space};
 use crate::error::Error;
 use crate::grasp::{Contact, inside, outside};
+use crate::numerics::moved;
 use crate::touch::{Pad, Part, Touch, Touched, Unit};
 
 /// The grasped part, `{"mesh": "part.stl", "unit": "mm", "density": 7850}`; see [`Part`].
@@ -144,7 +145,7 @@ impl Touches {
         contact: &Contact<C>,
     ) -> Result<Vec<Contact<C>>, Error> {
         let touched = self.touched(index, contact)?;
-        Ok(touched.into_contacts().into_iter().map(outside::<Contact<C>>).collect())
+        Ok(moved(touched.into_contacts(), &outside::<Contact<C>>))
     }
 }
 

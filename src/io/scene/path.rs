@@ -7,7 +7,7 @@ use crate::equilibrium::{Doubt, Equilibrium, Outcome};
 use crate::load_path::{
     Beyond, EndOfSmallMotions, Event, Jump, LegEnergy, LoadPath, Loss, PathEnd, Step, SteppedPath,
 };
-use crate::numerics::mapped;
+use crate::numerics::{mapped, moved};
 use crate::serial::AsComputed;
 
 /// A load path that was followed to its end; see [`LoadPath`], and [`SteppedPath`] for one that was followed in steps.
@@ -101,7 +101,7 @@ impl SceneNames {
         };
         PathAnswer {
             end: self.end(path.end(), path.state(), path.beyond()),
-            events: events.into_iter().map(|event| self.event(event)).collect(),
+            events: moved(events, &|event| self.event(event)),
             steps: Vec::new(),
             small_motions_end: path.end_of_small_motions().cloned(),
             energies: mapped(path.energies(), &balanced),

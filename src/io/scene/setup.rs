@@ -12,9 +12,8 @@ use super::question::Question;
 use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
-use crate::grasp::{self, Bodies, Hand, Tendon};
-use crate::serial::AsGiven;
-use crate::serial::object;
+use crate::grasp::{self, Bodies, Hand, Space, Tendon, inside, outside};
+use crate::serial::{AsGiven, in_text_of, object};
 
 /// Contacts, questions and settings: 3 degrees of freedom of the object and `C` = 2 axes of a contact in the plane, 6 and 3 in space.
 ///
@@ -95,9 +94,9 @@ fn is_default(settings: &Settings) -> bool {
 }
 
 /// A setup that is read from its fields, before its check.
-struct Fields<const C: usize>(Setup<C>);
+struct Fields(Setup<3>);
 
-impl<'de, const C: usize> Deserialize<'de> for Fields<C> {
+impl<'de> Deserialize<'de> for Fields {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         Setup::deserialize(deserializer).map(Self)
     }
@@ -105,13 +104,14 @@ impl<'de, const C: usize> Deserialize<'de> for Fields<C> {
 
 impl<const C: usize> Serialize for Setup<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Setup::serialize(self, serializer)
+        in_text_of(Space::of::<C>(), || Setup::serialize(&*inside(self), serializer))
     }
 }
 
 impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a setup", |Fields(setup): Fields<C>| {
+        let checked = |Fields(setup): Fields| {
+            let setup: Self = outside(setup);
             setup.check_bodies()?;
             if setup.entries().next().is_none() && setup.links.is_empty() {
                 return Err(Error::EmptyGrasp.to_string());
@@ -128,7 +128,8 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
                 setup.check(question).map_err(|error| format!("questions[{index}]: {error}"))?;
             }
             Ok(setup)
-        })
+        };
+        in_text_of(Space::of::<C>(), || object::read(deserializer, "a setup", checked))
     }
 }
 

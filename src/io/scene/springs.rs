@@ -4,14 +4,15 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use crate::serial::{Few, SpringStiffness};
+use crate::serial::{Few, SpringStiffness, space_of_text};
 
 /// Stiffness, N/m: one number for all directions, normal and tangential, or one for each axis.
 pub(super) struct Springs<const C: usize>(pub(super) SVector<f64, C>);
 
 impl<const C: usize> Serialize for Springs<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Few::<SpringStiffness, 3>::of(self.0.as_slice()).serialize(serializer)
+        let axes = space_of_text::<C>().axes();
+        Few::<SpringStiffness, 3>::of(&self.0.as_slice()[..axes]).serialize(serializer)
     }
 }
 
@@ -23,12 +24,13 @@ impl<'de, const C: usize> Deserialize<'de> for Springs<C> {
 
 impl<const C: usize> Springs<C> {
     fn of_given(given: &[f64]) -> Result<Self, String> {
+        let axes_of_text = space_of_text::<C>().axes();
         match *given {
             [all] => Ok(Self(SVector::repeat(all))),
             [n, t] => Ok(Self(SVector::from_fn(|a, _| if a == 0 { n } else { t }))),
-            ref axes if axes.len() == C => Ok(Self(SVector::from_column_slice(axes))),
+            ref axes if axes.len() == axes_of_text => Ok(Self(SVector::from_column_slice(axes))),
             ref other => {
-                let or_axes = if C == 3 { " or 3 (normal, two tangential)" } else { "" };
+                let or_axes = if axes_of_text == 3 { " or 3 (normal, two tangential)" } else { "" };
                 Err(format!(
                     "{} given, must be one for all directions, or 2 (normal, tangential){or_axes}, each a number or \"rigid\"",
                     other.len()

@@ -3,10 +3,11 @@
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
+use crate::grasp::{Face, Space};
 use crate::improve::{Shape, Surface};
 use crate::numerics::mapped;
 use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Given};
+use crate::serial::{AsGiven, AxisRow, Given, space_of_text};
 
 /// A curve in the plane or a surface in space, all lengths in m.
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -85,38 +86,46 @@ impl<const C: usize> WrittenSurface<C> {
             Self::Sphere { .. } => ("sphere", 3),
             Self::Triangles(_) => ("triangles", 3),
         };
-        if axes != C {
-            let allowed = if C == 2 {
+        let text = space_of_text::<C>();
+        if axes != text.axes() {
+            let is_planar = text == Space::Planar;
+            let allowed = if is_planar {
                 "segment, polyline, circle, arc, spline and closed_spline"
             } else {
                 "rectangle, cylinder, sphere and triangles"
             };
-            let space = if C == 2 { "the plane" } else { "space" };
+            let space = if is_planar { "the plane" } else { "space" };
             return Err(format!("{name} given, must be one of {allowed} in {space}"));
         }
-        let points = |rows: Vec<AxisRow<Given, C>>| mapped(&rows, &|row| row.0);
-        let two = |[one, other]: [AxisRow<Given, C>; 2]| [one.0, other.0];
+        let points = |rows: Vec<AxisRow<Given, C>>| mapped(&rows, &|row| row.0.enter());
+        let two = |ends: [AxisRow<Given, C>; 2]| ends.map(|row| row.0.enter());
         Ok(Surface::of(match self {
             Self::Segment(ends) => Shape::Segments(vec![two(ends)]),
             Self::Polyline(rows) => Shape::polyline(&points(rows)),
-            Self::Circle { centre, radius } => Shape::Arc { centre: centre.0, radius, from: 0.0, over: None },
+            Self::Circle { centre, radius } => {
+                Shape::Arc { centre: centre.0.enter(), radius, from: 0.0, over: None }
+            }
             Self::Arc { centre, radius, from_deg, over_deg } => Shape::Arc {
-                centre: centre.0,
+                centre: centre.0.enter(),
                 radius,
                 from: from_deg.to_radians(),
                 over: Some(over_deg.to_radians()),
             },
             Self::Spline(rows) => Shape::spline(points(rows), false),
             Self::ClosedSpline(rows) => Shape::spline(points(rows), true),
-            Self::Rectangle { corner, sides } => Shape::Rectangle { corner: corner.0, sides: two(sides) },
+            Self::Rectangle { corner, sides } => {
+                Shape::Rectangle { corner: corner.0.enter(), sides: two(sides) }
+            }
             Self::Cylinder { axis, radius } => Shape::Cylinder { ends: two(axis), radius },
-            Self::Sphere { centre, radius } => Shape::Sphere { centre: centre.0, radius },
-            Self::Triangles(rows) => Shape::Triangles(mapped(&rows, &|[a, b, c]| [a.0, b.0, c.0])),
+            Self::Sphere { centre, radius } => Shape::Sphere { centre: centre.0.enter(), radius },
+            Self::Triangles(rows) => {
+                Shape::Triangles(mapped(&rows, &|corners| corners.each_ref().map(|row| row.0.enter())))
+            }
         }))
     }
 
     fn of(surface: &Surface<C>) -> Self {
-        let row = AxisRow::new;
+        let row = |inside| AxisRow::new(Face::leave(inside));
         match surface.shape() {
             Shape::Segments(parts) => match &parts[..] {
                 [ends] => Self::Segment(ends.map(row)),

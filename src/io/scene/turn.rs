@@ -10,12 +10,12 @@ use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::wrench::part;
-use crate::grasp::{Wrench, of_the_object};
+use crate::grasp::{Space, Wrench, of_the_object};
 use crate::load_path::Turn;
 #[cfg(feature = "schema")]
 use crate::serial::AxisRow;
 use crate::serial::object;
-use crate::serial::{Computed, Few, Given, Number};
+use crate::serial::{Computed, Few, Given, Number, space_of_text};
 
 #[derive(serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -74,7 +74,11 @@ impl<const C: usize> WrittenTurn<C> {
             (Some(_), Some(_)) => return Err("angle_deg and angle_rad: a turn has one of them".to_owned()),
         };
         let turn = turn.up_to(angle);
-        let checked = if turn.tilts_bodies_about.is_some() { turn.check_angle() } else { turn.check() };
+        let checked = if turn.tilts_bodies_about.is_some() {
+            turn.check_angle()
+        } else {
+            turn.check_in(space_of_text::<C>())
+        };
         checked.map_err(|error| error.to_string())?;
         Ok(turn)
     }
@@ -87,8 +91,8 @@ impl<const C: usize> WrittenTurn<C> {
 
     /// The axis; in the plane z, which turns x to y.
     fn axis(&self) -> Result<[f64; 3], String> {
-        match (C, &self.axis) {
-            (3, Some(axis)) => part(Some(axis), C, "axis"),
+        match (space_of_text::<C>().axes(), &self.axis) {
+            (3, Some(axis)) => part(Some(axis), 3, "axis"),
             (3, None) => Err("missing field `axis` of a turn in space".to_owned()),
             (_, Some(_)) => Err("axis: a turn of the plane has none, it goes from x to y".to_owned()),
             // A turn from x to y is about z.
@@ -102,9 +106,12 @@ impl<const C: usize> WrittenTurn<C> {
         if let Some((other, _)) = wrenches.iter().find(|(_, given)| given.is_some()) {
             return Err(format!("{name} and {other}: a turn has one of them"));
         }
-        let (force, at) = (part(Some(force), C, name)?, part(self.at.as_ref(), C, "at")?);
+        let space = space_of_text::<C>();
+        let axes = space.axes();
+        let (force, at) = (part(Some(force), axes, name)?, part(self.at.as_ref(), axes, "at")?);
         let turn = Turn::<3>::force_at(force, at, self.axis()?).map_err(|error| error.to_string())?;
-        let [constant, cosine, sine] = turn.parts().map(|part| of_space(&part));
+        let [constant, cosine, sine] =
+            turn.parts().map(|part| Wrench::among(space, &part.coordinates(space)));
         Ok(Turn::new(constant, cosine, sine).beside(self.beside.unwrap_or(Wrench::ZERO)))
     }
 
@@ -135,11 +142,12 @@ impl<const C: usize> Serialize for Turn<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         if let Some(axis) = self.tilts_bodies_about {
             let mut out = serializer.serialize_struct("Turn", 3)?;
-            if C == 3 {
+            let is_planar = space_of_text::<C>() == Space::Planar;
+            if !is_planar {
                 out.serialize_field("axis", &Few::<Computed, 3>::of(axis.as_slice()))?;
             }
             out.serialize_field("angle_rad", &Number::<Computed>::new(self.angle()))?;
-            out.serialize_field("reversed", &(C == 2 && axis[2] < 0.0))?;
+            out.serialize_field("reversed", &(is_planar && axis[2] < 0.0))?;
             return out.end();
         }
         let [constant, cosine, sine] = self.parts();

@@ -9,16 +9,18 @@ use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::carried::{WrittenMass, WrittenTurning};
-use crate::grasp::{Space, Twist, Wrench, of_the_object};
+use crate::grasp::{Face, Space, Twist, Wrench};
+use crate::numerics::Vector;
 use crate::serial::object;
-use crate::serial::{Computed, Few, Given, Number};
+use crate::serial::{Computed, Few, Given, Number, space_of_text};
 
-fn write<S: Serializer, const C: usize>(
+fn write<S: Serializer>(
     serializer: S,
-    components: &[f64],
+    space: Space,
+    coordinates: &Vector,
     [name, linear_name, angular_name]: [&'static str; 3],
 ) -> Result<S::Ok, S::Error> {
-    let (linear, angular) = components.split_at(C);
+    let (linear, angular) = coordinates.as_slice()[..space.of_the_object()].split_at(space.axes());
     let mut out = serializer.serialize_struct(name, 2)?;
     out.serialize_field(linear_name, &Few::<Computed, 3>::of(linear))?;
     if let [moment] = angular {
@@ -44,10 +46,17 @@ pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) ->
 }
 
 /// The linear and the angular part in one row.
-fn join<K, const C: usize>(parts: [Option<&Few<K, 3>>; 2], names: [&str; 2]) -> Result<Vec<f64>, String> {
-    let turns = of_the_object::<C>() - C;
-    let (linear, angular) = (part(parts[0], C, names[0])?, part(parts[1], turns, names[1])?);
-    Ok([&linear[..C], &angular[..turns]].concat())
+fn join<K>(space: Space, parts: [Option<&Few<K, 3>>; 2], names: [&str; 2]) -> Result<Vector, String> {
+    let (axes, turns) = (space.axes(), space.planes().len());
+    let (linear, angular) = (part(parts[0], axes, names[0])?, part(parts[1], turns, names[1])?);
+    let mut coordinates = Vector::zeros();
+    for a in 0..axes {
+        coordinates[a] = linear[a];
+    }
+    for k in 0..turns {
+        coordinates[axes + k] = angular[k];
+    }
+    Ok(coordinates)
 }
 
 #[derive(serde::Deserialize)]
@@ -76,7 +85,8 @@ const WRENCH_FORM: &str = "a wrench, such as {\"force\": [0, -1]}, with three nu
 /// `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].
 impl<const C: usize> Serialize for Wrench<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        write::<S, C>(serializer, self.components(), ["Wrench", "force", "moment"])
+        let space = space_of_text::<C>();
+        write(serializer, space, &self.coordinates(space), ["Wrench", "force", "moment"])
     }
 }
 
@@ -87,15 +97,17 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
         object::read(deserializer, WRENCH_FORM, |written: WrittenWrench| {
             let WrittenWrench { force, moment, at, mass, inertia, gravity, accelerated, turning } = &written;
             let parts = [force.as_ref(), moment.as_ref()];
-            let mut wrench = join::<_, C>(parts, ["force", "moment"])?;
+            let space = space_of_text::<C>();
+            let axes = space.axes();
+            let mut wrench = join(space, parts, ["force", "moment"])?;
             if at.is_some() {
-                let at = part(at.as_ref(), C, "at")?;
-                let force = |a: usize| if a < C { wrench[a] } else { 0.0 };
+                let at = part(at.as_ref(), axes, "at")?;
+                let force = |a: usize| if a < axes { wrench[a] } else { 0.0 };
                 let through =
                     Space::Spatial.wrench_of(&at.into(), &SVector::<f64, 3>::from_fn(|a, _| force(a)));
                 // The rotation in the plane is about z, the last axis of space.
-                let object = of_the_object::<C>();
-                for k in C..object {
+                let object = space.of_the_object();
+                for k in axes..object {
                     wrench[k] += through[6 + k - object];
                 }
             }
@@ -107,9 +119,9 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                 accelerated: accelerated.as_ref(),
                 turning: turning.as_ref(),
             };
-            let wrench = Self::from_components(&wrench);
+            let wrench = Self::among(space, &wrench);
             // Adding a zero wrench would lose the sign of a zero.
-            Ok(carried.load()?.map_or(wrench, |pull| wrench + pull))
+            Ok(carried.load_in(space)?.map_or(wrench, |pull| wrench + Self::leave(pull)))
         })
     }
 }
@@ -117,7 +129,8 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
 /// `{"translation": …, "rotation": …}` (feature `serde`), see [`crate::scene`].
 impl<const C: usize> Serialize for Twist<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        write::<S, C>(serializer, self.components(), ["Twist", "translation", "rotation"])
+        let space = space_of_text::<C>();
+        write(serializer, space, &self.coordinates(space), ["Twist", "translation", "rotation"])
     }
 }
 
@@ -126,8 +139,9 @@ impl<'de, const C: usize> Deserialize<'de> for Twist<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a twist", |WrittenTwist { translation, rotation }| {
             let parts = [translation.as_ref(), rotation.as_ref()];
-            join::<_, C>(parts, ["translation", "rotation"])
-                .map(|components| Self::from_components(&components))
+            let space = space_of_text::<C>();
+            join(space, parts, ["translation", "rotation"])
+                .map(|coordinates| Self::among(space, &coordinates))
         })
     }
 }

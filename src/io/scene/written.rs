@@ -3,12 +3,14 @@
 use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, Error as _, Unexpected, Visitor};
-use serde::ser::{Serialize, Serializer};
+use serde::ser::{Serialize, SerializeSeq, Serializer};
 
 use super::answer::Answer;
 use super::setup::Setup;
 use crate::error::Error;
-use crate::serial::object;
+use crate::grasp::inside;
+use crate::numerics;
+use crate::serial::{in_text_of, object};
 use crate::words::Words;
 use crate::{planar, spatial};
 
@@ -80,9 +82,8 @@ impl Visitor<'_> for IdVisitor {
 }
 
 /// The answers to the questions of a scene, in their order. They are written as a list.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(untagged)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(untagged))]
 pub enum Answers {
     /// Answers of a scene in the plane.
     Planar(Vec<Answer<2>>),
@@ -105,6 +106,25 @@ impl Answers {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
+}
+
+impl Serialize for Answers {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Planar(list) => write_all(list, serializer),
+            Self::Spatial(list) => write_all(list, serializer),
+        }
+    }
+}
+
+fn write_all<S: Serializer, const C: usize>(list: &[Answer<C>], serializer: S) -> Result<S::Ok, S::Error> {
+    in_text_of(numerics::Space::of::<C>(), || {
+        let mut seq = serializer.serialize_seq(Some(list.len()))?;
+        for answer in list {
+            seq.serialize_element(&*inside(answer))?;
+        }
+        seq.end()
+    })
 }
 
 impl Scene {

@@ -15,7 +15,7 @@ use crate::error::{ContactLabel, Error};
 use crate::grasp::{Axes, Contact, Hold, Stiffness};
 use crate::improve::Surface;
 use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Friction, Given, Number};
+use crate::serial::{AsGiven, AxisRow, Friction, Given, Number, space_of_text};
 
 /// A contact in the file.
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -204,6 +204,7 @@ impl<const C: usize> Fingertip<C> {
     fn of_written(written: Written<C>, stiffness: Stiffness<C>) -> Result<Self, String> {
         let (point, normal) = written.place()?;
         let mut contact = Contact::new(point, normal);
+        contact.space = space_of_text::<C>();
         contact.name = written.name;
         (contact.on, contact.against) = (written.on, written.against);
         contact.tangent = written.tangent.map(|row| row.0);
@@ -284,7 +285,7 @@ impl<const C: usize> Fingertip<C> {
             contact.check(0).map_err(fault)?;
         }
         contact.frame(0).map_err(fault)?;
-        self.patch().map_err(fault)?;
+        self.check_patch(contact.space).map_err(fault)?;
         #[cfg(feature = "mesh")]
         self.touches.as_ref().map(super::part::Touches::pad).transpose().map_err(fault)?;
         Ok(self)

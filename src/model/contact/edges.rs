@@ -10,7 +10,7 @@ use super::law::LocalLaw;
 use super::state::State;
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
-use crate::numerics::{Harmonic, Turning, numbered, unit};
+use crate::numerics::{Harmonic, Turning, moved, numbered, unit};
 use crate::prelude::*;
 
 /// Conditions on the force of a contact that keeps sticking, or on the gap of one that stays open.
@@ -72,7 +72,7 @@ impl Edges {
             Self::Rows(rows) => rows.clone(),
             Self::Round { limit } => {
                 let around = round_rows(*limit);
-                angles(&around).into_iter().map(|angle| around.at(angle)).collect()
+                moved(angles(&around), &|angle| around.at(angle))
             }
         }
     }

@@ -10,6 +10,7 @@ use super::compliance::Compliance;
 use super::coulomb::Coulomb;
 use super::polygon::Polygon;
 use super::state::{Mode, State};
+use crate::numerics::least;
 use crate::prelude::*;
 
 /// The conditions that a contact has.
@@ -208,7 +209,7 @@ impl<'c> LocalLaw<'c> {
             return self.friction.round_margin(force);
         }
         let margin = |h: &SVector<f64, 3>| self.friction.facet_margin(force, h);
-        self.polygon.normals.iter().map(margin).fold(f64::INFINITY, f64::min)
+        least(&self.polygon.normals, &margin)
     }
 
     /// Whether the law rules out this state: a forbidden opening, or a slide under infinite friction.

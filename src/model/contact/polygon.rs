@@ -10,7 +10,7 @@ use nalgebra::SVector;
 
 use super::tangential::cross;
 use crate::error::Error;
-use crate::numerics::{Once, Space};
+use crate::numerics::{Once, Space, mapped, numbered};
 use crate::prelude::*;
 
 /// Position of the polygon of m facets relative to the circle of radius one, the section of the round cone at `μ F_n = 1`.
@@ -138,8 +138,8 @@ impl Polygon {
             in_the_tangent_plane(&[length * cos, length * sin])
         };
         Self {
-            normals: (0..m).map(|j| ray((2 * j + 2 * m - 1) % (2 * m), 1.0 / facet_distance)).collect(),
-            corners: (0..m).map(|j| ray(2 * j, corner_distance)).collect(),
+            normals: numbered(m, &|j| ray((2 * j + 2 * m - 1) % (2 * m), 1.0 / facet_distance)),
+            corners: numbered(m, &|j| ray(2 * j, corner_distance)),
         }
     }
 
@@ -154,10 +154,7 @@ impl Polygon {
         let (cos, sin) = (to[1] / to[1].hypot(to[2]), to[2] / to[1].hypot(to[2]));
         let turn =
             |v: &SVector<f64, 3>| in_the_tangent_plane(&[cos * v[1] - sin * v[2], sin * v[1] + cos * v[2]]);
-        Self {
-            normals: self.normals.iter().map(turn).collect(),
-            corners: self.corners.iter().map(turn).collect(),
-        }
+        Self { normals: mapped(&self.normals, &turn), corners: mapped(&self.corners, &turn) }
     }
 }
 

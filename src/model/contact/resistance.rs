@@ -9,6 +9,8 @@
 //! since a closed contact has the normal force `k_n v_n` of its normal stretch v_n, whatever its history. A contact that neither opens nor slides has
 //! the force K v.
 
+use crate::numerics::largest;
+
 use nalgebra::SVector;
 
 use super::law::LocalLaw;
@@ -39,8 +41,7 @@ impl LocalLaw<'_> {
         } else if self.on_round_cone {
             self.friction.limit(along.norm())
         } else {
-            self.friction
-                .limit(self.polygon.corners.iter().map(|corner| -corner.dot(&along)).fold(0.0, f64::max))
+            self.friction.limit(largest(&self.polygon.corners, &|corner| -corner.dot(&along)))
         };
         Resistance::ByFriction(self.springs.force_along(0, (friction - u[0]).max(0.0)))
     }

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::engine::Engine;
 use super::vacuum::Vacuum;
 use crate::error::{Error, Field, MODERATE, is_moderate};
-use crate::numerics::cleared_for;
+use crate::numerics::{cleared_for, mapped};
 use crate::prelude::*;
 
 impl Engine {
@@ -54,8 +54,7 @@ impl Engine {
 
     /// The torques that hold joints whatever they do.
     pub(crate) fn held_torques(&self) -> Vec<f64> {
-        self.linkage()
-            .map_or_else(Vec::new, |linkage| linkage.joints.iter().map(|joint| joint.held).collect())
+        self.linkage().map_or_else(Vec::new, |linkage| mapped(&linkage.joints, &|joint| joint.held))
     }
 
     /// With other torques that hold joints, as many as there are.

@@ -10,8 +10,8 @@ use super::site::Site;
 use super::vacuum::Vacuum;
 use super::wrench::Wrench;
 use crate::error::{Error, LARGEST};
-use crate::numerics::Size;
 use crate::numerics::Space;
+use crate::numerics::{Size, moved};
 use crate::prelude::*;
 
 /// A checked list of contacts in coordinates: 3 of the object in the plane or 6 in space, then those of joints and other bodies.
@@ -113,7 +113,7 @@ impl Engine {
         for (index, contact) in contacts.iter().enumerate() {
             contact.check(index)?;
         }
-        let contacts: Vec<_> = contacts.into_iter().map(Contact::resolved).collect();
+        let contacts: Vec<_> = moved(contacts, &Contact::resolved);
         let meant = || contacts.iter().enumerate().filter(|(i, _)| is_meant(*i)).map(|(_, contact)| contact);
         let count = meant().count().max(1) as f64;
         let origin = meant().fold(SVector::zeros(), |sum, c| sum + c.point / count);

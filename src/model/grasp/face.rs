@@ -4,6 +4,7 @@
 //! the engine is compiled once, and a value for space goes through as it is.
 
 use alloc::borrow::Cow;
+use alloc::collections::BTreeMap;
 use alloc::sync::Arc;
 use core::any::Any;
 
@@ -58,20 +59,20 @@ pub(crate) fn outside<T: Face>(inside: T::Inside) -> T {
     }
 }
 
-/// Declares that a structure goes through the door field by field.
+/// Declares that a structure goes through the door field by field. A second parameter of its type is the same on both sides.
 macro_rules! face_of_struct {
-    ($($name:ident { $($field:ident),* $(,)? })*) => {$(
-        impl<const C: usize> crate::grasp::Face for $name<C> {
-            type Inside = $name<3>;
+    ($($name:ident $(<$same:ident>)? { $($(#[$when:meta])? $field:ident),* $(,)? })*) => {$(
+        impl<const C: usize $(, $same: crate::grasp::Face<Inside = $same>)?> crate::grasp::Face for $name<C $(, $same)?> {
+            type Inside = $name<3 $(, $same)?>;
 
-            fn enter(self) -> $name<3> {
-                let Self { $($field),* } = self;
-                $name { $($field: crate::grasp::Face::enter($field)),* }
+            fn enter(self) -> Self::Inside {
+                let Self { $($(#[$when])? $field),* } = self;
+                $name { $($(#[$when])? $field: crate::grasp::Face::enter($field)),* }
             }
 
-            fn leave(inside: $name<3>) -> Self {
-                let $name { $($field),* } = inside;
-                Self { $($field: crate::grasp::Face::leave($field)),* }
+            fn leave(inside: Self::Inside) -> Self {
+                let $name { $($(#[$when])? $field),* } = inside;
+                Self { $($(#[$when])? $field: crate::grasp::Face::leave($field)),* }
             }
         }
     )*};
@@ -80,18 +81,18 @@ pub(crate) use face_of_struct;
 
 /// Declares that an enumeration goes through the door; the field of a tuple is written `0: name`.
 macro_rules! face_of_enum {
-    ($($name:ident { $($variant:ident { $($key:tt : $field:ident),* $(,)? }),* $(,)? })*) => {$(
-        impl<const C: usize> crate::grasp::Face for $name<C> {
-            type Inside = $name<3>;
+    ($($name:ident $(<$same:ident>)? { $($variant:ident { $($key:tt : $field:ident),* $(,)? }),* $(,)? })*) => {$(
+        impl<const C: usize $(, $same: crate::grasp::Face<Inside = $same>)?> crate::grasp::Face for $name<C $(, $same)?> {
+            type Inside = $name<3 $(, $same)?>;
 
-            fn enter(self) -> $name<3> {
+            fn enter(self) -> Self::Inside {
                 match self {
                     $(Self::$variant { $($key: $field),* } =>
                         $name::$variant { $($key: crate::grasp::Face::enter($field)),* },)*
                 }
             }
 
-            fn leave(inside: $name<3>) -> Self {
+            fn leave(inside: Self::Inside) -> Self {
                 match inside {
                     $($name::$variant { $($key: $field),* } =>
                         Self::$variant { $($key: crate::grasp::Face::leave($field)),* },)*
@@ -155,6 +156,26 @@ impl<T: Face> Face for Option<T> {
 
     fn leave(inside: Self::Inside) -> Self {
         inside.map(T::leave)
+    }
+}
+
+impl<T: Face> Face for BTreeMap<String, T> {
+    type Inside = BTreeMap<String, T::Inside>;
+
+    fn enter(self) -> Self::Inside {
+        let mut all = BTreeMap::new();
+        for (key, value) in self {
+            all.insert(key, value.enter());
+        }
+        all
+    }
+
+    fn leave(inside: Self::Inside) -> Self {
+        let mut all = Self::new();
+        for (key, value) in inside {
+            all.insert(key, T::leave(value));
+        }
+        all
     }
 }
 

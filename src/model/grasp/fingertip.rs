@@ -11,6 +11,7 @@ use nalgebra::SVector;
 use super::contact::Contact;
 use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
+use crate::numerics::{indexed, largest, moved};
 use crate::prelude::*;
 
 /// A patch of point contacts that models one fingertip, with its stiffness and its friction in closed form.
@@ -93,9 +94,15 @@ pub(super) struct PatchPoint<const C: usize> {
 }
 
 /// Layers on both sides of the middle, in order along a line: place in units of the half width, and share.
-pub(super) fn along_a_line(layers: &[Layer]) -> impl Iterator<Item = (f64, f64)> {
-    let side = |sign: f64| move |layer: &Layer| (sign * layer.distance, 0.5 * layer.share);
-    layers.iter().rev().map(side(-1.0)).chain(layers.iter().map(side(1.0)))
+pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
+    let mut all = Vec::with_capacity(2 * layers.len());
+    for layer in layers.iter().rev() {
+        all.push((-layer.distance, 0.5 * layer.share));
+    }
+    for layer in layers {
+        all.push((layer.distance, 0.5 * layer.share));
+    }
+    all
 }
 
 impl SoftFingertip<3> {
@@ -231,7 +238,7 @@ impl SoftFingertip<2> {
     fn of_layers(width: f64, layers: &[Layer]) -> Result<Self, Error> {
         let radius = 0.5 * usable(width, "width")?;
         let place = |(at, share)| PatchPoint { offset: SVector::from([0.0, at * radius]), share };
-        let points = along_a_line(layers).map(place).collect();
+        let points = moved(along_a_line(layers), &place);
         Ok(Self { radius, points })
     }
 }
@@ -261,7 +268,7 @@ impl<const C: usize> SoftFingertip<C> {
             point_of_pad: Some(i),
             ..contact.clone()
         };
-        Ok(self.points.iter().enumerate().map(child).collect())
+        Ok(indexed(&self.points, &child))
     }
 
     /// This patch as one with `B` axes, for callers generic over that number; `None` if it has another number.
@@ -272,7 +279,7 @@ impl<const C: usize> SoftFingertip<C> {
             offset: SVector::from_fn(|a, _| place.offset[a]),
             share: place.share,
         };
-        (B == C).then(|| SoftFingertip { radius, points: points.into_iter().map(place).collect() })
+        (B == C).then(|| SoftFingertip { radius, points: moved(points, &place) })
     }
 
     /// Distance of the outermost points from the centre, m: the radius R, or half the width.
@@ -316,7 +323,7 @@ impl<const C: usize> SoftFingertip<C> {
     }
 
     fn largest(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
-        self.points.iter().map(|place| f(&place.offset)).fold(0.0, f64::max)
+        largest(&self.points, &|place| f(&place.offset))
     }
 }
 

@@ -8,6 +8,7 @@ use super::motion::Motion;
 use super::tolerances::{LITTLE_ROUNDING, SEEN_MOTION};
 use super::wrench::{Twist, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
+use crate::numerics::{largest, mapped, summed};
 use crate::prelude::*;
 use crate::words::{Words, listed, printable};
 
@@ -15,7 +16,7 @@ impl<const C: usize> Wrench<C> {
     /// Size and unit of a load that is one force or one moment.
     pub(crate) fn measure(&self) -> Option<(f64, &'static str)> {
         let (force, moment) = self.components().split_at(C);
-        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let norm = |x: &[f64]| summed(x, &|x| x * x).sqrt();
         let (force_size, moment_size) = (norm(force), norm(moment));
         if force_size == 0.0 {
             return (moment_size > 0.0).then_some((moment_size, "N m"));
@@ -33,7 +34,7 @@ impl Words {
     pub fn load<const C: usize>(self, load: &Wrench<C>) -> String {
         let largest = load.components().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let clean = |x: &f64| if x.abs() <= LITTLE_ROUNDING * largest { 0.0 } else { *x };
-        let components: Vec<_> = load.components().iter().map(clean).collect();
+        let components: Vec<_> = mapped(load.components(), &clean);
         let (force, moment) = components.split_at(C);
         let is_there = |part: &[f64]| part.iter().any(|x| *x != 0.0);
         let moment_words = || match moment {
@@ -56,7 +57,7 @@ impl Words {
             return self.moved(twist, None);
         }
         let mean = moved.iter().sum::<SVector<f64, C>>() / moved.len() as f64;
-        self.moved(twist, Some((mean, moved.iter().map(|u| (u - mean).norm()).fold(0.0, f64::max))))
+        self.moved(twist, Some((mean, largest(moved, &|u| (u - mean).norm()))))
     }
 
     /// [`Self::motion`] of one of several bodies, with its name.
@@ -113,7 +114,7 @@ impl Words {
 
     /// Directions of the bodies that move: "wedge moving along −x, block moving along +y".
     fn directions_of<const C: usize>(self, bodies: &[BodyMotion<C>]) -> String {
-        let fastest = bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+        let fastest = largest(bodies, &BodyMotion::speed);
         let moves = bodies.iter().filter(|motion| motion.speed() > SEEN_MOTION * fastest);
         let told =
             |motion: &BodyMotion<C>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
@@ -121,7 +122,7 @@ impl Words {
         let Some((_, first)) = told.first() else { return "moving nothing but the hand".to_owned() };
         // Up to this number of bodies with the same motion are named one by one.
         if told.len() > 3 && told.iter().all(|(_, way)| way == first) {
-            let names: Vec<_> = told.iter().map(|(name, _)| name).collect();
+            let names: Vec<_> = mapped(&told, &|(name, _)| name);
             return format!("{}, all {first}", listed(&names));
         }
         listed(&told.iter().map(|(name, way)| format!("{name} {way}")).collect::<Vec<_>>())

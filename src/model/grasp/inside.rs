@@ -6,7 +6,7 @@
 
 use nalgebra::SVector;
 
-use crate::numerics::Vector;
+use crate::numerics::{Vector, numbered};
 
 use super::bodies::PlacedBodies;
 use super::engine::Engine;
@@ -89,7 +89,7 @@ impl Engine {
     pub(crate) fn motion_outside(&self, q: &Vector) -> Motion<3> {
         let outside = self.outside_coordinates(q);
         let joints = self.linkage().map_or(0, |linkage| linkage.joints.len());
-        let joints = (0..joints).map(|joint| outside[self.space.of_the_object() + joint]).collect();
+        let joints = numbered(joints, &|joint| outside[self.space.of_the_object() + joint]);
         Motion { object: Twist::among(self.space, &outside), joints, bodies: self.body_motions(&outside) }
     }
 

@@ -47,13 +47,14 @@ impl SoftFingertip<3> {
         let all = strips[0].saturating_mul(4).saturating_mul(strips[1].saturating_mul(4));
         check(all <= Self::MOST_POINTS, "number of points", all as f64, "at most 4096")?;
         let layers = strips.map(|count| Pressure::Uniform.layers::<2>(count));
-        let points = along_a_line(&layers[0]).flat_map(|(x, share)| {
-            along_a_line(&layers[1]).map(move |(y, other)| PatchPoint {
-                offset: SVector::from([0.0, x * halves[0], y * halves[1]]),
-                share: share * other,
-            })
-        });
-        Ok(Self { radius: halves[0].hypot(halves[1]), points: points.collect() })
+        let mut points = Vec::with_capacity(all);
+        for (x, share) in along_a_line(&layers[0]) {
+            for (y, other) in along_a_line(&layers[1]) {
+                let offset = SVector::from([0.0, x * halves[0], y * halves[1]]);
+                points.push(PatchPoint { offset, share: share * other });
+            }
+        }
+        Ok(Self { radius: halves[0].hypot(halves[1]), points })
     }
 
     /// Stiffness against tilting about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`. They are equal for rings and

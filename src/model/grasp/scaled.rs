@@ -4,6 +4,7 @@ use super::engine::Engine;
 use super::whole_contact::WholeContacts;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
+use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{listed, printable};
 
@@ -106,7 +107,7 @@ impl Engine {
         let mut pressing = self.loaded_bodies();
         let labels = parts.into_iter().map(|part| part.label.clone());
         pressing.extend(labels.filter(|label| label != name));
-        let all: Vec<_> = pressing.iter().map(|name| printable(name)).collect();
+        let all: Vec<_> = mapped(&pressing, &|name| printable(name));
         Err(Error::Part { name: name.to_owned(), allowed: listed(&all) })
     }
 }

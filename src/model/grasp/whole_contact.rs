@@ -9,6 +9,7 @@ use nalgebra::SVector;
 
 use super::contact::Contact;
 use crate::error::ContactLabel;
+use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
@@ -103,17 +104,17 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         let mean = |range: &Range<usize>| {
             range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / range.len() as f64
         };
-        self.ranges.iter().map(mean).collect()
+        mapped(&self.ranges, &mean)
     }
 
     /// Value at the first point of each part.
     pub(crate) fn first<T>(&self, of: impl Fn(usize) -> T) -> Vec<T> {
-        self.ranges.iter().map(|range| of(range.start)).collect()
+        mapped(&self.ranges, &|range| of(range.start))
     }
 
     /// Sum of a number over the points of each part.
     pub(crate) fn sum(&self, of: &dyn Fn(usize) -> f64) -> Vec<f64> {
-        self.ranges.iter().map(|range| range.clone().map(of).sum()).collect()
+        mapped(&self.ranges, &|range| range.clone().map(of).sum())
     }
 
     /// Kind of link of a part, if it is one.

@@ -8,6 +8,7 @@ use super::rays::{FLUSH, Hit, Met};
 use super::touched::{Touched, advance_under};
 use crate::error::{Error, Field};
 use crate::grasp::Contact;
+use crate::numerics::{mapped, summed};
 
 /// A pad at a place, with a closing direction.
 ///
@@ -54,7 +55,7 @@ impl Touch {
         let frame = contact.frame(index)?;
         let Met { hits, foremost } = part.met_by(&self.pad, &frame, &contact.point);
         let meetings = self.meetings(index, hits)?;
-        let missing = 1.0 - meetings.iter().map(|meeting| meeting.point.share).sum::<f64>();
+        let missing = 1.0 - summed(&meetings, &|meeting| meeting.point.share);
         let near = FLUSH * part.size;
         let gap = |travel: f64| {
             let behind = travel - foremost;
@@ -89,7 +90,7 @@ impl Touch {
                 ..contact.clone()
             });
         }
-        let gaps: Vec<f64> = meetings.iter().map(|meeting| gap(meeting.travel)).collect();
+        let gaps: Vec<f64> = mapped(&meetings, &|meeting| gap(meeting.travel));
         let commanded = frame * Contact { press: None, ..contact.clone() }.commanded();
         let advance = match contact.press {
             None => commanded.dot(&closing),

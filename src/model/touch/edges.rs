@@ -1,5 +1,7 @@
 //! The edges of a part that one sees: where its faces meet at an angle, or end.
 
+use crate::numerics::moved;
+
 use std::collections::HashMap;
 
 use nalgebra::Vector3;
@@ -31,7 +33,7 @@ impl Part {
         let ends = |place: usize| {
             [place % 3, (place + 1) % 3].map(|corner| self.triangles[place / 3][corner].into())
         };
-        places.into_iter().map(ends).collect()
+        moved(places, &ends)
     }
 }
 

@@ -6,6 +6,7 @@ use std::path::Path;
 use super::part::Part;
 use super::unit::Unit;
 use crate::error::Error;
+use crate::numerics::{mapped, numbered};
 
 /// Bytes before the triangles of a binary STL: a comment of 80 bytes and their number.
 const HEAD: usize = 84;
@@ -65,7 +66,7 @@ impl Part {
                 }
             }
         }
-        let faces: Vec<[usize; 3]> = (0..corners.len() / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let faces: Vec<[usize; 3]> = numbered(corners.len() / 3, &|i| [3 * i, 3 * i + 1, 3 * i + 2]);
         Self::of_corners(&corners, &faces, unit)
     }
 
@@ -100,7 +101,7 @@ impl Part {
     }
 
     fn of_corners(corners: &[[f64; 3]], faces: &[[usize; 3]], unit: Unit) -> Result<Self, Error> {
-        let corners: Vec<_> = corners.iter().map(|corner| corner.map(|x| unit.in_metres(x))).collect();
+        let corners: Vec<_> = mapped(corners, &|corner| corner.map(|x| unit.in_metres(x)));
         Self::new(&corners, faces)
     }
 }

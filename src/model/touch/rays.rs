@@ -3,6 +3,8 @@
 //! All points of a pad travel the same way. So each triangle is looked at once, in coordinates along and across the way, and nearly all lie beside
 //! the pad: a tree of boxes would take longer to build.
 
+use crate::numerics::mapped;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::pad::Pad;
@@ -34,7 +36,7 @@ impl Part {
     /// Where a pad meets the part: the first hit of the ray of each of its points, and of one in its middle. The columns of `frame` are the closing direction and two tangents, and `from` is the middle of the pad.
     pub(super) fn met_by(&self, pad: &Pad, frame: &Matrix3<f64>, from: &Vector3<f64>) -> Met {
         let near = FLUSH * self.size;
-        let mut rays: Vec<Vector3<f64>> = pad.points.iter().map(|point| point.offset).collect();
+        let mut rays: Vec<Vector3<f64>> = mapped(&pad.points, &|point| point.offset);
         rays.push(Vector3::zeros());
         let mut hits: Vec<Option<Hit>> = vec![None; rays.len()];
         let mut foremost = f64::INFINITY;

@@ -15,7 +15,7 @@ use crate::grasp::{
 };
 use crate::hold::Verdict;
 use crate::load_path::Ramp;
-use crate::numerics::Once;
+use crate::numerics::{Once, mapped, numbered};
 use crate::prelude::*;
 
 /// An object held by elastic fingers: a checked list of contacts, and the joints behind them if a [`Hand`] holds it.
@@ -61,6 +61,19 @@ struct Door<const C: usize> {
     joint_centres: Vec<Option<SVector<f64, C>>>,
 }
 
+/// Inside the engine a grasp of the plane answers questions with vectors of three components.
+impl<const C: usize> Face for Grasp<C> {
+    type Inside = Grasp<3>;
+
+    fn enter(self) -> Grasp<3> {
+        Grasp { engine: self.engine, settings: self.settings, door: Once::new() }
+    }
+
+    fn leave(inside: Grasp<3>) -> Self {
+        Self { engine: inside.engine, settings: inside.settings, door: Once::new() }
+    }
+}
+
 impl<const C: usize> Grasp<C> {
     /// Checks the contacts and computes their frames.
     ///
@@ -82,7 +95,12 @@ impl<const C: usize> Grasp<C> {
     pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
         const { assert_plane_or_space::<C>() };
         let contacts: Vec<_> = contacts.into_iter().map(Face::enter).collect();
-        Self::of(engine_of_contacts(contacts)?).installed()
+        Grasp::installed_by(engine_of_contacts(contacts)?)
+    }
+
+    /// The grasp of an engine, with links under the tensions that they have at rest.
+    fn installed_by(engine: Engine) -> Result<Self, Error> {
+        Grasp::<3>::of(engine).installed().map(outside)
     }
 
     pub(super) fn of(engine: Engine) -> Self {
@@ -95,8 +113,8 @@ impl<const C: usize> Grasp<C> {
             let engine = &*self.engine;
             Arc::new(Door {
                 contacts: engine.contacts().iter().cloned().map(outside).collect(),
-                frames: (0..engine.len()).map(|contact| frame_outside(engine.frame(contact))).collect(),
-                links: engine.links().iter().map(|link| link.map(outside)).collect(),
+                frames: numbered(engine.len(), &|contact| frame_outside(engine.frame(contact))),
+                links: mapped(engine.links(), &|link| link.map(outside)),
                 joint_centres: engine.joint_centres().iter().copied().map(outside).collect(),
             })
         })
@@ -342,7 +360,7 @@ impl<const C: usize> Hand<C> {
     /// as for [`Grasp::new`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
         const { assert_plane_or_space::<C>() };
-        Grasp::of(self.enter().engine(None)?).installed()
+        Grasp::installed_by(self.enter().engine(None)?)
     }
 }
 
@@ -354,7 +372,7 @@ impl<const C: usize> Bodies<C> {
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
         const { assert_plane_or_space::<C>() };
         let (hand, bodies) = self.checked()?;
-        Grasp::of(hand.enter().engine(Some(bodies))?).installed()
+        Grasp::installed_by(hand.enter().engine(Some(bodies))?)
     }
 }
 

@@ -5,13 +5,14 @@ use nalgebra::{DMatrix, DVector};
 use super::grasp::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::numerics::mapped;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 
-impl<const C: usize> Grasp<C> {
+impl Grasp<3> {
     /// This grasp with commands such that links pull at rest with their given tensions.
     pub(super) fn installed(self) -> Result<Self, Error> {
-        let wanted = |contact: &crate::grasp::Contact<C>| contact.at_rest;
+        let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest;
         let told: Vec<(usize, f64)> = self
             .contacts()
             .iter()
@@ -21,10 +22,8 @@ impl<const C: usize> Grasp<C> {
         if told.is_empty() {
             return Ok(self);
         }
-        let stiffness: Vec<f64> =
-            told.iter().map(|(i, _)| self.contacts()[*i].stiffness.series()[0]).collect();
-        let mut commands: Vec<[f64; C]> =
-            self.contacts().iter().map(|contact| contact.command.into()).collect();
+        let stiffness: Vec<f64> = mapped(&told, &|(i, _)| self.contacts()[*i].stiffness.series()[0]);
+        let mut commands: Vec<[f64; 3]> = mapped(self.contacts(), &|contact| contact.command.into());
         let mut off = self.missing(&commands, &told)?;
         // Most Newton steps: one is enough while no contact changes state, and each change of state takes one more.
         for _ in 0..20 {
@@ -58,7 +57,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The given tensions less those with these commands and without load, N.
-    fn missing(&self, commands: &[[f64; C]], told: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
+    fn missing(&self, commands: &[[f64; 3]], told: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
         let outcome = self.with_commands(commands.iter().copied())?.solve(Wrench::ZERO)?;
         let state = outcome.equilibrium().ok_or_else(|| self.not_held(told[0].0, told[0].1))?;
         // The gap of a slack link counts as missing tension, too, so that the difference depends on its command there.

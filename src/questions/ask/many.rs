@@ -4,6 +4,7 @@ use super::grasp::Grasp;
 use crate::error::Error;
 use crate::grasp::{Face, Wrench, inside, outside};
 use crate::load_path::{Onset, Ramp};
+use crate::numerics::moved;
 use crate::prelude::*;
 use crate::sweep::{Reserve, RobustOnset, Uncertainty};
 
@@ -93,5 +94,5 @@ impl<const C: usize> Grasp<C> {
 
 /// The answers as the caller sees them.
 fn all_answers<T: Face>(answers: Vec<Result<T::Inside, Error>>) -> Vec<Result<T, Error>> {
-    answers.into_iter().map(|answer| answer.map(outside)).collect()
+    moved(answers, &|answer| answer.map(outside))
 }

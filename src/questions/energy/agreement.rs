@@ -10,8 +10,8 @@ use crate::error::Error;
 use crate::grasp::Engine;
 use crate::lcp::{self, Basis, Lcp, Parametric, Variable};
 use crate::load_path::Ramp;
-use crate::numerics::Vector;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{Vector, largest};
 use crate::object::Piece;
 use crate::prelude::*;
 
@@ -119,7 +119,7 @@ impl Line<'_> {
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
         // The factor of the pivots, if the row does not change with the load.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
-        let most = |list: &[SVector<f64, 3>]| list.iter().map(SVector::norm).fold(0.0, f64::max);
+        let most = |list: &[SVector<f64, 3>]| largest(list, &SVector::norm);
         let size = most(&forces) + factor * most(&rates);
         let binds = |(r, other): &(usize, &ForceCondition)| {
             let (value, rate) = (other.value(&forces), other.value(&rates));

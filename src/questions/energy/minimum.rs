@@ -10,8 +10,8 @@ use super::optimality::{EnergyProgram, Faces, NotOptimal, ProgramPoint};
 use crate::Settings;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench};
-use crate::numerics::Vector;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{Vector, mapped, numbered, summed};
 use crate::object::Unbalanced;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -197,7 +197,7 @@ impl Engine {
         let held = program.held_from_outside(&point.multipliers);
         let mut pushed: Vector = self.sites().iter().zip(&held).map(|(site, f)| &site.map * f).sum();
         let balanced = pushed.norm() <= SOLVED_ROUNDING * most;
-        let rounding = SOLVED_ROUNDING * held.iter().map(Matrix::norm).sum::<f64>();
+        let rounding = SOLVED_ROUNDING * summed(&held, &Matrix::norm);
         pushed.iter_mut().filter(|x| x.abs() <= rounding).for_each(|x| *x = 0.0);
         let object = self.space().object_alone(&point.twist);
         let contact = |i: usize| {
@@ -224,15 +224,15 @@ impl Engine {
         MinimumEnergy {
             load: *load,
             twist: self.outside(&point.twist),
-            contacts: (0..self.len()).map(contact).collect(),
+            contacts: numbered(self.len(), &contact),
             binding: binding.collect(),
             imbalance: self.wrench_outside(&pushed),
             stored_energy,
             potential_energy: stored_energy - own_work,
-            free_motions: point.free.iter().map(|v| self.motion_outside(v)).collect(),
+            free_motions: mapped(&point.free, &|v| self.motion_outside(v)),
             inside: Inside {
                 twist: Coordinates::of(&point.twist),
-                free_motions: point.free.iter().map(Coordinates::of).collect(),
+                free_motions: mapped(&point.free, &Coordinates::of),
             },
             pivots,
             balanced,

@@ -27,8 +27,8 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::energy_rows::{ForceCondition, axis_springs, by_pivots, dense, rows, values};
 use crate::Settings;
 use crate::lcp::{Basis, Outcome};
-use crate::numerics::Vector;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{Vector, mapped, numbered};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -160,7 +160,7 @@ impl<'g> EnergyProgram<'g> {
                 let give = problem.sites[i].springs.give_along(0, forces[i][0]);
                 if faces.open[i] { give - problem.stretch(i, twist)[0] } else { 0.0 }
             };
-            (0..forces.len()).map(gap).collect()
+            numbered(forces.len(), &gap)
         };
         let mut gaps = gaps_at(&twist);
         let free = springs.free_motions().to_vec();
@@ -192,8 +192,8 @@ impl<'g> EnergyProgram<'g> {
         multipliers: &mut [f64],
     ) -> Option<Vector> {
         let problem = &self.problem;
-        let rows: Vec<_> = faces.binding.iter().map(|&r| &self.friction[r]).collect();
-        let seen: Vec<_> = (0..forces.len()).map(|i| springs.seen(i)).collect();
+        let rows: Vec<_> = mapped(&faces.binding, &|&r| &self.friction[r]);
+        let seen: Vec<_> = numbered(forces.len(), &|i| springs.seen(i));
         let size = problem.size();
         let mut places = size.count()..;
         let place: Vec<_> = faces.open.iter().map(|open| if *open { places.next() } else { None }).collect();

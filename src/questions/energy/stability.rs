@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, SVector, SymmetricEigen};
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Motion, Space};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Size, Square, Vector};
+use crate::numerics::{Size, Square, Vector, mapped};
 use crate::prelude::*;
 
 /// The second derivative of the potential energy at an equilibrium.
@@ -78,7 +78,7 @@ impl Engine {
     pub(crate) fn stability(&self, equilibrium: &Equilibrium<3>) -> Stability<3> {
         let arms = self.contacts().iter().map(|contact| contact.point);
         let forces = equilibrium.contacts.iter().map(|c| c.force_world);
-        let states: Vec<_> = equilibrium.contacts.iter().map(|c| c.state).collect();
+        let states: Vec<_> = mapped(&equilibrium.contacts, &|c| c.state);
         let drives = self.drives_that_hold(equilibrium);
         self.stability_with(&arms.collect::<Vec<_>>(), &forces.collect::<Vec<_>>(), &states, drives)
     }

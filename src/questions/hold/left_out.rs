@@ -6,6 +6,7 @@
 
 use crate::equilibrium::Equilibrium;
 use crate::grasp::Engine;
+use crate::numerics::{dot, summed};
 
 impl Engine {
     /// The share of the geometric stiffness in the resistance to the motion q from rest to another state with the same commands:
@@ -24,9 +25,9 @@ impl Engine {
         let (load, twist) = (there.load - rest.load, there.twist.components());
         let moved = twist.iter().zip(rest.twist.components()).map(|(to, from)| to - from);
         let moved: alloc::vec::Vec<f64> = moved.collect();
-        let kept: f64 = moved.iter().zip(load.components()).map(|(q, w)| q * w).sum();
+        let kept: f64 = dot(&moved, load.components());
         let rotation = &moved[3..];
-        let square: f64 = rotation.iter().map(|x| x * x).sum();
+        let square: f64 = summed(rotation, &|x| x * x);
         let mut left_out = 0.0;
         for (contact, answer) in self.contacts().iter().zip(&rest.contacts) {
             let (force, arm) = (answer.force_world, contact.point - self.origin());

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts};
+use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -110,7 +111,7 @@ pub(super) fn way_out(
     let Some(sides) = sides else {
         return seen_from(contacts, &motion.object, &|_| 1.0, touches);
     };
-    let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+    let fastest = largest(&motion.bodies, &BodyMotion::speed);
     let moves = |body: &BodyMotion<3>| body.speed() > STANDS * fastest;
     let mut bodies: Vec<_> = motion.bodies.iter().filter(|body| moves(body)).map(BodyWay::of).collect();
     let Some(first) = motion.bodies.iter().find(|body| moves(body)) else { return WayOut::Apart { bodies } };
@@ -141,7 +142,7 @@ pub(super) fn comes_apart(
     (on, against): (usize, Option<usize>),
     motion: &Motion<3>,
 ) -> bool {
-    let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+    let fastest = largest(&motion.bodies, &BodyMotion::speed);
     let at_the_point = |body: usize| motion.bodies[body].twist.moves(&contact.point);
     let other = against.map_or_else(SVector::zeros, at_the_point);
     (at_the_point(on) - other).norm() > STANDS * fastest
@@ -165,13 +166,13 @@ fn seen_from(
     let touches = |i: usize| sign(i) != 0.0 && touches(i);
     let touching = parts.with(&touches);
     let places = parts.mean(&|i| contacts[i].point);
-    let moves: Vec<_> = places.iter().map(velocity).collect();
+    let moves: Vec<_> = mapped(&places, &velocity);
     let part_holds = parts.first(|i| contacts[i].hold);
     let normals = parts.mean(&|i| contacts[i].normal.normalize() * sign(i));
     let count = touching.len().max(1) as f64;
     let centre = touching.iter().fold(SVector::zeros(), |sum, part| sum + places[part.contact] / count);
     let along = velocity(&centre);
-    let reach = contacts.iter().map(|contact| (contact.point - centre).norm()).fold(0.0, f64::max);
+    let reach = largest(contacts, &|contact| (contact.point - centre).norm());
     let spin = twist.components().iter().skip(3).map(|x| x * x).sum::<f64>().sqrt() * reach;
     let fastest = touching.iter().map(|part| moves[part.contact].norm()).fold(spin, f64::max);
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STANDS * fastest;

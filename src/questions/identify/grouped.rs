@@ -11,12 +11,10 @@
 //! of an unknown, c in this basis, is `Σ (c'w_g)²`. For independent rows, `c'w_g` would have the covariances
 //! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
-use alloc::collections::BTreeMap;
-
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{mapped, paired, summed};
 use crate::prelude::*;
 
 /// Information and influence of each group.
@@ -47,8 +45,15 @@ pub(super) struct GroupedError {
 impl Grouped {
     /// From rows in the basis (one slip for each entry of `groups`, then the known sums) and their residuals.
     pub(super) fn of(rows: &DMatrix<f64>, off: &[f64], groups: &[usize]) -> Self {
-        let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        groups.iter().enumerate().for_each(|(slip, group)| members.entry(*group).or_default().push(slip));
+        let mut names = groups.to_vec();
+        names.sort_unstable();
+        names.dedup();
+        let mut members = vec![Vec::new(); names.len()];
+        for (slip, group) in groups.iter().enumerate() {
+            if let Ok(place) = names.binary_search(group) {
+                members[place].push(slip);
+            }
+        }
         let known: Vec<usize> = (groups.len()..rows.nrows()).collect();
         let square = |those: &[usize]| {
             let own = rows.select_rows(those);
@@ -61,15 +66,15 @@ impl Grouped {
             let moves = &made_up * rows.select_rows(those).tr_mul(&own);
             Group { tells, made_up, moves }
         };
-        Self { groups: members.values().map(group).collect(), known: square(&known) }
+        Self { groups: mapped(&members, &group), known: square(&known) }
     }
 
     /// The error of an unknown with these components in the basis. `None` if one group determines it alone.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
-        let variance = sure + self.groups.iter().map(|group| group.moves.dot(unknown).powi(2)).sum::<f64>();
+        let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
         let made_up: Vec<_> = mapped(&self.groups, &|group| &group.made_up * unknown);
-        let told: Vec<_> = self.groups.iter().zip(&made_up).map(|(group, a)| &group.tells * a).collect();
+        let told: Vec<_> = paired(&self.groups, &made_up, &|(group, a)| &group.tells * a);
         // Covariances of the groups' contributions, for independent rows.
         let covariance = |g: usize, h: usize| {
             let own = if g == h { made_up[g].dot(&told[g]) } else { 0.0 };

@@ -1,7 +1,7 @@
 //! Huber's loss: half the square of a residual up to some standard deviations, and linear beyond.
 
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{normal_density, normal_tail};
+use crate::numerics::{normal_density, normal_tail, summed};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -38,7 +38,7 @@ impl Huber {
 
     /// The scatter of residuals with this number of degrees of freedom: Huber's second proposal; without a transition that of least squares.
     pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
-        let all = residuals.iter().map(|r| r * r).sum::<f64>();
+        let all = summed(residuals, &|r| r * r);
         let expected = degrees.max(1) as f64 * self.mean_square();
         let mut scale = (all / degrees.max(1) as f64).sqrt().max(SOLVED_ROUNDING);
         // Sixty iterations give the scale to all digits that matter.

@@ -13,15 +13,15 @@ use super::step::{StepProgram, TrialStep};
 use super::tolerances::{ARRIVED_AT_TOP, OPTIMAL, ROUNDED_GAIN};
 use crate::ask::Grasp;
 use crate::error::Error;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{least, mapped};
 use crate::prelude::*;
 
 /// A placing that sticks at rest, with its forces.
 #[derive(Debug)]
-pub(super) struct Held<const C: usize> {
-    pub(super) placing: Placing<C>,
-    pub(super) sticking: StickingForces<C>,
+pub(super) struct Held {
+    pub(super) placing: Placing,
+    pub(super) sticking: StickingForces,
     /// Value of the goal: the least first slip as a factor of the loads, or the least reserve, N.
     pub(super) value: f64,
     /// Scale of values and gains: the first slip itself, or for a reserve the greatest force at rest, N.
@@ -29,8 +29,8 @@ pub(super) struct Held<const C: usize> {
 }
 
 /// The end of an ascent.
-pub(super) struct Ascent<const C: usize> {
-    pub(super) held: Held<C>,
+pub(super) struct Ascent {
+    pub(super) held: Held,
     pub(super) search: SearchEnd,
     /// Steps so far, including those of earlier ascents.
     pub(super) steps: usize,
@@ -48,13 +48,13 @@ pub(super) struct LastStep {
 }
 
 /// The question of the search, its loads and the grasp.
-pub(super) struct Climb<'q, const C: usize> {
-    pub(super) choice: &'q Choice<'q, C>,
-    pub(super) loaded: &'q Loaded<C>,
-    pub(super) grasp: &'q Grasp<C>,
+pub(super) struct Climb<'q> {
+    pub(super) choice: &'q Choice<'q>,
+    pub(super) loaded: &'q Loaded,
+    pub(super) grasp: &'q Grasp<3>,
 }
 
-impl<const C: usize> Climb<'_, C> {
+impl Climb<'_> {
     /// The greatest allowed normal forces of contacts whose squeeze may change.
     fn most(&self) -> Vec<Option<f64>> {
         let mut most = vec![None; self.choice.given.len()];
@@ -67,9 +67,9 @@ impl<const C: usize> Climb<'_, C> {
     }
 
     /// A placing with its forces; all squeezes are reduced by a common factor if one exceeds its limit. `None` where it does not stick at rest.
-    pub(super) fn held(&self, mut placing: Placing<C>) -> Result<Option<Held<C>>, Error> {
+    pub(super) fn held(&self, mut placing: Placing) -> Result<Option<Held>, Error> {
         let (Loaded { base, loads, .. }, most) = (self.loaded, self.most());
-        let of = |placing: &Placing<C>| StickingForces::of(self.choice, placing, base, loads);
+        let of = |placing: &Placing| StickingForces::of(self.choice, placing, base, loads);
         let Some(mut sticking) = of(&placing)? else { return Ok(None) };
         let mut part = 1.0_f64;
         for (i, most) in most.iter().enumerate() {
@@ -92,7 +92,7 @@ impl<const C: usize> Climb<'_, C> {
     }
 
     /// Value of the grasp given, with its own commands; `None` where a contact slides.
-    pub(super) fn before(&self, given: &Placing<C>) -> Result<Option<f64>, Error> {
+    pub(super) fn before(&self, given: &Placing) -> Result<Option<f64>, Error> {
         if self.loaded.goal == ImproveGoal::FirstSlip {
             return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
         }
@@ -107,10 +107,10 @@ impl<const C: usize> Climb<'_, C> {
     /// A placing with its value; `None` where it does not stick at rest.
     fn counted(
         &self,
-        placing: Placing<C>,
-        sticking: StickingForces<C>,
+        placing: Placing,
+        sticking: StickingForces,
         most: &[Option<f64>],
-    ) -> Result<Option<Held<C>>, Error> {
+    ) -> Result<Option<Held>, Error> {
         let (events, bounds) = events(self.loaded, most, &sticking, &[]);
         let size = (0..most.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
         if bounds.iter().any(|bound| bound.left < -SOLVED_ROUNDING * size) {
@@ -124,7 +124,7 @@ impl<const C: usize> Climb<'_, C> {
             }
             // A negative reserve means that a contact slides under a load. It is kept, because its gradient leads to a better place.
             ImproveGoal::Reserve => {
-                let least = events.iter().map(|event| event.value).fold(f64::INFINITY, f64::min);
+                let least = least(&events, &|event| event.value);
                 (least, if size > 0.0 { size } else { self.choice.unit_of_force() })
             }
         };
@@ -132,7 +132,7 @@ impl<const C: usize> Climb<'_, C> {
     }
 
     /// Ascent from a start within its parts of surfaces, after `steps` steps.
-    pub(super) fn up(&self, mut held: Held<C>, mut steps: usize) -> Result<Ascent<C>, Error> {
+    pub(super) fn up(&self, mut held: Held, mut steps: usize) -> Result<Ascent, Error> {
         let n = self.choice.variables.len();
         // Half widths of the trust region, a box, in units of the variables.
         let [first_radius, largest_radius, least_radius] = [0.1, 1.0, 1e-11];
@@ -192,12 +192,7 @@ impl<const C: usize> Climb<'_, C> {
     }
 
     /// The program of a step, and the contacts of its last bounds, which are ends of surfaces.
-    fn program(
-        &self,
-        held: &Held<C>,
-        events: &[SlipEvent],
-        bounds: &[Constraint],
-    ) -> (StepProgram, Vec<usize>) {
+    fn program(&self, held: &Held, events: &[SlipEvent], bounds: &[Constraint]) -> (StepProgram, Vec<usize>) {
         let variables = &self.choice.variables;
         let force = self.choice.unit_of_force();
         let mut rows: Vec<_> = mapped(bounds, &|bound| (&bound.gradient / force, bound.left / force));

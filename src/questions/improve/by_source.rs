@@ -6,7 +6,7 @@ use super::placing::{Choice, DesignKind, DesignVariable, Placing};
 use crate::ask::Grasp;
 use crate::equilibrium::{Parameter, StickingResponse};
 use crate::error::Error;
-use crate::grasp::{Wrench, inside};
+use crate::grasp::Wrench;
 use crate::numerics::Vector;
 use crate::object::PieceState;
 use crate::prelude::*;
@@ -23,18 +23,18 @@ pub(super) const LOADS: usize = 2;
 
 /// The forces of a grasp whose contacts stick at any force.
 #[derive(Debug)]
-pub(super) struct StickingForces<const C: usize> {
-    pub(super) grasp: Grasp<C>,
+pub(super) struct StickingForces {
+    pub(super) grasp: Grasp<3>,
     sources: Vec<PieceState>,
 }
 
-impl<const C: usize> StickingForces<C> {
+impl StickingForces {
     /// The forces of a placing of the grasp, under the load at rest and under each of `loads`; `None` where nothing resists one of them.
     pub(super) fn of(
-        choice: &Choice<'_, C>,
-        placing: &Placing<C>,
-        base: &Wrench<C>,
-        loads: &[Wrench<C>],
+        choice: &Choice<'_>,
+        placing: &Placing,
+        base: &Wrench<3>,
+        loads: &[Wrench<3>],
     ) -> Result<Option<Self>, Error> {
         let grasp = Grasp::new(choice.contacts(placing))?.with(choice.settings);
         let (engine, response) = (&*grasp.engine, StickingResponse::new(&grasp.engine, choice.settings));
@@ -43,10 +43,10 @@ impl<const C: usize> StickingForces<C> {
             squeeze[i][0] = core::mem::take(&mut rest[i][0]);
         }
         let mut sources = vec![
-            response.state(&rest, &engine.load_unchecked(&inside(base))),
+            response.state(&rest, &engine.load_unchecked(base)),
             response.state(&squeeze, &Vector::zeros()),
         ];
-        let under = |load| response.state(&response.at_rest(), &engine.inside_unchecked(&inside(load)));
+        let under = |load| response.state(&response.at_rest(), &engine.inside_unchecked(load));
         sources.extend(loads.iter().map(under));
         let sources = sources.into_iter().collect::<Option<_>>();
         Ok(sources.map(|sources| Self { grasp, sources }))
@@ -73,7 +73,7 @@ impl<const C: usize> StickingForces<C> {
     }
 
     /// Changes of all forces by one unit of each variable; `None` where another place leaves a load unbalanced.
-    pub(super) fn derivatives(&self, choice: &Choice<'_, C>, placing: &Placing<C>) -> Option<Vec<BySource>> {
+    pub(super) fn derivatives(&self, choice: &Choice<'_>, placing: &Placing) -> Option<Vec<BySource>> {
         let response = self.response();
         choice.variables.iter().map(|variable| self.derivative(&response, placing, variable)).collect()
     }
@@ -81,7 +81,7 @@ impl<const C: usize> StickingForces<C> {
     fn derivative(
         &self,
         response: &StickingResponse<'_>,
-        placing: &Placing<C>,
+        placing: &Placing,
         variable: &DesignVariable,
     ) -> Option<BySource> {
         let &DesignVariable { contact, what, unit } = variable;
@@ -96,7 +96,7 @@ impl<const C: usize> StickingForces<C> {
                 let spot = placing.spots[contact].as_ref()?;
                 let (along, bend) = (&spot.along[direction], spot.bends[direction] * unit);
                 let frame = self.grasp.frames().nth(contact)?;
-                for axis in 0..C {
+                for axis in 0..self.grasp.engine.space().axes() {
                     data.push((Parameter::Point { contact, axis }, along[axis] * unit));
                     if axis > 0 {
                         data.push((

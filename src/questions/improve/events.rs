@@ -148,10 +148,10 @@ impl Pressed<'_> {
 }
 
 /// All events and constraints of a placing; `most` has the greatest allowed normal force of each contact, if it has one.
-pub(super) fn events<const C: usize>(
-    loaded: &Loaded<C>,
+pub(super) fn events(
+    loaded: &Loaded,
     most: &[Option<f64>],
-    sticking: &StickingForces<C>,
+    sticking: &StickingForces,
     derivatives: &[BySource],
 ) -> (Vec<SlipEvent>, Vec<Constraint>) {
     let (mut all, mut constraints) = (Vec::new(), Vec::new());

@@ -10,7 +10,7 @@ use super::question::Improve;
 use super::tolerances::ROUNDED_MULTIPLIER;
 use crate::ask::Grasp;
 use crate::error::Error;
-use crate::grasp::WholeContacts;
+use crate::grasp::{WholeContacts, inside, outside};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Draw, in_order, increasing};
 use crate::prelude::*;
@@ -48,20 +48,27 @@ impl<const C: usize> Grasp<C> {
     /// by a hand.
     #[doc(alias = "grasp synthesis", alias = "fixture design", alias = "optimise", alias = "best grasp")]
     pub fn improve(&self, question: &Improve<C>) -> Result<Improved<C>, Error> {
-        question.check(self)?;
-        let mut settings = *self.settings();
+        inside(question).answered_by(&inside(self)).map(outside)
+    }
+}
+
+impl Improve<3> {
+    /// The answer inside the engine.
+    fn answered_by(&self, grasp: &Grasp<3>) -> Result<Improved<3>, Error> {
+        self.check(grasp)?;
+        let mut settings = *grasp.settings();
         settings.round = true;
-        let grasp = self.with(&settings);
-        let loads = question.given_loads()?;
-        let loaded = Loaded::of(question, &loads);
-        let (choice, given) = Choice::of(&grasp, question)?;
+        let grasp = grasp.with(&settings);
+        let loads = self.given_loads()?;
+        let loaded = Loaded::of(grasp.engine.space().axes(), self, &loads);
+        let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
         // The best of 24 random placings for each start become starts.
-        let numbers: Vec<u64> = (0..(question.starts() * 24) as u64).collect();
+        let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             // A stream apart from the random numbers of other questions.
-            let drawn = choice.drawn(&given, &mut Draw::new([question.seed.unwrap_or(0), *number, 48]));
+            let drawn = choice.drawn(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
             // Only places are kept here: the forces of thousands of them would take much memory.
             Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.value, held.placing)))
         });
@@ -73,14 +80,14 @@ impl<const C: usize> Grasp<C> {
             }
         }
         let mut placings = vec![given.clone()];
-        for k in increasing(&values).into_iter().take(question.starts()) {
+        for k in increasing(&values).into_iter().take(self.starts()) {
             placings.push(places[k].clone());
         }
         let ascents = in_order(&placings, &|placing| {
             climb.held(placing.clone())?.map(|held| climb.over_edges(held)).transpose()
         });
         let (mut count, mut steps) = (0, 0);
-        let mut best: Option<Ascent<C>> = None;
+        let mut best: Option<Ascent> = None;
         for ascent in ascents {
             let Some(next) = ascent? else { continue };
             count += 1;
@@ -104,7 +111,7 @@ impl<const C: usize> Grasp<C> {
             _ => None,
         };
         let mut answer = Improved {
-            goal: question.goal(),
+            goal: self.goal(),
             before,
             after: None,
             force,
@@ -134,6 +141,13 @@ impl<const C: usize> Improved<C> {
     /// # Errors
     /// [`Error::Size`] if the grasp has another number of contacts than the answer.
     pub fn placed(&self, grasp: &Grasp<C>) -> Result<Grasp<C>, Error> {
+        inside(self).placed_inside(&inside(grasp)).map(outside)
+    }
+}
+
+impl Improved<3> {
+    /// [`Self::placed`] inside the engine.
+    fn placed_inside(&self, grasp: &Grasp<3>) -> Result<Grasp<3>, Error> {
         let (given, expected) = (self.contacts.len(), grasp.len());
         if given != expected {
             return Err(Error::Size { what: "contacts of the answer", given, expected });
@@ -147,7 +161,7 @@ impl<const C: usize> Improved<C> {
     }
 }
 
-fn placed<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>) -> Vec<Placed<C>> {
+fn placed(choice: &Choice<'_>, held: &Held) -> Vec<Placed<3>> {
     let contacts = choice.contacts(&held.placing);
     let parts = WholeContacts::of(&choice.given);
     let mut all = Vec::with_capacity(contacts.len());
@@ -155,7 +169,7 @@ fn placed<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>) -> Vec<Placed<
         for part in parts.with(&|k| k == i) {
             all.push(Placed {
                 contact: part,
-                surface: choice.question.surfaces.get(&i).map(|surface| surface.name().to_owned()),
+                surface: choice.question.surface_of(i).map(|surface| surface.name().to_owned()),
                 point: contact.point,
                 normal: contact.normal.normalize(),
                 tangent: held.placing.tangents[i],
@@ -169,7 +183,7 @@ fn placed<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>) -> Vec<Placed<
     all
 }
 
-fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &LastStep) -> Vec<InTheWay> {
+fn in_the_way(choice: &Choice<'_>, held: &Held, last: &LastStep) -> Vec<InTheWay> {
     let LastStep { step, events, bounds, rooms } = last;
     let parts = WholeContacts::of(&choice.given);
     let mut all: Vec<(usize, Binds)> = Vec::new();

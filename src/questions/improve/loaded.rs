@@ -11,16 +11,17 @@ use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
 /// The loads of a question, the load at rest, and the value that is computed from the forces.
-pub(super) struct Loaded<const C: usize> {
-    pub(super) base: Wrench<C>,
-    pub(super) loads: Vec<Wrench<C>>,
+pub(super) struct Loaded {
+    pub(super) base: Wrench<3>,
+    pub(super) loads: Vec<Wrench<3>>,
     pub(super) goal: ImproveGoal,
     /// The point and the size of a force of any direction, whose components along the axes are the loads; `None` if each load acts, one at a time.
-    pub(super) any: Option<([f64; C], f64)>,
+    pub(super) any: Option<([f64; 3], f64)>,
 }
 
-impl<const C: usize> Loaded<C> {
-    pub(super) fn of(question: &Improve<C>, loads: &Loads<C>) -> Self {
+impl Loaded {
+    /// The loads of a question about contacts of two or three axes.
+    pub(super) fn of(axes: usize, question: &Improve<3>, loads: &Loads<3>) -> Self {
         let (base, goal) = (question.base(), question.goal());
         match loads {
             Loads::Each(list) => Self { base, loads: list.clone(), goal, any: None },
@@ -29,14 +30,14 @@ impl<const C: usize> Loaded<C> {
                     let force = core::array::from_fn(|k| if k == axis { *size } else { 0.0 });
                     Wrench::force_through(&(*point).into(), &force.into())
                 };
-                Self { base: base + *beside, loads: numbered(C, &axis), goal, any: Some((*point, *size)) }
+                Self { base: base + *beside, loads: numbered(axes, &axis), goal, any: Some((*point, *size)) }
             }
             Loads::Turn(_) => Self { base, loads: Vec::new(), goal, any: None },
         }
     }
 
     /// The least first slip of a grasp; `None` where a contact slides at rest, or nothing holds.
-    pub(super) fn first_slip(&self, grasp: &Grasp<C>) -> Result<Option<f64>, Error> {
+    pub(super) fn first_slip(&self, grasp: &Grasp<3>) -> Result<Option<f64>, Error> {
         if let Some((point, size)) = self.any {
             return Ok(match grasp.weakest_direction(self.base, point)? {
                 WeakestDirection::Force { size: least, .. } => Some(least / size),

@@ -36,12 +36,14 @@
 //! | `ascent`, `over_edges` | from one start to a local optimum, within the parts of surfaces and across their edges |
 //! | `improved` | all starts, and the best of them |
 //! | `answer`, `words` | the answer, and its sentence |
+//! | `face` | questions and answers at the door |
 
 mod answer;
 mod ascent;
 mod by_source;
 mod curvature;
 mod events;
+mod face;
 mod goal;
 mod improved;
 mod loaded;

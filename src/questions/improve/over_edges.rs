@@ -9,9 +9,9 @@ use crate::error::Error;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-impl<const C: usize> Climb<'_, C> {
+impl Climb<'_> {
     /// Ascent from a start, and on from part to part as long as the value grows and steps are left.
-    pub(super) fn over_edges(&self, held: Held<C>) -> Result<Ascent<C>, Error> {
+    pub(super) fn over_edges(&self, held: Held) -> Result<Ascent, Error> {
         let mut best = self.up(held, 0)?;
         let mut steps = best.steps;
         while let Some(better) = self.beyond(&best, &mut steps)? {
@@ -22,7 +22,7 @@ impl<const C: usize> Climb<'_, C> {
     }
 
     /// The ascent from an adjacent part, if it ends at a larger value.
-    fn beyond(&self, ended: &Ascent<C>, steps: &mut usize) -> Result<Option<Ascent<C>>, Error> {
+    fn beyond(&self, ended: &Ascent, steps: &mut usize) -> Result<Option<Ascent>, Error> {
         let here = &ended.held;
         for placing in self.beside(&here.placing) {
             if *steps >= self.choice.question.steps() {
@@ -40,11 +40,11 @@ impl<const C: usize> Climb<'_, C> {
 
     /// Placings with one finger moved from the end of its part to an adjacent part, and one placing with all such fingers moved to their first
     /// adjacent part.
-    fn beside(&self, from: &Placing<C>) -> Vec<Placing<C>> {
+    fn beside(&self, from: &Placing) -> Vec<Placing> {
         let (mut placings, mut all, mut move_at_once) = (Vec::new(), from.clone(), 0);
         for (contact, surface) in &self.choice.question.surfaces {
             let Some(spot) = &from.spots[*contact] else { continue };
-            let others = spot.beside(surface);
+            let others = spot.beside(&surface.0);
             if let Some(first) = others.first() {
                 all = self.choice.put(&all, *contact, first.clone());
                 move_at_once += 1;

@@ -2,41 +2,44 @@
 
 use nalgebra::SVector;
 
-use super::surface::{Shape, Surface};
+use super::surface::Shape;
 use crate::numerics::{largest, numbered};
 use crate::prelude::*;
 
-pub(super) fn unit_direction<const C: usize>(to: &SVector<f64, C>) -> [f64; 3] {
-    let to = to.normalize();
-    core::array::from_fn(|k| to.get(k).copied().unwrap_or(0.0))
+pub(super) fn unit_direction(to: &SVector<f64, 3>) -> [f64; 3] {
+    to.normalize().into()
 }
 
 /// The geometry of a surface at one place.
-pub(super) struct There<const C: usize> {
+pub(super) struct There {
     /// The place, m.
-    pub(super) point: SVector<f64, C>,
+    pub(super) point: SVector<f64, 3>,
     /// Unit normal.
-    pub(super) normal: SVector<f64, C>,
+    pub(super) normal: SVector<f64, 3>,
     /// Unit tangent directions.
-    pub(super) along: Vec<SVector<f64, C>>,
+    pub(super) along: Vec<SVector<f64, 3>>,
     /// Change of the normal per metre along each direction, 1/m.
     pub(super) bends: Vec<f64>,
     /// Distances to the ends of the surface: a step with `row·step <= room` (m, along the directions) stays on it.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
+/// A vector in the plane, turned clockwise by a right angle.
+pub(super) fn clockwise(a: &SVector<f64, 3>) -> SVector<f64, 3> {
+    [a[1], -a[0], 0.0].into()
+}
+
 /// The unit vector at a right angle to one direction in the plane, or to two in space.
-fn across<const C: usize>(along: &[SVector<f64, C>]) -> SVector<f64, C> {
-    let a = &along[0];
-    if C == 2 {
-        return SVector::from_fn(|k, _| if k == 0 { a[1] } else { -a[0] });
+fn across(along: &[SVector<f64, 3>]) -> SVector<f64, 3> {
+    match along {
+        [a, b, ..] => a.cross(b),
+        [a] => clockwise(a),
+        [] => SVector::zeros(),
     }
-    let b = &along[1];
-    SVector::from_fn(|k, _| a[(k + 1) % C] * b[(k + 2) % C] - a[(k + 2) % C] * b[(k + 1) % C])
 }
 
 /// Two unit directions at right angles to a third one, in space.
-fn both_across<const C: usize>(axis: &SVector<f64, C>) -> [SVector<f64, C>; 2] {
+fn both_across(axis: &SVector<f64, 3>) -> [SVector<f64, 3>; 2] {
     let mut least = SVector::zeros();
     least[axis.iamin()] = 1.0;
     let first = (least - axis * axis.dot(&least)).normalize();
@@ -44,7 +47,7 @@ fn both_across<const C: usize>(axis: &SVector<f64, C>) -> [SVector<f64, C>; 2] {
 }
 
 /// A place on a triangle, at coordinates in its frame.
-fn on_triangle<const C: usize>(corners: &[SVector<f64, C>; 3], [a, b]: [f64; 2]) -> There<C> {
+fn on_triangle(corners: &[SVector<f64, 3>; 3], [a, b]: [f64; 2]) -> There {
     let [x, y] = frame(corners);
     let point = corners[0] + x * a + y * b;
     let (along, normal) = (vec![x, y], across(&[x, y]));
@@ -57,9 +60,9 @@ fn on_triangle<const C: usize>(corners: &[SVector<f64, C>; 3], [a, b]: [f64; 2])
     There { point, normal, bends: vec![0.0; 2], rooms: numbered(3, &room), along }
 }
 
-impl<const C: usize> Surface<C> {
+impl Shape {
     pub(super) fn parts(&self) -> usize {
-        match &self.0 {
+        match self {
             Shape::Segments(parts) => parts.len(),
             Shape::Triangles(parts) => parts.len(),
             _ => 1,
@@ -68,7 +71,7 @@ impl<const C: usize> Surface<C> {
 
     /// Length or area of a part.
     pub(super) fn size(&self, part: usize) -> f64 {
-        match &self.0 {
+        match self {
             Shape::Segments(parts) => (parts[part][1] - parts[part][0]).norm(),
             Shape::Triangles(parts) => {
                 let [a, b, c] = &parts[part];
@@ -80,21 +83,21 @@ impl<const C: usize> Surface<C> {
 
     /// The largest coordinate of a corner at which parts meet, m. The rounding of places is relative to it.
     pub(super) fn largest(&self) -> f64 {
-        let of = |corners: &[SVector<f64, C>]| largest(corners, &SVector::amax);
-        match &self.0 {
+        let of = |corners: &[SVector<f64, 3>]| largest(corners, &SVector::amax);
+        match self {
             Shape::Segments(parts) => of(parts.as_flattened()),
             Shape::Triangles(parts) => of(parts.as_flattened()),
             _ => 0.0,
         }
     }
 
-    pub(super) fn there(&self, part: usize, at: [f64; 3]) -> There<C> {
+    pub(super) fn there(&self, part: usize, at: [f64; 3]) -> There {
         let [a, b, c] = at;
         let between = |axis: usize, at: f64, length: f64| {
             let row = |sign: f64| core::array::from_fn(|k| if k == axis { sign } else { 0.0 });
             [(row(1.0), length - at), (row(-1.0), at)]
         };
-        match &self.0 {
+        match self {
             Shape::Segments(parts) => {
                 let [from, to] = &parts[part];
                 let (along, length) = ((to - from).normalize(), (to - from).norm());
@@ -109,8 +112,8 @@ impl<const C: usize> Surface<C> {
             }
             Shape::Arc { centre, radius, from, over } => {
                 let (sin, cos) = (from + a).sin_cos();
-                let out = SVector::<f64, C>::from_fn(|k, _| [cos, sin][k.min(1)]);
-                let along = SVector::from_fn(|k, _| [-sin, cos][k.min(1)]);
+                let out = SVector::<f64, 3>::from([cos, sin, 0.0]);
+                let along = SVector::<f64, 3>::from([-sin, cos, 0.0]);
                 let rooms = over.map_or(Vec::new(), |over| between(0, a * radius, over * radius).into());
                 let point = centre + out * *radius;
                 There { point, normal: out, along: vec![along], bends: vec![1.0 / radius], rooms }
@@ -145,7 +148,7 @@ impl<const C: usize> Surface<C> {
                 There { point, normal: out, along: vec![axis, around], bends: vec![0.0, 1.0 / radius], rooms }
             }
             Shape::Sphere { centre, radius } => {
-                let out = SVector::<f64, C>::from_fn(|k, _| [a, b, c][k]);
+                let out = SVector::<f64, 3>::from([a, b, c]);
                 let along = both_across(&out).to_vec();
                 There {
                     point: centre + out * *radius,
@@ -160,8 +163,8 @@ impl<const C: usize> Surface<C> {
     }
 
     /// Coordinates of the place of a part that is nearest to a point.
-    pub(super) fn nearest_of(&self, part: usize, point: &SVector<f64, C>) -> [f64; 3] {
-        match &self.0 {
+    pub(super) fn nearest_of(&self, part: usize, point: &SVector<f64, 3>) -> [f64; 3] {
+        match self {
             Shape::Segments(parts) => {
                 let [from, to] = &parts[part];
                 let along = (to - from).normalize();
@@ -198,7 +201,7 @@ impl<const C: usize> Surface<C> {
             Shape::Triangles(parts) => {
                 let corners = &parts[part];
                 let [x, y] = frame(corners);
-                let flat = |p: &SVector<f64, C>| [x.dot(&(p - corners[0])), y.dot(&(p - corners[0]))];
+                let flat = |p: &SVector<f64, 3>| [x.dot(&(p - corners[0])), y.dot(&(p - corners[0]))];
                 let ([u, v], there) = (flat(point), |at: [f64; 2]| self.there(part, [at[0], at[1], 0.0]));
                 if there([u, v]).rooms.iter().all(|(_, room)| *room >= 0.0) {
                     return [u, v, 0.0];
@@ -208,7 +211,7 @@ impl<const C: usize> Surface<C> {
                     let side = to - from;
                     from + side * (side.dot(&(point - from)) / side.norm_squared()).clamp(0.0, 1.0)
                 };
-                let off = |p: &SVector<f64, C>| (p - point).norm();
+                let off = |p: &SVector<f64, 3>| (p - point).norm();
                 let nearest = (0..3).map(on_side).min_by(|p, q| off(p).total_cmp(&off(q)));
                 let [u, v] = flat(&nearest.unwrap_or(corners[0]));
                 [u, v, 0.0]
@@ -219,7 +222,7 @@ impl<const C: usize> Surface<C> {
     /// Coordinates of a place on a part, uniformly distributed if u and v are uniform between 0 and 1.
     pub(super) fn drawn(&self, part: usize, [u, v]: [f64; 2]) -> [f64; 3] {
         let turn = core::f64::consts::TAU;
-        match &self.0 {
+        match self {
             Shape::Segments(parts) => [u * (parts[part][1] - parts[part][0]).norm(), 0.0, 0.0],
             Shape::Arc { over, .. } => [u * over.unwrap_or(turn), 0.0, 0.0],
             Shape::Spline(spline) => [u * spline.end(), 0.0, 0.0],
@@ -242,7 +245,7 @@ impl<const C: usize> Surface<C> {
 }
 
 /// Directions in the plane of a triangle, the first along its first side.
-fn frame<const C: usize>(corners: &[SVector<f64, C>; 3]) -> [SVector<f64, C>; 2] {
+fn frame(corners: &[SVector<f64, 3>; 3]) -> [SVector<f64, 3>; 2] {
     let x = (corners[1] - corners[0]).normalize();
     let other = corners[2] - corners[0];
     [x, (other - x * x.dot(&other)).normalize()]

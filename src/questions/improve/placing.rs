@@ -2,13 +2,14 @@
 
 use nalgebra::SVector;
 
+use super::places::clockwise;
 use super::question::Improve;
 use super::spot::Spot;
 use super::tolerances::OFF_THE_SURFACE;
 use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::Error;
-use crate::grasp::{Contact, Hold};
+use crate::grasp::{Contact, Hold, Space};
 use crate::numerics::{Draw, largest, numbered};
 use crate::prelude::*;
 
@@ -31,36 +32,36 @@ pub(super) enum DesignKind {
 
 /// The variables of the search, and the data that stay fixed.
 #[derive(Debug)]
-pub(super) struct Choice<'q, const C: usize> {
-    pub(super) question: &'q Improve<C>,
-    pub(super) given: Vec<Contact<C>>,
+pub(super) struct Choice<'q> {
+    pub(super) question: &'q Improve<3>,
+    pub(super) given: Vec<Contact<3>>,
     pub(super) settings: &'q Settings,
     /// The first tangents of the given contacts.
-    tangents: Vec<SVector<f64, C>>,
+    tangents: Vec<SVector<f64, 3>>,
     pub(super) variables: Vec<DesignVariable>,
 }
 
 /// Values of all variables.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Placing<const C: usize> {
-    pub(super) spots: Vec<Option<Spot<C>>>,
+pub(super) struct Placing {
+    pub(super) spots: Vec<Option<Spot>>,
     /// The first tangents of all contacts.
-    pub(super) tangents: Vec<SVector<f64, C>>,
+    pub(super) tangents: Vec<SVector<f64, 3>>,
     /// Pressing forces of contacts whose squeeze may change, N.
     pub(super) presses: Vec<Option<f64>>,
 }
 
-impl<'q, const C: usize> Choice<'q, C> {
+impl<'q> Choice<'q> {
     /// The variables of a question, and their values in the given grasp. A contact that does not lie on its surface is refused.
-    pub(super) fn of(grasp: &'q Grasp<C>, question: &'q Improve<C>) -> Result<(Self, Placing<C>), Error> {
+    pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, Placing), Error> {
         let given = grasp.contacts().to_vec();
-        let tangents: Vec<SVector<f64, C>> =
+        let tangents: Vec<SVector<f64, 3>> =
             grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
         let length = grasp.engine.length();
         let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
         for (contact, at) in given.iter().enumerate() {
-            let spot =
-                question.surfaces.get(&contact).map(|surface| Spot::nearest(surface, &at.point, &at.normal));
+            let surface = question.surface_of(contact);
+            let spot = surface.map(|surface| Spot::nearest(surface, &at.point, &at.normal));
             if let Some(spot) = &spot {
                 let refused = |field, value, allowed| {
                     Err(Error::Surface { contact: at.label(contact), field, value, allowed })
@@ -96,10 +97,10 @@ impl<'q, const C: usize> Choice<'q, C> {
     }
 
     /// A random placing, with every variable squeeze at its limit.
-    pub(super) fn drawn(&self, from: &Placing<C>, draw: &mut Draw) -> Placing<C> {
+    pub(super) fn drawn(&self, from: &Placing, draw: &mut Draw) -> Placing {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
-            let spot = placing.spots[*contact].as_ref().map(|spot| spot.drawn(surface, draw));
+            let spot = placing.spots[*contact].as_ref().map(|spot| spot.drawn(&surface.0, draw));
             placing.tangents[*contact] = self.tangent(*contact, &self.tangents[*contact], spot.as_ref());
             placing.spots[*contact] = spot;
         }
@@ -110,7 +111,7 @@ impl<'q, const C: usize> Choice<'q, C> {
     }
 
     /// The placing with one contact moved to another spot.
-    pub(super) fn put(&self, from: &Placing<C>, contact: usize, spot: Spot<C>) -> Placing<C> {
+    pub(super) fn put(&self, from: &Placing, contact: usize, spot: Spot) -> Placing {
         let mut placing = from.clone();
         placing.tangents[contact] = self.tangent(contact, &from.tangents[contact], Some(&spot));
         placing.spots[contact] = Some(spot);
@@ -118,7 +119,7 @@ impl<'q, const C: usize> Choice<'q, C> {
     }
 
     /// The placing after a step, given in units of each variable.
-    pub(super) fn moved(&self, from: &Placing<C>, step: &[f64]) -> Placing<C> {
+    pub(super) fn moved(&self, from: &Placing, step: &[f64]) -> Placing {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
             let mut along = Vec::new();
@@ -127,7 +128,7 @@ impl<'q, const C: usize> Choice<'q, C> {
                     along.push(variable.unit * step);
                 }
             }
-            let spot = from.spots[*contact].as_ref().map(|spot| spot.moved(surface, &along));
+            let spot = from.spots[*contact].as_ref().map(|spot| spot.moved(&surface.0, &along));
             placing.tangents[*contact] = self.tangent(*contact, &from.tangents[*contact], spot.as_ref());
             placing.spots[*contact] = spot;
         }
@@ -142,11 +143,9 @@ impl<'q, const C: usize> Choice<'q, C> {
     }
 
     /// The first tangent of a frame that follows its normal without turning about it.
-    fn tangent(&self, contact: usize, from: &SVector<f64, C>, spot: Option<&Spot<C>>) -> SVector<f64, C> {
+    fn tangent(&self, contact: usize, from: &SVector<f64, 3>, spot: Option<&Spot>) -> SVector<f64, 3> {
         let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
-        if C == 2 {
-            let clockwise =
-                |n: &SVector<f64, C>| SVector::<f64, C>::from_fn(|k, _| if k == 0 { n[1] } else { -n[0] });
+        if self.given[contact].space == Space::Planar {
             let sign = clockwise(&self.given[contact].normal).dot(&self.tangents[contact]);
             return clockwise(&normal) * sign.signum();
         }
@@ -154,7 +153,7 @@ impl<'q, const C: usize> Choice<'q, C> {
         if across.norm() > OFF_THE_SURFACE {
             return across.normalize();
         }
-        let mut axis = SVector::<f64, C>::zeros();
+        let mut axis = SVector::<f64, 3>::zeros();
         axis[normal.iamin()] = 1.0;
         (axis - normal * normal.dot(&axis)).normalize()
     }
@@ -169,7 +168,7 @@ impl<'q, const C: usize> Choice<'q, C> {
     }
 
     /// The contacts of a placing, with their commands.
-    pub(super) fn contacts(&self, placing: &Placing<C>) -> Vec<Contact<C>> {
+    pub(super) fn contacts(&self, placing: &Placing) -> Vec<Contact<3>> {
         numbered(self.given.len(), &|i| {
             let mut contact = self.given[i].clone();
             if let Some(spot) = &placing.spots[i] {

@@ -1,15 +1,14 @@
 //! The question: loads, the variables of the search, and its limits.
 
-use alloc::collections::BTreeMap;
-
 use nalgebra::SVector;
 
 use super::goal::ImproveGoal;
-use super::surface::Surface;
+use super::surface::{Shape, Surface};
 use crate::ask::Grasp;
 use crate::error::{Error, Field, MODERATE, is_moderate};
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Turn;
+use crate::numerics::mapped;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsGiven;
@@ -39,7 +38,7 @@ pub struct Improve<const C: usize> {
         serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
-    at: Option<SVector<f64, C>>,
+    pub(super) at: Option<SVector<f64, C>>,
     /// The largest force with which a contact may press, N; if left out, commands stay.
     #[cfg_attr(
         feature = "serde",
@@ -49,24 +48,29 @@ pub struct Improve<const C: usize> {
     pub(super) at_most: Option<f64>,
     /// The quantity to maximise; the load at first slip if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    goal: Option<ImproveGoal>,
+    pub(super) goal: Option<ImproveGoal>,
     /// Number of random starts beside the grasp of the scene; 8 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    starts: Option<usize>,
+    pub(super) starts: Option<usize>,
     /// Largest number of steps from each start; 200 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    steps: Option<usize>,
+    pub(super) steps: Option<usize>,
     /// The seed of the random starts; 0 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) seed: Option<u64>,
     /// A load that turns, which is refused.
     #[cfg_attr(feature = "serde", serde(skip))]
-    turn: Option<Turn<C>>,
+    pub(super) turn: Option<Turn<C>>,
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub(super) surfaces: BTreeMap<usize, Surface<C>>,
+    pub(super) surfaces: Vec<(usize, Surface<C>)>,
     /// The greatest allowed force of contacts with a limit of their own.
     #[cfg_attr(feature = "serde", serde(skip))]
-    most: BTreeMap<usize, f64>,
+    pub(super) most: Vec<(usize, f64)>,
+}
+
+/// The place of a contact in a list by contact, or the place at which it is missing.
+fn place_of<T>(list: &[(usize, T)], contact: usize) -> Result<usize, usize> {
+    list.binary_search_by_key(&contact, |(of, _)| *of)
 }
 
 impl<const C: usize> Improve<C> {
@@ -75,7 +79,7 @@ impl<const C: usize> Improve<C> {
     pub fn new(loads: impl Into<Loads<C>>) -> Self {
         let LoadFields { load, loads, any_force, at, turn } = loads.into().into();
         let (base, at_most, goal, starts, steps, seed) = (None, None, None, None, None, None);
-        let (surfaces, most) = (BTreeMap::new(), BTreeMap::new());
+        let (surfaces, most) = (Vec::new(), Vec::new());
         Self { base, load, loads, any_force, at, at_most, goal, starts, steps, seed, turn, surfaces, most }
     }
 
@@ -100,14 +104,6 @@ impl<const C: usize> Improve<C> {
     #[must_use]
     pub fn goal(&self) -> ImproveGoal {
         self.goal.unwrap_or_default()
-    }
-
-    pub(super) fn starts(&self) -> usize {
-        self.starts.unwrap_or(8)
-    }
-
-    pub(super) fn steps(&self) -> usize {
-        self.steps.unwrap_or(200)
     }
 
     /// Adds a load that acts at rest, such as the weight of the object where a push is to slide late.
@@ -143,7 +139,10 @@ impl<const C: usize> Improve<C> {
     /// Lets contact `contact` (from 0) move along a curve or surface, on which it has to lie; its normal follows.
     #[must_use]
     pub fn along(mut self, contact: usize, surface: Surface<C>) -> Self {
-        self.surfaces.insert(contact, surface);
+        match place_of(&self.surfaces, contact) {
+            Ok(place) => self.surfaces[place].1 = surface,
+            Err(place) => self.surfaces.insert(place, (contact, surface)),
+        }
         self
     }
 
@@ -158,7 +157,10 @@ impl<const C: usize> Improve<C> {
     /// Lets one contact (from 0) press with another force than given, up to `force`, N.
     #[must_use]
     pub fn contact_pressing_at_most(mut self, contact: usize, force: f64) -> Self {
-        self.most.insert(contact, force);
+        match place_of(&self.most, contact) {
+            Ok(place) => self.most[place].1 = force,
+            Err(place) => self.most.insert(place, (contact, force)),
+        }
         self
     }
 
@@ -182,16 +184,32 @@ impl<const C: usize> Improve<C> {
         self.seed = Some(seed);
         self
     }
+}
+
+impl Improve<3> {
+    pub(super) fn starts(&self) -> usize {
+        self.starts.unwrap_or(8)
+    }
+
+    pub(super) fn steps(&self) -> usize {
+        self.steps.unwrap_or(200)
+    }
+
+    /// The surface of a contact, if it may move.
+    pub(super) fn surface_of(&self, contact: usize) -> Option<&Shape> {
+        place_of(&self.surfaces, contact).ok().map(|place| &self.surfaces[place].1.0)
+    }
 
     /// The greatest allowed force of a contact, if its squeeze may change.
     pub(super) fn most_of(&self, contact: usize) -> Option<f64> {
-        self.most.get(&contact).copied().or(self.at_most)
+        place_of(&self.most, contact).ok().map(|place| self.most[place].1).or(self.at_most)
     }
 
     /// Refuses numbers out of range, loads that turn, soft fingertips as variables, suction and questions without variables.
-    pub(crate) fn check(&self, grasp: &Grasp<C>) -> Result<(), Error> {
+    pub(super) fn check(&self, grasp: &Grasp<3>) -> Result<(), Error> {
         grasp.refuse_hands("improve")?;
-        self.base().check("base load")?;
+        let space = grasp.engine.space();
+        self.base().check_in(space, "base load")?;
         // More starts would take minutes and hardly find anything better.
         if self.starts() > 1_000 {
             let (what, allowed) = ("number of starts", "at most 1000");
@@ -204,9 +222,9 @@ impl<const C: usize> Improve<C> {
         let loads = self.given_loads()?;
         loads.check_size()?;
         match &loads {
-            Loads::Each(list) => list.iter().try_for_each(|load| load.check("load"))?,
+            Loads::Each(list) => list.iter().try_for_each(|load| load.check_in(space, "load"))?,
             Loads::AnyForce { base, size, point } => {
-                base.check("base load")?;
+                base.check_in(space, "base load")?;
                 if *size <= 0.0 {
                     return wrong(
                         "any_force",
@@ -220,10 +238,12 @@ impl<const C: usize> Improve<C> {
             Loads::Turn(_) => {}
         }
         let contacts = grasp.contacts();
-        for contact in self.surfaces.keys().chain(self.most.keys()) {
-            if *contact >= contacts.len() {
+        let mut named = mapped(&self.surfaces, &|(contact, _)| *contact);
+        named.extend(mapped(&self.most, &|(contact, _)| *contact));
+        for contact in named {
+            if contact >= contacts.len() {
                 let (what, allowed) = ("number of the contact", "less than the number of contacts");
-                return Err(Error::Argument { what, value: *contact as f64, allowed });
+                return Err(Error::Argument { what, value: contact as f64, allowed });
             }
         }
         if self.surfaces.is_empty() && self.most.is_empty() && self.at_most.is_none() {
@@ -239,7 +259,7 @@ impl<const C: usize> Improve<C> {
             if contact.suction > 0.0 {
                 return refused(Field::Suction, contact.suction, "0 where fingers are improved");
             }
-            if let Some(surface) = self.surfaces.get(&i) {
+            if let Some(surface) = self.surface_of(i) {
                 surface.check(&contact.label(i))?;
                 if contact.point_of_pad.is_some() {
                     return wrong(

@@ -6,16 +6,16 @@ use crate::prelude::*;
 
 /// Points, their parameters, and the second derivatives there.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Spline<const C: usize> {
-    points: Vec<SVector<f64, C>>,
+pub(crate) struct Spline {
+    points: Vec<SVector<f64, 3>>,
     at: Vec<f64>,
-    bends: Vec<SVector<f64, C>>,
+    bends: Vec<SVector<f64, 3>>,
     closed: bool,
 }
 
-impl<const C: usize> Spline<C> {
+impl Spline {
     /// The spline through consecutive points; a closed one returns to the first.
-    pub(super) fn through(mut points: Vec<SVector<f64, C>>, closed: bool) -> Self {
+    pub(super) fn through(mut points: Vec<SVector<f64, 3>>, closed: bool) -> Self {
         let closed = closed && points.len() > 2;
         if let (true, Some(first)) = (closed, points.first().copied()) {
             points.push(first);
@@ -39,7 +39,7 @@ impl<const C: usize> Spline<C> {
         let step = |k: usize| self.at[k + 1] - self.at[k];
         let slope = |k: usize| (self.points[k + 1] - self.points[k]) / step(k);
         let mut rows = DMatrix::<f64>::zeros(n, n);
-        let mut known = DMatrix::<f64>::zeros(n, C);
+        let mut known = DMatrix::<f64>::zeros(n, 3);
         for k in 1..n - 1 {
             (rows[(k, k - 1)], rows[(k, k)], rows[(k, k + 1)]) =
                 (step(k - 1), 2.0 * (step(k - 1) + step(k)), step(k));
@@ -58,13 +58,13 @@ impl<const C: usize> Spline<C> {
         }
     }
 
-    pub(super) fn points(&self) -> &[SVector<f64, C>] {
+    pub(super) fn points(&self) -> &[SVector<f64, 3>] {
         &self.points
     }
 
     /// The points that were given, without the second copy of the first point of a closed spline.
     #[cfg(feature = "serde")]
-    pub(crate) fn given(&self) -> &[SVector<f64, C>] {
+    pub(crate) fn given(&self) -> &[SVector<f64, 3>] {
         &self.points[..self.points.len() - usize::from(self.closed)]
     }
 
@@ -89,7 +89,7 @@ impl<const C: usize> Spline<C> {
     }
 
     /// Point, first and second derivative.
-    pub(super) fn at(&self, t: f64) -> [SVector<f64, C>; 3] {
+    pub(super) fn at(&self, t: f64) -> [SVector<f64, 3>; 3] {
         let k = self.at.partition_point(|at| *at <= t).clamp(1, self.at.len() - 1) - 1;
         let (h, left, right) = (self.at[k + 1] - self.at[k], t - self.at[k], self.at[k + 1] - t);
         let ([p, q], [a, b]) = ([self.points[k], self.points[k + 1]], [self.bends[k], self.bends[k + 1]]);
@@ -100,7 +100,7 @@ impl<const C: usize> Spline<C> {
     }
 
     /// The parameter of the point nearest to another one.
-    pub(super) fn nearest(&self, point: &SVector<f64, C>) -> f64 {
+    pub(super) fn nearest(&self, point: &SVector<f64, 3>) -> f64 {
         // The nearest of the samples starts Newton's method.
         let pieces = (self.at.len() - 1) * 32;
         let t = |k: usize| self.end() * k as f64 / pieces as f64;

@@ -3,38 +3,38 @@
 use nalgebra::SVector;
 
 use super::places::unit_direction;
-use super::surface::{Shape, Surface};
+use super::surface::Shape;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Draw, mapped, numbered};
 use crate::prelude::*;
 
 /// A place on a part of a surface. Its coordinates `at` are those of the part: lengths or angles, and on a sphere a unit direction.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Spot<const C: usize> {
+pub(super) struct Spot {
     part: usize,
     at: [f64; 3],
     /// 1 or -1: the sign of its normal relative to that of the surface.
     side: f64,
-    pub(super) point: SVector<f64, C>,
+    pub(super) point: SVector<f64, 3>,
     /// Unit normal into the object.
-    pub(super) normal: SVector<f64, C>,
+    pub(super) normal: SVector<f64, 3>,
     /// Unit tangent directions at right angles to each other: the principal directions of curvature.
-    pub(super) along: Vec<SVector<f64, C>>,
+    pub(super) along: Vec<SVector<f64, 3>>,
     /// Change of the normal per metre along each direction, 1/m.
     pub(super) bends: Vec<f64>,
     /// Steps with `row·step <= room` stay on the part, m.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
-impl<const C: usize> Spot<C> {
-    fn new(surface: &Surface<C>, part: usize, at: [f64; 3], side: f64) -> Self {
+impl Spot {
+    fn new(surface: &Shape, part: usize, at: [f64; 3], side: f64) -> Self {
         let there = surface.there(part, at);
         let (normal, bends) = (there.normal * side, mapped(&there.bends, &|bend| bend * side));
         Self { part, at, side, point: there.point, normal, along: there.along, bends, rooms: there.rooms }
     }
 
     /// The place nearest to a point, on the side of the surface that the normal points to.
-    pub(super) fn nearest(surface: &Surface<C>, point: &SVector<f64, C>, normal: &SVector<f64, C>) -> Self {
+    pub(super) fn nearest(surface: &Shape, point: &SVector<f64, 3>, normal: &SVector<f64, 3>) -> Self {
         let spots = (0..surface.parts()).map(|part| {
             let spot = Self::new(surface, part, surface.nearest_of(part, point), 1.0);
             let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
@@ -58,10 +58,10 @@ impl<const C: usize> Spot<C> {
     }
 
     /// The place after a step along its directions, m.
-    pub(super) fn moved(&self, surface: &Surface<C>, step: &[f64]) -> Self {
+    pub(super) fn moved(&self, surface: &Shape, step: &[f64]) -> Self {
         let [a, b, c] = self.at;
         let (first, second) = (step[0], step.get(1).copied().unwrap_or(0.0));
-        let at = match &surface.0 {
+        let at = match surface {
             Shape::Segments(parts) => {
                 let [from, to] = &parts[self.part];
                 [(a + first).clamp(0.0, (to - from).norm()), 0.0, 0.0]
@@ -80,14 +80,14 @@ impl<const C: usize> Spot<C> {
             Shape::Sphere { radius, .. } => {
                 let step = self.along[0] * first + self.along[1] * second;
                 let angle = step.norm() / radius;
-                let from = SVector::<f64, C>::from_fn(|k, _| [a, b, c][k]);
+                let from = SVector::<f64, 3>::from([a, b, c]);
                 let to = if angle > 0.0 { from * angle.cos() + step.normalize() * angle.sin() } else { from };
                 unit_direction(&to)
             }
             Shape::Triangles(_) => [a + first, b + second, 0.0],
         };
         let mut moved = Self::new(surface, self.part, at, self.side);
-        if let Shape::Sphere { .. } = surface.0 {
+        if let Shape::Sphere { .. } = surface {
             // The directions are transported along: the curvature learnt from steps is expressed in them.
             let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
             if across.norm() > 0.5 {
@@ -100,7 +100,7 @@ impl<const C: usize> Spot<C> {
     }
 
     /// The same place on the adjacent parts, if it is at the end of its own.
-    pub(super) fn beside(&self, surface: &Surface<C>) -> Vec<Self> {
+    pub(super) fn beside(&self, surface: &Shape) -> Vec<Self> {
         let near = NEGLIGIBLE * surface.largest();
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {
             return Vec::new();
@@ -112,7 +112,7 @@ impl<const C: usize> Spot<C> {
     }
 
     /// A uniformly random place on the whole surface, on the same side.
-    pub(super) fn drawn(&self, surface: &Surface<C>, draw: &mut Draw) -> Self {
+    pub(super) fn drawn(&self, surface: &Shape, draw: &mut Draw) -> Self {
         let sizes: Vec<f64> = numbered(surface.parts(), &|part| surface.size(part));
         let mut left = draw.uniform() * sizes.iter().sum::<f64>();
         let mut part = 0;
@@ -128,13 +128,14 @@ impl<const C: usize> Spot<C> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::surface::Surface;
     use super::*;
 
     /// A corner of two edges, with lengths from 1e-10 m to 1e16 m.
     #[test]
     fn only_an_end_has_parts_beside_it_whatever_the_unit() {
         for unit in [1e-10, 1.0, 1e16] {
-            let corner = Surface::polyline([[0.0, 0.0], [unit, 0.0], [unit, unit]]);
+            let Surface(corner) = Surface::polyline([[0.0, 0.0], [unit, 0.0], [unit, unit]]);
             let on_the_first = |part: f64| Spot::new(&corner, 0, [part * unit, 0.0, 0.0], 1.0);
             assert!(on_the_first(0.5).beside(&corner).is_empty(), "{unit:e}");
             assert!(on_the_first(0.0).beside(&corner).is_empty(), "{unit:e}");

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::spline::Spline;
 use super::spot::Spot;
 use crate::error::{ContactLabel, Error, MODERATE, is_moderate};
+use crate::grasp::Face;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
@@ -20,69 +21,75 @@ use crate::prelude::*;
 /// # let _ = (edge, disc, can);
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Surface<const C: usize>(pub(super) Shape<C>);
+pub struct Surface<const C: usize>(pub(super) Shape);
 
+/// The shape of a curve or surface; in the plane third components are zero.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Shape<const C: usize> {
+pub(crate) enum Shape {
     /// The two ends of each segment.
-    Segments(Vec<[SVector<f64, C>; 2]>),
+    Segments(Vec<[SVector<f64, 3>; 2]>),
     /// An arc in the plane from angle `from` counterclockwise over the angle `over`, rad; a full circle if `over` is `None`.
     Arc {
-        centre: SVector<f64, C>,
+        centre: SVector<f64, 3>,
         radius: f64,
         from: f64,
         over: Option<f64>,
     },
     /// A spline in the plane.
-    Spline(Spline<C>),
+    Spline(Spline),
     /// A corner and the two sides from it, at a right angle.
     Rectangle {
-        corner: SVector<f64, C>,
-        sides: [SVector<f64, C>; 2],
+        corner: SVector<f64, 3>,
+        sides: [SVector<f64, 3>; 2],
     },
     /// The whole circumference, from one end of the axis to the other.
     Cylinder {
-        ends: [SVector<f64, C>; 2],
+        ends: [SVector<f64, 3>; 2],
         radius: f64,
     },
     Sphere {
-        centre: SVector<f64, C>,
+        centre: SVector<f64, 3>,
         radius: f64,
     },
     /// The corners of each triangle.
-    Triangles(Vec<[SVector<f64, C>; 3]>),
+    Triangles(Vec<[SVector<f64, 3>; 3]>),
 }
 
 impl Surface<2> {
     /// A straight edge between two points, m.
     #[must_use]
     pub fn segment(from: impl Into<[f64; 2]>, to: impl Into<[f64; 2]>) -> Self {
-        Self(Shape::Segments(vec![[from.into().into(), to.into().into()]]))
+        Self(Shape::Segments(vec![[in_space(from), in_space(to)]]))
     }
 
     /// Straight edges from point to point, m. A contact moves from one edge to the next where that increases the value.
     #[must_use]
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
-        Self(Shape::polyline(&points.into_iter().map(SVector::from).collect::<Vec<_>>()))
+        Self(Shape::polyline(&points.into_iter().map(in_space).collect::<Vec<_>>()))
     }
 
     /// A circle: centre and radius, m.
     #[must_use]
     pub fn circle(centre: impl Into<[f64; 2]>, radius: f64) -> Self {
-        Self(Shape::Arc { centre: centre.into().into(), radius, from: 0.0, over: None })
+        Self(Shape::Arc { centre: in_space(centre), radius, from: 0.0, over: None })
     }
 
     /// Part of a circle, from an angle (counted from x to y) over another one, rad.
     #[must_use]
     pub fn arc(centre: impl Into<[f64; 2]>, radius: f64, from: f64, over: f64) -> Self {
-        Self(Shape::Arc { centre: centre.into().into(), radius, from, over: Some(over) })
+        Self(Shape::Arc { centre: in_space(centre), radius, from, over: Some(over) })
     }
 
     /// A cubic spline through points, m, with the distances of points as parameters; its curvature at the ends is zero unless it is closed.
     #[must_use]
     pub fn spline(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> Self {
-        Self(Shape::spline(points.into_iter().map(SVector::from).collect(), closed))
+        Self(Shape::spline(points.into_iter().map(in_space).collect(), closed))
     }
+}
+
+/// A point of the plane with a third component of zero.
+fn in_space(point: impl Into<[f64; 2]>) -> SVector<f64, 3> {
+    SVector::from(point.into()).enter()
 }
 
 impl Surface<3> {
@@ -132,20 +139,8 @@ impl<const C: usize> Surface<C> {
         point: impl Into<[f64; C]>,
         normal: impl Into<[f64; C]>,
     ) -> Result<([f64; C], [f64; C]), Error> {
-        let refused = |what, value, allowed| Err(Error::Argument { what, value, allowed });
-        if let Err(NoSurface { field, value, allowed }) = self.is_one() {
-            return refused(field, value, allowed);
-        }
-        let (point, normal) = (point.into(), SVector::from(normal.into()));
-        if let Some(&value) = point.iter().find(|x| !is_moderate(**x)) {
-            return refused("coordinate of the point", value, MODERATE);
-        }
-        let length = normal.norm();
-        if !(length > 0.0 && is_moderate(length)) {
-            return refused("length of the normal", length, "finite, above 0 and at most 1e50");
-        }
-        let spot = Spot::nearest(self, &point.into(), &normal);
-        Ok((spot.point.into(), spot.normal.into()))
+        let [point, normal] = self.0.nearest_to(point.into().enter().into(), normal.into().enter().into())?;
+        Ok((Face::leave(point), Face::leave(normal)))
     }
 }
 
@@ -156,31 +151,48 @@ struct NoSurface {
     allowed: &'static str,
 }
 
-impl<const C: usize> Shape<C> {
-    pub(crate) fn polyline(points: &[SVector<f64, C>]) -> Self {
+impl Shape {
+    pub(crate) fn polyline(points: &[SVector<f64, 3>]) -> Self {
         Self::Segments(points.windows(2).map(|ends| [ends[0], ends[1]]).collect())
     }
 
-    pub(crate) fn spline(points: Vec<SVector<f64, C>>, closed: bool) -> Self {
+    pub(crate) fn spline(points: Vec<SVector<f64, 3>>, closed: bool) -> Self {
         Self::Spline(Spline::through(points, closed))
     }
 }
 
 #[cfg(feature = "serde")]
 impl<const C: usize> Surface<C> {
-    pub(crate) fn of(shape: Shape<C>) -> Self {
+    pub(crate) fn of(shape: Shape) -> Self {
         Self(shape)
     }
 
-    pub(crate) fn shape(&self) -> &Shape<C> {
+    pub(crate) fn shape(&self) -> &Shape {
         &self.0
     }
 }
 
-impl<const C: usize> Surface<C> {
+impl Shape {
+    /// [`Surface::nearest`] inside the engine.
+    fn nearest_to(&self, point: SVector<f64, 3>, normal: SVector<f64, 3>) -> Result<[[f64; 3]; 2], Error> {
+        let refused = |what, value, allowed| Err(Error::Argument { what, value, allowed });
+        if let Err(NoSurface { field, value, allowed }) = self.is_one() {
+            return refused(field, value, allowed);
+        }
+        if let Some(&value) = point.iter().find(|x| !is_moderate(**x)) {
+            return refused("coordinate of the point", value, MODERATE);
+        }
+        let length = normal.norm();
+        if !(length > 0.0 && is_moderate(length)) {
+            return refused("length of the normal", length, "finite, above 0 and at most 1e50");
+        }
+        let spot = Spot::nearest(self, &point, &normal);
+        Ok([spot.point.into(), spot.normal.into()])
+    }
+
     /// The name of the kind of surface: "edge", "circle", …
     pub(super) fn name(&self) -> &'static str {
-        match &self.0 {
+        match self {
             Shape::Segments(parts) if parts.len() > 1 => "edges",
             Shape::Segments(_) => "edge",
             Shape::Arc { over: None, .. } => "circle",
@@ -206,13 +218,13 @@ impl<const C: usize> Surface<C> {
 
     fn is_one(&self) -> Result<(), NoSurface> {
         let refused = |field, value, allowed| Err(NoSurface { field, value, allowed });
-        let wrong = |points: &[SVector<f64, C>]| {
+        let wrong = |points: &[SVector<f64, 3>]| {
             let mut numbers = points.iter().flat_map(nalgebra::Matrix::as_slice);
             numbers.find(|x| !is_moderate(**x)).copied()
         };
         let size = "finite, above 0 and at most 1e50 m";
         let long = |length: f64| length > 0.0 && is_moderate(length);
-        let (points, length): (Option<f64>, (&'static str, f64)) = match &self.0 {
+        let (points, length): (Option<f64>, (&'static str, f64)) = match self {
             Shape::Segments(parts) => {
                 let least = parts.iter().map(|[a, b]| (b - a).norm()).fold(f64::INFINITY, f64::min);
                 let least = if parts.is_empty() { 0.0 } else { least };
@@ -248,7 +260,7 @@ impl<const C: usize> Surface<C> {
             }
             Shape::Sphere { centre, radius } => (wrong(&[*centre]), ("radius of its surface", *radius)),
             Shape::Triangles(parts) => {
-                let height = |[a, b, c]: &[SVector<f64, C>; 3]| {
+                let height = |[a, b, c]: &[SVector<f64, 3>; 3]| {
                     let (side, other) = (b - a, c - a);
                     (other - side * (side.dot(&other) / side.norm_squared())).norm()
                 };

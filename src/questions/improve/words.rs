@@ -4,12 +4,20 @@ use core::fmt;
 
 use super::answer::{Binds, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;
+use crate::grasp::inside;
 use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
 impl<const C: usize> fmt::Display for Improved<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        inside(self).write(f)
+    }
+}
+
+impl Improved<3> {
+    /// Writes the sentence.
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let is_reserve = self.goal == ImproveGoal::Reserve;
         let Some(after) = self.after else {
@@ -37,16 +45,14 @@ impl<const C: usize> fmt::Display for Improved<C> {
         }
         write!(f, ". {}", self.proof(words))
     }
-}
 
-impl<const C: usize> Improved<C> {
     /// "left moves 3.1 mm along its edge, right 2 mm along its circle; both press with 10 N".
     fn told(&self, words: Words) -> String {
         let mut far = 0.0_f64;
         for placed in &self.contacts {
             far = far.max(placed.moved);
         }
-        let (mut moves, mut pressed): (Vec<&Placed<C>>, Vec<&Placed<C>>) = (Vec::new(), Vec::new());
+        let (mut moves, mut pressed): (Vec<&Placed<3>>, Vec<&Placed<3>>) = (Vec::new(), Vec::new());
         for placed in &self.contacts {
             if placed.moved > ALIKE_IN_WORDS * far && far > 0.0 {
                 moves.push(placed);
@@ -66,7 +72,7 @@ impl<const C: usize> Improved<C> {
             };
             told.push(listed(&numbered(moves.len(), &one)));
         }
-        let force = |placed: &Placed<C>| words.number(placed.normal_force);
+        let force = |placed: &Placed<3>| words.number(placed.normal_force);
         if let Some(first) = pressed.first() {
             let forces = mapped(&pressed, &|placed| placed.normal_force);
             let most = forces.iter().copied().fold(0.0, f64::max);

@@ -5,7 +5,7 @@ use super::search::{SearchPlan, Tries};
 use super::threshold::Threshold;
 use super::trial::Trial;
 use crate::error::Error;
-use crate::numerics::{increasing, mapped};
+use crate::numerics::{increasing, mapped, moved};
 use crate::prelude::*;
 
 /// The amounts around a bound.
@@ -72,7 +72,7 @@ impl Around {
             around.side(from, up, is_beyond, &amounts, tries)?;
         }
         let lows: Vec<f64> = mapped(&around.elsewhere, &low);
-        around.elsewhere = increasing(&lows).into_iter().map(|i| around.elsewhere[i]).collect();
+        around.elsewhere = moved(increasing(&lows), &|i| around.elsewhere[i]);
         Ok(around)
     }
 

@@ -4,7 +4,7 @@ use super::search::{SearchPlan, Tries};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NEAR_DOUBLINGS};
 use super::trial::Trial;
 use crate::error::Error;
-use crate::numerics::increasing;
+use crate::numerics::{increasing, moved};
 use crate::prelude::*;
 
 /// A sufficient amount between insufficient ones, first where the largest part is carried, then in the middle of the widest gaps near the start.
@@ -42,7 +42,7 @@ fn where_most_is_carried(
 ) -> Result<Option<(f64, Trial)>, Error> {
     let known = vain.iter().filter_map(|(at, trial)| Some((*at, trial.carried()?)));
     let (amounts, carried): (Vec<f64>, Vec<f64>) = known.unzip();
-    let in_order: Vec<_> = increasing(&amounts).into_iter().map(|i| (amounts[i], carried[i])).collect();
+    let in_order: Vec<_> = moved(increasing(&amounts), &|i| (amounts[i], carried[i]));
     let carries_most = |i: &usize, j: &usize| in_order[*i].1.total_cmp(&in_order[*j].1);
     let Some(best) = (0..in_order.len()).max_by(carries_most) else { return Ok(None) };
     // Equal carried parts show no direction.

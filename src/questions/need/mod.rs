@@ -34,6 +34,8 @@ mod answer;
 mod around;
 mod at_amount;
 mod between;
+#[cfg(feature = "serde")]
+mod face;
 mod loading;
 mod needed;
 mod posed;

@@ -13,7 +13,7 @@ use super::trial::{Trial, Trials};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::numerics::mapped;
+use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 
 /// The effort of a search.
@@ -85,7 +85,7 @@ impl<'q, const C: usize> Tried<'q, C> {
 
     pub(super) fn known(&self, demand: Demand) -> Vec<(f64, Trial)> {
         let known = self.known.borrow();
-        known.iter().filter_map(|(at, trials)| Some((*at, trials.of(demand)?.clone()))).collect()
+        picked(&known, &|(at, trials)| Some((*at, trials.of(demand)?.clone())))
     }
 
     /// The amounts tried; those that narrow a bracket count once.

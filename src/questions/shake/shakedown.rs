@@ -14,6 +14,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
+use crate::numerics::{indexed, largest, mapped};
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -158,11 +159,11 @@ impl Program {
         under: &[Vec<SVector<f64, 3>>],
         slips: &[&Vec<SVector<f64, 3>>],
     ) -> Self {
-        let size = |forces: &[SVector<f64, 3>]| forces.iter().map(Matrix::norm).fold(0.0, f64::max);
+        let size = |forces: &[SVector<f64, 3>]| largest(forces, &Matrix::norm);
         let or_one = |x: f64| if x > 0.0 { x } else { 1.0 };
         let force = or_one(size(rest));
-        let unit = force / or_one(under.iter().map(|forces| size(forces)).fold(0.0, f64::max));
-        let units: Vec<f64> = slips.iter().map(|forces| force / or_one(size(forces))).collect();
+        let unit = force / or_one(largest(under, &|forces| size(forces)));
+        let units: Vec<f64> = mapped(slips, &|forces| force / or_one(size(forces)));
         let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for k in 0..=under.len() {
             // A polygon has rows alone.
@@ -209,7 +210,7 @@ impl Program {
             return None;
         }
         let factor = if z[0] >= farthest * (1.0 - NEGLIGIBLE) { f64::INFINITY } else { z[0] * self.units.0 };
-        let sizes = self.units.1.iter().enumerate().map(|(k, unit)| size(k) * unit).collect();
+        let sizes = indexed(&self.units.1, &|(k, unit)| size(k) * unit);
         Some((factor, sizes, multipliers.iter().take(rows).copied().collect()))
     }
 }

@@ -19,7 +19,7 @@ use crate::equilibrium::{ContactForces, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Contact, Engine, Motion, Wrench};
 use crate::load_path::Ramp;
-use crate::numerics::Vector;
+use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -92,9 +92,9 @@ impl Engine {
         };
         let mut least: Option<(f64, usize, Vec<f64>)> = None;
         for (contact, edges) in sticking.edges.iter().enumerate() {
-            let sides: Vec<_> = shares.iter().map(|share| share.forces.of[contact]).collect();
+            let sides: Vec<_> = mapped(&shares, &|share| share.forces.of[contact]);
             for row in edges.in_a_box(&sides) {
-                let signs: Vec<f64> = sides.iter().map(|side| -row.dot(side).signum()).collect();
+                let signs: Vec<f64> = mapped(&sides, &|side| -row.dot(side).signum());
                 let line = corner([&base, &rate], &shares, &signs, contact);
                 if !edges.hold(&line.force, line.force_size) {
                     return Ok(LeastOnset::NotSticking { contact });
@@ -117,7 +117,7 @@ impl Engine {
     /// The commands and the ramp of a corner.
     fn case(&self, ramp: &Ramp<3>, shares: &[Share], signs: &[f64]) -> (Vec<SVector<f64, 3>>, Ramp<3>) {
         let space = self.space();
-        let mut commands: Vec<_> = self.contacts().iter().map(Contact::commanded).collect();
+        let mut commands: Vec<_> = mapped(self.contacts(), &Contact::commanded);
         let (mut base, mut direction) = (ramp.base.coordinates(space), ramp.direction.coordinates(space));
         for (share, sign) in shares.iter().zip(signs) {
             let off = sign * share.bound;

@@ -6,7 +6,7 @@ use super::loads::Loads;
 use crate::contact::{Edges, ZERO_SLACK, is_broken};
 use crate::equilibrium::{ContactForces, Influence, StickingResponse, push};
 use crate::grasp::{Motion, Wrench};
-use crate::numerics::{Harmonic, Vector};
+use crate::numerics::{Harmonic, Vector, mapped, moved, summed};
 use crate::prelude::*;
 
 /// A condition `row·F >= 0`, its value under a load, and the size of its forces.
@@ -30,8 +30,7 @@ pub(super) struct Parts<'l> {
 impl<'l> Parts<'l> {
     pub(super) fn of(sticking: StickingResponse<'_>, loads: &'l Loads<3>) -> Result<Self, Motion<3>> {
         let grasp = sticking.grasp;
-        let commands: Vec<_> =
-            grasp.contacts().iter().map(|contact| SVector::from(contact.commanded())).collect();
+        let commands: Vec<_> = mapped(grasp.contacts(), &|contact| SVector::from(contact.commanded()));
         let squeeze = sticking.forces(&grasp.drive_changes(Some(&commands), None), &Vector::zeros())?;
         let mut without = grasp.drives();
         without.iter_mut().zip(&commands).for_each(|(drive, command)| *drive -= command);
@@ -84,7 +83,7 @@ impl<'l> Parts<'l> {
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);
-        let pressed = pressed + self.base.iter().map(|part| part.sizes[contact]).sum::<f64>();
+        let pressed = pressed + summed(&self.base, &|part| part.sizes[contact]);
         let at = |force: &SVector<f64, 3>, size: f64, load: Wrench<3>| {
             edges.worst(force).map(|(row, value)| Condition { row, value, size, load })
         };
@@ -105,7 +104,7 @@ impl<'l> Parts<'l> {
                     let load = *base + push(point, &against) * *size;
                     Condition { row, value, size: pressed + influence.size * size, load }
                 };
-                edges.on_a_sphere(&force, &influence.of, *size).into_iter().map(condition).collect()
+                moved(edges.on_a_sphere(&force, &influence.of, *size), &condition)
             }
             Loads::Turn(turn) => {
                 let mut force = Harmonic::new(core::array::from_fn(|k| self.base[k].of[contact]));

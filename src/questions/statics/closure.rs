@@ -16,7 +16,7 @@ use crate::contact::{LocalLaw, Mode, Polygon};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, Twist};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Orthogonal, Vector, unit};
+use crate::numerics::{Orthogonal, Vector, largest, mapped, moved, numbered, unit};
 use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
@@ -69,7 +69,7 @@ impl Engine {
     /// [`Statics::form_closure`](crate::ask::Statics::form_closure).
     pub(crate) fn form_closure(&self) -> Result<Closure<3>, Error> {
         self.refuse_joints("form_closure")?;
-        let axes: Vec<_> = (0..self.len()).map(|i| (i, 0)).collect();
+        let axes: Vec<_> = numbered(self.len(), &|i| (i, 0));
         let normals: Vec<_> = self.normals().collect();
         let inside = |forces: &[SVector<f64, 3>]| forces.iter().all(|force| force[0] > NEGLIGIBLE);
         let closure = self.closure(&axes, &normals, &|_| Vec::new(), &inside);
@@ -123,13 +123,13 @@ impl Engine {
                 forces[generator.contact] += generator.force * (share * size);
             }
         }
-        let mut x: Vec<f64> = axes.iter().map(|&(i, axis)| forces[i][axis]).collect();
+        let mut x: Vec<f64> = mapped(axes, &|&(i, axis)| forces[i][axis]);
         factor.project(&mut x, &Vector::zeros());
         for (&(i, axis), x) in axes.iter().zip(&x) {
             forces[i][axis] = *x;
         }
-        let largest = forces.iter().map(SVector::norm).fold(0.0, f64::max);
-        let internal: Vec<_> = forces.into_iter().map(|force| force / largest).collect();
+        let largest = largest(&forces, &SVector::norm);
+        let internal: Vec<_> = moved(forces, &|force| force / largest);
         if inside(&internal) { Closure::Closed { internal } } else { Closure::Boundary }
     }
 

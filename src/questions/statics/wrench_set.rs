@@ -9,7 +9,7 @@ use super::budget::{Budget, WrenchScale};
 use crate::contact::{Coulomb, LocalLaw, tangential, tangential_norm};
 use crate::error::Error;
 use crate::grasp::{Engine, Space, Twist, Wrench};
-use crate::numerics::{Map, Vector, unit};
+use crate::numerics::{Map, Vector, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -78,7 +78,7 @@ impl WrenchSet {
                 return Err(Error::Unlimited { question, contact });
             }
             let cone = local.cone();
-            let corners = || local.polygon.corners.iter().map(|corner| cone.generator(corner)).collect();
+            let corners = || mapped(&local.polygon.corners, &|corner| cone.generator(corner));
             let cone = if local.is_round() {
                 Cone::Round(cone)
             } else if cone.has_edges() {

@@ -7,7 +7,7 @@ use super::margin::{Effect, LOOKED_AT, effect};
 use crate::equilibrium::{Cone, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Space, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::{Size, Vector, largest, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
@@ -41,7 +41,7 @@ impl Course {
 
     /// The largest force with data as known.
     pub(super) fn largest(&self) -> f64 {
-        self.known.iter().map(Matrix::norm).fold(0.0, f64::max)
+        largest(&self.known, &Matrix::norm)
     }
 }
 
@@ -64,7 +64,7 @@ pub(super) fn courses(
         }
         for (source, Course { known, off }) in courses.iter_mut().enumerate() {
             let change = |k: usize, i: usize| seen[k][source][i] - known[i];
-            off.push((0..known.len()).map(|i| effect([0, 1, 2, 3].map(|k| change(k, i)))).collect());
+            off.push(numbered(known.len(), &|i| effect([0, 1, 2, 3].map(|k| change(k, i)))));
         }
     }
     Ok(courses)

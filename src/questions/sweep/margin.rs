@@ -14,7 +14,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::contact::rubs;
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{normal_density, normal_tail};
+use crate::numerics::{dot, normal_density, normal_tail};
 use crate::prelude::*;
 
 /// The effect of a datum is evaluated at these parts of the standard deviations in reserve.
@@ -266,10 +266,6 @@ impl FacetMargin {
         let apart = (1.0 - correlation * correlation).max(0.0).sqrt();
         normal_tail(-ratio(left, apart))
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// A value in units of a standard deviation; infinite, with the sign of the value, if the deviation is zero.

@@ -7,7 +7,7 @@ use crate::contact::State;
 use crate::equilibrium::{Cone, Outcome, Settings, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, face_of_struct, inside, same_on_both_sides};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, numbered};
 use crate::prelude::*;
 
 /// The load up to which a grasp keeps sticking with this number of standard deviations in reserve, in any direction on top of one base load; made by
@@ -97,7 +97,7 @@ impl Engine {
         let mut unresisted = Vec::new();
         for motion in response.piece.free_motions() {
             let of = |k: usize| self.inside_unchecked(&unit(self.space(), k)).dot(motion);
-            let work: Vec<f64> = (0..self.space().of_the_object()).map(of).collect();
+            let work: Vec<f64> = numbered(self.space().of_the_object(), &of);
             unresisted.push(Wrench::among(self.space(), &Vector::from_slice(&work)));
         }
         let spreads = [sigmas, uncertainty.friction, uncertainty.load];

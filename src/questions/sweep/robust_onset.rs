@@ -17,6 +17,7 @@ use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Engine, face_of_struct, same_on_both_sides};
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Ramp};
+use crate::numerics::{moved, summed};
 use crate::prelude::*;
 
 /// An onset of sliding with its spread.
@@ -97,9 +98,10 @@ impl Engine {
         }
         let Some(margins) = OnsetMargins::new(self, event) else { return Ok(None) };
         let moves = self.moves(&margins, event, uncertainty);
-        let norm = |of: &dyn Fn(&Vec<f64>) -> f64| moves.iter().map(|g| of(g).powi(2)).sum::<f64>().sqrt();
+        let norm = |of: &dyn Fn(&Vec<f64>) -> f64| summed(&moves, &|g| of(g).powi(2)).sqrt();
         let leaving: Vec<_> = margins
             .leavers()
+            .into_iter()
             .enumerate()
             .map(|(j, leaving)| LeaverSpread { leaving, deviation: norm(&|g| g[j]) })
             .collect();
@@ -124,7 +126,7 @@ impl Engine {
         event: &OnsetEvent<3>,
         uncertainty: &Uncertainty,
     ) -> Vec<Vec<f64>> {
-        let leavers = margins.leavers().count();
+        let leavers = margins.leavers().len();
         let unknown = || vec![f64::NAN; leavers];
         let Uncertainty { friction, load, .. } = *uncertainty;
         let mut data = self.data(uncertainty);
@@ -143,7 +145,7 @@ impl Engine {
         }
         if load != 0.0 {
             let by = margins.by_load(&event.load).unwrap_or_else(unknown);
-            moves.push(by.into_iter().map(|by| load * by).collect());
+            moves.push(moved(by, &|by| load * by));
         }
         moves
     }

@@ -9,8 +9,8 @@ use super::margin::{Effect, LOOKED_AT, UncertainForce, effect};
 use super::tolerances::PRECISE_FACTOR;
 use crate::contact::Edges;
 use crate::grasp::{Space, Wrench};
-use crate::numerics::normal_tail;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{dot, largest, normal_tail};
 use crate::prelude::*;
 
 /// A grasp that sticks under its base load.
@@ -77,10 +77,8 @@ impl StuckGrasp {
 
     /// The largest factor with at most the allowed failure probability.
     pub(super) fn most(&self, direction: &Wrench<3>) -> f64 {
-        let size = direction.components().iter().map(|x| x.abs()).fold(0.0, f64::max);
-        let work = |motion: &Wrench<3>| {
-            motion.components().iter().zip(direction.components()).map(|(v, w)| v * w).sum::<f64>()
-        };
+        let size = largest(direction.components(), &|x| x.abs());
+        let work = |motion: &Wrench<3>| dot(motion.components(), direction.components());
         if self.unresisted.iter().any(|motion| work(motion).abs() > SOLVED_ROUNDING * size) {
             return 0.0;
         }

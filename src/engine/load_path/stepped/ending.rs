@@ -5,7 +5,7 @@ use crate::contact::Law;
 use crate::load_path::end_of_path::end_of_path;
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
-use crate::numerics::Vector;
+use crate::numerics::{Vector, chosen};
 use crate::prelude::*;
 use crate::search::{Doubt, Settled, settle};
 
@@ -16,7 +16,7 @@ impl<'g> Steps<'g> {
         let fraction = self.standing.fraction;
         let edge = self.standing.edge(journey);
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
-        let leaving = (0..edge.rates.len()).filter(leaves).collect();
+        let leaving = chosen(edge.rates.len(), &leaves);
         if self.pace.speeds.run_to(fraction) {
             // Beyond a maximum forces would continue to change; towards an asymptote they stay while the object moves.
             // Forces stay constant if they change by less than this part of the change that sticking springs would feel. At maxima the ratio is some

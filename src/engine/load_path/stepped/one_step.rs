@@ -7,7 +7,7 @@ use crate::load_path::journey::Journey;
 use crate::load_path::tolerances::SHORTEST_STEP;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, cleared_for};
+use crate::numerics::{Vector, cleared_for, largest};
 use crate::object::{Problem, newton};
 use crate::prelude::*;
 
@@ -26,7 +26,7 @@ pub(super) struct SteppedState {
 impl SteppedState {
     /// The largest contact force, N.
     pub(super) fn largest_force(&self) -> f64 {
-        self.forces.iter().map(SVector::norm_squared).fold(0.0, f64::max).sqrt()
+        largest(&self.forces, &SVector::norm_squared).sqrt()
     }
 
     /// The largest difference of a contact force, N.

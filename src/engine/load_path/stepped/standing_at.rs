@@ -7,6 +7,7 @@ use crate::contact::{Line, Mode, Slide, ZERO_SLACK};
 use crate::equilibrium::Equilibrium;
 use crate::load_path::follower::StandAtEdge;
 use crate::load_path::journey::Journey;
+use crate::numerics::{mapped, numbered};
 use crate::search::Found;
 
 impl SteppedState {
@@ -21,7 +22,7 @@ impl SteppedState {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
         };
-        let states = self.states.iter().map(standing).collect();
+        let states = mapped(&self.states, &standing);
         let found = Found { sizes, ..Found::new(states, self.forces.clone(), self.twist.clone()) };
         journey.equilibrium(&problem, self.fraction, found)
     }
@@ -45,7 +46,7 @@ impl SteppedState {
             }
             local.law_of_rates(&stand, state)
         };
-        let laws = (0..segment.problem.len()).map(law).collect();
+        let laws = numbered(segment.problem.len(), &law);
         StandAtEdge { rates: segment.rates(self.fraction, laws), segment, forces: self.forces.clone() }
     }
 }

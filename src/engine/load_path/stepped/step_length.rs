@@ -8,7 +8,7 @@ use crate::load_path::event::PathEnd;
 use crate::load_path::follower::Advance;
 use crate::load_path::journey::Journey;
 use crate::load_path::tolerances::SHORTEST_STEP;
-use crate::numerics::Vector;
+use crate::numerics::{Vector, largest};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Doubt;
@@ -137,7 +137,7 @@ impl<'g> Steps<'g> {
 
 /// The largest force that sticking springs would make of a motion, N.
 fn most_felt(sites: &[Site], motion: &Vector) -> f64 {
-    sites.iter().map(|site| pull(site, motion)).fold(0.0, f64::max)
+    largest(sites, &|site| pull(site, motion))
 }
 
 /// The force that the springs of a sticking contact make of a motion, N.

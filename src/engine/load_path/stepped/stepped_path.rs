@@ -15,6 +15,7 @@ use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
 use crate::load_path::path::{Path, SteppedPath};
+use crate::numerics::indexed;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, Settings};
@@ -107,7 +108,7 @@ fn at_start(problem: &Problem<'_>, found: Found) -> SteppedState {
         }
         springs.slip(&problem.stretch(i, &found.twist), &found.forces[i])
     };
-    let slips = found.states.iter().enumerate().map(slip).collect();
+    let slips = indexed(&found.states, &slip);
     SteppedState { fraction: 0.0, twist: found.twist, slips, forces: found.forces, states: found.states }
 }
 

@@ -5,7 +5,7 @@ mod names;
 use nalgebra::{Matrix2, Vector2};
 use plotters::style::{Color, RGBColor};
 
-use crate::numerics::{mapped, tried};
+use crate::numerics::{mapped, moved, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
 use crate::picture::contact_look::{cone_size, ink, slope, word};
@@ -105,7 +105,7 @@ impl<'a> Picture<'a> {
             does: state.map(|state| tip.resultant(contacts, state)),
             of: tip,
         };
-        let tips: Vec<_> = fingertips(contacts).into_iter().map(tip).collect();
+        let tips: Vec<_> = moved(fingertips(contacts), &tip);
         let loaded = load.as_ref().map_or(0.0, |load| load.force.norm());
         let doing = || tips.iter().filter_map(|tip| Some((tip, tip.does.as_ref()?)));
         let most = doing().map(|(_, does)| does.force.norm()).fold(loaded, f64::max);
@@ -205,9 +205,12 @@ impl<'a> Picture<'a> {
                 painting.dot(flat(place(at)), 5.0, GREY, false);
             }
         }
-        let yielding = self.of.state.iter().flat_map(|state| self.actuators.that_yield(state));
-        for at in yielding.filter_map(|(_, at)| at) {
-            painting.dot(flat(place(&at)), 8.0, VERMILION, false);
+        if let Some(state) = self.of.state {
+            for (_, at) in self.actuators.that_yield(state) {
+                if let Some(at) = at {
+                    painting.dot(flat(place(&at)), 8.0, VERMILION, false);
+                }
+            }
         }
         for outline in self.of.outlines.iter().filter(|outline| outline.len() > 2) {
             painting.area(outline.iter().map(place), GREY.mix(0.12), -3.0);

@@ -23,14 +23,16 @@ impl Picture<'_> {
         (load, leaves): (Option<&LoadOnPaper<'_>>, Option<Place>),
     ) {
         let mut labels = Labels::new(window.within(4.0), painting.ink());
-        let (placed, elsewhere): (Vec<_>, Vec<_>) = self
-            .of
-            .state
-            .iter()
-            .flat_map(|state| self.actuators.that_yield(state))
-            .partition(|(_, at)| at.is_some());
-        if !elsewhere.is_empty() {
-            let names: Vec<_> = elsewhere.into_iter().map(|(name, _)| name).collect();
+        let (mut placed, mut names) = (Vec::new(), Vec::new());
+        if let Some(state) = self.of.state {
+            for (name, at) in self.actuators.that_yield(state) {
+                match at {
+                    Some(at) => placed.push((name, at)),
+                    None => names.push(name),
+                }
+            }
+        }
+        if !names.is_empty() {
             labels.write_in_the_corner(
                 paper,
                 &format!("At their limit: {}", names.join(", ")),
@@ -50,7 +52,7 @@ impl Picture<'_> {
         if let Some(load) = load {
             load.write(paper, &mut labels, PLANAR.letters);
         }
-        for (name, at) in placed.into_iter().filter_map(|(name, at)| Some((name, at?))) {
+        for (name, at) in placed {
             labels.write(paper, axes.place(at), &[&format!("{name} yields")], PLANAR.letters);
         }
         if let Some(at) = leaves {

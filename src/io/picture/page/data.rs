@@ -5,6 +5,7 @@ use super::eye::View;
 use super::json::{json_list, json_number, json_row};
 use super::mark::Mark;
 use super::marks::{marks_of_the_answer, marks_of_the_grasp};
+use crate::numerics::mapped;
 use crate::picture::error::PictureError;
 use crate::picture::layout::MARKS;
 use crate::picture::palette::{CONTOUR, FACE, GREY, hex};
@@ -21,7 +22,7 @@ impl Drawing<'_> {
     pub(super) fn json(&self) -> Result<String, PictureError> {
         let grasp = marks_of_the_grasp(self);
         let mut frames: Vec<Vec<Mark>> =
-            self.page.frames.iter().map(|frame| marks_of_the_answer(self, Some(frame))).collect();
+            mapped(&self.page.frames, &|frame| marks_of_the_answer(self, Some(frame)));
         if frames.is_empty() {
             frames.push(marks_of_the_answer(self, None));
         }

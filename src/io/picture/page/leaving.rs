@@ -41,7 +41,7 @@ impl Drawing<'_> {
             |(point, twist): &(Vector3<f64>, Twist)| ((*twist * time).exp() * Point3::from(*point)).coords;
         let every = points.len().div_ceil(6).max(1);
         MovedLines {
-            lines: mapped(&lines, &|line| line.iter().map(next).collect()),
+            lines: mapped(&lines, &|line| mapped(line, &next)),
             arrows: points.iter().step_by(every).map(|at| [at.0, next(at)]).collect(),
         }
     }

@@ -75,7 +75,8 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
         marks.extend(marks_of_the_way_out(&drawing.way_out(motion)));
     }
     if let Some(state) = state {
-        for (name, at) in page.actuators.that_yield(state).filter_map(|(name, at)| Some((name, at?))) {
+        for (name, at) in page.actuators.that_yield(state) {
+            let Some(at) = at else { continue };
             marks.push(MarkShape::Dot { at, radius: SPATIAL.contact, ink: VERMILION, open: false }.always());
             marks.push(MarkShape::Name { at, words: format!("{name} yields") }.on(MarkLayer::Names));
         }

@@ -7,7 +7,7 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::eye::Eye;
 use super::mark::{Mark, MarkShape};
-use crate::numerics::{increasing, mapped};
+use crate::numerics::{increasing, mapped, moved, summed};
 use crate::picture::layout::MARKS;
 use crate::picture::painting::{EyePoint, Painting};
 use crate::picture::palette::{CONTOUR, FACE};
@@ -109,7 +109,7 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColo
         painting.area(corners.iter().map(|corner| (corner.x, corner.y)), ink.mix(0.12), depth);
     };
     let depth = |part: &[EyePoint]| {
-        let mean = part.iter().map(|corner| corner.z).sum::<f64>() / part.len() as f64;
+        let mean = summed(part, &|corner| corner.z) / part.len() as f64;
         (apex.z + 2.0 * mean) / 3.0
     };
     if ends.is_empty() {
@@ -129,7 +129,7 @@ fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     // By the first coordinate, and by the second among places of the same first.
     for coordinate in [|place: &(f64, f64)| place.1, |place: &(f64, f64)| place.0] {
         let values: Vec<f64> = mapped(&places, &coordinate);
-        places = increasing(&values).into_iter().map(|i| places[i]).collect();
+        places = moved(increasing(&values), &|i| places[i]);
     }
     let mut corners: Vec<(f64, f64)> = Vec::new();
     let turns_back =

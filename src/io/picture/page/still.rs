@@ -10,6 +10,7 @@ use super::mark::{Mark, MarkLayer, MarkShape};
 use super::marks::{marks_of_the_answer, marks_of_the_grasp};
 use super::paint::{load_ends, painting};
 use super::spatial_page::SpatialPage;
+use crate::numerics::mapped;
 use crate::picture::error::PictureError;
 use crate::picture::labels::Labels;
 use crate::picture::layout::{LEGEND, MARKS, STILL};
@@ -67,7 +68,7 @@ impl SpatialPage {
         let window = Window { left: STILL.margin, top, wide: STILL.room.0, high: STILL.room.1 };
         // The view contains everything of every answer, so that stills can be compared.
         let mut marks = marks_of_the_grasp(&drawing);
-        let mut everything = marks.iter().map(Mark::points).collect::<Vec<_>>().concat();
+        let mut everything = mapped(&marks, &Mark::points).concat();
         for frame in [None].into_iter().chain(self.frames.iter().map(Some)) {
             everything.extend(marks_of_the_answer(&drawing, frame).iter().flat_map(Mark::points));
         }

@@ -7,6 +7,7 @@ use super::frame::Frame;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Equilibrium, WholeAnswer};
 use crate::grasp::{Contact, Hold};
+use crate::numerics::mapped;
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::word;
 use crate::picture::error::PictureError;
@@ -94,7 +95,7 @@ fn write_words<const C: usize>(
     for motion in state.told_free_motions(words) {
         let _ = writeln!(page, "<p>{}.</p>", escaped(&motion));
     }
-    let at_their_limit: Vec<_> = actuators.that_yield(state).map(|(name, _)| escaped(name)).collect();
+    let at_their_limit = mapped(&actuators.that_yield(state), &|(name, _)| escaped(name));
     if !at_their_limit.is_empty() {
         let _ = writeln!(page, "<p>At their limit, and yielding: {}.</p>", at_their_limit.join(", "));
     }

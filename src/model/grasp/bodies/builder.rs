@@ -12,6 +12,7 @@ use crate::grasp::contact::Contact;
 use crate::grasp::face::Face;
 use crate::grasp::hand::{Finger, Hand};
 use crate::grasp::wrench::Wrench;
+use crate::numerics::{mapped, summed};
 use crate::prelude::*;
 
 /// Several bodies that touch each other, the ground and fingers. [`Bodies::grasp`] makes a grasp of them, which is asked like any other.
@@ -127,7 +128,7 @@ impl<const C: usize> Bodies<C> {
             let points = link.contacts_called(&link.called(number))?;
             hand = points.into_iter().map(Finger::fixed).fold(hand, Hand::finger);
         }
-        let names: Vec<Arc<str>> = bodies.iter().map(|body| body.name.clone()).collect();
+        let names: Vec<Arc<str>> = mapped(&bodies, &|body| body.name.clone());
         let refuse = |name: &Arc<str>, fault: String| Err(Error::Body { name: name.to_string(), fault });
         if names.is_empty() {
             return Err(Error::Body { name: String::new(), fault: "no body was given".to_owned() });
@@ -154,7 +155,7 @@ impl<const C: usize> Bodies<C> {
                 None => return refuse(name, format!("is to be loaded, and is none of {}", names.join(", "))),
             },
         };
-        let mass: f64 = bodies.iter().map(|body| body.mass).sum();
+        let mass: f64 = summed(&bodies, &|body| body.mass);
         if loaded == Loaded::ByMass && mass == 0.0 {
             return refuse(
                 &names[0],
@@ -163,12 +164,12 @@ impl<const C: usize> Bodies<C> {
         }
         let sharing = match loaded {
             Loaded::ByMass => {
-                Sharing::ByParts(bodies.iter().map(|body| (body.mass / mass, body.centre.enter())).collect())
+                Sharing::ByParts(mapped(&bodies, &|body| (body.mass / mass, body.centre.enter())))
             }
             Loaded::First | Loaded::Body(_) => Sharing::OnObject,
         };
-        let loads = bodies.iter().map(|body| (body.load + body.weight(&gravity)).enter()).collect();
-        let given = bodies.iter().map(|body| body.load.enter()).collect();
+        let loads = mapped(&bodies, &|body| (body.load + body.weight(&gravity)).enter());
+        let given = mapped(&bodies, &|body| body.load.enter());
         Ok((hand, PlacedBodies::new(names, object, (loads, given), sharing)))
     }
 }

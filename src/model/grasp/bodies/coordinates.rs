@@ -9,7 +9,7 @@ use super::place::{BodyPlace, PlacedBodies};
 use crate::error::Error;
 use crate::grasp::engine::Engine;
 use crate::grasp::wrench::{Twist, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::{Size, Vector, indexed};
 use crate::prelude::*;
 
 impl Engine {
@@ -137,7 +137,7 @@ impl Engine {
             };
             BodyMotion { body: bodies.names[body].clone(), twist, centre: place.centre, reach: place.reach }
         };
-        bodies.places.iter().enumerate().map(of).collect()
+        indexed(&bodies.places, &of)
     }
 
     /// Motion of each body in the user's coordinates, from inside coordinates; that of the object if there are no bodies.

@@ -9,10 +9,9 @@ use nalgebra::SVector;
 use super::link::{Link, LinkPlace};
 use crate::error::{Error, LARGEST, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
+use crate::grasp::{Space, inside, outside};
+use crate::numerics::{indexed, mapped, unit};
 use crate::prelude::*;
-
-/// Unit vectors across a direction: two in space, one in the plane.
-type Across<const C: usize> = Vec<SVector<f64, C>>;
 
 impl<const C: usize> Link<C> {
     /// The contacts that model the link, as [`Bodies::links`](super::Bodies::links) adds them. Given to [`Grasp::new`](crate::ask::Grasp::new), they
@@ -26,6 +25,19 @@ impl<const C: usize> Link<C> {
 
     /// The contacts, named after `name`.
     pub(crate) fn contacts_called(&self, name: &str) -> Result<Vec<Contact<C>>, Error> {
+        inside(self).contacts_in(Space::of::<C>(), name).map(outside)
+    }
+
+    /// Refuses a link of a space as [`Self::contacts`] does.
+    #[cfg(feature = "serde")]
+    pub(crate) fn check_in(&self, space: Space) -> Result<(), Error> {
+        inside(self).contacts_in(space, self.kind().name()).map(drop)
+    }
+}
+
+impl Link<3> {
+    /// The contacts in the plane or in space, named after `name`.
+    fn contacts_in(&self, space: Space, name: &str) -> Result<Vec<Contact<3>>, Error> {
         self.check().map_err(|(field, value, allowed)| Error::Link {
             kind: self.kind().name(),
             name: name.to_owned(),
@@ -33,13 +45,14 @@ impl<const C: usize> Link<C> {
             value,
             allowed,
         })?;
-        let points = self.points();
+        let points = self.points(space);
         let (count, all) = (points.len() as f64, self.stiffness.unwrap_or(Self::STIFF));
         // In space half of the bearings of a slide act along each direction across it.
-        let share =
-            if matches!(self.place, LinkPlace::Slide { .. }) { (C - 1) as f64 / count } else { 1.0 / count };
+        let is_slide = matches!(self.place, LinkPlace::Slide { .. });
+        let share = if is_slide { (space.axes() - 1) as f64 / count } else { 1.0 / count };
         let is_one = points.len() == 1;
-        let named = |(i, mut contact): (usize, Contact<C>)| {
+        let named = |(i, contact): (usize, &Contact<3>)| {
+            let mut contact = contact.clone();
             contact.name = Some(if is_one { name.into() } else { format!("{name} {i}").into() });
             contact.point_of_pad = (!is_one).then_some(i);
             contact.link = Some(self.kind());
@@ -47,19 +60,18 @@ impl<const C: usize> Link<C> {
             contact.clearance = self.slack;
             contact.command[0] = self.pretension / all;
             contact.at_rest = self.tension;
-            contact.series_stiffness_axes([all * share; C])
+            contact.series_stiffness_axes([all * share; 3])
         };
-        Ok(points.into_iter().enumerate().map(named).collect())
+        Ok(indexed(&points, &named))
     }
 
-    fn points(&self) -> Vec<Contact<C>> {
-        let first = || SVector::<f64, C>::from_fn(|a, _| if a == 0 { 1.0 } else { 0.0 });
-        let contact = |point: SVector<f64, C>, normal: SVector<f64, C>| {
-            let mut contact = Contact::new([0.0; C], [0.0; C]);
-            (contact.point, contact.normal) = (point, normal);
+    fn points(&self, space: Space) -> Vec<Contact<3>> {
+        let contact = |point: SVector<f64, 3>, normal: SVector<f64, 3>| {
+            let mut contact = Contact::<3>::new([0.0; 3], [0.0; 3]);
+            (contact.space, contact.point, contact.normal) = (space, point, normal);
             contact
         };
-        let glued = |at: SVector<f64, C>| contact(at, first()).bonded();
+        let glued = |at: SVector<f64, 3>| contact(at, unit(0)).bonded();
         match &self.place {
             LinkPlace::Hinge { point, bearings: None } | LinkPlace::Ball { point } => vec![glued(*point)],
             LinkPlace::Hinge { point, bearings: Some((axis, length)) } => {
@@ -67,19 +79,22 @@ impl<const C: usize> Link<C> {
                 vec![glued(point - arm), glued(point + arm)]
             }
             LinkPlace::Rigid { point, size } => {
-                corners::<C>().into_iter().map(|corner| glued(point + corner * (0.5 * size))).collect()
+                mapped(&corners(space), &|corner| glued(point + corner * (0.5 * size)))
             }
             LinkPlace::Spring { from, to } => vec![contact(*from, to - from).kept_closed()],
             LinkPlace::Cable { from, to } => vec![contact(*from, to - from)],
             LinkPlace::Slide { point, direction, length } => {
                 let along = direction.normalize();
-                let (half, across) = (0.5 * length, across(&along));
+                let (half, across) = (0.5 * length, across(space, &along));
                 let mut points = Vec::new();
                 for normal in &across {
                     // Bearings at both ends, and in space on both sides of them, too, so that the slide cannot turn about its direction.
-                    for arm in core::iter::once(&along).chain(across.iter().filter(|other| *other != normal))
-                    {
-                        points.extend([-half, half].map(|x| contact(point + arm * x, *normal).kept_closed()));
+                    for arm in [&[along], &across[..]].concat() {
+                        if arm != *normal {
+                            for x in [-half, half] {
+                                points.push(contact(point + arm * x, *normal).kept_closed());
+                            }
+                        }
                     }
                 }
                 points
@@ -89,7 +104,7 @@ impl<const C: usize> Link<C> {
 
     /// Checks all numbers; the error has the field, its value, and the allowed values.
     fn check(&self) -> Result<(), (&'static str, f64, &'static str)> {
-        let point = |field, x: &SVector<f64, C>| match x.iter().find(|x| !is_moderate(**x)) {
+        let point = |field, x: &SVector<f64, 3>| match x.iter().find(|x| !is_moderate(**x)) {
             Some(x) => Err((field, *x, MODERATE)),
             None => Ok(()),
         };
@@ -97,7 +112,7 @@ impl<const C: usize> Link<C> {
             |is_so: bool, field, x: f64, allowed| if is_so { Ok(()) } else { Err((field, x, allowed)) };
         let long =
             |field, x: f64| good((1.0 / LARGEST..=LARGEST).contains(&x), field, x, "from 1e-50 to 1e50");
-        let along = |field, x: &SVector<f64, C>| {
+        let along = |field, x: &SVector<f64, 3>| {
             point(field, x)?;
             good(x.norm() > 0.0, field, 0.0, "of a length above zero")
         };
@@ -147,27 +162,21 @@ impl<const C: usize> Link<C> {
 }
 
 /// Unit vectors across `along`, in space also across each other.
-fn across<const C: usize>(along: &SVector<f64, C>) -> Across<C> {
-    if C == 2 {
-        return vec![SVector::from_fn(|a, _| if a == 0 { -along[1] } else { along[0] })];
+fn across(space: Space, along: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
+    if space == Space::Planar {
+        return vec![[-along[1], along[0], 0.0].into()];
     }
-    let mut axis = SVector::<f64, C>::zeros();
-    axis[along.iamin()] = 1.0;
+    let axis = unit::<3>(along.iamin());
     let one = (axis - along * along.dot(&axis)).normalize();
-    let other = SVector::from_fn(|a, _| {
-        let (b, c) = ((a + 1) % C, (a + 2) % C);
-        along[b] * one[c] - along[c] * one[b]
-    });
-    vec![one, other]
+    vec![one, along.cross(&one)]
 }
 
 /// Points at distance 1 that resist moments about all axes equally: two in the plane, the corners of a tetrahedron in space.
-fn corners<const C: usize>() -> Vec<SVector<f64, C>> {
-    if C == 2 {
-        return [-1.0, 1.0].map(|x| SVector::from_fn(|a, _| if a == 0 { x } else { 0.0 })).to_vec();
+fn corners(space: Space) -> Vec<SVector<f64, 3>> {
+    if space == Space::Planar {
+        return vec![-unit(0), unit(0)];
     }
     let side = 1.0 / 3f64.sqrt();
-    [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]]
-        .map(|signs| SVector::from_fn(|a, _| side * signs[a]))
-        .to_vec()
+    let signs = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+    mapped(&signs, &|signs| SVector::from(*signs) * side)
 }

@@ -14,6 +14,7 @@ mod assembled;
 mod body;
 mod builder;
 mod coordinates;
+mod face;
 mod link;
 mod link_points;
 mod place;

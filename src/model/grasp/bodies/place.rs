@@ -10,7 +10,7 @@ use crate::grasp::engine::space_of;
 use crate::grasp::hand::Columns;
 use crate::grasp::wrench::Wrench;
 use crate::numerics::Space;
-use crate::numerics::{Size, Vector};
+use crate::numerics::{Size, Vector, dot, mapped, numbered, paired};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -95,7 +95,7 @@ impl PlacedBodies {
         let refuse = |name: &str, fault: String| Error::Body { name: name.to_owned(), fault };
         let find = |name: &Arc<str>| {
             self.names.iter().position(|other| other == name).ok_or_else(|| {
-                let names: Vec<_> = self.names.iter().map(|name| printable(name)).collect();
+                let names: Vec<_> = mapped(&self.names, &|name| printable(name));
                 let who = contact.said_in_full(index);
                 refuse(name, format!("is named by {who}, and is none of {}", names.join(", ")))
             })
@@ -156,21 +156,19 @@ impl PlacedBodies {
         let list = match &self.sharing {
             Sharing::OnObject => {
                 let on = |body: usize| if body == self.object { *load } else { Wrench::ZERO };
-                return (0..self.names.len()).map(on).collect();
+                return numbered(self.names.len(), &on);
             }
             Sharing::Together { one, loads } => {
-                let along = |x: &Wrench<3>| {
-                    x.components().iter().zip(one.components()).map(|(x, one)| x * one).sum::<f64>()
-                };
+                let along = |x: &Wrench<3>| dot(x.components(), one.components());
                 let times = along(load) / along(one);
-                return loads.iter().map(|of| *of * times).collect();
+                return mapped(loads, &|of| *of * times);
             }
             Sharing::ByParts(list) => list,
         };
         // Each body takes its part of the force at its own centre, then its part of the moment that remains.
         let force = load.force_part();
         let at_centres: Vec<_> =
-            list.iter().map(|(part, centre)| Wrench::force_through(centre, &(force * *part))).collect();
+            mapped(list, &|(part, centre)| Wrench::force_through(centre, &(force * *part)));
         let left = at_centres.iter().fold(*load, |left, wrench| left - *wrench);
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).collect()
     }
@@ -191,7 +189,7 @@ impl PlacedBodies {
     /// [`Error::Body`] if there is no such body.
     pub(super) fn called(&self, name: &Arc<str>) -> Result<usize, Error> {
         self.names.iter().position(|other| other == name).ok_or_else(|| {
-            let names: Vec<_> = self.names.iter().map(|name| printable(name)).collect();
+            let names: Vec<_> = mapped(&self.names, &|name| printable(name));
             let fault = format!("is to be loaded, and is none of {}", names.join(", "));
             Error::Body { name: name.to_string(), fault }
         })
@@ -199,7 +197,7 @@ impl PlacedBodies {
 
     /// These bodies with the loads `put_on` in addition to the constant ones.
     pub(super) fn under(&self, put_on: Vec<Wrench<3>>) -> Self {
-        let loads = self.loads.iter().zip(&put_on).map(|(always, more)| *always + *more).collect();
+        let loads = paired(&self.loads, &put_on, &|(always, more)| *always + *more);
         Self { loads, put_on, ..self.clone() }
     }
 

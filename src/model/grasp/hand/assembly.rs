@@ -12,7 +12,7 @@ use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::bodies::{PlacedBodies, refuse_sides};
 use crate::grasp::engine::Engine;
 use crate::numerics::Space;
-use crate::numerics::{Size, Vector};
+use crate::numerics::{Size, Vector, mapped};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -141,7 +141,7 @@ impl Assembly {
                 stiffness: spring.stiffness,
                 bound: f64::INFINITY,
                 unit: spring.unit,
-                commands: arms.iter().map(|&(j, arm)| (j, arm / unit)).collect(),
+                commands: mapped(&arms, &|&(j, arm)| (j, arm / unit)),
                 rest: 0.0,
             };
             self.drives.push(drive);
@@ -260,7 +260,7 @@ impl Assembly {
             held: joint.torque,
         };
         let linkage = Linkage {
-            joints: self.joints.iter().map(name).collect(),
+            joints: mapped(&self.joints, &name),
             tendons,
             lengths: Vector::from_fn(size, |k| self.lengths[k]),
             motions: self.motions,
@@ -269,7 +269,7 @@ impl Assembly {
             pulled: Vector::zeros(),
             bodies: bodies.map(Box::new),
             bones: self.bones,
-            centres: self.joints.iter().map(|joint| joint.motion.centre()).collect(),
+            centres: mapped(&self.joints, &|joint| joint.motion.centre()),
             commands,
         };
         Engine::by_hand(size, self.contacts, linkage)

@@ -9,6 +9,7 @@ use super::finger::{ContactMover, Finger};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 use crate::grasp::of_axes;
+use crate::numerics::numbered;
 use crate::prelude::*;
 
 impl Assembly {
@@ -154,5 +155,5 @@ fn given(
         return Err(Error::Hand { what, field: "jacobian", value, allowed: MODERATE });
     }
     let column = |j: usize| of_axes(axes, |a| matrix[(a, j)]);
-    Ok((0..expected.1).map(|j| (first + j, column(j))).collect())
+    Ok(numbered(expected.1, &|j| (first + j, column(j))))
 }

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::grasp::tolerances::NEGATIVE_REMAINDER;
+use crate::numerics::chosen;
 use crate::numerics::tolerances::{LINEARLY_DEPENDENT, NEGLIGIBLE};
 use crate::prelude::*;
 
@@ -26,7 +27,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
     let whole = matrix.diagonal();
     let mut rest = (matrix + matrix.transpose()) * 0.5;
     let mut columns = Vec::new();
-    let mut left: Vec<usize> = (0..size).filter(|&j| whole[j] > 0.0).collect();
+    let mut left: Vec<usize> = chosen(size, &|&j| whole[j] > 0.0);
     if (0..size).any(|j| whole[j] < 0.0 || (whole[j] == 0.0 && matrix.column(j).amax() > 0.0)) {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
     }

@@ -1,0 +1,19 @@
+//! Links at the door.
+
+use super::link::{Link, LinkPlace};
+use crate::grasp::{face_of_enum, face_of_struct};
+
+face_of_struct! {
+    Link { name, place, on, against, stiffness, pretension, tension, slack }
+}
+
+face_of_enum! {
+    LinkPlace {
+        Hinge { point: point, bearings: bearings },
+        Ball { point: point },
+        Slide { point: point, direction: direction, length: length },
+        Rigid { point: point, size: size },
+        Spring { from: from, to: to },
+        Cable { from: from, to: to },
+    }
+}

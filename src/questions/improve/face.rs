@@ -1,0 +1,27 @@
+//! Questions for finger places, and their answers, at the door.
+
+use super::answer::{Improved, InTheWay, Placed, SearchEnd};
+use super::goal::ImproveGoal;
+use super::question::Improve;
+use super::surface::Surface;
+use crate::grasp::{Face, face_of_struct, same_on_both_sides};
+
+face_of_struct! {
+    Improve { base, load, loads, any_force, at, at_most, goal, starts, steps, seed, turn, surfaces, most }
+    Improved { goal, before, after, force, contacts, in_the_way, search, residual, starts, steps }
+    Placed { contact, surface, point, normal, tangent, command, moved, pressed_with, normal_force }
+}
+
+same_on_both_sides! { ImproveGoal, InTheWay, SearchEnd, u64 }
+
+impl<const C: usize> Face for Surface<C> {
+    type Inside = Surface<3>;
+
+    fn enter(self) -> Surface<3> {
+        Surface(self.0)
+    }
+
+    fn leave(inside: Surface<3>) -> Self {
+        Self(inside.0)
+    }
+}
