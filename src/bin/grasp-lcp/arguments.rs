@@ -278,7 +278,7 @@ pub(crate) enum SchemaOf {
 }
 
 /// The scene, and the form of the answer.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct Ask {
     /// The scene; `-` for standard input.
     pub(crate) scene: PathBuf,

@@ -17,7 +17,7 @@ pub(crate) enum Template {
     Hand,
     /// A wedge in a gap, in the plane.
     Wedge,
-    /// Two jaws on a part from a mesh: `new grip part.stl --jaws 20x30mm --closing 1,0,0 --force 40`.
+    /// Two jaws on a part from a mesh: `new grip part.stl --jaws 20x30mm --closing 1,0,0 --force 40`; with `--ask` answered at once.
     #[cfg(feature = "mesh")]
     Grip,
 }
