@@ -31,7 +31,8 @@ fn one_command_leads_from_a_mesh_to_a_verdict() {
     };
     assert!(grip("8", "0.8").starts_with("HOLDS, everything sticks: 8 N"), "{}", grip("8", "0.8"));
     assert!(grip("8", "0.9").starts_with("SLIPS OUT at 8 N of 8.829 N"), "{}", grip("8", "0.9"));
-    let beyond = run(&["new", "grip", &mesh, "--jaws", "20x30mm", "--force", "8", "--at", "20,60,15mm", "--ask"]);
+    let beyond =
+        run(&["new", "grip", &mesh, "--jaws", "20x30mm", "--force", "8", "--at", "20,60,15mm", "--ask"]);
     assert!(text(&beyond.stderr).contains("misses the part with 50 %"), "{}", text(&beyond.stderr));
 }
 

@@ -32,6 +32,7 @@
 //! | `shared_by_mass` | `true`: loads of questions act on all bodies, on each with the share of its mass | `false` |
 //! | `outline` | corners of the object in order, m, a closed line that may go over itself; only drawn | none |
 //! | `part` | the grasped part as a mesh, in space, see below (feature `mesh`) | none |
+//! | `robot` | a robot from its description file, in space, see below (feature `urdf`) | none |
 //! | `questions` | a list of questions | none |
 //! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
 //!
@@ -122,7 +123,8 @@
 //! | `contacts` | a list of contacts, at least one; stiffness may be left out where there is a `compliance` | | an error |
 //!
 //! Its contacts may name the joints that move them: `"moved_by": {"link": 1}`, the number of the finger's joints counted from the palm, or
-//! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint. Otherwise all joints of the finger move them. Contacts of
+//! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint; in space three more rows, angular velocities of the link, may
+//! follow, and must for a soft fingertip. Otherwise all joints of the finger move them. Contacts of
 //! fingers have the numbers behind those of the list `contacts`. Every contact with a `force` has a slide, a joint behind all joints of fingers.
 //!
 //! A joint is `"revolute"` – `{"point": [x, y]}` in the plane, `{"point": …, "axis": …}` in space –, `"prismatic"` (a direction), or neither,
@@ -136,6 +138,21 @@
 //! | `torque`, of a tendon `tension` | constant torque or force beside the drive | N m or N | 0 |
 //! | `limit` | `{"saturates": …}` or `{"slips": …}`, see [`Limit`](crate::grasp::Limit) | N m or N | none |
 //! | `pushes`, of a tendon alone | `true` for a rod or a differential, which also pushes | | pulls only |
+//!
+//! A robot (module `robot`) is `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "contacts": {"thumb_tip": […]}}`:
+//!
+//! | field | value | unit | if left out |
+//! |---|---|---|---|
+//! | `urdf` | its file; a relative path counts from the folder of the scene | | an error |
+//! | `at`, `turned_deg` | place of its root link, and its roll, pitch and yaw | m, degrees | 0 |
+//! | `joints` | where its joints are, by name | degrees, m | 0 |
+//! | `commanded` | where its joints are commanded to be | degrees, m | where they are |
+//! | `stiffness` | of its joints, by name; `others` is that of all others | N m/rad, N/m | an error |
+//! | `effort` | `"from file"`: motors stall at the efforts of the file | | no limits |
+//! | `contacts` | lists of contacts by the link that they are on, in the frame of the link; `touches` counts from there, too | | an error |
+//!
+//! Its contacts have the numbers behind all others: first those on links that no joint moves, then finger by finger. Joints that mimic another share its
+//! coordinate.
 //!
 //! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
 //! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; a part that is left out is zero. `"at":
@@ -369,6 +386,8 @@ mod path;
 #[cfg(feature = "json")]
 mod plain_words;
 mod question;
+#[cfg(feature = "urdf")]
+mod robot;
 mod settings;
 mod setup;
 mod solved;
@@ -400,6 +419,8 @@ pub use part::{PadLayer, PartSetup, Touches};
 pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::Question;
+#[cfg(feature = "urdf")]
+pub use robot::{Effort, RobotSetup};
 pub use setup::Setup;
 pub use solved::SolveAnswer;
 pub use warning::Warning;

@@ -131,7 +131,7 @@ impl Touches {
     ) -> Result<Touched, Error> {
         let Some(part) = &self.part else {
             let fault =
-                "the part is not read; `Scene::with_part_from` reads it from a folder, as the program does";
+                "the part is not read; `Scene::with_files_from` reads it from a folder, as the program does";
             return Err(Error::Mesh { fault: fault.to_owned() });
         };
         Touch::new(self.pad()?, inside(contact).into_owned()).on_as(index, part)
@@ -170,6 +170,14 @@ impl<const C: usize> Setup<C> {
             setup.read = Some(part);
         }
         self
+    }
+
+    fn with_files_from(self, folder: &Path) -> Result<Self, Error> {
+        #[cfg(feature = "urdf")]
+        let this = self.with_robot_from(folder)?;
+        #[cfg(not(feature = "urdf"))]
+        let this = self;
+        this.with_part_from(folder)
     }
 
     fn with_part_from(self, folder: &Path) -> Result<Self, Error> {
@@ -220,14 +228,16 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Scene {
-    /// This scene with the mesh of its part, if it has one. Relative paths count from the folder, which is usually that of the scene's file.
+    /// This scene with the mesh of its part, and the fingers of its robot, if it has them (feature `urdf`). Relative paths count from the folder, which is
+    /// usually that of the scene's file.
     ///
     /// # Errors
-    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range.
-    pub fn with_part_from(self, folder: impl AsRef<Path>) -> Result<Self, Error> {
+    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range, and as for a
+    /// `Robot` that is read.
+    pub fn with_files_from(self, folder: impl AsRef<Path>) -> Result<Self, Error> {
         let space = match self.space {
             Space::Planar(setup) => Space::Planar(setup),
-            Space::Spatial(setup) => Space::Spatial(setup.with_part_from(folder.as_ref())?),
+            Space::Spatial(setup) => Space::Spatial(setup.with_files_from(folder.as_ref())?),
         };
         Ok(Self { space, ..self })
     }

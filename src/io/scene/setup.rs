@@ -77,6 +77,10 @@ pub struct Setup<const C: usize> {
     #[cfg(feature = "mesh")]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<super::part::PartSetup>,
+    /// The robot that holds the object; contacts are on its links.
+    #[cfg(feature = "urdf")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub robot: Option<super::robot::RobotSetup<C>>,
     /// The questions, in the order of their answers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub questions: Vec<Question<C>>,
@@ -113,6 +117,11 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a setup", |Fields(setup): Fields<C>| {
             setup.check_bodies()?;
+            #[cfg(feature = "urdf")]
+            if setup.robot.is_some() {
+                // Its contacts are known, and questions are checked, once its file is read.
+                return setup.check_robot().map(|()| setup);
+            }
             if setup.entries().next().is_none() && setup.links.is_empty() {
                 return Err(Error::EmptyGrasp.to_string());
             }
@@ -154,6 +163,8 @@ impl<const C: usize> Setup<C> {
             outline: Vec::new(),
             #[cfg(feature = "mesh")]
             part: None,
+            #[cfg(feature = "urdf")]
+            robot: None,
             questions: Vec::new(),
             settings: Settings::default(),
         }
