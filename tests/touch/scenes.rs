@@ -124,3 +124,28 @@ fn a_held_force_and_profiles_are_read() {
     let [Answer::Hold(answer)] = &answers[..] else { panic!("one verdict") };
     assert!((answer.verdict.lost.as_ref().expect("is lost").factor - 0.4).abs() < 1e-6);
 }
+
+/// Corners and faces in the scene itself: no file is read, and what is written has them again.
+#[test]
+fn a_part_may_be_given_by_arrays() {
+    let (corners, faces) = bracket();
+    let with = |part: Value| {
+        let mut scene = scene_at(0.025);
+        scene["spatial"]["part"] = part;
+        read(&scene)
+    };
+    let part = json!({ "vertices": corners, "faces": faces, "unit": "mm", "density": 7850 });
+    let scene = with(part.clone()).expect("a scene");
+    let expected = read(&scene_at(0.025)).expect("a scene").with_files_from(folder()).expect("its part");
+    assert_eq!(scene.answers().expect("answered"), expected.answers().expect("answered"));
+    let again = read(&serde_json::to_value(&scene).expect("written")).expect("read");
+    assert_eq!(again, scene);
+    for (part, said) in [
+        (json!({ "unit": "mm" }), "must have a `mesh`, or `vertices` and `faces`"),
+        (json!({ "mesh": "a.stl", "vertices": corners, "faces": faces }), "must have a `mesh`, or"),
+        (json!({ "vertices": corners }), "has no faces"),
+    ] {
+        let error = with(part).expect_err("is refused");
+        assert!(error.contains(said), "{error}");
+    }
+}

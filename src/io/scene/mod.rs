@@ -70,7 +70,7 @@
 //! pressure is `"uniform"` (if left out), `"parabolic"` or `"hertz"`.
 //!
 //! A part (module `touch`): `{"mesh": "part.stl", "unit": "mm", "density": 7850}`. The file ends in `.stl` or `.obj`, and a relative path counts from the
-//! folder of the scene; the unit is `m` (if left out), `cm`, `mm` or `in`; `mass`, kg, may stand in place of `density`, kg/m³. Pads touch it:
+//! folder of the scene; `vertices` and `faces` may stand in its place. The unit is `m` (if left out), `cm`, `mm` or `in`; `mass`, kg, may stand in place of `density`, kg/m³. Pads touch it:
 //!
 //! | field of `touches` | value | unit | if left out |
 //! |---|---|---|---|
@@ -139,20 +139,11 @@
 //! | `limit` | `{"saturates": …}` or `{"slips": …}`, see [`Limit`](crate::grasp::Limit) | N m or N | none |
 //! | `pushes`, of a tendon alone | `true` for a rod or a differential, which also pushes | | pulls only |
 //!
-//! A robot (module `robot`) is `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "contacts": {"thumb_tip": […]}}`:
-//!
-//! | field | value | unit | if left out |
-//! |---|---|---|---|
-//! | `urdf` | its file; a relative path counts from the folder of the scene | | an error |
-//! | `at`, `turned_deg` | place of its root link, and its roll, pitch and yaw | m, degrees | 0 |
-//! | `joints` | where its joints are, by name | degrees, m | 0 |
-//! | `commanded` | where its joints are commanded to be | degrees, m | where they are |
-//! | `stiffness` | of its joints, by name; `others` is that of all others | N m/rad, N/m | an error |
-//! | `effort` | `"from file"`: motors stall at the efforts of the file | | no limits |
-//! | `contacts` | lists of contacts by the link that they are on, in the frame of the link; `touches` counts from there, too | | an error |
-//!
-//! Its contacts have the numbers behind all others: first those on links that no joint moves, then finger by finger. Joints that mimic another share its
-//! coordinate.
+//! A robot (module `robot`) is `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "contacts": {"thumb_tip": […]}}`, in space,
+//! with a file that counts from the folder of the scene. `at` and `turned_deg` are the place of its root link, m, and roll, pitch and yaw. `joints` and
+//! `commanded` say where its joints are and where they are commanded to be, in degrees or m; `stiffness` has N m/rad or N/m, with `others` for all that are
+//! not named; `"effort": "from file"` limits motors. `contacts` are lists by link, in the frame of the link, that of `touches` included. Their numbers stand
+//! behind all others: first those on links that no joint moves, then finger by finger.
 //!
 //! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
 //! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; a part that is left out is zero. `"at":

@@ -11,14 +11,21 @@ use crate::error::Error;
 use crate::grasp::{Contact, inside, outside};
 use crate::touch::{Pad, Part, Touch, Touched, Unit};
 
-/// The grasped part, `{"mesh": "part.stl", "unit": "mm", "density": 7850}`; see [`Part`].
+/// The grasped part, `{"mesh": "part.stl", "unit": "mm", "density": 7850}` or with `vertices` and `faces`; see [`Part`].
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct PartSetup {
     /// A file that ends in `.stl` or `.obj`; a relative path counts from the folder of the scene.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub mesh: String,
+    /// Corners of the mesh, in place of a file.
+    #[serde(default, skip_serializing_if = "<[_]>::is_empty")]
+    pub vertices: Arc<[[f64; 3]]>,
+    /// The three corners of each face, by their index from 0, counterclockwise as seen from outside.
+    #[serde(default, skip_serializing_if = "<[_]>::is_empty")]
+    pub faces: Arc<[[usize; 3]]>,
     /// The unit of its lengths; m if left out.
     #[serde(default)]
     pub unit: Unit,
@@ -81,12 +88,18 @@ impl PartSetup {
     /// A part from this file, without mass.
     #[must_use]
     pub fn new(mesh: impl Into<String>, unit: Unit) -> Self {
-        Self { mesh: mesh.into(), unit, mass: None, density: None, read: None }
+        let (vertices, faces) = (Arc::new([]), Arc::new([]));
+        Self { mesh: mesh.into(), vertices, faces, unit, mass: None, density: None, read: None }
     }
 
-    /// The part, from a folder from which relative paths count.
+    /// The part, from its arrays or from a folder from which relative paths count.
     fn read_from(&self, folder: &Path) -> Result<Part, Error> {
-        let part = Part::read(folder.join(&self.mesh), self.unit)?;
+        let part = if self.vertices.is_empty() {
+            Part::read(folder.join(&self.mesh), self.unit)?
+        } else {
+            let corner = |corner: &[f64; 3]| corner.map(|x| self.unit.in_metres(x));
+            Part::new(&self.vertices.iter().map(corner).collect::<Vec<_>>(), &self.faces)?
+        };
         match (self.mass, self.density) {
             (Some(mass), _) => part.of_mass(mass),
             (None, Some(density)) => part.of_density(density),
@@ -192,9 +205,18 @@ impl<const C: usize> Setup<C> {
         self.part.as_ref()?.read.as_deref()
     }
 
+    /// This setup, checked, with a part that is given by arrays; and whether all contacts have their points.
+    pub(super) fn with_part_of_arrays(self) -> Result<(Self, bool), String> {
+        let has_points = self.check_part()?;
+        if self.part.as_ref().is_none_or(|part| part.vertices.is_empty()) {
+            return Ok((self, has_points));
+        }
+        Ok((self.with_part_from(Path::new("")).map_err(|error| error.to_string())?, true))
+    }
+
     /// Refuses pads without a part, and a part in the plane. Returns whether all contacts have their points: those of pads are found once the mesh is
     /// read.
-    pub(super) fn check_part(&self) -> Result<bool, String> {
+    fn check_part(&self) -> Result<bool, String> {
         let touches = self.entries().position(|entry| entry.touches.is_some());
         match (&self.part, touches) {
             (None, Some(contact)) => {
@@ -203,6 +225,9 @@ impl<const C: usize> Setup<C> {
             (Some(_), _) if C != 3 => Err("part: a mesh belongs to a spatial scene".to_owned()),
             (Some(part), _) if part.mass.is_some() && part.density.is_some() => {
                 Err("part: mass and density given, must be one of them".to_owned())
+            }
+            (Some(part), _) if part.mesh.is_empty() == part.vertices.is_empty() => {
+                Err("part: must have a `mesh`, or `vertices` and `faces`".to_owned())
             }
             _ => Ok(touches.is_none()),
         }

@@ -126,7 +126,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
                 return Err(Error::EmptyGrasp.to_string());
             }
             #[cfg(feature = "mesh")]
-            let has_points = setup.check_part()?;
+            let (setup, has_points) = setup.with_part_of_arrays()?;
             #[cfg(not(feature = "mesh"))]
             let has_points = true;
             if has_points && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
