@@ -36,6 +36,8 @@ pub(crate) trait Held: Send + Sync {
     fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>>;
     /// Mass, kg, and centre of mass, m, of the part of the scene, as far as they are known.
     fn part(&self) -> (Option<f64>, Option<[f64; 3]>);
+    /// Points of all contacts, and edges of the part, m.
+    fn places(&self) -> PyResult<(Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>)>;
     /// The grasp in an equilibrium that JSON describes, or at rest, as SVG or as a page. `None` for hands, several bodies, and pages in the plane.
     fn drawn(&self, state: Option<&str>, title: &str, page: bool) -> PyResult<Option<String>>;
 }
@@ -211,6 +213,12 @@ where
         (part.and_then(Part::mass), part.and_then(Part::centre_of_mass))
     }
 
+    fn places(&self) -> PyResult<(Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>)> {
+        let made = self.setup.grasp().map_err(refused)?;
+        let points = made.contacts().iter().map(|contact| contact.point().as_slice().to_vec()).collect();
+        Ok((points, self.setup.part_read().map_or_else(Vec::new, |part| part.edges(0.5))))
+    }
+
     fn watch(&self) -> PyResult<Watch> {
         Contact::watch(self.without_joints("watch").map_err(refused)?.contacts())
     }
@@ -274,6 +282,10 @@ impl Grasp {
 
     fn part(&self) -> (Option<f64>, Option<[f64; 3]>) {
         self.held.part()
+    }
+
+    fn places(&self) -> PyResult<(Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>)> {
+        self.held.places()
     }
 
     fn solve(&self, load: &Bound<'_, PyAny>) -> PyResult<Reply> {

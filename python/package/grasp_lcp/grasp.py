@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from . import _grasp_lcp
 from ._bodies import bodies_in_scene
 from ._columns import STIFFNESSES, as_written, columns, dumped, finite, floats, listed, one_each, plain, with_arrays, wrench_json
+from ._drawing import draw_into
 from ._hands import scene_of_hand
 from ._mesh import scene_of_mesh
 from ._mujoco import hand_of_body
@@ -359,6 +360,14 @@ class Grasp:
         :raises ValueError: if nothing presses on it, for unequal friction along tangents, and for free and ball joints behind a contact.
         """
         return cls.hand(**hand_of_body(model, data, body))
+
+    def draw(self, ax: Any, state: Equilibrium | None = None) -> None:
+        """Draws the grasp into the axes of matplotlib: the object, its contacts, and the forces of an equilibrium.
+
+        :param ax: axes of a plot; in space with ``projection="3d"``.
+        :param state: an equilibrium of this grasp; without one the contacts alone are drawn. The longest force has a third of the size of the grasp.
+        """
+        draw_into(ax, self._held.places(), self.to_dict()["planar" if self.axes == 2 else "spatial"], state)
 
     @property
     def mass(self) -> float | None:
