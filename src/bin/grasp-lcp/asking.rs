@@ -62,6 +62,17 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, asked: &Command) -> Result<Exi
             _ => {}
         }
     }
+    if matches!(asked, Command::Hold { vary_stiffness: true, .. }) {
+        let depends = match &scene.space {
+            Space::Planar(setup) => setup.depends_on_tangential_stiffness(),
+            Space::Spatial(setup) => setup.depends_on_tangential_stiffness(),
+        };
+        let depends = depends.map_err(|error| files::refused(&ask.scene, &error))?;
+        let said = if depends.is_empty() { "stays within" } else { "CHANGES by more than" };
+        eprintln!(
+            "stiffness: what it holds {said} 5 % with a tenth or ten times the stiffness along tangents"
+        );
+    }
     let undecided = match &answers {
         Answers::Planar(list) => list.iter().any(is_undecided),
         Answers::Spatial(list) => list.iter().any(is_undecided),

@@ -384,6 +384,7 @@ mod setup;
 mod solved;
 mod springs;
 mod surface;
+mod tangential;
 mod tolerances;
 mod turn;
 mod warning;
