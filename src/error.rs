@@ -106,6 +106,13 @@ pub enum Error {
         /// The fault, and what must be.
         fault: String,
     },
+    /// A description of a robot that cannot be read, or a link or a joint that it has not.
+    #[cfg(feature = "urdf")]
+    #[error("robot: {fault}")]
+    Robot {
+        /// The fault, and what must be.
+        fault: String,
+    },
     /// A pad that does not meet the part on which it closes, or begins inside of it.
     #[cfg(feature = "mesh")]
     #[error("contact {contact}: {fault}")]

@@ -170,6 +170,8 @@ pub use io::schema;
 pub use io::stream;
 pub(crate) use model::contact;
 pub use model::grasp;
+#[cfg(feature = "urdf")]
+pub use model::robot;
 #[cfg(feature = "mesh")]
 pub use model::touch;
 pub use questions::{ask, energy, hold, identify, improve, need, screening, shake, squeeze, statics, sweep};

@@ -118,10 +118,11 @@ def touches(model: mujoco.MjModel, data: mujoco.MjData) -> list[Touch]:
 
 
 def grasp_of(model: mujoco.MjModel, held: Sequence[Touch]) -> Grasp:
-    """The grasp of contacts that were read without a load. Its origin is the centre of mass, so that a weight is a force alone.
+    """The grasp of contacts that were read without a load, with the fingers as springs, as a watch needs it.
 
-    Along the normal the actuator is in series with the contact, which gives by its depth under its force. Along the tangents
-    MuJoCo's contact is no spring but the damper that creeps: here it is rigid, and the finger's joints give alone.
+    ``Grasp.from_mujoco`` has their joints and motors. The origin is the centre of mass, so that a weight is a force alone. Along the normal the
+    actuator is in series with the contact, which gives by its depth under its force. Along the tangents MuJoCo's contact is no spring but the
+    damper that creeps: here it is rigid, and the finger's joints give alone.
     """
     numbers = [touch.finger.removeprefix("finger") for touch in held]
     across, along = ([model.joint(f"{joint}{k}").stiffness[0] for k in numbers] for joint in ("across", "along"))
@@ -205,8 +206,8 @@ def main(picture: Path = PICTURE, fractions: Sequence[float] = FRACTIONS) -> Non
     """Read the contacts, ask for the onset, and print and draw what the simulator does under loads around it."""
     models = [(f"{cone} {impratio:g}", scene(cone, impratio)) for cone, impratio in SETTINGS]
     model = models[-1][1]
-    held = touches(model, squeezed(model))
-    grasp = grasp_of(model, held)
+    data = squeezed(model)
+    grasp, held = Grasp.from_mujoco(model, data, "object"), touches(model, data)
     answer = grasp.onset([0, 0, -1])
     print(answer)
     onset = answer.factor

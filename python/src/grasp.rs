@@ -7,6 +7,7 @@ use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Ramp, Turn};
 use grasp_lcp::scene::{Answer, Answers, Question, Scene, Setup, Space};
+use grasp_lcp::touch::Part;
 use numpy::PyReadonlyArray2;
 use numpy::ndarray::ArrayView1;
 use pyo3::prelude::*;
@@ -33,6 +34,10 @@ pub(crate) trait Held: Send + Sync {
     fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String>;
     fn watch(&self) -> PyResult<Watch>;
     fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>>;
+    /// Mass, kg, and centre of mass, m, of the part of the scene, as far as they are known.
+    fn part(&self) -> (Option<f64>, Option<[f64; 3]>);
+    /// Points of all contacts, and edges of the part, m.
+    fn places(&self) -> PyResult<(Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>)>;
     /// The grasp in an equilibrium that JSON describes, or at rest, as SVG or as a page. `None` for hands, several bodies, and pages in the plane.
     fn drawn(&self, state: Option<&str>, title: &str, page: bool) -> PyResult<Option<String>>;
 }
@@ -203,6 +208,17 @@ where
         Ok(setup.warnings().map_err(refused)?.iter().map(ToString::to_string).collect())
     }
 
+    fn part(&self) -> (Option<f64>, Option<[f64; 3]>) {
+        let part = self.setup.part_read();
+        (part.and_then(Part::mass), part.and_then(Part::centre_of_mass))
+    }
+
+    fn places(&self) -> PyResult<(Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>)> {
+        let made = self.setup.grasp().map_err(refused)?;
+        let points = made.contacts().iter().map(|contact| contact.point().as_slice().to_vec()).collect();
+        Ok((points, self.setup.part_read().map_or_else(Vec::new, |part| part.edges(0.5))))
+    }
+
     fn watch(&self) -> PyResult<Watch> {
         Contact::watch(self.without_joints("watch").map_err(refused)?.contacts())
     }
@@ -241,7 +257,7 @@ impl Grasp {
     #[staticmethod]
     #[pyo3(signature = (text, made=false))]
     fn of_json(text: &str, made: bool) -> PyResult<Self> {
-        let scene = read(text, made)?;
+        let scene = read(text, made)?.with_files_from("").map_err(refused)?;
         Ok(Self {
             held: match scene.space {
                 Space::Planar(setup) => Kept::new(alone(setup)).map_err(refused)?,
@@ -262,6 +278,14 @@ impl Grasp {
     #[getter]
     fn contacts(&self) -> usize {
         self.held.contacts()
+    }
+
+    fn part(&self) -> (Option<f64>, Option<[f64; 3]>) {
+        self.held.part()
+    }
+
+    fn places(&self) -> PyResult<(Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>)> {
+        self.held.places()
     }
 
     fn solve(&self, load: &Bound<'_, PyAny>) -> PyResult<Reply> {
@@ -366,7 +390,7 @@ fn read(text: &str, made: bool) -> PyResult<Scene> {
 /// The answers to all questions of a scene, in JSON.
 #[pyfunction]
 pub(crate) fn answers_of_scene(py: Python<'_>, text: &str, made: bool) -> PyResult<String> {
-    let scene = read(text, made)?;
+    let scene = read(text, made)?.with_files_from("").map_err(refused)?;
     json(&py.detach(|| scene.answers()).map_err(refused)?)
 }
 

@@ -2,5 +2,7 @@
 
 pub(crate) mod contact;
 pub mod grasp;
+#[cfg(feature = "urdf")]
+pub mod robot;
 #[cfg(feature = "mesh")]
 pub mod touch;

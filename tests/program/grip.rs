@@ -21,6 +21,21 @@ fn block(name: &str) -> PathBuf {
     path
 }
 
+/// 8 N hold 8 N by friction of 0.5 at both jaws; the mass is that of the volume in steel.
+#[test]
+fn one_command_leads_from_a_mesh_to_a_verdict() {
+    let mesh = block("grip_asked").display().to_string();
+    let grip = |force: &str, mass: &str| {
+        let to = ["new", "grip", &mesh, "--jaws", "20x30mm", "--force", force, "--mass", mass, "--ask"];
+        text(&run(&to).stdout).lines().next().unwrap_or_default().to_owned()
+    };
+    assert!(grip("8", "0.8").starts_with("HOLDS, everything sticks: 8 N"), "{}", grip("8", "0.8"));
+    assert!(grip("8", "0.9").starts_with("SLIPS OUT at 8 N of 8.829 N"), "{}", grip("8", "0.9"));
+    let beyond =
+        run(&["new", "grip", &mesh, "--jaws", "20x30mm", "--force", "8", "--at", "20,60,15mm", "--ask"]);
+    assert!(text(&beyond.stderr).contains("misses the part with 50 %"), "{}", text(&beyond.stderr));
+}
+
 #[test]
 fn two_commands_lead_from_a_mesh_to_a_verdict() {
     let mesh = block("grip").display().to_string();

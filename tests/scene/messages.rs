@@ -198,15 +198,16 @@ fn what_is_missing_doubled_or_unknown_is_named() {
     ];
     for (from, to, expected) in cases {
         let message = message(from, to);
-        // Contacts from surfaces have two fields more.
-        let with_meshes = [
-            ("`normal`, `tangent`", "`normal`, `touches`, `tangent`"),
-            ("`outline`, ", "`outline`, `part`, "),
+        // Contacts from surfaces have two fields more, robots one.
+        let of_features = [
+            (cfg!(feature = "mesh"), "`normal`, `tangent`", "`normal`, `touches`, `tangent`"),
+            (cfg!(feature = "mesh"), "`outline`, ", "`outline`, `part`, "),
+            (cfg!(feature = "urdf"), "`part`, ", "`part`, `robot`, "),
         ];
-        let expected = with_meshes
+        let expected = of_features
             .iter()
-            .filter(|_| cfg!(feature = "mesh"))
-            .fold(expected.to_owned(), |expected, (without, with)| expected.replace(without, with));
+            .filter(|(is_on, ..)| *is_on)
+            .fold(expected.to_owned(), |expected, (_, without, with)| expected.replace(without, with));
         assert!(message.contains(&expected) && message.starts_with("line "), "{message}");
     }
     let empty = r#"{"format": "grasp-lcp/1", "spatial": {"contacts": []}}"#;

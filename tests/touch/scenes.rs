@@ -44,7 +44,7 @@ fn read(scene: &Value) -> Result<Scene, String> {
 
 #[test]
 fn a_scene_is_laid_on_its_part() {
-    let scene = read(&scene_at(0.025)).expect("a scene").with_part_from(folder()).expect("its part");
+    let scene = read(&scene_at(0.025)).expect("a scene").with_files_from(folder()).expect("its part");
     assert_eq!(scene.warnings().expect("answered"), []);
     let Answers::Spatial(answers) = scene.answers().expect("answered") else { panic!("in space") };
     let [Answer::Hold(answer)] = &answers[..] else { panic!("one verdict") };
@@ -69,7 +69,7 @@ fn a_scene_is_written_as_it_was_read() {
 /// The leg ends at 40 mm.
 #[test]
 fn a_pad_that_misses_in_part_is_named() {
-    let scene = read(&scene_at(0.04)).expect("a scene").with_part_from(folder()).expect("its part");
+    let scene = read(&scene_at(0.04)).expect("a scene").with_files_from(folder()).expect("its part");
     let warnings = scene.warnings().expect("answered");
     let missing = |warning: &Warning| matches!(warning, Warning::MissesInPart { missing, .. } if (*missing - 0.5).abs() < 1e-12);
     assert_eq!(warnings.iter().filter(|warning| missing(warning)).count(), 2, "{warnings:?}");
@@ -78,7 +78,7 @@ fn a_pad_that_misses_in_part_is_named() {
         "{}",
         warnings[0]
     );
-    let misses = read(&scene_at(0.06)).expect("a scene").with_part_from(folder()).expect("its part");
+    let misses = read(&scene_at(0.06)).expect("a scene").with_files_from(folder()).expect("its part");
     let said = misses.answers().expect_err("no contact").to_string();
     assert!(said.starts_with("contact 0 (left): misses the part"), "{said}");
 }
@@ -103,7 +103,7 @@ fn faults_name_what_is_missing() {
     let unread = read(&scene_at(0.025)).expect("a scene").answers().expect_err("no mesh").to_string();
     assert!(unread.starts_with("mesh: the part is not read"), "{unread}");
     let elsewhere =
-        read(&scene_at(0.025)).expect("a scene").with_part_from("nowhere").expect_err("no file").to_string();
+        read(&scene_at(0.025)).expect("a scene").with_files_from("nowhere").expect_err("no file").to_string();
     assert!(elsewhere.starts_with("mesh: nowhere/bracket.obj: "), "{elsewhere}");
 }
 
@@ -119,8 +119,33 @@ fn a_held_force_and_profiles_are_read() {
     left.remove("rectangle");
     left.insert("disc".to_owned(), json!(0.01));
     left.insert("strips".to_owned(), json!([1, 6]));
-    let scene = read(&scene).expect("a scene").with_part_from(folder()).expect("its part");
+    let scene = read(&scene).expect("a scene").with_files_from(folder()).expect("its part");
     let Answers::Spatial(answers) = scene.answers().expect("answered") else { panic!("in space") };
     let [Answer::Hold(answer)] = &answers[..] else { panic!("one verdict") };
     assert!((answer.verdict.lost.as_ref().expect("is lost").factor - 0.4).abs() < 1e-6);
+}
+
+/// Corners and faces in the scene itself: no file is read, and what is written has them again.
+#[test]
+fn a_part_may_be_given_by_arrays() {
+    let (corners, faces) = bracket();
+    let with = |part: Value| {
+        let mut scene = scene_at(0.025);
+        scene["spatial"]["part"] = part;
+        read(&scene)
+    };
+    let part = json!({ "vertices": corners, "faces": faces, "unit": "mm", "density": 7850 });
+    let scene = with(part.clone()).expect("a scene");
+    let expected = read(&scene_at(0.025)).expect("a scene").with_files_from(folder()).expect("its part");
+    assert_eq!(scene.answers().expect("answered"), expected.answers().expect("answered"));
+    let again = read(&serde_json::to_value(&scene).expect("written")).expect("read");
+    assert_eq!(again, scene);
+    for (part, said) in [
+        (json!({ "unit": "mm" }), "must have a `mesh`, or `vertices` and `faces`"),
+        (json!({ "mesh": "a.stl", "vertices": corners, "faces": faces }), "must have a `mesh`, or"),
+        (json!({ "vertices": corners }), "has no faces"),
+    ] {
+        let error = with(part).expect_err("is refused");
+        assert!(error.contains(said), "{error}");
+    }
 }

@@ -1,8 +1,9 @@
 //! Closes a hand around a ball, and finds the links in contact.
 
 use grasp_lcp::nalgebra::{Point3, Vector3};
+use grasp_lcp::robot::Robot;
 
-use crate::description::Chain;
+use crate::Failure;
 
 /// A ball, m.
 pub struct Ball {
@@ -17,6 +18,14 @@ const STEP: f64 = 0.01;
 /// A link whose gap to the ball is below this is in contact, m.
 const TOUCHES: f64 = 1e-6;
 
+/// The links of a finger behind its four joints, and its tip.
+const LINKS: [&str; 5] = ["knuckle", "proximal", "middle_phalanx", "distal", "tip"];
+
+/// The name of a link of a finger, by the number of joints between it and the palm.
+pub fn link_name(finger: &str, joints: usize) -> String {
+    format!("{finger}_{}", LINKS[joints - 1])
+}
+
 /// A contact of a link with the ball.
 pub struct Touch {
     /// Number of joints that move the link.
@@ -26,45 +35,46 @@ pub struct Touch {
     pub normal: Vector3<f64>,
 }
 
-/// The point on the axis of a link nearest to the centre of the ball.
-fn nearest(ends: [Point3<f64>; 2], centre: &Point3<f64>) -> Point3<f64> {
-    let along = ends[1] - ends[0];
-    let part = (centre - ends[0]).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE);
-    ends[0] + along * part.clamp(0.0, 1.0)
-}
-
-/// The gap between the ball and the nearest link, among links from `first` outwards, m; negative for an overlap.
-fn gap(chain: &Chain, angles: &[f64], first: usize, ball: &Ball) -> f64 {
-    let placed = chain.at(angles);
-    let of =
-        |link: usize| (nearest(placed.link(link), &ball.centre) - ball.centre).norm() - ball.radius - FINGER;
-    (first..angles.len()).map(of).fold(f64::INFINITY, f64::min)
+/// The point on the axis of each link of a finger nearest to the centre of the ball.
+fn nearest(robot: &Robot, finger: &str, centre: &Point3<f64>) -> Result<Vec<Point3<f64>>, Failure> {
+    let ends: Vec<Point3<f64>> = (1..=LINKS.len())
+        .map(|joints| Ok(robot.pose(&link_name(finger, joints))?.translation.vector.into()))
+        .collect::<Result<_, Failure>>()?;
+    let on_link = |pair: &[Point3<f64>]| {
+        let along = pair[1] - pair[0];
+        let part = (centre - pair[0]).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE);
+        pair[0] + along * part.clamp(0.0, 1.0)
+    };
+    Ok(ends.windows(2).map(on_link).collect())
 }
 
 /// Closes joints of a finger, one after the other from the palm outwards. Each closes until a link outwards of it touches, or its range ends.
-pub fn close(chain: &Chain, angles: &mut [f64], joints: &[usize], ball: &Ball) {
+pub fn close(mut robot: Robot, finger: &str, joints: &[usize], ball: &Ball) -> Result<Robot, Failure> {
     for &joint in joints {
-        let upper = chain.joints[joint].upper;
-        let mut step = STEP;
-        while step > 1e-12 && angles[joint] < upper {
-            let before = angles[joint];
-            angles[joint] = (before + step).min(upper);
-            if gap(chain, angles, joint, ball) < 0.0 {
-                angles[joint] = before;
+        let of_finger = robot.joints_of(&link_name(finger, LINKS.len()))?;
+        let (name, upper) = (of_finger[joint].name().to_owned(), of_finger[joint].range()[1]);
+        let (mut step, mut angle) = (STEP, of_finger[joint].position());
+        while step > 1e-12 && angle < upper {
+            let further = (angle + step).min(upper);
+            let closed = robot.clone().posed(&name, further)?;
+            let nearest = nearest(&closed, finger, &ball.centre)?;
+            if nearest[joint..].iter().any(|point| (point - ball.centre).norm() < ball.radius + FINGER) {
                 step *= 0.5;
+            } else {
+                (robot, angle) = (closed, further);
             }
         }
     }
+    Ok(robot)
 }
 
 /// The contacts of all links, tips and phalanges, in a posture.
-pub fn touches(chain: &Chain, angles: &[f64], ball: &Ball) -> Vec<Touch> {
-    let placed = chain.at(angles);
-    let touch = |link: usize| {
-        let to = ball.centre - nearest(placed.link(link), &ball.centre);
+pub fn touches(robot: &Robot, finger: &str, ball: &Ball) -> Result<Vec<Touch>, Failure> {
+    let touch = |(link, nearest): (usize, &Point3<f64>)| {
+        let to = ball.centre - nearest;
         let normal = to.normalize();
         let touches = (to.norm() - ball.radius - FINGER).abs() < TOUCHES;
         touches.then(|| Touch { link: link + 1, point: ball.centre - normal * ball.radius, normal })
     };
-    (0..angles.len()).filter_map(touch).collect()
+    Ok(nearest(robot, finger, &ball.centre)?.iter().enumerate().filter_map(touch).collect())
 }

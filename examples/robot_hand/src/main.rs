@@ -8,16 +8,15 @@
 //! also names joints that stall.
 
 mod closing;
-mod description;
 
 use std::process::ExitCode;
 
-use closing::{Ball, Touch, close, touches};
-use description::{Chain, fingers};
+use closing::{Ball, close, link_name, touches};
 use grasp_lcp::grasp::SoftFingertip;
 use grasp_lcp::nalgebra::{DMatrix, Matrix3, Point3, Vector3};
 use grasp_lcp::picture::{SpatialPage, SphereGrid, SphereMap, View};
-use grasp_lcp::spatial::hand::{DriveChange, Finger, Hand, Joint, PartChange, PartLabel};
+use grasp_lcp::robot::Robot;
+use grasp_lcp::spatial::hand::{DriveChange, PartChange, PartLabel};
 use grasp_lcp::spatial::{self, Contact, PathEnd};
 use grasp_lcp::spatial::{Grasp, Leg, Ramp, Wrench};
 
@@ -33,12 +32,8 @@ const SQUEEZE: f64 = 4.0;
 /// Largest force up to which loads are followed, N.
 const MOST: f64 = 200.0;
 
-/// A finger in a posture, with its contacts.
-struct Closed<'c> {
-    chain: &'c Chain,
-    angles: [f64; 4],
-    touches: Vec<Touch>,
-}
+/// The fingers, the thumb first.
+const FINGERS: [&str; 3] = ["thumb", "index", "middle"];
 
 fn main() -> ExitCode {
     match run() {
@@ -51,10 +46,17 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Failure> {
-    let chains = fingers(include_str!("../hand.urdf"))?;
+    let mut open = Robot::from_urdf(include_str!("../hand.urdf"))?.limited_by_effort();
+    for finger in FINGERS {
+        let names = joint_names(&open, finger)?;
+        for (name, stiffness) in names.iter().zip(STIFFNESS) {
+            open = open.joint_stiffness(name, stiffness)?;
+        }
+    }
     std::fs::create_dir_all("output")?;
     let ball = Ball { centre: Point3::new(0.0, 0.0, 0.122), radius: 0.035 };
-    let tips: Vec<_> = chains.iter().map(|chain| pinched(chain, &ball)).collect();
+    // Slightly bent, and closed by the base joints until the tips touch.
+    let tips = closed(&open, [0.0, -0.3, 0.45, 0.35], &[1], &ball)?;
     of_grasp("A precision grasp by the tips", "tips", &tips, &ball, None)?;
     // The ball lies on the palm.
     let ball = Ball { centre: Point3::new(0.0, 0.0, 0.068), radius: 0.035 };
@@ -63,36 +65,39 @@ fn run() -> Result<(), Failure> {
         .series_stiffness(PAD[0], PAD[1])
         .friction(FRICTION)
         .pressed_with(SQUEEZE);
-    let wrapped: Vec<_> = chains.iter().map(|chain| wrapped(chain, &ball)).collect();
+    let wrapped = closed(&open, [0.0, -0.3, 0.0, 0.0], &[1, 2, 3], &ball)?;
     of_grasp("A power grasp by all links and the palm", "power", &wrapped, &ball, Some(&palm))
 }
 
-/// The finger slightly bent, and closed by its base joint until the tip touches.
-fn pinched<'c>(chain: &'c Chain, ball: &Ball) -> Closed<'c> {
-    let mut angles = [0.0, -0.3, 0.45, 0.35];
-    close(chain, &mut angles, &[1], ball);
-    Closed { chain, angles, touches: touches(chain, &angles, ball) }
+/// Names of the joints of a finger, from the palm outwards.
+fn joint_names(robot: &Robot, finger: &str) -> Result<Vec<String>, Failure> {
+    Ok(robot.joints_of(&link_name(finger, 4))?.iter().map(|joint| joint.name().to_owned()).collect())
 }
 
-/// The finger closed joint by joint.
-fn wrapped<'c>(chain: &'c Chain, ball: &Ball) -> Closed<'c> {
-    let mut angles = [0.0, -0.3, 0.0, 0.0];
-    close(chain, &mut angles, &[1, 2, 3], ball);
-    Closed { chain, angles, touches: touches(chain, &angles, ball) }
+/// The hand with all fingers at these angles, closed joint by joint.
+fn closed(open: &Robot, angles: [f64; 4], joints: &[usize], ball: &Ball) -> Result<Robot, Failure> {
+    let mut robot = open.clone();
+    for finger in FINGERS {
+        for (name, angle) in joint_names(&robot, finger)?.iter().zip(angles) {
+            robot = robot.posed(name, angle)?;
+        }
+        robot = close(robot, finger, joints, ball)?;
+    }
+    Ok(robot)
 }
 
 /// The contacts of a finger, each with the number of joints that move it: a soft fingertip, and point contacts on other links.
-fn contacts(finger: &Closed) -> Result<Vec<(usize, Contact)>, Failure> {
+fn contacts(robot: &Robot, finger: &str, ball: &Ball) -> Result<Vec<(usize, Contact)>, Failure> {
     let mut all = Vec::new();
     // The thumb opposes two fingers.
-    let squeeze = if finger.chain.name == "thumb" { 2.0 * SQUEEZE } else { SQUEEZE };
-    for touch in &finger.touches {
+    let squeeze = if finger == "thumb" { 2.0 * SQUEEZE } else { SQUEEZE };
+    for touch in touches(robot, finger, ball)? {
         let contact = Contact::new(touch.point, touch.normal)
-            .name(format!("{} link {}", finger.chain.name, touch.link))
+            .name(format!("{finger} link {}", touch.link))
             .series_stiffness(PAD[0], PAD[1])
             .friction(FRICTION)
             .pressed_with(squeeze);
-        if touch.link == finger.angles.len() {
+        if touch.link == STIFFNESS.len() {
             let tip = SoftFingertip::<3>::ring(0.004, 4)?;
             all.extend(tip.contacts(&contact)?.into_iter().map(|contact| (touch.link, contact)));
         } else {
@@ -103,45 +108,37 @@ fn contacts(finger: &Closed) -> Result<Vec<(usize, Contact)>, Failure> {
 }
 
 /// The grasp by a hand with joints.
-fn with_joints(fingers: &[Closed], palm: Option<&Contact>) -> Result<Grasp, Failure> {
-    let mut hand = Hand::new(palm.cloned().map(Finger::fixed));
-    for finger in fingers {
-        let placed = finger.chain.at(&finger.angles);
-        let links = finger.touches.iter().map(|touch| touch.link).max().unwrap_or(0);
-        // Joints outwards of the last contact have no effect.
-        let joints = placed.joints.iter().zip(&finger.chain.joints).zip(STIFFNESS).take(links);
-        let joints = joints.map(|(((point, axis), joint), stiffness)| {
-            Joint::revolute(*point, **axis)
-                .name(&joint.name)
-                .stiffness(stiffness)
-                .limit(grasp_lcp::Limit::Saturates(joint.effort))
-        });
-        let mut built = Finger::new(joints);
-        for (link, contact) in contacts(finger)? {
-            built = built.contact_on(link, contact);
+fn with_joints(robot: &Robot, ball: &Ball, palm: Option<&Contact>) -> Result<Grasp, Failure> {
+    let mut on_links: Vec<(String, Contact)> =
+        palm.iter().map(|palm| ("palm".to_owned(), (*palm).clone())).collect();
+    for finger in FINGERS {
+        for (joints, contact) in contacts(robot, finger, ball)? {
+            on_links.push((link_name(finger, joints), contact));
         }
-        hand = hand.finger(built);
     }
-    Ok(hand.grasp()?)
+    let on_links: Vec<_> = on_links.iter().map(|(link, contact)| (link.as_str(), contact.clone())).collect();
+    Ok(robot.hand(&on_links)?.grasp()?)
 }
 
 /// The same contacts without joints, with springs along their axes: the inverse of the diagonal of the compliance `J K⁻¹ Jᵀ + 1/pad`.
 fn with_springs(
-    fingers: &[Closed],
+    robot: &Robot,
+    ball: &Ball,
     palm: Option<&Contact>,
     grasp: &Grasp,
 ) -> Result<spatial::Grasp, Failure> {
     let mut all: Vec<Contact> = palm.cloned().into_iter().collect();
     let mut frames = grasp.frames().skip(all.len());
-    for finger in fingers {
-        let placed = finger.chain.at(&finger.angles);
-        let carried = contacts(finger)?;
+    for finger in FINGERS {
+        let names = joint_names(robot, finger)?;
+        let axes = names.iter().map(|name| robot.axis(name)).collect::<Result<Vec<_>, _>>()?;
+        let carried = contacts(robot, finger, ball)?;
         for (link, contact) in &carried {
             let frame: &Matrix3<f64> = frames.next().ok_or("a frame for each contact")?;
             let share: f64 = carried.iter().filter(|(other, _)| other == link).map(|_| 1.0).sum();
             let at = Point3::from(contact.point());
             let jacobian = DMatrix::from_fn(3, *link, |a, j| {
-                let (point, axis) = &placed.joints[j];
+                let (point, axis) = &axes[j];
                 (frame.transpose() * axis.cross(&(at - point)))[a]
             });
             let springs = contact.series_stiffness_of_axes();
@@ -159,12 +156,12 @@ fn with_springs(
 fn of_grasp(
     title: &str,
     name: &str,
-    fingers: &[Closed],
+    robot: &Robot,
     ball: &Ball,
     palm: Option<&Contact>,
 ) -> Result<(), Failure> {
-    let grasp = with_joints(fingers, palm)?;
-    let springs = with_springs(fingers, palm, &grasp)?;
+    let grasp = with_joints(robot, ball, palm)?;
+    let springs = with_springs(robot, ball, palm, &grasp)?;
     println!("{title}: {} contacts, {} joints", grasp.len(), grasp.joint_commands().len());
     let outcome = grasp.solve(Wrench::ZERO)?;
     let rest = outcome.equilibrium().ok_or("the hand does not hold the ball without a load")?;

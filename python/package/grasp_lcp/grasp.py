@@ -12,6 +12,10 @@ from numpy.typing import ArrayLike
 from . import _grasp_lcp
 from ._bodies import bodies_in_scene
 from ._columns import STIFFNESSES, as_written, columns, dumped, finite, floats, listed, one_each, plain, with_arrays, wrench_json
+from ._drawing import draw_into
+from ._hands import scene_of_hand
+from ._mesh import scene_of_mesh
+from ._mujoco import hand_of_body
 from ._views import Array, Load, Quantity
 from .answers import Answer, Comparison, Identified, Improved, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
@@ -57,9 +61,9 @@ class Leg(TypedDict, total=False):
 class Grasp:
     """Fingers that hold an object: point contacts with springs and Coulomb friction, or a hand with joints.
 
-    A grasp is made by :meth:`planar`, :meth:`spatial`, :meth:`from_dict` or :meth:`from_json`; it never changes. It has n contacts of c axes
-    and an object of d coordinates: c, d = 2, 3 in the plane and 3, 6 in space. Loads are arrays of shape (c,), a force through the origin
-    in N, or (d,), a force and a moment about the origin in N m.
+    A grasp is made by :meth:`planar`, :meth:`spatial`, :meth:`from_mesh`, :meth:`hand`, :meth:`from_mujoco`, :meth:`from_dict` or
+    :meth:`from_json`; it never changes. It has n contacts of c axes and an object of d coordinates: c, d = 2, 3 in the plane and 3, 6 in space.
+    Loads are arrays of shape (c,), a force through the origin in N, or (d,), a force and a moment about the origin in N m.
 
     Normals point **into the object**, the way the finger pushes. The contact frame is (n, t) in the plane with ``t = (n_y, -n_x)``, and
     (n, t1, t2) in space with ``t2 = n x t1``. Units in these docs are SI; any consistent units work.
@@ -271,6 +275,110 @@ class Grasp:
             {"gravity": gravity, "loaded": loaded, "shared_by_mass": shared_by_mass, "links": joints},
         )  # fmt: skip
         return Grasp.from_dict(scene)
+
+    @classmethod
+    def from_mesh(
+        cls,
+        mesh: Any,
+        pads: Sequence[Mapping[str, Any]],
+        *,
+        unit: str = "m",
+        mass: float | None = None,
+        density: float | None = None,
+        settings: Settings | None = None,
+    ) -> Grasp:
+        """The grasp of pads that close on a part: each touches it where it meets the mesh, with the normal and the clearance there.
+
+        :param mesh: a mesh with ``vertices`` and ``faces``, as those of trimesh; a pair of such arrays; or the path of an STL or OBJ.
+        :param pads: one mapping a pad. A shape, ``"rectangle"`` (sides, m) or ``"disc"`` (radius, m); ``"from"``, its middle before it closes, m; and
+            ``"closing"``, the direction. A rectangle may be ``"round"`` (radius, m) or have ``"v_deg"`` (opening angle). ``"layer"``, ``{"modulus":
+            …, "thickness": …}`` in Pa and m, takes the place of a stiffness. All else is as for a contact of a scene: ``"name"``, ``"friction"``,
+            ``"pressed_with"``, ``"tangent"`` (of the first side), …
+        :param unit: the unit of the mesh, ``"m"``, ``"cm"``, ``"mm"`` or ``"in"``.
+        :param mass: the mass of the part, kg.
+        :param density: its density, kg/m³, in place of the mass. :attr:`mass` and :attr:`centre_of_mass` then tell its weight.
+        :param settings: settings of all questions.
+        :raises ValueError: names the pad that misses the part, or the field, the value and the allowed values. :meth:`warnings` name pads that
+            miss in part, or lie over an edge.
+        """
+        return cls.from_dict(scene_of_mesh(mesh, pads, unit, mass, density, settings))
+
+    @classmethod
+    def hand(
+        cls,
+        points: ArrayLike,
+        normals: ArrayLike,
+        jacobians: ArrayLike,
+        stiffness: ArrayLike,
+        *,
+        joints: Sequence[str] | None = None,
+        command: ArrayLike | None = None,
+        joint_command: ArrayLike | None = None,
+        torque: ArrayLike | None = None,
+        limit: float | Mapping[str, float] | Sequence[Any] | None = None,
+        tendons: Sequence[Mapping[str, Any]] | None = None,
+        **contacts: Any,
+    ) -> Grasp:
+        """A hand with m joints, from arrays: contacts, and the Jacobians by which joints move them.
+
+        :param points: contact points, m, shape (n, 2) or (n, 3).
+        :param normals: directions into the object, of the same shape.
+        :param jacobians: velocities of the contact points along the coordinate axes per unit velocity of each joint, shape (n, c, m). A contact
+            with zeros stands still.
+        :param stiffness: of the joints, N m/rad or N/m: one number, shape (m,), or a symmetric matrix, shape (m, m).
+        :param joints: names of the joints.
+        :param command: displacements of the contacts, as for :meth:`spatial`; ``pressed_with`` commands the joints, too.
+        :param joint_command: displacements that the joints are commanded to, beyond where they are, rad or m.
+        :param torque: constant torques on the joints beside their springs, N m or N.
+        :param limit: torques at which the motors stall, N m or N, one for all or one a joint with None where there is none; or mappings as in
+            scenes, ``{"slips": 2.0}`` for a clutch.
+        :param tendons: drives over several joints, as in scenes: ``{"arms": [...], "stiffness": ..., "pull": ..., "limit": ..., "pushes": True}``.
+        :param contacts: all other arguments of :meth:`planar` and :meth:`spatial`, such as ``friction`` and ``series_stiffness``.
+        :raises ValueError: names the argument, the value and the allowed values.
+        """
+        placed = floats("points", points)
+        axes = placed.shape[-1] if placed.ndim == 2 else 3
+        alone = (cls.planar if axes == 2 else cls.spatial)(points, normals, command=command, **contacts)
+        given = {"command": joint_command, "torque": torque, "limit": limit}
+        return cls.from_dict(scene_of_hand(alone.to_dict(), alone.axes, jacobians, stiffness, joints, given, tendons))
+
+    @classmethod
+    def from_mujoco(cls, model: Any, data: Any, body: int | str) -> Grasp:
+        """The grasp of a body in a MuJoCo simulation that is at rest: its contacts, and the joints and actuators behind them. Needs ``mujoco``.
+
+        Coordinates are those of the world, from the centre of mass of the body: a weight is a force alone. Forces are those of the simulation. If its
+        weight acts there, it is the ``base`` of questions.
+
+        Each contact is a spring: along its normal force over depth, along its tangents a million times as stiff, since it creeps there without a
+        spring. Joints have their springs, actuators the stiffness of their position gains, and the limits of their forces. Active equality
+        constraints are stiff rods. Not taken over: torsional and rolling friction of contacts, friction and limits of joints, and contacts without
+        force.
+
+        :param model: an ``mjModel``.
+        :param data: its ``mjData``, after a step or ``mj_forward``.
+        :param body: the name or the number of the body that is held.
+        :raises ValueError: if nothing presses on it, for unequal friction along tangents, and for free and ball joints behind a contact.
+        """
+        return cls.hand(**hand_of_body(model, data, body))
+
+    def draw(self, ax: Any, state: Equilibrium | None = None) -> None:
+        """Draws the grasp into the axes of matplotlib: the object, its contacts, and the forces of an equilibrium.
+
+        :param ax: axes of a plot; in space with ``projection="3d"``.
+        :param state: an equilibrium of this grasp; without one the contacts alone are drawn. The longest force has a third of the size of the grasp.
+        """
+        draw_into(ax, self._held.places(), self.to_dict()["planar" if self.axes == 2 else "spatial"], state)
+
+    @property
+    def mass(self) -> float | None:
+        """Mass of the part, kg; None of a grasp without a mesh, or without a mass or a density."""
+        return self._held.part()[0]
+
+    @property
+    def centre_of_mass(self) -> Array | None:
+        """Centre of mass of the part at constant density, m; None of a grasp without a mesh, and of a mesh that is not closed."""
+        centre = self._held.part()[1]
+        return None if centre is None else np.array(centre)
 
     @classmethod
     def from_json(cls, text: str) -> Grasp:

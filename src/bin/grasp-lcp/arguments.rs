@@ -77,6 +77,10 @@ pub(crate) enum Command {
         /// Factor on the load; the base load keeps its size.
         #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
         safety: Option<f64>,
+        /// Says whether the answer changes by more than 5 % where contacts are a tenth or ten times as stiff along their tangents. It takes three
+        /// times as long.
+        #[arg(long)]
+        vary_stiffness: bool,
         #[command(flatten)]
         ask: Ask,
     },
@@ -278,7 +282,7 @@ pub(crate) enum SchemaOf {
 }
 
 /// The scene, and the form of the answer.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct Ask {
     /// The scene; `-` for standard input.
     pub(crate) scene: PathBuf,

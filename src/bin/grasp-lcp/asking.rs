@@ -12,7 +12,7 @@ use grasp_lcp::identify::Ending;
 use grasp_lcp::improve::{Improve, ImproveGoal};
 use grasp_lcp::load_path::{Leg, Turn};
 use grasp_lcp::need::Amount;
-use grasp_lcp::scene::{Answer, Answers, OnsetAnswer, PathOutcome, Question, Setup, Space};
+use grasp_lcp::scene::{Answer, Answers, OnsetAnswer, PathOutcome, Question, Scene, Setup, Space};
 use grasp_lcp::shake::Repeats;
 use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};
@@ -26,7 +26,11 @@ use crate::{files, report};
 
 /// Answers the question and prints the answer. The exit code says whether every answer is decided.
 pub(crate) fn ask(ask: &Ask, asked: &Command) -> Result<ExitCode, Failure> {
-    let mut scene = files::read(&ask.scene)?;
+    ask_of(files::read(&ask.scene)?, ask, asked)
+}
+
+/// The same about a scene that is already read; messages name its file.
+pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, asked: &Command) -> Result<ExitCode, Failure> {
     let given = scene.clone();
     match &mut scene.space {
         Space::Planar(setup) => {
@@ -57,6 +61,17 @@ pub(crate) fn ask(ask: &Ask, asked: &Command) -> Result<ExitCode, Failure> {
             }
             _ => {}
         }
+    }
+    if matches!(asked, Command::Hold { vary_stiffness: true, .. }) {
+        let depends = match &scene.space {
+            Space::Planar(setup) => setup.depends_on_tangential_stiffness(),
+            Space::Spatial(setup) => setup.depends_on_tangential_stiffness(),
+        };
+        let depends = depends.map_err(|error| files::refused(&ask.scene, &error))?;
+        let said = if depends.is_empty() { "stays within" } else { "CHANGES by more than" };
+        eprintln!(
+            "stiffness: what it holds {said} 5 % with a tenth or ten times the stiffness along tangents"
+        );
     }
     let undecided = match &answers {
         Answers::Planar(list) => list.iter().any(is_undecided),

@@ -24,7 +24,7 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     let scene = Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))?;
     #[cfg(feature = "mesh")]
     let scene = scene
-        .with_part_from(path.parent().unwrap_or(Path::new("")))
+        .with_files_from(path.parent().unwrap_or(Path::new("")))
         .map_err(|error| refused(path, &error))?;
     Ok(scene)
 }

@@ -1,13 +1,16 @@
 //! A gripper of two jaws on a part from a mesh, as a scene.
 
+use std::io::{self, Write};
 use std::path::PathBuf;
+use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Args;
 use grasp_lcp::scene::{Scene, Space};
 use grasp_lcp::touch::{Part, Unit};
 
-use crate::arguments::Numbers;
+use crate::arguments::{Ask, Command, Numbers};
+use crate::asking;
 use crate::failure::Failure;
 use crate::loads::direction;
 use crate::numbers::{kilograms, newtons};
@@ -41,6 +44,9 @@ pub(crate) struct Grip {
     /// Of a grip: the mass of the part, kg; that of steel, 7850 kg/m³, if left out.
     #[arg(long, value_parser = kilograms, value_name = "KG")]
     mass: Option<f64>,
+    /// Of a grip: answers the scene in place of writing it.
+    #[arg(long)]
+    ask: bool,
 }
 
 /// Lengths with a unit, m if there is none: 20x30mm, 3,25,15mm.
@@ -75,8 +81,20 @@ const STEEL: f64 = 7850.0;
 const AWAY: f64 = 0.005;
 
 impl Grip {
-    /// Two jaws that close on the part, and the question whether they hold its weight.
-    pub(crate) fn scene(&self) -> Result<String, Failure> {
+    /// Writes the scene, or answers it.
+    pub(crate) fn run(&self) -> Result<ExitCode, Failure> {
+        let (text, scene) = self.scene()?;
+        if !self.ask {
+            io::stdout().write_all(text.as_bytes())?;
+            return Ok(ExitCode::SUCCESS);
+        }
+        let of = self.mesh.clone().unwrap_or_default();
+        let ask = Ask { scene: of, json: false, points: false, digits: 6 };
+        asking::ask_of(scene, &ask, &Command::Ask(ask.clone()))
+    }
+
+    /// Two jaws that close on the part, and the question whether they hold its weight: as text, and with the part read.
+    fn scene(&self) -> Result<(String, Scene), Failure> {
         let missing = |what: &str| {
             Failure::Usage(format!("{what}: grasp-lcp new grip part.stl --jaws 20x30mm --force 40"))
         };
@@ -132,11 +150,13 @@ impl Grip {
 "#
         );
         // What the scene refuses is said now.
-        let scene = Scene::from_json(text.as_bytes()).map_err(|fault| Failure::Scene(fault.to_string()))?;
-        if let Space::Spatial(setup) = scene.space {
-            setup.on_part(Arc::new(part)).grasp()?;
+        let mut scene =
+            Scene::from_json(text.as_bytes()).map_err(|fault| Failure::Scene(fault.to_string()))?;
+        if let Space::Spatial(setup) = &mut scene.space {
+            *setup = setup.clone().on_part(Arc::new(part));
+            setup.grasp()?;
         }
-        Ok(text)
+        Ok((text, scene))
     }
 }
 

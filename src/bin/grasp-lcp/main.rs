@@ -97,7 +97,7 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
     }
     match command {
         #[cfg(feature = "mesh")]
-        Command::New { of: Template::Grip, grip } => io::stdout().write_all(grip.scene()?.as_bytes())?,
+        Command::New { of: Template::Grip, grip } => return grip.run(),
         Command::New { of, .. } => io::stdout().write_all(of.text().as_bytes())?,
         Command::Scene => io::stdout().write_all(arguments::FIELDS.as_bytes())?,
         Command::Values => values::print(&mut io::stdout().lock())?,

@@ -17,7 +17,23 @@ pub(crate) enum Template {
     Hand,
     /// A wedge in a gap, in the plane.
     Wedge,
-    /// Two jaws on a part from a mesh: `new grip part.stl --jaws 20x30mm --closing 1,0,0 --force 40`.
+    /// A block in a milling vise.
+    Vise,
+    /// A bar in a chuck, in the plane.
+    Chuck,
+    /// A plate under two bolts with play, in the plane.
+    Bolts,
+    /// A crate under a strap on a truck.
+    TieDown,
+    /// Lifting tongs on a block, in the plane.
+    Tongs,
+    /// A bar between a V and a flat jaw, in the plane.
+    VJaws,
+    /// Four suction cups that lift a sheet.
+    Cups,
+    /// A board on brackets, in the plane.
+    Shelf,
+    /// Two jaws on a part from a mesh: `new grip part.stl --jaws 20x30mm --closing 1,0,0 --force 40`; with `--ask` answered at once.
     #[cfg(feature = "mesh")]
     Grip,
 }
@@ -32,6 +48,14 @@ impl Template {
             Self::Fixture => include_str!("../../../examples/scenes/everyday/fixture.json"),
             Self::Hand => include_str!("../../../examples/scenes/everyday/hand.json"),
             Self::Wedge => include_str!("../../../examples/scenes/everyday/wedge.json"),
+            Self::Vise => include_str!("../../../examples/scenes/shop/vise.json"),
+            Self::Chuck => include_str!("../../../examples/scenes/shop/chuck.json"),
+            Self::Bolts => include_str!("../../../examples/scenes/shop/bolts.json"),
+            Self::TieDown => include_str!("../../../examples/scenes/shop/tie_down.json"),
+            Self::Tongs => include_str!("../../../examples/scenes/bodies/scissor.json"),
+            Self::VJaws => include_str!("../../../examples/scenes/shop/v_jaws.json"),
+            Self::Cups => include_str!("../../../examples/scenes/shop/cups.json"),
+            Self::Shelf => include_str!("../../../examples/scenes/shop/shelf.json"),
             #[cfg(feature = "mesh")]
             Self::Grip => "",
         }
@@ -68,11 +92,18 @@ What stands in the scenes:
   touches            a pad that closes on the part, in place of point and normal: its sides, m (rectangle), its middle
                      before it closes, m (from), the direction (closing), and its elastic layer in place of a stiffness
                      (modulus, Pa, and thickness, m)
+  bodies             several bodies, with a mass, kg, and its place (centre_of_mass); contacts and links then name theirs (on,
+                     against), and gravity, m/s², pulls at each
+  links              hinges (hinge), and bolts, straps and ropes (cable, from one point to another, m), with the tension at
+                     which they are installed, N
+  pair               a soft pad of the plane with two edges, and its width, m
   questions          what is asked, in order:
   hold               does it hold the load, beside the base that is there at rest?
   need               how much of a quantity (squeeze, friction, load, arm, angle) does the load take?
-                     any_force is a force of any direction, N, at a point
-  load, base         a force, N, and where it acts: at, m; the origin if left out
+                     any_force is a force of any direction, N, at a point; the demand \"sticks\" is that nothing slides
+  load, base         a force, N, and where it acts: at, m; the origin if left out. Or a moment, N m; or a mass, which may be
+                     accelerated, m/s²
+  per_metre          of an arm: the moment of the load for each metre, N
 
   grasp-lcp new gripper > gripper.json
   grasp-lcp ask gripper.json                   answers its questions

@@ -55,6 +55,11 @@ impl ContactGroup {
         self.contacts.len() > 1
     }
 
+    /// Whether a point in this state has a dot of its own: among many points only those that do not stick.
+    pub(super) fn shows(&self, word: &str) -> bool {
+        self.contacts.len() <= 16 || word != "sticking"
+    }
+
     /// The mean of its contact points, m.
     pub(super) fn middle<const C: usize>(&self, contacts: &[Contact<C>]) -> SVector<f64, C> {
         let points = contacts[self.contacts.clone()].iter().map(|contact| contact.point);

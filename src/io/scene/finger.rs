@@ -1,6 +1,6 @@
 //! A finger with joints, and the contacts on its links.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, SVector};
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
@@ -75,12 +75,16 @@ impl<const C: usize> FingerSetup<C> {
                 finger = match &entry.moved_by {
                     MovedBy::LastLink => finger.contact(point),
                     MovedBy::Link(joints) => finger.contact_on(*joints, point),
+                    MovedBy::Jacobian(twists) if C == 3 && twists.nrows() == 6 => {
+                        let arm = point.point - entry.contact.point;
+                        finger.contact_moved_by(moved_at(twists, &arm), point)
+                    }
                     MovedBy::Jacobian(_) if entry.is_spread() => {
                         return Err(Error::Hand {
                             what: format!("contact {}", first + k),
                             field: "number of points",
                             value: entry.count()? as f64,
-                            allowed: "1 with a jacobian, which is that of one point",
+                            allowed: "1 with a jacobian, which is that of one point; one of six rows, angular velocities last, is that of a link",
                         });
                     }
                     MovedBy::Jacobian(matrix) => finger.contact_moved_by(matrix.clone(), point),
@@ -97,6 +101,14 @@ impl<const C: usize> FingerSetup<C> {
         }
         Ok(self)
     }
+}
+
+/// Velocities of a point of a link for each joint, `v + ω × r`, from those of the contact and, below them, angular velocities.
+fn moved_at<const C: usize>(twists: &DMatrix<f64>, arm: &SVector<f64, C>) -> DMatrix<f64> {
+    DMatrix::from_fn(C, twists.ncols(), |a, j| {
+        let (b, c) = ((a + 1) % 3, (a + 2) % 3);
+        twists[(a, j)] + twists[(3 + b, j)] * arm[c] - twists[(3 + c, j)] * arm[b]
+    })
 }
 
 #[derive(serde::Deserialize)]

@@ -53,7 +53,7 @@ pub enum MovedBy {
     /// The first joints of the finger, as many as this number, counted from the palm; written as `"moved_by": {"link": 1}`.
     Link(usize),
     /// All joints of the finger, by a Jacobian: the motion of the contact along the coordinate axes per unit of each joint. Written as
-    /// `"moved_by": {"jacobian": [[…], …]}`, one row for each axis.
+    /// `"moved_by": {"jacobian": [[…], …]}`, one row for each axis. In space three more rows may follow, the angular velocities of its link.
     Jacobian(DMatrix<f64>),
 }
 

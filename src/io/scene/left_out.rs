@@ -66,7 +66,7 @@ impl<const C: usize> Setup<C> {
     }
 
     /// The questions whose answers change in one of two trials, or for which `is_known` holds.
-    fn questions_that_depend(
+    pub(super) fn questions_that_depend(
         &self,
         trial: &dyn Fn(usize) -> Self,
         is_known: &dyn Fn(&Question<C>) -> bool,

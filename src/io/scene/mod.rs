@@ -32,6 +32,7 @@
 //! | `shared_by_mass` | `true`: loads of questions act on all bodies, on each with the share of its mass | `false` |
 //! | `outline` | corners of the object in order, m, a closed line that may go over itself; only drawn | none |
 //! | `part` | the grasped part as a mesh, in space, see below (feature `mesh`) | none |
+//! | `robot` | a robot from its description file, in space, see below (feature `urdf`) | none |
 //! | `questions` | a list of questions | none |
 //! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
 //!
@@ -69,7 +70,7 @@
 //! pressure is `"uniform"` (if left out), `"parabolic"` or `"hertz"`.
 //!
 //! A part (module `touch`): `{"mesh": "part.stl", "unit": "mm", "density": 7850}`. The file ends in `.stl` or `.obj`, and a relative path counts from the
-//! folder of the scene; the unit is `m` (if left out), `cm`, `mm` or `in`; `mass`, kg, may stand in place of `density`, kg/m³. Pads touch it:
+//! folder of the scene; `vertices` and `faces` may stand in its place. The unit is `m` (if left out), `cm`, `mm` or `in`; `mass`, kg, may stand in place of `density`, kg/m³. Pads touch it:
 //!
 //! | field of `touches` | value | unit | if left out |
 //! |---|---|---|---|
@@ -122,7 +123,8 @@
 //! | `contacts` | a list of contacts, at least one; stiffness may be left out where there is a `compliance` | | an error |
 //!
 //! Its contacts may name the joints that move them: `"moved_by": {"link": 1}`, the number of the finger's joints counted from the palm, or
-//! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint. Otherwise all joints of the finger move them. Contacts of
+//! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint; in space three more rows, angular velocities of the link, may
+//! follow, and must for a soft fingertip. Otherwise all joints of the finger move them. Contacts of
 //! fingers have the numbers behind those of the list `contacts`. Every contact with a `force` has a slide, a joint behind all joints of fingers.
 //!
 //! A joint is `"revolute"` – `{"point": [x, y]}` in the plane, `{"point": …, "axis": …}` in space –, `"prismatic"` (a direction), or neither,
@@ -136,6 +138,12 @@
 //! | `torque`, of a tendon `tension` | constant torque or force beside the drive | N m or N | 0 |
 //! | `limit` | `{"saturates": …}` or `{"slips": …}`, see [`Limit`](crate::grasp::Limit) | N m or N | none |
 //! | `pushes`, of a tendon alone | `true` for a rod or a differential, which also pushes | | pulls only |
+//!
+//! A robot (module `robot`) is `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "contacts": {"thumb_tip": […]}}`, in space,
+//! with a file that counts from the folder of the scene. `at` and `turned_deg` are the place of its root link, m, and roll, pitch and yaw. `joints` and
+//! `commanded` say where its joints are and where they are commanded to be, in degrees or m; `stiffness` has N m/rad or N/m, with `others` for all that are
+//! not named; `"effort": "from file"` limits motors. `contacts` are lists by link, in the frame of the link, that of `touches` included. Their numbers stand
+//! behind all others: first those on links that no joint moves, then finger by finger.
 //!
 //! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
 //! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; a part that is left out is zero. `"at":
@@ -370,11 +378,14 @@ mod path;
 #[cfg(feature = "json")]
 mod plain_words;
 mod question;
+#[cfg(feature = "urdf")]
+mod robot;
 mod settings;
 mod setup;
 mod solved;
 mod springs;
 mod surface;
+mod tangential;
 mod tolerances;
 mod turn;
 mod warning;
@@ -401,6 +412,8 @@ pub use part::{PadLayer, PartSetup, Touches};
 pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::Question;
+#[cfg(feature = "urdf")]
+pub use robot::{Effort, RobotSetup};
 pub use setup::Setup;
 pub use solved::SolveAnswer;
 pub use warning::Warning;

@@ -12,14 +12,21 @@ use crate::grasp::{Contact, inside, outside};
 use crate::numerics::moved;
 use crate::touch::{Pad, Part, Touch, Touched, Unit};
 
-/// The grasped part, `{"mesh": "part.stl", "unit": "mm", "density": 7850}`; see [`Part`].
+/// The grasped part, `{"mesh": "part.stl", "unit": "mm", "density": 7850}` or with `vertices` and `faces`; see [`Part`].
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct PartSetup {
     /// A file that ends in `.stl` or `.obj`; a relative path counts from the folder of the scene.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub mesh: String,
+    /// Corners of the mesh, in place of a file.
+    #[serde(default, skip_serializing_if = "<[_]>::is_empty")]
+    pub vertices: Arc<[[f64; 3]]>,
+    /// The three corners of each face, by their index from 0, counterclockwise as seen from outside.
+    #[serde(default, skip_serializing_if = "<[_]>::is_empty")]
+    pub faces: Arc<[[usize; 3]]>,
     /// The unit of its lengths; m if left out.
     #[serde(default)]
     pub unit: Unit,
@@ -82,12 +89,18 @@ impl PartSetup {
     /// A part from this file, without mass.
     #[must_use]
     pub fn new(mesh: impl Into<String>, unit: Unit) -> Self {
-        Self { mesh: mesh.into(), unit, mass: None, density: None, read: None }
+        let (vertices, faces) = (Arc::new([]), Arc::new([]));
+        Self { mesh: mesh.into(), vertices, faces, unit, mass: None, density: None, read: None }
     }
 
-    /// The part, from a folder from which relative paths count.
+    /// The part, from its arrays or from a folder from which relative paths count.
     fn read_from(&self, folder: &Path) -> Result<Part, Error> {
-        let part = Part::read(folder.join(&self.mesh), self.unit)?;
+        let part = if self.vertices.is_empty() {
+            Part::read(folder.join(&self.mesh), self.unit)?
+        } else {
+            let corner = |corner: &[f64; 3]| corner.map(|x| self.unit.in_metres(x));
+            Part::new(&self.vertices.iter().map(corner).collect::<Vec<_>>(), &self.faces)?
+        };
         match (self.mass, self.density) {
             (Some(mass), _) => part.of_mass(mass),
             (None, Some(density)) => part.of_density(density),
@@ -132,7 +145,7 @@ impl Touches {
     ) -> Result<Touched, Error> {
         let Some(part) = &self.part else {
             let fault =
-                "the part is not read; `Scene::with_part_from` reads it from a folder, as the program does";
+                "the part is not read; `Scene::with_files_from` reads it from a folder, as the program does";
             return Err(Error::Mesh { fault: fault.to_owned() });
         };
         Touch::new(self.pad()?, inside(contact).into_owned()).on_as(index, part)
@@ -173,6 +186,14 @@ impl<const C: usize> Setup<C> {
         self
     }
 
+    fn with_files_from(self, folder: &Path) -> Result<Self, Error> {
+        #[cfg(feature = "urdf")]
+        let this = self.with_robot_from(folder)?;
+        #[cfg(not(feature = "urdf"))]
+        let this = self;
+        this.with_part_from(folder)
+    }
+
     fn with_part_from(self, folder: &Path) -> Result<Self, Error> {
         let Some(part) = &self.part else { return Ok(self) };
         let part = Arc::new(part.read_from(folder)?);
@@ -185,9 +206,18 @@ impl<const C: usize> Setup<C> {
         self.part.as_ref()?.read.as_deref()
     }
 
+    /// This setup, checked, with a part that is given by arrays; and whether all contacts have their points.
+    pub(super) fn with_part_of_arrays(self) -> Result<(Self, bool), String> {
+        let has_points = self.check_part()?;
+        if self.part.as_ref().is_none_or(|part| part.vertices.is_empty()) {
+            return Ok((self, has_points));
+        }
+        Ok((self.with_part_from(Path::new("")).map_err(|error| error.to_string())?, true))
+    }
+
     /// Refuses pads without a part, and a part in the plane. Returns whether all contacts have their points: those of pads are found once the mesh is
     /// read.
-    pub(super) fn check_part(&self) -> Result<bool, String> {
+    fn check_part(&self) -> Result<bool, String> {
         let touches = self.entries().position(|entry| entry.touches.is_some());
         match (&self.part, touches) {
             (None, Some(contact)) => {
@@ -196,6 +226,9 @@ impl<const C: usize> Setup<C> {
             (Some(_), _) if C != 3 => Err("part: a mesh belongs to a spatial scene".to_owned()),
             (Some(part), _) if part.mass.is_some() && part.density.is_some() => {
                 Err("part: mass and density given, must be one of them".to_owned())
+            }
+            (Some(part), _) if part.mesh.is_empty() == part.vertices.is_empty() => {
+                Err("part: must have a `mesh`, or `vertices` and `faces`".to_owned())
             }
             _ => Ok(touches.is_none()),
         }
@@ -221,14 +254,16 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Scene {
-    /// This scene with the mesh of its part, if it has one. Relative paths count from the folder, which is usually that of the scene's file.
+    /// This scene with the mesh of its part, and the fingers of its robot, if it has them (feature `urdf`). Relative paths count from the folder, which is
+    /// usually that of the scene's file.
     ///
     /// # Errors
-    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range.
-    pub fn with_part_from(self, folder: impl AsRef<Path>) -> Result<Self, Error> {
+    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range, and as for a
+    /// `Robot` that is read.
+    pub fn with_files_from(self, folder: impl AsRef<Path>) -> Result<Self, Error> {
         let space = match self.space {
             Space::Planar(setup) => Space::Planar(setup),
-            Space::Spatial(setup) => Space::Spatial(setup.with_part_from(folder.as_ref())?),
+            Space::Spatial(setup) => Space::Spatial(setup.with_files_from(folder.as_ref())?),
         };
         Ok(Self { space, ..self })
     }

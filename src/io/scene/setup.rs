@@ -76,6 +76,10 @@ pub struct Setup<const C: usize> {
     #[cfg(feature = "mesh")]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part: Option<super::part::PartSetup>,
+    /// The robot that holds the object; contacts are on its links.
+    #[cfg(feature = "urdf")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub robot: Option<super::robot::RobotSetup<C>>,
     /// The questions, in the order of their answers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub questions: Vec<Question<C>>,
@@ -113,11 +117,16 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
         let checked = |Fields(setup): Fields| {
             let setup: Self = outside(setup);
             setup.check_bodies()?;
+            #[cfg(feature = "urdf")]
+            if setup.robot.is_some() {
+                // Its contacts are known, and questions are checked, once its file is read.
+                return setup.check_robot().map(|()| setup);
+            }
             if setup.entries().next().is_none() && setup.links.is_empty() {
                 return Err(Error::EmptyGrasp.to_string());
             }
             #[cfg(feature = "mesh")]
-            let has_points = setup.check_part()?;
+            let (setup, has_points) = setup.with_part_of_arrays()?;
             #[cfg(not(feature = "mesh"))]
             let has_points = true;
             if has_points && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
@@ -155,6 +164,8 @@ impl<const C: usize> Setup<C> {
             outline: Vec::new(),
             #[cfg(feature = "mesh")]
             part: None,
+            #[cfg(feature = "urdf")]
+            robot: None,
             questions: Vec::new(),
             settings: Settings::default(),
         }

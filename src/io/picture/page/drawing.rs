@@ -28,8 +28,10 @@ pub(super) struct Drawing<'p> {
     pub(super) force: f64,
     /// Scale of moments, m/(N m).
     pub(super) moment: f64,
-    /// Magnification of displacements.
+    /// Magnification of displacements; 0 where they are not drawn.
     pub(super) displacement: f64,
+    /// The largest displacement where it would have to be made smaller than it is, m.
+    undrawn: Option<f64>,
 }
 
 /// The largest force, moment and displacement of all answers: N, N m, m.
@@ -99,6 +101,7 @@ impl<'p> Drawing<'p> {
             force: 0.0,
             moment: 0.0,
             displacement: 0.0,
+            undrawn: None,
         };
         let states = || page.frames.iter().filter_map(Frame::state);
         let loads = || page.frames.iter().filter_map(Frame::load).map(|load| drawing.load(load));
@@ -117,6 +120,9 @@ impl<'p> Drawing<'p> {
         drawing.displacement = part(0.2, largest.displacement);
         if drawing.displacement > 0.0 && drawing.displacement.is_finite() {
             drawing.displacement = round_down(drawing.displacement);
+            if drawing.displacement < 1.0 {
+                (drawing.displacement, drawing.undrawn) = (0.0, Some(largest.displacement));
+            }
         }
         let Largest { force, moment, displacement } = largest;
         let scales = [drawing.force, drawing.moment, drawing.displacement, size, force, moment, displacement];
@@ -172,6 +178,9 @@ impl<'p> Drawing<'p> {
                 format!("{factor} times as large")
             };
             sentences.push(format!("Displacements are drawn {size}."));
+        } else if let Some(size) = self.undrawn {
+            let size = short(size);
+            sentences.push(format!("Displacements of up to {size} m are too large beside it to be drawn."));
         }
         sentences
     }

@@ -115,7 +115,7 @@ fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let tips: Vec<Resultant<3>> = mapped(&drawing.tips, &resultant);
     let mut points = Vec::new();
     for tip in drawing.tips.iter().filter(|tip| tip.is_soft()) {
-        points.extend(state.contacts[tip.contacts.clone()].iter().map(word));
+        points.extend(state.contacts[tip.contacts.clone()].iter().map(word).filter(|what| tip.shows(what)));
     }
     let mut entries = Vec::new();
     for what in STATES {
@@ -152,7 +152,9 @@ fn of_object(drawing: &Drawing, frame: &Frame<3>) -> Vec<Entry> {
         |state: &Equilibrium| drawing.tips.iter().any(|tip| tip.resultant(contacts, state).slides.is_some());
     let arrow = |ink, width, heads| Sample::Arrow { ink, width, heads, long: LEGEND.sample };
     let dashes = |ink| Sample::Dashes { ink };
-    let displaced = |state: &Equilibrium| state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0);
+    let displaced = |state: &Equilibrium| {
+        drawing.displacement > 0.0 && state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0)
+    };
     let moves = |state: &Equilibrium| state.twist.to_vector().norm() > 0.0 && drawing.displacement > 0.0;
     let is_free = |state: &Equilibrium| !state.free_motions.is_empty();
     let has_outlines = !drawing.page.outlines.is_empty();

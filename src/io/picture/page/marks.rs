@@ -1,12 +1,13 @@
 //! The marks of a spatial picture, in the coordinates of the grasp: those of the grasp alone, and those of each answer.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use plotters::style::RGBColor;
 
 use super::drawing::{Drawing, goes};
 use super::frame::Frame;
 use super::leaving::MovedLines;
 use super::mark::{Mark, MarkLayer, MarkShape};
+use super::paint::hull;
 use crate::numerics::mapped;
 use crate::picture::contact_look::{cone_size, ink, slope, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
@@ -43,7 +44,7 @@ pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
 pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
     let (page, state) = (drawing.page, frame.and_then(Frame::state));
     let mut marks = Vec::new();
-    if let Some(state) = state {
+    if let Some(state) = state.filter(|_| drawing.displacement > 0.0) {
         for outline in &page.outlines {
             let moved =
                 |corner: &Vector3<f64>| corner + goes(state, outline.body, corner) * drawing.displacement;
@@ -57,6 +58,8 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
     let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
     for (k, tip) in drawing.tips.iter().enumerate() {
         let first = tip.contacts.start;
+        let ink = state.map_or(GREY, |state| ink(tip.resultant(contacts, state).word));
+        marks.extend(rim(contacts, &frames[first], tip, ink).map(|mark| mark.of(k)));
         if let (Some(frame), Some(state)) = (frame, state) {
             let axes = [0, 1, 2].map(|axis| frames[first].column(axis).into_owned());
             let slope = frame.slope(first, slope(&contacts[first]));
@@ -132,7 +135,24 @@ fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactGroup) -> Vec<Ma
         let open = answer.state == ContactState::Separated;
         MarkShape::Dot { at: contacts[i].point(), radius, ink: ink(word(answer)), open }.always()
     };
-    tip.contacts.clone().map(dot).collect()
+    tip.contacts.clone().filter(|i| tip.shows(word(&state.contacts[*i]))).map(dot).collect()
+}
+
+/// The rim of a soft fingertip, around its points as seen along its normal.
+fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactGroup, ink: RGBColor) -> Option<Mark> {
+    if !tip.is_soft() || tip.link.is_some() {
+        return None;
+    }
+    let places = contacts[tip.contacts.clone()].iter().map(|contact| {
+        let across = frame.tr_mul(&contact.point());
+        ((across[1], across[2]), contact.point())
+    });
+    let places: Vec<_> = places.collect();
+    let corners = hull(mapped(&places, &|(place, _)| *place));
+    let point =
+        |corner: &(f64, f64)| places.iter().find(|(place, _)| place == corner).map(|(_, point)| *point);
+    let corners: Vec<_> = corners.iter().filter_map(point).collect();
+    (corners.len() > 2).then(|| MarkShape::Line { corners, ink, width: 1.5, dashes: None }.always())
 }
 
 /// The arrows of the force and of the moment of a load.

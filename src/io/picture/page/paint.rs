@@ -124,8 +124,8 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColo
     }
 }
 
-/// Corners of the convex hull of these places (Andrew's monotone chain).
-fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+/// Corners of the convex hull of these places (Andrew's monotone chain), the first one last again.
+pub(super) fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     // By the first coordinate, and by the second among places of the same first.
     for coordinate in [|place: &(f64, f64)| place.1, |place: &(f64, f64)| place.0] {
         let values: Vec<f64> = mapped(&places, &coordinate);

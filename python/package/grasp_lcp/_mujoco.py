@@ -1,0 +1,180 @@
+"""The grasp of a body in MuJoCo: its contacts, and joints and actuators behind them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ._views import Array
+
+# A contact of MuJoCo is a damper along its tangents. Here it is a spring, stiffer than along the normal by this factor.
+TANGENTIAL = 1e6
+# Equality constraints are rods, stiffer than the stiffest joint by this factor.
+ROD = 1e6
+# Contacts with less force, beside the greatest, are left out.
+TOUCHES = 1e-9
+
+
+@dataclass(frozen=True)
+class Touching:
+    """A contact on the body, in world axes: its point from the centre of mass (m), normal and force (N) into it, and depth (m)."""
+
+    other: int
+    name: str
+    point: Array
+    normal: Array
+    tangent: Array
+    friction: float
+    force: Array
+    depth: float
+
+
+def touching(model: Any, data: Any, body: int) -> list[Touching]:
+    """The contacts on a body and on all that is welded to it, in MuJoCo's order.
+
+    The first row of a MuJoCo frame is the normal, which points from geom 1 to geom 2, and its force acts on geom 2. Where geom 1 is of
+    the body both are turned round.
+    """
+    import mujoco  # type: ignore[import-not-found,import-untyped,unused-ignore]
+
+    found = []
+    for index, contact in enumerate(data.contact):
+        bodies = [int(model.geom_bodyid[geom]) for geom in contact.geom]
+        is_of_body = [model.body_weldid[each] == model.body_weldid[body] for each in bodies]
+        if is_of_body[0] == is_of_body[1] or contact.efc_address < 0:
+            continue
+        sign, side = (1.0, 0) if is_of_body[1] else (-1.0, 1)
+        name = model.geom(contact.geom[side]).name or model.body(bodies[side]).name or f"geom {contact.geom[side]}"
+        if contact.dim > 1 and contact.friction[0] != contact.friction[1]:
+            raise ValueError(f"{name}: friction along the tangents is {contact.friction[:2]}, must be one coefficient")
+        force = np.zeros(6)
+        mujoco.mj_contactForce(model, data, index, force)
+        frame = np.array(contact.frame).reshape(3, 3)
+        found.append(
+            Touching(
+                other=bodies[side],
+                name=name,
+                point=contact.pos - data.xipos[body],
+                normal=sign * frame[0],
+                tangent=frame[1],
+                friction=float(contact.friction[0]) if contact.dim > 1 else 0.0,
+                force=sign * force[:3] @ frame,
+                depth=-float(contact.dist),
+            )
+        )
+    most = max((float(touch.normal @ touch.force) for touch in found), default=0.0)
+    return [touch for touch in found if touch.normal @ touch.force > TOUCHES * most and touch.depth > 0]
+
+
+def _dense(model: Any, rows: int, values: Any, count: Any, first: Any, columns: Any) -> Array:
+    """Rows over all degrees of freedom of a sparse matrix of MuJoCo."""
+    dense = np.zeros((rows, model.nv))
+    for row in range(rows):
+        place = slice(first[row], first[row] + count[row])
+        dense[row, columns[place]] = values[place]
+    return dense
+
+
+def _moments(model: Any, data: Any) -> Array:
+    """Lever arms of the actuators over all degrees of freedom."""
+    if data.actuator_moment.ndim == 2:
+        return np.array(data.actuator_moment)
+    return _dense(model, model.nu, data.actuator_moment, data.moment_rownnz, data.moment_rowadr, data.moment_colind)
+
+
+def _equalities(model: Any, data: Any) -> Array:
+    """Rows of the equality constraints that are active."""
+    import mujoco
+
+    if mujoco.mj_isSparse(model):
+        rows = _dense(model, data.nefc, data.efc_J.ravel(), data.efc_J_rownnz, data.efc_J_rowadr, data.efc_J_colind.ravel())
+    else:
+        rows = np.array(data.efc_J).reshape(data.nefc, model.nv)
+    equality: Array = rows[np.array(data.efc_type)[: data.nefc] == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)]
+    return equality
+
+
+def _actuator(model: Any, data: Any, index: int) -> tuple[float, float | None]:
+    """Stiffness of an actuator over its length, and the greatest force in the direction in which it acts; None without a limit."""
+    import mujoco
+
+    slope = 0.0
+    if model.actuator_biastype[index] == int(mujoco.mjtBias.mjBIAS_AFFINE):
+        slope += float(model.actuator_biasprm[index][1])
+    if model.actuator_gaintype[index] == int(mujoco.mjtGain.mjGAIN_AFFINE):
+        slope += float(model.actuator_gainprm[index][1] * data.ctrl[index])
+    limit = None
+    if model.actuator_forcelimited[index]:
+        low, high = (float(x) for x in model.actuator_forcerange[index])
+        limit = -low if data.actuator_force[index] < 0 else high
+    return max(-slope, 0.0), limit
+
+
+def hand_of_body(model: Any, data: Any, body: int | str) -> dict[str, Any]:
+    """Arguments of :meth:`grasp_lcp.Grasp.hand` for the contacts of a body, see :meth:`grasp_lcp.Grasp.from_mujoco`."""
+    import mujoco
+
+    index = int(model.body(body).id)
+    held = touching(model, data, index)
+    if not held:
+        raise ValueError(f"body {body!r}: nothing presses on it")
+    whole = np.zeros((len(held), 3, model.nv))
+    for jacobian, touch in zip(whole, held, strict=True):
+        mujoco.mj_jac(model, data, jacobian, None, touch.point + data.xipos[index], touch.other)
+    moments, equalities = _moments(model, data), _equalities(model, data)
+    # Degrees of freedom that move a contact, and those that drives and constraints couple with them.
+    kept = np.abs(whole).max(axis=(0, 1), initial=0.0) > 0
+    coupled = np.vstack([moments, equalities]) != 0
+    while (more := kept | coupled[coupled[:, kept].any(axis=1)].any(axis=0)).sum() > kept.sum():
+        kept = more
+    dofs = np.flatnonzero(kept)
+    joints = [model.joint(int(model.dof_jntid[dof])) for dof in dofs]
+    for joint in joints:
+        if int(joint.type[0]) not in (int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE)):
+            raise ValueError(f"joint {joint.name!r}: a free or a ball joint is behind a contact, must be hinges and slides")
+    jacobians, forces = whole[:, :, dofs], np.array([touch.force for touch in held])
+    # What holds the joints beside their actuators, with the forces that are there: weights, springs, constraints.
+    torque = np.einsum("nij,ni->j", jacobians, forces)
+    springs = np.array([float(np.ravel(joint.stiffness)[0]) for joint in joints])
+    tendons: list[Mapping[str, Any]] = []
+    for actuator, arms in enumerate(moments[:, dofs]):
+        stiffness, limit = _actuator(model, data, actuator)
+        if stiffness == 0.0 or not arms.any():
+            continue
+        acts = float(data.actuator_force[actuator])
+        torque -= arms * acts
+        tendon = {"name": model.actuator(actuator).name or f"actuator {actuator}", "arms": arms.tolist(), "stiffness": stiffness}
+        tendon |= {"pull": acts / stiffness, "pushes": True}
+        tendons.append(tendon | ({} if limit is None else {"limit": {"saturates": limit}}))
+    stiffest = max([*springs, *(tendon["stiffness"] * float(np.square(tendon["arms"]).max()) for tendon in tendons)], default=0.0)
+    for number, row in enumerate(equalities[:, dofs]):
+        if row.any():
+            arms, stiffness = row / np.linalg.norm(row), ROD * (stiffest or 1.0)
+            tendons.append({"name": f"constraint {number}", "arms": arms.tolist(), "stiffness": stiffness, "pushes": True})
+    press = np.array([touch.normal @ touch.force for touch in held])
+    normal = press / [touch.depth for touch in held]
+    second = [np.cross(touch.normal, touch.tangent) for touch in held]
+    along = [[touch.tangent @ touch.force, other @ touch.force] for touch, other in zip(held, second, strict=True)]
+    return {
+        "points": [touch.point for touch in held],
+        "normals": [touch.normal for touch in held],
+        "tangents": [touch.tangent for touch in held],
+        "jacobians": jacobians,
+        "stiffness": springs,
+        "joints": [joint.name or f"joint {joint.id}" for joint in joints],
+        "torque": torque,
+        "tendons": tendons,
+        "friction": [touch.friction for touch in held],
+        "series_stiffness": np.column_stack([normal, TANGENTIAL * normal]),
+        # Each spring is wound up by the force that is there.
+        "command": np.column_stack([press / normal, np.array(along) / (TANGENTIAL * normal)[:, None]]),
+        "names": _apart([touch.name for touch in held]),
+    }
+
+
+def _apart(names: list[str]) -> list[str]:
+    """Names, with a number where several contacts have the same."""
+    return [name if names.count(name) == 1 else f"{name} {names[:place].count(name)}" for place, name in enumerate(names)]

@@ -1,0 +1,147 @@
+//! A robot in a file, and contacts on its links in place of fingers (feature `urdf`).
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+
+use super::finger::FingerSetup;
+use super::fingertip::{Fingertip, MovedBy};
+use super::setup::Setup;
+use crate::error::Error;
+use crate::grasp::{inside, outside};
+use crate::robot::{Mover, Robot};
+
+/// The robot that holds the object, `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "effort": "from file"}`; see
+/// [`Robot`]. Once its file is read, fingers with joints stand in its place.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct RobotSetup<const C: usize> {
+    /// Its description file; a relative path counts from the folder of the scene.
+    pub urdf: String,
+    /// The place of its root link, m; the origin if left out.
+    #[serde(default)]
+    pub at: [f64; 3],
+    /// Roll, pitch and yaw of its root link, degrees; 0 if left out.
+    #[serde(default)]
+    pub turned_deg: [f64; 3],
+    /// Where its joints are, degrees, those that slide m; 0 if left out.
+    #[serde(default)]
+    pub joints: BTreeMap<String, f64>,
+    /// Where its joints are commanded to be, degrees or m; where they are if left out.
+    #[serde(default)]
+    pub commanded: BTreeMap<String, f64>,
+    /// Stiffness of its joints, N m/rad or N/m, by name; `others` is that of all that are not named.
+    pub stiffness: BTreeMap<String, f64>,
+    /// `"from file"`: motors stall at the efforts of the file; no limits if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub effort: Option<Effort>,
+    /// Contacts by the link they are on, in the frame of the link.
+    pub contacts: BTreeMap<String, Vec<Fingertip<C>>>,
+}
+
+/// Where the limits of motors come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub enum Effort {
+    /// From the efforts of the file.
+    #[serde(rename = "from file")]
+    FromFile,
+}
+
+impl<const C: usize> RobotSetup<C> {
+    /// The robot in its posture, from a folder from which relative paths count.
+    fn read_from(&self, folder: &Path) -> Result<Robot, Error> {
+        let mut robot = Robot::read(folder.join(&self.urdf))?;
+        let [roll, pitch, yaw] = self.turned_deg.map(f64::to_radians);
+        let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+        robot = robot.placed(Isometry3::from_parts(Translation3::from(self.at), turned));
+        for (name, position) in &self.joints {
+            let position = robot.in_radians(name, *position)?;
+            robot = robot.posed(name, position)?;
+        }
+        for (name, position) in &self.commanded {
+            let position = robot.in_radians(name, *position)?;
+            robot = robot.commanded(name, position)?;
+        }
+        robot = robot.stiffness(self.stiffness.get("others").copied().unwrap_or(0.0));
+        for (name, stiffness) in self.stiffness.iter().filter(|(name, _)| *name != "others") {
+            robot = robot.joint_stiffness(name, *stiffness)?;
+        }
+        Ok(if self.effort.is_some() { robot.limited_by_effort() } else { robot })
+    }
+
+    /// The contacts on links that no joint moves, and the fingers of all others.
+    fn spread(self, folder: &Path) -> Result<(Vec<Fingertip<C>>, Vec<FingerSetup<C>>), Error> {
+        let robot = self.read_from(folder)?;
+        let (mut links, mut entries) = (Vec::new(), Vec::new());
+        for (name, on_link) in self.contacts {
+            for entry in on_link {
+                let link = robot.link(&name)?;
+                entries.push(placed(&robot, link, links.len(), entry)?);
+                links.push(link);
+            }
+        }
+        let (fixed, groups) = robot.fingers(&links);
+        let mut fingers = Vec::new();
+        for group in groups {
+            let joints = robot.joints_in(&group).into_iter().map(outside);
+            let mut finger = FingerSetup::new(joints.collect::<Vec<_>>());
+            for &k in &group.contacts {
+                let moved_by = match robot.mover(&group, links[k], &inside(&entries[k].contact)) {
+                    Mover::Link(joints) => MovedBy::Link(joints),
+                    Mover::Jacobian(twists) => MovedBy::Jacobian(twists),
+                };
+                finger = finger.contact(entries[k].clone().moved_by(moved_by));
+            }
+            fingers.push(finger);
+        }
+        Ok((fixed.into_iter().map(|k| entries[k].clone()).collect(), fingers))
+    }
+}
+
+/// A contact from the frame of its link in that of the scene, with the place and the direction of its pad.
+fn placed<const C: usize>(
+    robot: &Robot,
+    link: usize,
+    index: usize,
+    mut entry: Fingertip<C>,
+) -> Result<Fingertip<C>, Error> {
+    entry.contact = outside(robot.placed_on(link, index, &inside(&entry.contact))?);
+    if let Some(touches) = &mut entry.touches {
+        touches.from = std::array::from_fn(|a| entry.contact.point[a]);
+        touches.closing = std::array::from_fn(|a| entry.contact.normal[a]);
+    }
+    Ok(entry)
+}
+
+impl<const C: usize> Setup<C> {
+    /// Refuses a robot in the plane, and one that touches nothing.
+    pub(super) fn check_robot(&self) -> Result<(), String> {
+        let Some(robot) = &self.robot else { return Ok(()) };
+        let mut entries = robot.contacts.values().flatten();
+        if C != 3 {
+            return Err("robot: belongs to a spatial scene".to_owned());
+        }
+        if entries.clone().next().is_none() {
+            return Err("robot: contacts: none given, must be at least one".to_owned());
+        }
+        if entries.any(|entry| entry.surface.is_some()) {
+            return Err("robot: contacts: surface given, must be left out on a link".to_owned());
+        }
+        Ok(())
+    }
+
+    /// This setup with the contacts and the fingers of its robot in place of its file.
+    pub(super) fn with_robot_from(mut self, folder: &Path) -> Result<Self, Error> {
+        if let Some(robot) = self.robot.take() {
+            let (fixed, fingers) = robot.spread(folder)?;
+            self.contacts.extend(fixed);
+            self.fingers.extend(fingers);
+        }
+        Ok(self)
+    }
+}

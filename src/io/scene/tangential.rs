@@ -1,0 +1,41 @@
+//! Whether an answer depends on the stiffness of contacts along their tangents.
+
+use super::setup::Setup;
+use crate::error::Error;
+
+/// Numbers of an answer that differ by this part depend on the stiffness.
+const DEPENDS: f64 = 0.05;
+
+impl<const C: usize> Setup<C> {
+    /// The questions, by number, whose answers change by more than 5 % where the tangential stiffness of all contacts is a tenth, or ten times as large.
+    /// Each is answered three times. Where motions stop being small depends on it always, and does not count.
+    ///
+    /// # Errors
+    /// As for [`Self::answers`].
+    pub fn depends_on_tangential_stiffness(&self) -> Result<Vec<usize>, Error> {
+        let (softer, stiffer) = (self.with_tangential(0.1)?, self.with_tangential(10.0)?);
+        let trial = |trial: usize| if trial == 1 { softer.clone() } else { stiffer.clone() };
+        self.questions_that_depend(&trial, &|_| false, DEPENDS)
+    }
+
+    /// This setup with so many times the tangential stiffness of each contact.
+    fn with_tangential(&self, times: f64) -> Result<Self, Error> {
+        let mut setup = self.clone();
+        let of_fingers = setup.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
+        for entry in setup.contacts.iter_mut().chain(of_fingers) {
+            #[cfg(feature = "mesh")]
+            if let Some(touches) = &mut entry.touches
+                && let Some([normal, tangential]) = touches.pad()?.stiffness()
+            {
+                touches.layer = None;
+                entry.contact = entry.contact.clone().series_stiffness(normal, tangential);
+            }
+            let mut springs = entry.contact.series_stiffness_of_axes();
+            for axis in 1..C {
+                springs[axis] *= times;
+            }
+            entry.contact = entry.contact.clone().series_stiffness_axes(springs);
+        }
+        Ok(setup)
+    }
+}

@@ -1,0 +1,151 @@
+//! Contacts on links, grouped into fingers that share joints.
+
+use nalgebra::{DMatrix, Point3};
+
+use super::described::Robot;
+use crate::error::Error;
+use crate::grasp::{Contact, Finger, Hand, Joint, JointKind};
+
+/// A finger of the grasp: joints with coordinates of their own, and its contacts, by their place in the list of contacts.
+pub(crate) struct Grouped {
+    joints: Vec<usize>,
+    pub(crate) contacts: Vec<usize>,
+}
+
+/// How joints of a finger move a contact.
+pub(crate) enum Mover {
+    /// The first joints, as many as this number.
+    Link(usize),
+    /// Velocities of a point of the link, and below them its angular velocities, for each joint.
+    Jacobian(DMatrix<f64>),
+}
+
+impl Robot {
+    /// The hand with these contacts, each on a link and in the frame of the object; [`Self::on_link`] takes one from the frame of its link.
+    ///
+    /// Contacts on links that no joint moves come first, then those of fingers. A finger is made of the links that share joints. Joints that move no
+    /// contact are left out.
+    ///
+    /// ```text
+    /// velocity of a contact = Σ_j factor_j (axis_j × (point - centre_j)) φ_j        factor: 1, or that of a joint that mimics
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Robot`] for a link that is not there.
+    pub fn hand(&self, contacts: &[(&str, Contact<3>)]) -> Result<Hand<3>, Error> {
+        let links = contacts.iter().map(|(link, _)| self.link(link)).collect::<Result<Vec<_>, _>>()?;
+        let (fixed, fingers) = self.fingers(&links);
+        let mut hand = Hand::new(fixed.into_iter().map(|k| Finger::fixed(contacts[k].1.clone())));
+        for group in fingers {
+            let mut finger = Finger::new(self.joints_in(&group));
+            for &k in &group.contacts {
+                let contact = contacts[k].1.clone();
+                finger = match self.mover(&group, links[k], &contact) {
+                    Mover::Link(joints) => finger.contact_on(joints, contact),
+                    Mover::Jacobian(twists) => {
+                        finger.contact_moved_by(twists.rows(0, 3).into_owned(), contact)
+                    }
+                };
+            }
+            hand = hand.finger(finger);
+        }
+        Ok(hand)
+    }
+
+    /// A contact that is given in the frame of its link, in that of the object, for [`Self::hand`]. Its first tangent turns with the link.
+    ///
+    /// # Errors
+    /// [`Error::Robot`] for a link that is not there, [`Error::Contact`] for a normal or a tangent without direction.
+    pub fn on_link<'n>(&self, link: &'n str, contact: &Contact<3>) -> Result<(&'n str, Contact<3>), Error> {
+        Ok((link, self.placed_on(self.link(link)?, 0, contact)?))
+    }
+
+    /// [`Self::on_link`] for the contact of this index.
+    pub(crate) fn placed_on(
+        &self,
+        link: usize,
+        index: usize,
+        contact: &Contact<3>,
+    ) -> Result<Contact<3>, Error> {
+        let pose = self.pose_of(link);
+        let tangent = contact.frame(index)?.column(1).into_owned();
+        let command = Contact { press: None, ..contact.clone() }.commanded();
+        Ok(Contact {
+            point: (pose * Point3::from(contact.point)).coords,
+            normal: pose * contact.normal,
+            tangent: Some(pose * tangent),
+            ..contact.clone().command(command)
+        })
+    }
+
+    /// The contacts on links that no joint moves, and the fingers of all others.
+    pub(crate) fn fingers(&self, links: &[usize]) -> (Vec<usize>, Vec<Grouped>) {
+        let (mut fixed, mut fingers) = (Vec::new(), Vec::<Grouped>::new());
+        for (k, &link) in links.iter().enumerate() {
+            let mut joints: Vec<usize> =
+                self.movers_of(link).into_iter().map(|index| self.coordinate(index).0).collect();
+            if joints.is_empty() {
+                fixed.push(k);
+                continue;
+            }
+            let mut contacts = vec![k];
+            let (shared, apart): (Vec<_>, Vec<_>) = fingers
+                .into_iter()
+                .partition(|finger| finger.joints.iter().any(|index| joints.contains(index)));
+            for finger in shared.into_iter().rev() {
+                joints.extend(finger.joints);
+                contacts.splice(0..0, finger.contacts);
+            }
+            joints.sort_unstable();
+            joints.dedup();
+            fingers = apart;
+            fingers.push(Grouped { joints, contacts });
+        }
+        fingers.sort_by_key(|finger| finger.contacts[0]);
+        (fixed, fingers)
+    }
+
+    /// The joint whose coordinate moves this one, and the factor on it.
+    fn coordinate(&self, joint: usize) -> (usize, f64) {
+        self.joints[joint].mimics.map_or((joint, 1.0), |mimics| (mimics.joint, mimics.factor))
+    }
+
+    /// The joints of a finger.
+    pub(crate) fn joints_in(&self, finger: &Grouped) -> Vec<Joint<3>> {
+        let joint = |&index: &usize| {
+            let (point, axis) = self.axis_of(index);
+            let described = &self.joints[index];
+            let moving = match described.kind {
+                Some(JointKind::Slides) => Joint::prismatic(axis),
+                _ => Joint::<3>::revolute(point, axis),
+            };
+            let command = described.commanded.map_or(0.0, |commanded| commanded - described.position);
+            let joint = moving.name(&described.name).stiffness(described.stiffness).command(command);
+            described.limit.into_iter().fold(joint, Joint::limit)
+        };
+        finger.joints.iter().map(joint).collect()
+    }
+
+    /// How the joints of its finger move a contact on a link.
+    pub(crate) fn mover(&self, finger: &Grouped, link: usize, contact: &Contact<3>) -> Mover {
+        let movers = self.movers_of(link);
+        if finger.joints.starts_with(&movers) {
+            return Mover::Link(movers.len());
+        }
+        let mut twists = DMatrix::zeros(6, finger.joints.len());
+        for index in movers {
+            let (coordinate, factor) = self.coordinate(index);
+            let Some(column) = finger.joints.iter().position(|joint| *joint == coordinate) else { continue };
+            let (point, axis) = self.axis_of(index);
+            let (velocity, turning) = match self.joints[index].kind {
+                Some(JointKind::Slides) => (axis, axis * 0.0),
+                _ => (axis.cross(&(contact.point - point.coords)), axis),
+            };
+            for a in 0..3 {
+                twists[(a, column)] += factor * velocity[a];
+                twists[(3 + a, column)] += factor * turning[a];
+            }
+        }
+        Mover::Jacobian(twists)
+    }
+}

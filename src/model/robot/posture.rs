@@ -1,0 +1,141 @@
+//! A robot in a posture: positions, commands and stiffnesses of its joints, and where its links are.
+
+use nalgebra::{Isometry3, Point3, Translation3, Vector3};
+
+use super::described::{Robot, RobotJoint, fault};
+use crate::error::{Error, MODERATE, is_moderate};
+use crate::grasp::{JointKind, Limit};
+
+impl Robot {
+    /// This robot with its roots, the links that no joint carries, at a pose in the frame of the object.
+    #[must_use]
+    pub fn placed(self, base: Isometry3<f64>) -> Self {
+        Self { base, ..self }
+    }
+
+    /// This robot with a joint at a position, rad or m. Joints that mimic it follow.
+    ///
+    /// # Errors
+    /// [`Error::Robot`] for a joint that is not there, is fixed or mimics another, and for a position that is not finite.
+    pub fn posed(mut self, joint: &str, position: f64) -> Result<Self, Error> {
+        self.own(joint, position, "position")?.position = position;
+        Ok(self)
+    }
+
+    /// This robot with a joint that is commanded to a position, rad or m; otherwise the command of a joint is where it is.
+    ///
+    /// # Errors
+    /// As for [`Self::posed`].
+    pub fn commanded(mut self, joint: &str, position: f64) -> Result<Self, Error> {
+        self.own(joint, position, "commanded position")?.commanded = Some(position);
+        Ok(self)
+    }
+
+    /// A position in degrees in rad; of a joint that slides it stays in m.
+    #[cfg(feature = "serde")]
+    pub(crate) fn in_radians(&self, joint: &str, position: f64) -> Result<f64, Error> {
+        let slides = self.joints[self.index(joint)?].kind == Some(JointKind::Slides);
+        Ok(if slides { position } else { position.to_radians() })
+    }
+
+    /// This robot with a stiffness of each joint, N m/rad or N/m, of structure and controller in series.
+    #[must_use]
+    pub fn stiffness(mut self, stiffness: f64) -> Self {
+        for joint in &mut self.joints {
+            joint.stiffness = stiffness;
+        }
+        self
+    }
+
+    /// This robot with another stiffness of one joint, N m/rad or N/m.
+    ///
+    /// # Errors
+    /// As for [`Self::posed`].
+    pub fn joint_stiffness(mut self, joint: &str, stiffness: f64) -> Result<Self, Error> {
+        self.own(joint, stiffness, "stiffness")?.stiffness = stiffness;
+        Ok(self)
+    }
+
+    /// This robot with motors that stall at the efforts of the file; a joint without an effort there has no limit.
+    #[must_use]
+    pub fn limited_by_effort(mut self) -> Self {
+        for joint in &mut self.joints {
+            joint.limit = (joint.effort > 0.0).then_some(Limit::Saturates(joint.effort));
+        }
+        self
+    }
+
+    /// A joint with a coordinate of its own, for a number to be set.
+    fn own(&mut self, name: &str, value: f64, what: &str) -> Result<&mut RobotJoint, Error> {
+        let index = self.index(name)?;
+        let joint = &self.joints[index];
+        let refused = if joint.kind.is_none() {
+            "is fixed".to_owned()
+        } else if let Some(mimics) = joint.mimics {
+            format!("mimics {}: set that of the joint it follows", self.joints[mimics.joint].name)
+        } else if is_moderate(value) {
+            return Ok(&mut self.joints[index]);
+        } else {
+            format!("{what} is {value}, must be {MODERATE}")
+        };
+        Err(fault(format!("joint {name}: {refused}")))
+    }
+
+    /// The pose of a link in the frame of the object.
+    ///
+    /// # Errors
+    /// [`Error::Robot`] for a link that is not there.
+    pub fn pose(&self, link: &str) -> Result<Isometry3<f64>, Error> {
+        Ok(self.pose_of(self.link(link)?))
+    }
+
+    pub(super) fn pose_of(&self, link: usize) -> Isometry3<f64> {
+        let Some(index) = self.carried_by[link] else { return self.base };
+        let joint = &self.joints[index];
+        let position = joint.mimics.map_or(joint.position, |mimics| {
+            mimics.factor.mul_add(self.joints[mimics.joint].position, mimics.offset)
+        });
+        let moved = match joint.kind {
+            Some(JointKind::Turns) => Isometry3::rotation(*joint.axis * position),
+            Some(_) => Translation3::from(*joint.axis * position).into(),
+            None => Isometry3::identity(),
+        };
+        self.pose_of(joint.parent) * joint.origin * moved
+    }
+
+    /// A point on the axis of a joint, m, and the direction of the axis, in the frame of the object.
+    pub(super) fn axis_of(&self, joint: usize) -> (Point3<f64>, Vector3<f64>) {
+        let joint = &self.joints[joint];
+        let frame = self.pose_of(joint.parent) * joint.origin;
+        (frame.translation.vector.into(), frame.rotation * *joint.axis)
+    }
+
+    /// The joints that move a link, from the root outwards, those that mimic others included.
+    pub(super) fn movers_of(&self, mut link: usize) -> Vec<usize> {
+        let mut movers = Vec::new();
+        while let Some(index) = self.carried_by[link] {
+            if self.joints[index].kind.is_some() {
+                movers.push(index);
+            }
+            link = self.joints[index].parent;
+        }
+        movers.reverse();
+        movers
+    }
+
+    /// Names of the joints that move a link, from the root outwards.
+    ///
+    /// # Errors
+    /// [`Error::Robot`] for a link that is not there.
+    pub fn joints_of(&self, link: &str) -> Result<Vec<&RobotJoint>, Error> {
+        Ok(self.movers_of(self.link(link)?).into_iter().map(|index| &self.joints[index]).collect())
+    }
+
+    /// A point on the axis of a joint, m, and the direction of the axis, in the frame of the object.
+    ///
+    /// # Errors
+    /// [`Error::Robot`] for a joint that is not there.
+    pub fn axis(&self, joint: &str) -> Result<(Point3<f64>, Vector3<f64>), Error> {
+        Ok(self.axis_of(self.index(joint)?))
+    }
+}

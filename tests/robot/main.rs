@@ -1,0 +1,7 @@
+//! Robots from their description files.
+
+mod followers;
+mod kinematics;
+mod mistakes;
+mod robots;
+mod scenes;

@@ -1,0 +1,39 @@
+//! Whether what a grasp holds depends on the stiffness along tangents.
+
+use grasp_lcp::planar::{Contact, Wrench};
+use grasp_lcp::scene::{Fingertip, Question, Setup, Tip};
+
+fn hold(load: Wrench) -> Question<2> {
+    Question::Hold { base: Wrench::ZERO, load, together_with: Default::default() }
+}
+
+/// Friction of a pinch is μ times its squeeze, whatever gives way.
+#[test]
+fn a_pinch_holds_the_same() {
+    let jaw = |side: f64| {
+        let at = Contact::new([0.03 * side, 0.0], [-side, 0.0]).series_stiffness(2e3, 1.5e3);
+        Fingertip::from(at.friction(0.5).pressed_with(8.0))
+    };
+    let setup = Setup::<2>::new([jaw(-1.0), jaw(1.0)]).ask(hold(Wrench::force([0.0, -1.0])));
+    assert_eq!(setup.depends_on_tangential_stiffness().expect("answered"), [0; 0]);
+}
+
+/// A block pressed on its bed slides there at `μ N (1 + k_n/k_t)` if a stop without friction has the stiffness k_n: from 1.05 to 11 times `μ N`.
+#[test]
+fn a_bed_beside_a_stop_slides_earlier_if_it_is_stiffer() {
+    let (stiffness, tangential) = (1e5, 2e5);
+    let bed = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e7, tangential).friction(0.3);
+    let bed = Fingertip::from(bed.pressed_with(0.0)).soft(Tip::Pair { width: 0.1 });
+    let stop = Contact::new([0.05, 0.0], [-1.0, 0.0]).series_stiffness(stiffness, stiffness);
+    let load = Wrench::force([1.0, 0.0]);
+    let question =
+        Question::Hold { base: Wrench::force([0.0, -100.0]), load, together_with: Default::default() };
+    let setup = Setup::<2>::new([bed, stop.into()]).ask(question);
+    let verdict = setup
+        .grasp()
+        .expect("a grasp")
+        .hold(grasp_lcp::planar::Ramp::load(Wrench::force([0.0, -100.0]), load * 1000.0));
+    let slips = verdict.expect("answered").first_slip.expect("slides").factor * 1000.0;
+    assert!((slips / (30.0 * (1.0 + stiffness / tangential)) - 1.0).abs() < 1e-9, "{slips}");
+    assert_eq!(setup.depends_on_tangential_stiffness().expect("answered"), [0]);
+}
