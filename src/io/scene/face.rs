@@ -14,6 +14,8 @@ use super::part::{PartSetup, Touches};
 use super::patch::Tip;
 use super::path::{BalancedEnergy, PathAnswer, PathOutcome};
 use super::question::Question;
+#[cfg(feature = "urdf")]
+use super::robot::{Effort, RobotSetup};
 use super::setup::Setup;
 use super::solved::SolveAnswer;
 use crate::equilibrium::Settings;
@@ -25,10 +27,16 @@ same_on_both_sides! {
 }
 #[cfg(feature = "mesh")]
 same_on_both_sides! { PartSetup, Touches }
+#[cfg(feature = "urdf")]
+same_on_both_sides! { Effort }
+#[cfg(feature = "urdf")]
+face_of_struct! {
+    RobotSetup { urdf, at, turned_deg, joints, commanded, stiffness, effort, contacts }
+}
 
 face_of_struct! {
     Setup {
-        contacts, fingers, tendons, bodies, links, gravity, loaded, shared_by_mass, outline, #[cfg(feature = "mesh")] part, questions, settings,
+        contacts, fingers, tendons, bodies, links, gravity, loaded, shared_by_mass, outline, #[cfg(feature = "mesh")] part, #[cfg(feature = "urdf")] robot, questions, settings,
     }
     Fingertip {
         contact, soft, cup, #[cfg(feature = "mesh")] touches, surface, no_stiffness, comment, moved_by,
