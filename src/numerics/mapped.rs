@@ -48,7 +48,7 @@ pub(crate) fn summed<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
     sum
 }
 
-/// `f` of each element of a list that is given away, in order.
+/// `f` of each element of a list that the caller no longer needs, in order.
 pub(crate) fn moved<T, U>(list: Vec<T>, f: &dyn Fn(T) -> U) -> Vec<U> {
     let mut all = Vec::with_capacity(list.len());
     for element in list {
@@ -79,7 +79,7 @@ pub(crate) fn paired<'a, 'b, T, U, V>(
     all
 }
 
-/// What `f` makes of elements, without those of which it makes nothing.
+/// The values of `f` at those elements where it has one, in order.
 pub(crate) fn picked<'a, T, U>(list: &'a [T], f: &dyn Fn(&'a T) -> Option<U>) -> Vec<U> {
     let mut all = Vec::new();
     for element in list {

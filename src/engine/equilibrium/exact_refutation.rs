@@ -11,7 +11,7 @@ use num_traits::{FromPrimitive, One, Signed, Zero};
 
 use crate::contact::{Label, LocalLaw, Sector};
 use crate::grasp::{Contact, Engine, Site, Wrench};
-use crate::numerics::{Vector, mapped, numbered, paired};
+use crate::numerics::Vector;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, ProofStep, check};
@@ -107,17 +107,19 @@ fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
 fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     let mut forces: Vec<Rational> = forces.iter().flat_map(|f| f.iter().map(|x| exact(*x))).collect();
     let column = |j: usize| &contacts[j / 3].map[j % 3];
-    let mut rows: Vec<Vec<Rational>> = numbered(6, &|k| {
-        let mut row: Vec<Rational> = (0..forces.len()).map(|j| column(j)[k].clone()).collect();
-        let left = dot(&row, &forces);
-        row.push(-left);
-        row
-    });
+    let mut rows: Vec<Vec<Rational>> = (0..6)
+        .map(|k| {
+            let mut row: Vec<Rational> = (0..forces.len()).map(|j| column(j)[k].clone()).collect();
+            let left = dot(&row, &forces);
+            row.push(-left);
+            row
+        })
+        .collect();
     let mut pivots = Vec::new();
     for k in 0..6 {
         let size = |j: &usize| rows[k][*j].abs();
         let pivot = (0..forces.len()).max_by_key(size).expect("columns");
-        let row: Vec<Rational> = mapped(&rows[k], &|x| x / &rows[k][pivot]);
+        let row: Vec<Rational> = rows[k].iter().map(|x| x / &rows[k][pivot]).collect();
         for (other, target) in rows.iter_mut().enumerate() {
             let factor = if other == k { Rational::zero() } else { target[pivot].clone() };
             for (x, y) in target.iter_mut().zip(&row) {
@@ -141,9 +143,10 @@ fn is_contradicted(
     (motion, forces): (&Vector, &[SVector<f64, 3>]),
     data: &Rational,
 ) -> bool {
-    let motion: Vec<Rational> = mapped(&motion, &|x| exact(*x));
+    let motion: Vec<Rational> = motion.iter().map(|x| exact(*x)).collect();
     let forces = balanced(contacts, forces);
-    let load: Vec<Rational> = numbered(6, &|k| exact(problem.wrench[k]) + exact(problem.wrench_rest[k]));
+    let load: Vec<Rational> =
+        (0..6).map(|k| exact(problem.wrench[k]) + exact(problem.wrench_rest[k])).collect();
     let parts = || contacts.iter().zip(forces.chunks(3));
     let work = parts().fold(Rational::zero(), |sum, (contact, f)| sum + dot(f, &contact.drive));
     let gain = work - dot(&motion, &load);
@@ -154,7 +157,7 @@ fn is_contradicted(
     let most = &gain / (exact(ESCAPE) * data);
     gain.is_positive()
         && parts().zip(labels).all(|((contact, f), label)| {
-            let give: Vec<Rational> = paired(&f, &contact.stiffness, &|(f, k)| f / k);
+            let give: Vec<Rational> = f.iter().zip(&contact.stiffness).map(|(f, k)| f / k).collect();
             let moved = contact.map.each_ref().map(|column| dot(column, &motion));
             contact.generators(label).iter().all(|[xi, force]| {
                 let work = dot(&give, xi) + dot(&moved, force);

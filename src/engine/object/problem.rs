@@ -251,7 +251,7 @@ impl<'g> Problem<'g> {
     }
 }
 
-/// The laws of all contacts, in order: a type with a name, of which functions of iterators have fewer copies than of a closure.
+/// The laws of all contacts, in order. Adapters of iterators are compiled once for this type, instead of once for a closure.
 pub(crate) struct Locals<'p> {
     problem: &'p Problem<'p>,
     next: usize,
