@@ -22,6 +22,9 @@ use crate::pictures::Drawn;
 use crate::quality::Quality;
 use crate::watch::{Watch, Watchable};
 
+/// Points of all contacts, and edges of the part, m.
+pub(crate) type Places = (Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>);
+
 /// Questions that a grasp answers, in the plane or in space.
 pub(crate) trait Held: Send + Sync {
     fn json(&self) -> PyResult<String>;
@@ -37,7 +40,7 @@ pub(crate) trait Held: Send + Sync {
     /// Mass, kg, and centre of mass, m, of the part of the scene, as far as they are known.
     fn part(&self) -> (Option<f64>, Option<[f64; 3]>);
     /// Points of all contacts, and edges of the part, m.
-    fn places(&self) -> PyResult<(Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>)>;
+    fn places(&self) -> PyResult<Places>;
     /// The grasp in an equilibrium that JSON describes, or at rest, as SVG or as a page. `None` for hands, several bodies, and pages in the plane.
     fn drawn(&self, state: Option<&str>, title: &str, page: bool) -> PyResult<Option<String>>;
 }
@@ -213,7 +216,7 @@ where
         (part.and_then(Part::mass), part.and_then(Part::centre_of_mass))
     }
 
-    fn places(&self) -> PyResult<(Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>)> {
+    fn places(&self) -> PyResult<Places> {
         let made = self.setup.grasp().map_err(refused)?;
         let points = made.contacts().iter().map(|contact| contact.point().as_slice().to_vec()).collect();
         Ok((points, self.setup.part_read().map_or_else(Vec::new, |part| part.edges(0.5))))
@@ -284,7 +287,7 @@ impl Grasp {
         self.held.part()
     }
 
-    fn places(&self) -> PyResult<(Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>)> {
+    fn places(&self) -> PyResult<Places> {
         self.held.places()
     }
 

@@ -40,6 +40,8 @@ def test_pads_on_a_mesh_are_drawn_on_the_part() -> None:
     assert len(ax.lines) == 18
     x = np.asarray(ax.collections[0]._offsets3d[0])
     assert set(np.round(x, 9)) == {0.0, 0.006}
+    # Of each pad one arrow: its shaft and the two lines of its head.
+    assert len(ax.collections[1]._segments3d) == 2 * 3
 
 
 def test_a_grasp_without_a_state_has_its_contacts_alone() -> None:

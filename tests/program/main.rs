@@ -73,9 +73,9 @@ fn run(arguments: &[&str]) -> Output {
     run_on(b"", arguments)
 }
 
-/// Whether a word of a command is the name of a scene, or of a table that stands beside one.
+/// Whether a word of a command is the name of a scene, or of a table or a mesh that stands beside one.
 fn is_a_scene(word: &str) -> bool {
-    Path::new(word).extension().is_some_and(|end| end == "json" || end == "csv")
+    Path::new(word).extension().is_some_and(|end| end == "json" || end == "csv" || end == "stl")
 }
 
 /// Commands of a dialogue with what is said to them: scenes stand in a folder below those of the repository.

@@ -35,9 +35,7 @@ fn every_command_of_the_table_answers() {
         let Some(command) = command.filter(|command| !command.contains('<')) else { continue };
         let mut arguments: Vec<_> = command
             .split_whitespace()
-            .map(
-                |word| if is_a_scene(word) || word.ends_with(".stl") { scene(word) } else { word.to_owned() },
-            )
+            .map(|word| if is_a_scene(word) { scene(word) } else { word.to_owned() })
             .collect();
         if command.starts_with("map") {
             arguments.extend(["--output".to_owned(), output.display().to_string()]);

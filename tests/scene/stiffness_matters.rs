@@ -1,10 +1,12 @@
 //! Whether what a grasp holds depends on the stiffness along tangents.
 
+use std::collections::BTreeMap;
+
 use grasp_lcp::planar::{Contact, Wrench};
 use grasp_lcp::scene::{Fingertip, Question, Setup, Tip};
 
 fn hold(load: Wrench) -> Question<2> {
-    Question::Hold { base: Wrench::ZERO, load, together_with: Default::default() }
+    Question::Hold { base: Wrench::ZERO, load, together_with: BTreeMap::default() }
 }
 
 /// Friction of a pinch is μ times its squeeze, whatever gives way.
@@ -27,7 +29,7 @@ fn a_bed_beside_a_stop_slides_earlier_if_it_is_stiffer() {
     let stop = Contact::new([0.05, 0.0], [-1.0, 0.0]).series_stiffness(stiffness, stiffness);
     let load = Wrench::force([1.0, 0.0]);
     let question =
-        Question::Hold { base: Wrench::force([0.0, -100.0]), load, together_with: Default::default() };
+        Question::Hold { base: Wrench::force([0.0, -100.0]), load, together_with: BTreeMap::default() };
     let setup = Setup::<2>::new([bed, stop.into()]).ask(question);
     let verdict = setup
         .grasp()

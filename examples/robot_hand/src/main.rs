@@ -131,14 +131,14 @@ fn with_springs(
     let mut frames = grasp.frames().skip(all.len());
     for finger in FINGERS {
         let names = joint_names(robot, finger)?;
-        let axes = names.iter().map(|name| robot.axis(name)).collect::<Result<Vec<_>, _>>()?;
+        let lines = names.iter().map(|name| robot.axis(name)).collect::<Result<Vec<_>, _>>()?;
         let carried = contacts(robot, finger, ball)?;
         for (link, contact) in &carried {
             let frame: &Matrix3<f64> = frames.next().ok_or("a frame for each contact")?;
             let share: f64 = carried.iter().filter(|(other, _)| other == link).map(|_| 1.0).sum();
             let at = Point3::from(contact.point());
             let jacobian = DMatrix::from_fn(3, *link, |a, j| {
-                let (point, axis) = &axes[j];
+                let (point, axis) = &lines[j];
                 (frame.transpose() * axis.cross(&(at - point)))[a]
             });
             let springs = contact.series_stiffness_of_axes();

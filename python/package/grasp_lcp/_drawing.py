@@ -25,14 +25,18 @@ def draw_into(ax: Any, places: tuple[Sequence[Any], Sequence[Any]], setup: Mappi
     ax.scatter(*points.T, color=colours, s=12)
     everything = np.vstack([points, *lines])
     if state is not None:
-        forces = state.forces_world
+        # One force for all points of a pad, at the middle of those that carry it.
+        numbers = np.array([contact.contact for contact in state.contacts])
+        of_pads = [numbers == number for number in np.unique(numbers)]
+        weights = np.linalg.norm(state.forces_world, axis=1) + 1e-300
+        at = np.array([np.average(points[of_pad], axis=0, weights=weights[of_pad]) for of_pad in of_pads])
+        forces = np.array([state.forces_world[of_pad].sum(axis=0) for of_pad in of_pads])
         size, most = np.ptp(everything, axis=0).max(), np.linalg.norm(forces, axis=1).max()
         arrows = forces * (size / (3 * most) if most > 0 else 0.0)
-        if axes == 2:
-            ax.quiver(*points.T, *arrows.T, color=colours, angles="xy", scale_units="xy", scale=1)
-        else:
-            ax.quiver(*points.T, *arrows.T, color=colours)
-        everything = np.vstack([everything, points + arrows])
+        inks = [colours[int(np.argmax(of_pad))] for of_pad in of_pads]
+        in_plane = {"angles": "xy", "scale_units": "xy", "scale": 1} if axes == 2 else {}
+        ax.quiver(*at.T, *arrows.T, color=inks, **in_plane)
+        everything = np.vstack([everything, at + arrows])
     if axes == 2:
         ax.set_aspect("equal")
         ax.update_datalim(everything)

@@ -139,11 +139,8 @@
 //! | `limit` | `{"saturates": …}` or `{"slips": …}`, see [`Limit`](crate::grasp::Limit) | N m or N | none |
 //! | `pushes`, of a tendon alone | `true` for a rod or a differential, which also pushes | | pulls only |
 //!
-//! A robot (module `robot`) is `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "contacts": {"thumb_tip": […]}}`, in space,
-//! with a file that counts from the folder of the scene. `at` and `turned_deg` are the place of its root link, m, and roll, pitch and yaw. `joints` and
-//! `commanded` say where its joints are and where they are commanded to be, in degrees or m; `stiffness` has N m/rad or N/m, with `others` for all that are
-//! not named; `"effort": "from file"` limits motors. `contacts` are lists by link, in the frame of the link, that of `touches` included. Their numbers stand
-//! behind all others: first those on links that no joint moves, then finger by finger.
+//! A robot (`RobotSetup` of the feature `urdf`) is `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "contacts":
+//! {"thumb_tip": […]}}`, in space. Its contacts have the numbers behind all others: first those on links that no joint moves, then finger by finger.
 //!
 //! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
 //! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; a part that is left out is zero. `"at":

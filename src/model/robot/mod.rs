@@ -1,7 +1,7 @@
 //! A robot from its description file: the hand by which it holds an object (feature `urdf`).
 //!
 //! A [`Robot`] has links and joints as a URDF describes them, in a posture. [`Robot::hand`] makes the [`Hand`](crate::grasp::Hand) of contacts on its
-//! links. Joints that mimic another follow it exactly: they share its coordinate. Collision shapes are not read: what touches is said.
+//! links. Joints that mimic another follow it exactly: they share its coordinate. Collision shapes are not read: contacts are given.
 //!
 //! ```
 //! use grasp_lcp::robot::Robot;

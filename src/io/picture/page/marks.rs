@@ -59,7 +59,7 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
     for (k, tip) in drawing.tips.iter().enumerate() {
         let first = tip.contacts.start;
         let ink = state.map_or(GREY, |state| ink(tip.resultant(contacts, state).word));
-        marks.extend(rim(contacts, &frames[first], tip, ink).map(|mark| mark.of(k)));
+        marks.extend(rim(contacts, frames[first], tip, ink).map(|mark| mark.of(k)));
         if let (Some(frame), Some(state)) = (frame, state) {
             let axes = [0, 1, 2].map(|axis| frames[first].column(axis).into_owned());
             let slope = frame.slope(first, slope(&contacts[first]));
