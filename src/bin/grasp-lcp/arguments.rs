@@ -5,12 +5,13 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 #[cfg(feature = "cli-full")]
 use clap_complete::Shell;
+use grasp_lcp::words::Unit;
 
 use crate::identifies::Identifies;
 use crate::map::Unsure;
 use crate::new::{FIELDS_HELP, Template};
 pub(crate) use crate::numbers::{BodyPush, Numbers};
-use crate::numbers::{count, kilograms, newtons, percent, times};
+use crate::numbers::{count, kilograms, newtons, percent, times, unit};
 use crate::shakes::Shakes;
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
@@ -202,6 +203,9 @@ pub(crate) enum Command {
         /// The point where the force acts, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
+        /// The unit of that point: m, cm, mm or in; that of the scene's field `unit` if left out.
+        #[arg(long, value_parser = unit, value_name = "UNIT")]
+        unit: Option<Unit>,
         #[command(flatten)]
         unsure: Unsure,
         /// Prints the map as one JSON object, and draws nothing.
@@ -278,7 +282,7 @@ pub(crate) enum SchemaOf {
 }
 
 /// The scene, and the form of the answer.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct Ask {
     /// The scene; `-` for standard input.
     pub(crate) scene: PathBuf,
@@ -291,6 +295,10 @@ pub(crate) struct Ask {
     /// Number of significant digits.
     #[arg(long, default_value_t = 6, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: u8,
+    /// The unit of lengths on the command line and in a table of slips: m, cm, mm or in; that of the scene's field `unit` if left out. Answers do
+    /// not change their units.
+    #[arg(long, value_parser = unit, value_name = "UNIT")]
+    pub(crate) unit: Option<Unit>,
 }
 
 /// The question of `need`.

@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use super::part::Part;
-use super::unit::Unit;
 use crate::error::Error;
+use crate::words::Unit;
 
 /// Bytes before the triangles of a binary STL: a comment of 80 bytes and their number.
 const HEAD: usize = 84;
