@@ -10,10 +10,11 @@ use super::question::Question;
 use super::setup::Setup;
 use crate::ask::{Grasp, check_contact};
 use crate::error::{ContactLabel, Error};
+use crate::grasp::inside;
 use crate::identify::{Identify, LAYOUTS_OF_HANDS};
 use crate::improve::Improve;
 use crate::load_path::{self, Leg};
-use crate::numerics::tried;
+use crate::numerics::{Space, tried};
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
@@ -78,7 +79,7 @@ impl<const C: usize> Setup<C> {
         for contact in asked.unknowns.iter().flat_map(|unknown| &unknown.contacts).flatten() {
             check_contact(*contact, expected)?;
         }
-        asked.check_numbers(1 + asked.layouts.len())
+        inside(asked).check_numbers(Space::of::<C>(), 1 + asked.layouts.len())
     }
 
     fn check_legs(&self, legs: &[Leg<C>]) -> Result<(), Error> {

@@ -9,7 +9,7 @@ use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
-use crate::grasp::{Hold, Wrench};
+use crate::grasp::{Hold, Wrench, inside, outside};
 use crate::load_path::Ramp;
 
 impl<const C: usize> Setup<C> {
@@ -146,6 +146,6 @@ fn at_rest<const C: usize>(question: &Question<C>) -> Wrench<C> {
         Question::Solve { .. } => Wrench::ZERO,
         Question::OnsetOfTurn(turn) => turn.load_at(0.0),
         Question::Follow { start, .. } => *start,
-        Question::Identify(asked) => asked.at_rest(),
+        Question::Identify(asked) => outside(inside(asked).at_rest()),
     }
 }

@@ -61,6 +61,19 @@ struct Door<const C: usize> {
     joint_centres: Vec<Option<SVector<f64, C>>>,
 }
 
+/// Inside the engine a grasp of the plane answers questions with vectors of three components.
+impl<const C: usize> Face for Grasp<C> {
+    type Inside = Grasp<3>;
+
+    fn enter(self) -> Grasp<3> {
+        Grasp { engine: self.engine, settings: self.settings, door: Once::new() }
+    }
+
+    fn leave(inside: Grasp<3>) -> Self {
+        Self { engine: inside.engine, settings: inside.settings, door: Once::new() }
+    }
+}
+
 impl<const C: usize> Grasp<C> {
     /// Checks the contacts and computes their frames.
     ///

@@ -5,6 +5,7 @@ use super::slip::Slip;
 use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
 use crate::error::Error;
+use crate::grasp::Space;
 use crate::numerics::mapped;
 use crate::prelude::*;
 
@@ -12,13 +13,13 @@ fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -
     Err(Error::Identify { what, field, value, allowed })
 }
 
-impl<const C: usize> Identify<C> {
+impl Identify<3> {
     /// Refuses contacts that these grasps do not have.
-    pub(super) fn check(&self, layouts: &[Grasp<C>]) -> Result<(), Error> {
+    pub(super) fn check(&self, layouts: &[Grasp<3>]) -> Result<(), Error> {
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
         for (k, unknown) in self.unknowns.iter().enumerate() {
             let meets = |other: &Unknown| {
-                let both = |(layout, grasp): (usize, &Grasp<C>)| {
+                let both = |(layout, grasp): (usize, &Grasp<3>)| {
                     (0..grasp.len()).any(|i| unknown.is_of(layout, i) && other.is_of(layout, i))
                 };
                 unknown.clashes_with(other) && layouts.iter().enumerate().any(both)
@@ -38,14 +39,14 @@ impl<const C: usize> Identify<C> {
     }
 
     /// Refuses numbers out of range for this number of layouts.
-    pub(crate) fn check_numbers(&self, layouts: usize) -> Result<(), Error> {
+    pub(crate) fn check_numbers(&self, space: Space, layouts: usize) -> Result<(), Error> {
         for (list, given) in [("unknowns", self.unknowns.len()), ("slips", self.slips.len())] {
             if given == 0 {
                 return wrong(list.to_owned(), "number", 0.0, "at least 1");
             }
         }
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check_numbers(k, layouts))?;
-        self.slips.iter().enumerate().try_for_each(|(k, slip)| slip.check(k, layouts))?;
+        self.slips.iter().enumerate().try_for_each(|(k, slip)| slip.check(k, space, layouts))?;
         let scatters: Vec<_> = mapped(&self.slips, &|slip| slip.scatter);
         let groups: Vec<_> = mapped(&self.slips, &|slip| slip.group.map(|group| group as f64));
         for (field, column) in [("scatter", scatters), ("group", groups)] {
@@ -59,10 +60,10 @@ impl<const C: usize> Identify<C> {
             let allowed = "at least 2: errors of groups are told by how far they are apart";
             return wrong("slips".to_owned(), "number of groups", 1.0, allowed);
         }
-        let carries = |slip: &Slip<C>, unknown: &Unknown| {
+        let carries = |slip: &Slip<3>, unknown: &Unknown| {
             unknown.kind == UnknownKind::Carried && unknown.is_in(slip.layout())
         };
-        let squeezed = |slip: &Slip<C>| {
+        let squeezed = |slip: &Slip<3>| {
             slip.squeeze() != 1.0 && self.unknowns.iter().any(|unknown| carries(slip, unknown))
         };
         if let Some(slip) = self.slips.iter().position(squeezed) {
@@ -120,7 +121,7 @@ impl Unknown {
     }
 
     /// Refuses contacts that none of these grasps has, and, for a carried force, contacts that are held by a force.
-    fn check<const C: usize>(&self, number: usize, layouts: &[Grasp<C>]) -> Result<(), Error> {
+    fn check(&self, number: usize, layouts: &[Grasp<3>]) -> Result<(), Error> {
         for (layout, grasp) in layouts.iter().enumerate().filter(|(layout, _)| self.is_in(*layout)) {
             let named = self.contacts.iter().flatten();
             if let Some(contact) = named.clone().find(|contact| **contact >= grasp.len()) {

@@ -6,13 +6,12 @@ use super::model::{NoSlip, Predicted, SlipToPredict};
 use super::slip::Grown;
 use super::unknown::{UnknownKind, carried_by};
 use crate::error::Error;
-use crate::grasp::inside;
 use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 use crate::prelude::*;
 
 /// The load factor or angle at first slip.
-pub(super) fn predicted<const C: usize>(
-    seen: &SlipToPredict<'_, C>,
+pub(super) fn predicted(
+    seen: &SlipToPredict<'_>,
 ) -> Result<Result<Predicted, NoSlip>, Error> {
     let onset = match seen.slip.grown() {
         Grown::Load(load) => seen.grasp.onset(Ramp::load(seen.base, load))?,
@@ -37,9 +36,10 @@ pub(super) fn predicted<const C: usize>(
 }
 
 /// Derivatives of the logarithm of the factor. If several contacts leave together, the mean of theirs: each is valid on one side of a kink.
-fn exact<const C: usize>(seen: &SlipToPredict<'_, C>, event: &OnsetEvent<C>) -> Option<Vec<f64>> {
-    let event = inside(event);
-    let margins = OnsetMargins::new(&seen.grasp.engine, &event)?;
+fn exact(seen: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
+    let margins = OnsetMargins::new(&seen.grasp.engine, event)?;
+    let space = seen.grasp.engine.space();
+    let axes = space.axes();
     let leavers = margins.leavers().count();
     let contacts = seen.grasp.contacts();
     // The parameters of a contact that an unknown scales, each with its change by the logarithm of the unknown.
@@ -50,14 +50,17 @@ fn exact<const C: usize>(seen: &SlipToPredict<'_, C>, event: &OnsetEvent<C>) -> 
         match kind {
             UnknownKind::Friction => vec![(Parameter::Friction { contact }, data.friction)],
             UnknownKind::Stiffness => {
-                (1..C).map(|axis| (Parameter::Stiffness { contact, axis }, springs[axis])).collect()
+                (1..axes).map(|axis| (Parameter::Stiffness { contact, axis }, springs[axis])).collect()
             }
-            UnknownKind::Squeeze => (0..C).map(|axis| (along(axis), data.command[axis])).collect(),
+            UnknownKind::Squeeze => (0..axes).map(|axis| (along(axis), data.command[axis])).collect(),
             UnknownKind::Carried => {
-                let pressed = carried_by(data, value);
-                let by_load = pressed.components().iter().enumerate();
-                let by_load = by_load.map(|(component, x)| (Parameter::Load { component }, *x));
-                by_load.chain([(along(0), value / springs[0])]).collect()
+                let pressed = carried_by(data, value).coordinates(space);
+                let mut changes = Vec::new();
+                for component in 0..space.of_the_object() {
+                    changes.push((Parameter::Load { component }, pressed[component]));
+                }
+                changes.push((along(0), value / springs[0]));
+                changes
             }
         }
     };

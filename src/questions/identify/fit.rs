@@ -36,7 +36,7 @@ pub(super) struct Scatter {
     pub(super) estimated: Option<f64>,
 }
 
-impl<const C: usize> Model<'_, C> {
+impl Model<'_> {
     pub(super) fn huber(&self) -> Huber {
         Huber(self.asked.outliers())
     }
@@ -74,7 +74,7 @@ type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 /// The first point at which the model predicts all slips: the given values, or these with all friction times a common factor. The factor is halved
 /// if the object holds too well and doubled if it holds too little; once both occurred, bisection in the logarithm follows. Without unknown friction,
 /// squeezes and carried loads have the factor instead.
-fn begun<const C: usize>(model: &Model<'_, C>) -> Result<Begun, Error> {
+fn begun(model: &Model<'_>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
     let first = model.linear(&begin)?;
@@ -111,7 +111,7 @@ fn begun<const C: usize>(model: &Model<'_, C>) -> Result<Begun, Error> {
 }
 
 /// The logarithms with the least loss, by a search from the given values.
-pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Error> {
+pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     let (begin, linear) = begun(model)?;
     let nothing = Scatter { rows: Vec::new(), estimated: None };
     let mut fit = Fitted { logs: begin, linear: None, scatter: nothing, iterations: 0, end: FitEnd::Limit };
@@ -190,7 +190,7 @@ struct Steps {
 
 impl Steps {
     /// Steps from a point, with slips weighted by their scatter and residual.
-    fn of<const C: usize>(model: &Model<'_, C>, linear: &Linear, scatter: &Scatter) -> Self {
+    fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {
         let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
         let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).collect();
         let (values, directions, along) = singular(&linear.jacobian, &linear.residuals, &weights);

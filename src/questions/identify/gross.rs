@@ -17,8 +17,8 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// The load factor or angle at gross slip.
-pub(super) fn predicted<const C: usize>(
-    seen: &SlipToPredict<'_, C>,
+pub(super) fn predicted(
+    seen: &SlipToPredict<'_>,
 ) -> Result<Result<Predicted, NoSlip>, Error> {
     let (start, leg, most) = match seen.slip.grown() {
         Grown::Load(load) => {
@@ -32,7 +32,7 @@ pub(super) fn predicted<const C: usize>(
         }
     };
     let mut path = seen.grasp.follow(start, &[leg])?;
-    let told = |at: f64, motion: Option<&Twist<C>>, forces: &[SVector<f64, C>]| {
+    let told = |at: f64, motion: Option<&Twist<3>>, forces: &[SVector<f64, 3>]| {
         let motion = motion.filter(|_| seen.derivatives);
         let leaving = motion.and_then(|motion| GrossSlip::from_end(seen, at, motion, forces));
         Predicted { at, exact: leaving.and_then(|leaving| leaving.derivatives()) }
@@ -48,7 +48,7 @@ pub(super) fn predicted<const C: usize>(
     }
     Ok(match path.end() {
         Some(PathEnd::Lost(loss)) => {
-            let is_one_object = |motion: &&Motion<C>| motion.bodies.is_empty() && motion.joints.is_empty();
+            let is_one_object = |motion: &&Motion<3>| motion.bodies.is_empty() && motion.joints.is_empty();
             let is_steady = loss.drives.is_empty() && loss.jumped.is_empty();
             let motion = loss.motion.as_ref().filter(|_| is_steady).filter(is_one_object);
             Ok(told(loss.fraction * most, motion.map(|motion| &motion.object), &path.forces()))

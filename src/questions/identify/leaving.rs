@@ -16,14 +16,14 @@ use super::model::SlipToPredict;
 use super::pressing::{Pressing, at_length, pressing};
 use super::tolerances::INDISTINCT;
 use super::unknown::{UnknownKind, carried_by};
-use crate::grasp::{Twist, Wrench};
+use crate::grasp::{Space, Twist, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
 /// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
-pub(super) struct GrossSlip<'a, 's, const C: usize> {
-    seen: &'a SlipToPredict<'s, C>,
+pub(super) struct GrossSlip<'a, 's> {
+    seen: &'a SlipToPredict<'s>,
     /// The length for moments and rotations, m: the distance of the farthest contact from the origin.
     length: f64,
     /// The load factor, or the angle.
@@ -32,22 +32,23 @@ pub(super) struct GrossSlip<'a, 's, const C: usize> {
     pressing: Vec<Pressing>,
 }
 
-impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
+impl<'a, 's> GrossSlip<'a, 's> {
     /// From the end of a load path. `None` if a contact opens as the object leaves, or if these equations do not hold.
     pub(super) fn from_end(
-        seen: &'a SlipToPredict<'s, C>,
+        seen: &'a SlipToPredict<'s>,
         at: f64,
-        motion: &Twist<C>,
-        forces: &[SVector<f64, C>],
+        motion: &Twist<3>,
+        forces: &[SVector<f64, 3>],
     ) -> Option<Self> {
         let contacts = seen.grasp.contacts();
-        let is_round = C == 2 || seen.grasp.settings().round;
+        let space = seen.grasp.engine.space();
+        let is_round = space == Space::Planar || seen.grasp.settings().round;
         if !is_round || !seen.is_pressed_by_commands() || forces.len() != contacts.len() {
             return None;
         }
         let farthest = largest(contacts, &|contact| contact.point.norm());
         let length = if farthest > 0.0 { farthest } else { 1.0 };
-        let motion = at_length::<C>(motion.components(), length);
+        let motion = at_length(space, &motion.coordinates(space), length);
         let mut pressing = pressing(seen, forces, length);
         let fastest = largest(&pressing, &|contact| contact.velocity(&motion).norm());
         for contact in &mut pressing {
@@ -93,7 +94,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         for contact in &self.pressing {
             kept.push(contact.normal.clone());
             if contact.sticks {
-                for axis in 0..C - 1 {
+                for axis in 0..contact.tangents.ncols() {
                     kept.push(contact.tangents.column(axis).into_owned());
                 }
             }
@@ -117,8 +118,9 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         sum
     }
 
-    fn one_length(&self, load: &Wrench<C>) -> DVector<f64> {
-        at_length::<C>(load.components(), self.length.recip())
+    fn one_length(&self, load: &Wrench<3>) -> DVector<f64> {
+        let space = self.seen.grasp.engine.space();
+        at_length(space, &load.coordinates(space), self.length.recip())
     }
 
     /// Changes all unknowns by a step.
@@ -130,8 +132,11 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         }
         self.motion += &equations.turns * step.rows(springs, turns).into_owned();
         self.motion.normalize_mut();
-        for (j, contact) in self.stuck().enumerate() {
-            contact.held += step.rows(springs + turns + j * (C - 1), C - 1);
+        let mut row = springs + turns;
+        for contact in self.stuck() {
+            let tangents = contact.held.len();
+            contact.held += step.rows(row, tangents);
+            row += tangents;
         }
         self.at += step[step.len() - 1];
     }
@@ -184,7 +189,7 @@ struct Equations {
 
 impl Equations {
     /// `None` if the equations do not determine the load.
-    fn of<const C: usize>(leaving: &GrossSlip<'_, '_, C>) -> Option<Self> {
+    fn of(leaving: &GrossSlip<'_, '_>) -> Option<Self> {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
         let normals: Vec<_> = mapped(pressing, &|contact| contact.normal.clone());
         let (springs, _) = spaces(&normals, size);

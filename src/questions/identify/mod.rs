@@ -52,6 +52,7 @@
 mod answer;
 mod checked;
 mod combination;
+mod face;
 mod first;
 mod fit;
 mod gross;

@@ -17,15 +17,15 @@ use crate::sweep::map_in_order;
 const LOGARITHM_STEP: f64 = 1e-4;
 
 /// The question with all its grasps.
-pub(super) struct Model<'a, const C: usize> {
-    pub(super) layouts: &'a [Grasp<C>],
-    pub(super) asked: &'a Identify<C>,
+pub(super) struct Model<'a> {
+    pub(super) layouts: &'a [Grasp<3>],
+    pub(super) asked: &'a Identify<3>,
 }
 
 /// A grasp with values of the unknowns, and the load that they add.
-pub(super) struct LayoutGuess<const C: usize> {
-    pub(super) grasp: Grasp<C>,
-    pub(super) base: Wrench<C>,
+pub(super) struct LayoutGuess {
+    pub(super) grasp: Grasp<3>,
+    pub(super) base: Wrench<3>,
 }
 
 /// The reason why a slip is not predicted.
@@ -63,9 +63,9 @@ pub(super) struct Linear {
     pub(super) by_differences: usize,
 }
 
-impl<const C: usize> Model<'_, C> {
+impl Model<'_> {
     /// The grasps for these logarithms of the unknowns.
-    pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess<C>>, Error> {
+    pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess>, Error> {
         let mut guesses = Vec::with_capacity(self.layouts.len());
         for (layout, grasp) in self.layouts.iter().enumerate() {
             let (mut contacts, mut base) = (grasp.contacts().to_vec(), Wrench::ZERO);
@@ -189,7 +189,7 @@ impl<const C: usize> Model<'_, C> {
     fn slips(
         &self,
         those: &[usize],
-        layouts: &[LayoutGuess<C>],
+        layouts: &[LayoutGuess],
         derivatives: bool,
         logs: &[f64],
     ) -> Vec<Result<Result<Predicted, NoSlip>, Error>> {
@@ -210,7 +210,7 @@ impl<const C: usize> Model<'_, C> {
     /// Prediction of one slip.
     fn slip(
         &self,
-        layouts: &[LayoutGuess<C>],
+        layouts: &[LayoutGuess],
         number: usize,
         derivatives: bool,
         logs: &[f64],
@@ -241,20 +241,20 @@ impl<const C: usize> Model<'_, C> {
 }
 
 /// A slip to predict.
-pub(super) struct SlipToPredict<'a, const C: usize> {
-    pub(super) grasp: &'a Grasp<C>,
+pub(super) struct SlipToPredict<'a> {
+    pub(super) grasp: &'a Grasp<3>,
     /// The loads that act before the slip's own load.
-    pub(super) base: Wrench<C>,
-    pub(super) slip: &'a Slip<C>,
-    pub(super) asked: &'a Identify<C>,
+    pub(super) base: Wrench<3>,
+    pub(super) slip: &'a Slip<3>,
+    pub(super) asked: &'a Identify<3>,
     pub(super) logs: &'a [f64],
     /// Whether derivatives are needed.
     pub(super) derivatives: bool,
 }
 
-impl<const C: usize> SlipToPredict<'_, C> {
+impl SlipToPredict<'_> {
     /// The total load at a factor, or an angle.
-    pub(super) fn load_at(&self, at: f64) -> Wrench<C> {
+    pub(super) fn load_at(&self, at: f64) -> Wrench<3> {
         match self.slip.grown() {
             Grown::Load(load) => self.base + load * at,
             Grown::Turn(turn) => self.base + turn.load_at(at),
@@ -262,7 +262,7 @@ impl<const C: usize> SlipToPredict<'_, C> {
     }
 
     /// The derivative of the total load by the factor, or the angle.
-    pub(super) fn load_rate(&self, at: f64) -> Wrench<C> {
+    pub(super) fn load_rate(&self, at: f64) -> Wrench<3> {
         match self.slip.grown() {
             Grown::Load(load) => load,
             Grown::Turn(turn) => {

@@ -4,8 +4,8 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::model::SlipToPredict;
 use super::tolerances::INDISTINCT;
-use crate::grasp::{Contact, Hold, Wrench};
-use crate::numerics::largest;
+use crate::grasp::{Contact, Hold, Space, Wrench};
+use crate::numerics::{Vector, largest};
 use crate::prelude::*;
 
 /// A contact that presses while the object leaves.
@@ -53,20 +53,20 @@ impl Pressing {
 }
 
 /// The contacts that press with the given forces.
-pub(super) fn pressing<const C: usize>(
-    seen: &SlipToPredict<'_, C>,
-    forces: &[SVector<f64, C>],
+pub(super) fn pressing(
+    seen: &SlipToPredict<'_>,
+    forces: &[SVector<f64, 3>],
     length: f64,
 ) -> Vec<Pressing> {
-    let contacts = seen.grasp.contacts();
+    let (space, contacts) = (seen.grasp.engine.space(), seen.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());
-    let may_pull = |contact: &Contact<C>| contact.hold != Hold::Unilateral;
-    let of = |(contact, (data, frame)): (usize, (&Contact<C>, &SMatrix<f64, C, C>))| {
+    let may_pull = |contact: &Contact<3>| contact.hold != Hold::Unilateral;
+    let of = |(contact, (data, frame)): (usize, (&Contact<3>, &SMatrix<f64, 3, 3>))| {
         let along = |axis: usize| {
             let unit = Wrench::force_through(&data.point, &frame.column(axis).into_owned());
-            at_length::<C>(unit.components(), length.recip())
+            at_length(space, &unit.coordinates(space), length.recip())
         };
-        let tangents: Vec<_> = (1..C).map(along).collect();
+        let tangents: Vec<_> = (1..space.axes()).map(along).collect();
         Pressing {
             contact,
             normal: along(0),
@@ -74,7 +74,7 @@ pub(super) fn pressing<const C: usize>(
             stiffness: data.stiffness.series()[0],
             friction: data.friction,
             normal_force: forces[contact][0],
-            held: DVector::from_iterator(C - 1, forces[contact].iter().skip(1).copied()),
+            held: DVector::from_column_slice(&forces[contact].as_slice()[1..space.axes()]),
             sticks: data.hold == Hold::Bonded,
             may_pull: may_pull(data),
         }
@@ -84,7 +84,7 @@ pub(super) fn pressing<const C: usize>(
 }
 
 /// Components with moments or rotations multiplied by a factor.
-pub(super) fn at_length<const C: usize>(components: &[f64], factor: f64) -> DVector<f64> {
-    let scaled = components.iter().enumerate().map(|(k, x)| if k < C { *x } else { x * factor });
-    DVector::from_iterator(components.len(), scaled)
+pub(super) fn at_length(space: Space, coordinates: &Vector, factor: f64) -> DVector<f64> {
+    let scaled = |k: usize, x: f64| if k < space.axes() { x } else { x * factor };
+    DVector::from_fn(space.of_the_object(), |k, _| scaled(k, coordinates[k]))
 }

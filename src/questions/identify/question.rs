@@ -10,7 +10,7 @@ use super::spread::told;
 use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
 use crate::error::Error;
-use crate::grasp::WholeContacts;
+use crate::grasp::{WholeContacts, inside, outside};
 #[cfg(feature = "serde")]
 use crate::grasp::Wrench;
 use crate::numerics::mapped;
@@ -47,29 +47,31 @@ pub struct Identify<const C: usize> {
         serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
-    outliers: Option<f64>,
+    pub(super) outliers: Option<f64>,
     /// Largest number of steps of the search; 100 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    iterations: Option<usize>,
+    pub(super) iterations: Option<usize>,
     /// Grasps of further layouts.
     #[cfg_attr(feature = "serde", serde(skip, default = "no_others"))]
-    others: Others<C>,
+    pub(super) others: Others<C>,
 }
 
 /// Grasps, which are equal if their contacts are.
 #[derive(Debug, Clone)]
-struct Others<const C: usize>(Vec<Grasp<C>>);
+pub(super) struct Others<const C: usize> {
+    pub(super) grasps: Vec<Grasp<C>>,
+}
 
 impl<const C: usize> PartialEq for Others<C> {
     fn eq(&self, other: &Self) -> bool {
-        let contacts = |others: &Self| mapped(&others.0, &|grasp| grasp.contacts().to_vec());
+        let contacts = |others: &Self| mapped(&others.grasps, &|grasp| grasp.contacts().to_vec());
         contacts(self) == contacts(other)
     }
 }
 
 #[cfg(feature = "serde")]
 fn no_others<const C: usize>() -> Others<C> {
-    Others(Vec::new())
+    Others { grasps: Vec::new() }
 }
 
 /// A sum of unknowns that is known from elsewhere.
@@ -98,7 +100,7 @@ impl<const C: usize> Identify<C> {
             known: Vec::new(),
             outliers: None,
             iterations: None,
-            others: Others(Vec::new()),
+            others: Others { grasps: Vec::new() },
         }
     }
 
@@ -113,7 +115,7 @@ impl<const C: usize> Identify<C> {
     /// of [`Self::with_points`].
     #[must_use]
     pub fn and_layouts(mut self, others: impl IntoIterator<Item = Grasp<C>>) -> Self {
-        self.others.0.extend(others);
+        self.others.grasps.extend(others);
         self
     }
 
@@ -147,6 +149,19 @@ impl<const C: usize> Identify<C> {
     /// # Errors
     /// As for [`Grasp::identify`].
     pub fn grasp_with(&self, grasp: &Grasp<C>, found: &Identified) -> Result<Grasp<C>, Error> {
+        inside(self).fitted_grasp(&inside(grasp), found).map(outside)
+    }
+
+    /// Whether forces that contacts carry at rest are unknown, so that a scene need not state what presses.
+    #[cfg(feature = "serde")]
+    pub(crate) fn seeks_carried(&self) -> bool {
+        self.unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Carried)
+    }
+}
+
+impl Identify<3> {
+    /// [`Self::grasp_with`] inside the engine.
+    fn fitted_grasp(&self, grasp: &Grasp<3>, found: &Identified) -> Result<Grasp<3>, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?;
         let logs: Vec<_> = mapped(&found.estimates, &|estimate| estimate.value.ln());
@@ -154,8 +169,17 @@ impl<const C: usize> Identify<C> {
         Ok(model.at(&logs)?.swap_remove(0).grasp)
     }
 
+    /// The answer inside the engine.
+    fn answered_by(&self, grasp: &Grasp<3>) -> Result<Identified, Error> {
+        let layouts = self.layouts(grasp)?;
+        let asked = &self.of_points(&layouts)?.with_weights_at_rest(&layouts);
+        let model = Model { layouts: &layouts, asked };
+        let fit = fitted(&model)?;
+        Ok(told(&model, &fit))
+    }
+
     /// The question with weights at rest in slips whose own load presses, unless carried forces are sought.
-    fn with_weights_at_rest(&self, layouts: &[Grasp<C>]) -> Self {
+    fn with_weights_at_rest(&self, layouts: &[Grasp<3>]) -> Self {
         let mut asked = self.clone();
         let is_carried =
             |unknown: &Unknown, layout| unknown.kind == UnknownKind::Carried && unknown.is_in(layout);
@@ -179,18 +203,18 @@ impl<const C: usize> Identify<C> {
     }
 
     /// The grasp that is asked, with its contacts at other points, and further grasps.
-    fn layouts(&self, grasp: &Grasp<C>) -> Result<Vec<Grasp<C>>, Error> {
+    fn layouts(&self, grasp: &Grasp<3>) -> Result<Vec<Grasp<3>>, Error> {
         let mut all = vec![grasp.clone()];
         for points in &self.layouts {
             all.push(grasp.moved_to(points)?);
         }
-        all.extend(self.others.0.iter().cloned());
+        all.extend(self.others.grasps.iter().cloned());
         Ok(all)
     }
 
     /// The checked question with the points of soft fingertips in place of contacts.
-    fn of_points(&self, layouts: &[Grasp<C>]) -> Result<Self, Error> {
-        self.check_numbers(layouts.len())?;
+    fn of_points(&self, layouts: &[Grasp<3>]) -> Result<Self, Error> {
+        self.check_numbers(layouts[0].engine.space(), layouts.len())?;
         let mut asked = self.clone();
         for (k, unknown) in asked.unknowns.iter_mut().enumerate() {
             *unknown = unknown.of_points(k, layouts)?;
@@ -199,25 +223,19 @@ impl<const C: usize> Identify<C> {
         Ok(asked)
     }
 
-    /// Whether forces that contacts carry at rest are unknown, so that a scene need not state what presses.
-    #[cfg(feature = "serde")]
-    pub(crate) fn seeks_carried(&self) -> bool {
-        self.unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Carried)
-    }
-
     /// The load before a slip's own load, for the check of contacts at rest: zero if some slip has none and no carried force is sought, else that of
     /// the first slip.
     #[cfg(feature = "serde")]
-    pub(crate) fn at_rest(&self) -> Wrench<C> {
+    pub(crate) fn at_rest(&self) -> Wrench<3> {
         let mut all = self.slips.iter().map(Slip::at_rest);
         let first = all.next().unwrap_or(Wrench::ZERO);
         if self.seeks_carried() || all.all(|acts| acts != Wrench::ZERO) { first } else { Wrench::ZERO }
     }
 }
 
-impl<const C: usize> Grasp<C> {
+impl Grasp<3> {
     /// This grasp with each contact, or the middle of a soft fingertip, at another point.
-    fn moved_to(&self, points: &[SVector<f64, C>]) -> Result<Self, Error> {
+    fn moved_to(&self, points: &[SVector<f64, 3>]) -> Result<Self, Error> {
         if self.refuse_hands("identify").is_err() {
             return Err(LAYOUTS_OF_HANDS);
         }
@@ -277,10 +295,6 @@ impl<const C: usize> Grasp<C> {
     #[doc(alias = "estimate")]
     #[doc(alias = "fit")]
     pub fn identify(&self, question: &Identify<C>) -> Result<Identified, Error> {
-        let layouts = question.layouts(self)?;
-        let asked = &question.of_points(&layouts)?.with_weights_at_rest(&layouts);
-        let model = Model { layouts: &layouts, asked };
-        let fit = fitted(&model)?;
-        Ok(told(&model, &fit))
+        inside(question).answered_by(&inside(self))
     }
 }

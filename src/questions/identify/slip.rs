@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::ask::Grasp;
 use crate::error::Error;
-use crate::grasp::{Contact, Hold, Wrench};
+use crate::grasp::{Contact, Hold, Space, Wrench};
 use crate::load_path::Turn;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
@@ -23,9 +23,9 @@ pub enum SlipKind {
 
 /// The load or the turn that grew until the slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Grown<const C: usize> {
-    Load(Wrench<C>),
-    Turn(Turn<C>),
+pub(super) enum Grown {
+    Load(Wrench<3>),
+    Turn(Turn<3>),
 }
 
 /// A slip that was observed under a load, or at an angle.
@@ -51,16 +51,16 @@ pub struct Slip<const C: usize> {
     pub(crate) load: Option<Wrench<C>>,
     /// A turn up to the angle at the slip, instead of a load.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    turn: Option<Turn<C>>,
+    pub(super) turn: Option<Turn<C>>,
     /// The constant load beside it; zero if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    base: Option<Wrench<C>>,
+    pub(super) base: Option<Wrench<C>>,
     /// Factor on the squeeze of the scene; 1 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    squeeze: Option<f64>,
+    pub(super) squeeze: Option<f64>,
     /// The layout in which the slip was observed; 0, the scene itself, if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    layout: Option<usize>,
+    pub(super) layout: Option<usize>,
     /// Relative standard deviation of load or angle; for every slip, or for none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) scatter: Option<f64>,
@@ -72,14 +72,6 @@ pub struct Slip<const C: usize> {
 impl<const C: usize> Slip<C> {
     fn of(kind: SlipKind, load: Option<Wrench<C>>, turn: Option<Turn<C>>) -> Self {
         Self { kind, load, turn, base: None, squeeze: None, layout: None, scatter: None, group: None }
-    }
-
-    /// Whether both were seen under the same loads, so that their predictions are equal; scatter and group may differ.
-    pub(super) fn is_like(&self, other: &Self) -> bool {
-        (self.load, self.kind, self.layout, self.squeeze)
-            == (other.load, other.kind, other.layout, other.squeeze)
-            && self.base == other.base
-            && self.turn == other.turn
     }
 
     /// First slip under this load, which had grown from zero.
@@ -142,22 +134,32 @@ impl<const C: usize> Slip<C> {
         self.group = Some(group);
         self
     }
+}
+
+impl Slip<3> {
+    /// Whether both were seen under the same loads, so that their predictions are equal; scatter and group may differ.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        (self.load, self.kind, self.layout, self.squeeze)
+            == (other.load, other.kind, other.layout, other.squeeze)
+            && self.base == other.base
+            && self.turn == other.turn
+    }
 
     /// This slip with the part of its load that presses on the contacts at rest, if nothing else presses. It is the part along the mean of the
     /// contact normals, as a rule a weight. If both parts grew together, the object would slide at once, or never.
-    pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<C>) -> Self {
+    pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<3>) -> Self {
         let Grown::Load(load) = self.grown() else { return self };
-        let is_plain = |contact: &Contact<C>| contact.hold == Hold::Unilateral;
+        let is_plain = |contact: &Contact<3>| contact.hold == Hold::Unilateral;
         if self.base() != Wrench::ZERO || grasp.presses() || !grasp.contacts().iter().all(is_plain) {
             return self;
         }
         let count = grasp.len() as f64;
-        let (mut along, mut centre) = (SVector::<f64, C>::zeros(), SVector::<f64, C>::zeros());
+        let (mut along, mut centre) = (SVector::<f64, 3>::zeros(), SVector::<f64, 3>::zeros());
         for contact in grasp.contacts() {
             along += contact.normal.normalize();
             centre += contact.point / count;
         }
-        let force = SVector::<f64, C>::from_column_slice(&load.components()[..C]);
+        let force = load.force_part();
         let pressed = -along.dot(&force) / along.norm_squared();
         if pressed.is_nan()
             // Unit normals with a shorter mean are opposed, as those of two jaws: no load presses on all
@@ -173,7 +175,7 @@ impl<const C: usize> Slip<C> {
         let share = weight.dot(&force) / force.norm_squared();
         let pressing = Wrench::force_through(&centre, &weight) + about * share;
         let pulling = load - pressing;
-        if pulling.components()[..C].iter().all(|x| x.abs() <= NEGLIGIBLE * force.norm()) {
+        if pulling.force_part().iter().all(|x| x.abs() <= NEGLIGIBLE * force.norm()) {
             return self;
         }
         (self.base, self.load) = (Some(pressing), Some(pulling));
@@ -181,18 +183,18 @@ impl<const C: usize> Slip<C> {
     }
 
     /// The load or the turn that grew until the slip.
-    pub(super) fn grown(&self) -> Grown<C> {
+    pub(super) fn grown(&self) -> Grown {
         self.turn.map_or_else(|| Grown::Load(self.load.unwrap_or(Wrench::ZERO)), Grown::Turn)
     }
 
     /// The load that acted before.
-    pub(super) fn base(&self) -> Wrench<C> {
+    pub(super) fn base(&self) -> Wrench<3> {
         self.base.unwrap_or(Wrench::ZERO)
     }
 
     /// The load before the slip's own load: the constant one, and that of a turn at its beginning.
     #[cfg(feature = "serde")]
-    pub(super) fn at_rest(&self) -> Wrench<C> {
+    pub(super) fn at_rest(&self) -> Wrench<3> {
         self.base() + self.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0))
     }
 
@@ -215,7 +217,7 @@ impl<const C: usize> Slip<C> {
     }
 
     /// Refuses values that cannot be observed.
-    pub(super) fn check(&self, number: usize, layouts: usize) -> Result<(), Error> {
+    pub(super) fn check(&self, number: usize, space: Space, layouts: usize) -> Result<(), Error> {
         let wrong = |field, value, allowed| {
             Err(Error::Identify { what: format!("slip {number}"), field, value, allowed })
         };
@@ -227,13 +229,13 @@ impl<const C: usize> Slip<C> {
         if let Some(fault) = fault {
             return Err(Error::Question { question: "identify", field: "slips", fault });
         }
-        self.base().check("base load of a slip")?;
+        self.base().check_in(space, "base load of a slip")?;
         match self.grown() {
             Grown::Load(load) if load == Wrench::ZERO => {
                 return wrong("size of the load", 0.0, "more than 0");
             }
-            Grown::Load(load) => load.check("load of a slip")?,
-            Grown::Turn(turn) => turn.check()?,
+            Grown::Load(load) => load.check_in(space, "load of a slip")?,
+            Grown::Turn(turn) => turn.check_in(space)?,
         }
         if !(self.squeeze() > 0.0 && self.squeeze() <= 1e6) {
             return wrong("squeeze", self.squeeze(), "more than 0 and at most 1e6 times the one given");

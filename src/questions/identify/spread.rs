@@ -13,7 +13,7 @@ use crate::numerics::{mapped, numbered, two_sided};
 use crate::prelude::*;
 
 /// The answer at the end of a search.
-pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identified {
+pub(super) fn told(model: &Model<'_>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
     let names: Vec<String> = mapped(&model.asked.unknowns, &|unknown| unknown.called(grasp));
     let spread = fit.linear.as_ref().map(|linear| Spread::of(model, linear));
@@ -89,12 +89,12 @@ struct Spread {
 }
 
 /// The groups of all slips, if every slip has one.
-fn groups<const C: usize>(model: &Model<'_, C>) -> Option<Vec<usize>> {
+fn groups(model: &Model<'_>) -> Option<Vec<usize>> {
     model.asked.slips.iter().map(|slip| slip.group).collect()
 }
 
 impl Spread {
-    fn of<const C: usize>(model: &Model<'_, C>, linear: &Linear) -> Self {
+    fn of(model: &Model<'_>, linear: &Linear) -> Self {
         let (slips, unknowns) = (model.asked.slips.len(), model.asked.unknowns.len());
         let rows = linear.residuals.len();
         let rank = rank(linear);

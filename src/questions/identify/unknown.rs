@@ -117,10 +117,10 @@ impl Unknown {
     }
 
     /// This unknown for the points of its contacts in one of these grasps.
-    pub(super) fn of_points<const C: usize>(
+    pub(super) fn of_points(
         &self,
         number: usize,
-        layouts: &[Grasp<C>],
+        layouts: &[Grasp<3>],
     ) -> Result<Self, Error> {
         let mut points = self.clone();
         if let Some(contacts) = &self.contacts {
@@ -145,7 +145,7 @@ impl Unknown {
     }
 
     /// The name of the unknown in answers: its own, or "friction of left and right".
-    pub(super) fn called<const C: usize>(&self, grasp: &Grasp<C>) -> String {
+    pub(super) fn called(&self, grasp: &Grasp<3>) -> String {
         if let Some(name) = &self.name {
             return crate::words::printable(name).into_owned();
         }
@@ -165,7 +165,7 @@ impl Unknown {
     }
 
     /// The value at the start of the search.
-    pub(super) fn begins_at<const C: usize>(&self, layouts: &[Grasp<C>]) -> f64 {
+    pub(super) fn begins_at(&self, layouts: &[Grasp<3>]) -> f64 {
         if let Some(start) = self.start {
             return start;
         }
@@ -186,12 +186,12 @@ impl Unknown {
     }
 
     /// Sets the value in the contacts of a layout, and adds a carried force to the load at rest.
-    pub(super) fn put<const C: usize>(
+    pub(super) fn put(
         &self,
         layout: usize,
         value: f64,
-        contacts: &mut [Contact<C>],
-        base: &mut Wrench<C>,
+        contacts: &mut [Contact<3>],
+        base: &mut Wrench<3>,
     ) {
         for (_, contact) in contacts.iter_mut().enumerate().filter(|(i, _)| self.is_of(layout, *i)) {
             match self.kind {
@@ -213,11 +213,11 @@ impl Unknown {
 }
 
 /// The force with which a contact presses on an object that does not move, N.
-fn pressed<const C: usize>(contact: &Contact<C>) -> f64 {
+fn pressed(contact: &Contact<3>) -> f64 {
     contact.stiffness.series()[0] * (contact.command[0] - contact.clearance)
 }
 
 /// The load that presses the object onto a contact with this force.
-pub(super) fn carried_by<const C: usize>(contact: &Contact<C>, newtons: f64) -> Wrench<C> {
+pub(super) fn carried_by(contact: &Contact<3>, newtons: f64) -> Wrench<3> {
     Wrench::force_through(&contact.point, &(contact.normal.normalize() * -newtons))
 }
