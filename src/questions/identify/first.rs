@@ -10,9 +10,7 @@ use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 use crate::prelude::*;
 
 /// The load factor or angle at first slip.
-pub(super) fn predicted(
-    seen: &SlipToPredict<'_>,
-) -> Result<Result<Predicted, NoSlip>, Error> {
+pub(super) fn predicted(seen: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
     let onset = match seen.slip.grown() {
         Grown::Load(load) => seen.grasp.onset(Ramp::load(seen.base, load))?,
         Grown::Turn(turn) => {

@@ -17,9 +17,7 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// The load factor or angle at gross slip.
-pub(super) fn predicted(
-    seen: &SlipToPredict<'_>,
-) -> Result<Result<Predicted, NoSlip>, Error> {
+pub(super) fn predicted(seen: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
     let (start, leg, most) = match seen.slip.grown() {
         Grown::Load(load) => {
             let most = seen.grasp.settings().most_load.max(1.0);

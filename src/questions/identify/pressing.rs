@@ -53,11 +53,7 @@ impl Pressing {
 }
 
 /// The contacts that press with the given forces.
-pub(super) fn pressing(
-    seen: &SlipToPredict<'_>,
-    forces: &[SVector<f64, 3>],
-    length: f64,
-) -> Vec<Pressing> {
+pub(super) fn pressing(seen: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], length: f64) -> Vec<Pressing> {
     let (space, contacts) = (seen.grasp.engine.space(), seen.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());
     let may_pull = |contact: &Contact<3>| contact.hold != Hold::Unilateral;

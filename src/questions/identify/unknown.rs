@@ -117,11 +117,7 @@ impl Unknown {
     }
 
     /// This unknown for the points of its contacts in one of these grasps.
-    pub(super) fn of_points(
-        &self,
-        number: usize,
-        layouts: &[Grasp<3>],
-    ) -> Result<Self, Error> {
+    pub(super) fn of_points(&self, number: usize, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         let mut points = self.clone();
         if let Some(contacts) = &self.contacts {
             let of_points = layouts[self.layout.unwrap_or(0)].points_of(contacts);
@@ -186,13 +182,7 @@ impl Unknown {
     }
 
     /// Sets the value in the contacts of a layout, and adds a carried force to the load at rest.
-    pub(super) fn put(
-        &self,
-        layout: usize,
-        value: f64,
-        contacts: &mut [Contact<3>],
-        base: &mut Wrench<3>,
-    ) {
+    pub(super) fn put(&self, layout: usize, value: f64, contacts: &mut [Contact<3>], base: &mut Wrench<3>) {
         for (_, contact) in contacts.iter_mut().enumerate().filter(|(i, _)| self.is_of(layout, *i)) {
             match self.kind {
                 UnknownKind::Friction => contact.set_friction(value),
