@@ -3,6 +3,8 @@
 //! Where several contacts may slip first, a predicted slip has a kink: on each side it depends on the data of one contact alone. A search ends on the side on
 //! which it began. The side is the assignment of slips to unknowns: those on which each slip depends. Other sides are searched from unknowns that change places.
 
+use core::f64::consts::LN_2;
+
 use nalgebra::DMatrix;
 
 use super::answer::{Estimate, Identified};
@@ -16,35 +18,31 @@ use crate::prelude::*;
 
 /// Most pairs of unknowns that change places: all pairs of five.
 const MOST_PAIRS: usize = 10;
+/// Most halvings of an unknown until other slips depend on it: to a sixteenth.
+const MOST_HALVINGS: u8 = 5;
 
 /// The answer of the best fit, with the estimates of all assignments that fit as well.
 pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, Error> {
-    let unknowns = &model.asked.unknowns;
     let mut fits = vec![first];
     for (i, j) in pairs(model, &fits[0]) {
         for (weak, strong) in [(i, j), (j, i)] {
-            let mut begin = fits[0].logs.clone();
-            let (low, high) = (begin[i].min(begin[j]), begin[i].max(begin[j]));
-            let above = low + core::f64::consts::LN_2;
-            for (k, log) in begin.iter_mut().enumerate() {
-                // What is as weak would slip together with the weak one.
-                if (*log - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
-                    *log = above;
+            for halved in 0..MOST_HALVINGS {
+                let begin = weakened(model, &fits[0].logs, (weak, strong), halved);
+                let is_new = |linear: &Linear| {
+                    let is_known = |fit: &Fitted| {
+                        fit.linear.as_ref().is_some_and(|known| same_assignment(known, linear))
+                    };
+                    !fits.iter().any(is_known)
+                };
+                let Ok(linear) = model.linear(&begin)? else { break };
+                if !is_new(&linear) {
+                    continue;
                 }
-            }
-            (begin[weak], begin[strong]) = (low, high.max(above));
-            let is_new = |linear: &Linear| {
-                !fits
-                    .iter()
-                    .any(|fit| fit.linear.as_ref().is_some_and(|known| same_assignment(known, linear)))
-            };
-            let Ok(linear) = model.linear(&begin)? else { continue };
-            if !is_new(&linear) {
-                continue;
-            }
-            let fit = fitted_from(model, begin, linear)?;
-            if matches!(fit.end, FitEnd::Converged) && fit.linear.as_ref().is_some_and(is_new) {
-                fits.push(fit);
+                let fit = fitted_from(model, begin, linear)?;
+                if matches!(fit.end, FitEnd::Converged) && fit.linear.as_ref().is_some_and(is_new) {
+                    fits.push(fit);
+                }
+                break;
             }
         }
     }
@@ -66,6 +64,23 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let mut answers = as_good.into_iter().map(|fit| told(model, fit));
     let Some(first) = answers.next() else { return Ok(told(model, &best[0])) };
     Ok(united(first, &answers.collect::<Vec<_>>()))
+}
+
+/// The logarithms in which two unknowns have changed places: `weak` has the smaller value, halved so many times.
+fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), halved: u8) -> Vec<f64> {
+    let unknowns = &model.asked.unknowns;
+    let (low, high) = (logs[weak].min(logs[strong]), logs[weak].max(logs[strong]));
+    let mut begin = logs.to_vec();
+    begin[strong] = high;
+    begin[weak] = low;
+    for k in (0..begin.len()).filter(|k| *k != weak) {
+        // What is as weak would slip together with the weak one.
+        if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
+            begin[k] = low + LN_2;
+        }
+    }
+    begin[weak] -= f64::from(halved) * LN_2;
+    begin
 }
 
 /// All pairs of unknowns of one kind.
@@ -90,11 +105,11 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Vec<(usize, usize)> {
     pairs_of(model).filter(|(i, j)| of_one(*i, *j) || is_on_the_kink(fit, *i, *j)).take(MOST_PAIRS).collect()
 }
 
-/// Whether two unknowns are equal, and every slip depends on both in the same way, as on the mean of two sides of a kink.
+/// Whether two unknowns are equal, and a slip depends on both, as on the mean of two sides of a kink.
 fn is_on_the_kink(fit: &Fitted, i: usize, j: usize) -> bool {
     let Some(linear) = &fit.linear else { return false };
-    let is_same = |row: usize| (linear.jacobian[(row, i)] - linear.jacobian[(row, j)]).abs() <= INDISTINCT;
-    (fit.logs[i] - fit.logs[j]).abs() <= INDISTINCT && (0..linear.jacobian.nrows()).all(is_same)
+    let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
+    (fit.logs[i] - fit.logs[j]).abs() <= INDISTINCT && (0..linear.jacobian.nrows()).any(on_both)
 }
 
 /// Whether a slip depends on an unknown.
