@@ -52,7 +52,7 @@ def test_the_hand_in_the_help() -> None:
         found = doctest.DocTestRunner().run(test)
         attempted, failed = attempted + found.attempted, failed + found.failed
     assert attempted == 5 and failed == 0
-    assert 0.01 / (1 / 1000 + 2 / 2e5) == pytest.approx(9.9, abs=0.01)
+    assert pytest.approx(9.9, abs=0.01) == 0.01 / (1 / 1000 + 2 / 2e5)
 
 
 def test_a_finger_on_a_tendon_is_pressed_by_its_pull() -> None:

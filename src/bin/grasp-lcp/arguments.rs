@@ -16,8 +16,8 @@ use crate::shakes::Shakes;
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
 ///
-/// A scene is a JSON file with contacts (points, normals, stiffness, friction, clamping force) and questions. The format is described in the
-/// documentation of the module `scene`; examples are in `examples/scenes`. Lengths are in m, forces in N, angles in degrees.
+/// A scene is a JSON file with contacts (points, normals, stiffness, friction, clamping force) and questions; `new` writes one to begin with, and
+/// `help scene` lists all fields. Lengths are in m, or in the unit that the scene or `--unit` says; forces in N, angles in degrees.
 #[derive(Debug, Parser)]
 #[command(name = "grasp-lcp", version, max_term_width = 100, after_help = EXAMPLES)]
 pub(crate) struct Arguments {
