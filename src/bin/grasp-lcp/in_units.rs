@@ -52,6 +52,6 @@ impl LoadArguments {
 
 fn to_metres(point: &mut Option<Numbers>, unit: Unit) {
     if let Some(point) = point {
-        point.to_metres(unit);
+        point.bring_to_metres(unit);
     }
 }

@@ -96,7 +96,9 @@ fn run(mut command: Command) -> Result<ExitCode, Failure> {
             let pictures = Pictures::new(&output, &scene);
             let of_map = files::read(&scene)?;
             files::warn(&scene, &of_map)?;
-            at.iter_mut().for_each(|at| at.to_metres(unit.unwrap_or(of_map.unit)));
+            if let Some(at) = &mut at {
+                at.bring_to_metres(unit.unwrap_or(of_map.unit));
+            }
             let asked = (&unsure, map::MapProgress { lines: progress });
             map::map(&of_map, at.as_ref(), asked, (!json).then_some(&pictures))?;
         }

@@ -27,7 +27,7 @@ impl std::str::FromStr for Numbers {
 
 impl Numbers {
     /// Brings lengths in this unit to m.
-    pub(crate) fn to_metres(&mut self, unit: Unit) {
+    pub(crate) fn bring_to_metres(&mut self, unit: Unit) {
         for length in &mut self.0 {
             *length = unit.in_metres(*length);
         }
