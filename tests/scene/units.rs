@@ -142,7 +142,7 @@ fn every_field_in_metres_is_a_length() {
         let is_length = [", m.", ", m;", ", m,", ", m: ", "each contact, m", "rad or m", "or m;"]
             .iter()
             .any(|unit| format!("{about}.").contains(unit));
-        if !is_length || ["round", "thickness"].contains(&name) {
+        if !is_length || ["disc", "round", "thickness"].contains(&name) {
             continue;
         }
         fields += 1;
@@ -173,6 +173,13 @@ fn a_mesh_without_a_unit_has_that_of_its_scene() {
     );
     let layer = touches.layer.expect("a layer");
     assert_eq!((layer.modulus, layer.thickness, touches.strips), (2e6, 0.003, Some([2, 3])));
+    let disc = text
+        .replace(r#""rectangle": [20, 30], "round": 50"#, r#""disc": 20"#)
+        .replace(", \"strips\": [2, 3]", "");
+    let Space::Spatial(setup) = Scene::from_json(disc.as_bytes()).expect("a scene").space else {
+        panic!("in space")
+    };
+    assert_eq!(setup.contacts[0].touches.as_ref().and_then(|touches| touches.disc), Some(0.02));
     let own = text.replace(r#""part.stl""#, r#""part.stl", "unit": "cm""#);
     let Space::Spatial(setup) = Scene::from_json(own.as_bytes()).expect("a scene").space else {
         panic!("in space")
