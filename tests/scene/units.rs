@@ -142,7 +142,7 @@ fn every_field_in_metres_is_a_length() {
         let is_length = [", m.", ", m;", ", m,", ", m: ", "each contact, m", "rad or m", "or m;"]
             .iter()
             .any(|unit| format!("{about}.").contains(unit));
-        if !is_length || ["disc", "round", "thickness"].contains(&name) {
+        if !is_length || ["disc", "rectangle", "round", "thickness"].contains(&name) {
             continue;
         }
         fields += 1;
