@@ -1,5 +1,6 @@
 """Hands with joints, and pictures."""
 
+import doctest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -42,6 +43,27 @@ def test_fingers_that_draw_back_let_go() -> None:
 def test_what_is_no_question_for_hands_is_said() -> None:
     with pytest.raises(ValueError, match="quality"):
         hand().quality()
+
+
+def test_the_hand_in_the_help() -> None:
+    """One tendon over both jaws: half of its 10 mm each, against 1 kN/m and two pads of 200 kN/m in series; both slide at 2 μ N."""
+    attempted, failed = 0, 0
+    for test in doctest.DocTestFinder().find(Grasp.from_dict, globs={"Grasp": Grasp}):
+        found = doctest.DocTestRunner().run(test)
+        attempted, failed = attempted + found.attempted, failed + found.failed
+    assert attempted == 5 and failed == 0
+    assert pytest.approx(9.9, abs=0.01) == 0.01 / (1 / 1000 + 2 / 2e5)
+
+
+def test_a_finger_on_a_tendon_is_pressed_by_its_pull() -> None:
+    jaw = {"joints": [{"prismatic": [1, 0]}], "contacts": [{"point": [-1, 0], "normal": [1, 0], "stiffness": 1e4, "pressed_with": 8}]}
+    scene = {"format": "grasp-lcp/1", "planar": {"fingers": [jaw], "tendons": [{"arms": [1], "stiffness": 1e3}]}}
+    with pytest.raises(ValueError, match="where a tendon moves the joint, its `pull` presses instead"):
+        Grasp.from_dict(scene)
+    scene["planar"]["tendons"][0]["pressed_with"] = 8  # type: ignore[index]
+    del jaw["contacts"][0]["pressed_with"]  # type: ignore[attr-defined]
+    with pytest.raises(ValueError, match=r"tendons\[0\].pressed_with: unknown field .* `pull`"):
+        Grasp.from_dict(scene)
 
 
 def svg_of(text: str | None) -> ElementTree.Element:

@@ -206,3 +206,17 @@ def test_the_minimum_of_energy_is_compared():
     assert found.agrees_up_to * 9 == pytest.approx(7.5)
     assert str(found).startswith("DIFFERS: left slides")
     assert block.compare([6, 0], base=[0, -20]).outcome == "agree"
+
+
+def test_slips_of_two_jaws_belong_to_one_of_them() -> None:
+    """The weaker jaw lets go, at 20 N times its friction; which one that is no start of the search says."""
+    for start in ([0.3, 0.5], [0.5, 0.3]):
+        grasp = Grasp.planar(
+            [[-0.03, 0], [0.03, 0]], [[1, 0], [-1, 0]], series_stiffness=[1e3, 8e2], friction=start, pressed_with=10, names=["left", "right"]
+        )  # fmt: skip
+        each = [{"quantity": "friction", "contacts": ["left"]}, {"quantity": "friction", "contacts": ["right"]}]
+        found = grasp.identify(each, [[0, -load] for load in (8.3, 8.62, 8.44, 8.57, 8.28, 8.55)])
+        assert found.says.startswith("one of the two is 0.42") and "which one is not fixed" in found.says
+        assert not any(estimate.is_fixed for estimate in found.estimates)
+        fixed = [[estimate.is_fixed for estimate in each] for each in found.assignments]
+        assert sorted(fixed) == [[False, True], [True, False]]

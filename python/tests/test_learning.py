@@ -122,7 +122,7 @@ def test_jax_gradients_are_differences() -> None:
         given = [data[name] for name in NAMES]
         assert np.allclose(asked(*given), factors(data), rtol=1e-12)
         assert np.allclose(jax.jit(asked)(*given), factors(data), rtol=1e-12)
-        check_grads(asked, given, order=1, modes=["rev"], atol=1e-6, rtol=1e-6)
+        check_grads(asked, given, order=1, modes=["fwd", "rev"], atol=1e-6, rtol=1e-6)
 
 
 def test_jax_maps_and_differentiates_single_grasps() -> None:

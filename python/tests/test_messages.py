@@ -42,7 +42,11 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         ValueError,
         "pressed_with: given beside a command with a normal part, must be alone",
     ),
-    (lambda: planar(points=np.array(POINTS, dtype=object)), TypeError, "points: an array of objects given, must be numbers"),
+    (
+        lambda: planar(points=np.array(POINTS, dtype=object)),
+        TypeError,
+        "points: an array of objects given, must be numbers: points.astype(float) makes them",
+    ),
     (
         lambda: pinch().solve({"forc": [0, -1]}),
         ValueError,

@@ -15,6 +15,7 @@
 //! | Does it survive shaking, and which objects walk out? | [`loads_that_repeat`] |
 //! | Which friction, loads of supports and squeeze follow from observed slips? | [`slips_that_were_seen`] |
 //! | How is a suction cup described, and when does it let go? | [`suction_cups`] |
+//! | Which stiffness, which answers depend on it, what do a pad's strips cost, where do its sides lie? | [`pads_and_stiffness`] |
 //! | How are joints, tendons, stalled motors and held forces described, and what do they change? | [`hands`] |
 //!
 //! The pages have no items of their own; their examples are compiled and run as tests.
@@ -26,6 +27,7 @@ pub mod everyday;
 pub mod hands;
 pub mod kinetic_friction;
 pub mod loads_that_repeat;
+pub mod pads_and_stiffness;
 pub mod reading_a_ray;
 pub mod several_bodies;
 pub mod several_equilibria;

@@ -45,6 +45,9 @@
 //! Gross slip is easy to observe, and usually depends on friction and normal forces alone. First slip also depends on stiffness: use `slip` in the
 //! table, or `--first`. Several unknowns need loads with several directions or moments: slips that always occur in the same way determine one number.
 //!
+//! Between two jaws the weaker one lets go, so that such slips determine one friction and not whose it is: *one of the two is 0.423 ± 0.004, which one is not fixed*. The
+//! answer then has the estimates of each assignment, and loads nearer to one jaw tell them apart.
+//!
 //! # Contents of the answer
 //!
 //! * `±` is the standard error, followed by the interval that contains the true value in 95 of 100 cases. If the scatter of the loads is not given it

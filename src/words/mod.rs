@@ -19,6 +19,7 @@ mod link_kind;
 mod names;
 mod numbers;
 mod tolerances;
+mod unit;
 
 pub use link_kind::LinkKind;
 pub(crate) use link_kind::{open, opens};
@@ -26,3 +27,4 @@ pub(crate) use names::listed;
 pub use names::printable;
 pub use numbers::Words;
 pub(crate) use tolerances::{ALIKE_IN_WORDS, MOST_NAMES};
+pub use unit::Unit;

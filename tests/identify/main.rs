@@ -9,3 +9,4 @@ mod not_fixed;
 mod other_starts;
 mod scattered;
 mod standard_errors;
+mod which_slips_first;

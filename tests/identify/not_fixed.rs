@@ -78,14 +78,14 @@ fn friction_of_each_foot_from_both() -> Tested {
     Ok(())
 }
 
-/// Between jaws the one with less friction lets go, at twice what it holds: with the same start nobody knows which one that was.
+/// Between jaws the one with less friction lets go, at twice what it holds: nobody knows which one that was.
 #[test]
 fn friction_of_each_jaw_from_the_weaker() -> Tested {
     let each = [0, 1].map(|k| Unknown::friction().of_contacts([k]));
     let found = jaws([0.5; 2])?.identify(&Identify::new(each, slips()))?;
     says(
         &found,
-        "Friction of left and friction of right are not fixed apart by these slips: only what they do together",
+        "one of the two is 0.3009 ± 0.0043 (95 %: 0.2892 to 0.3130), which one is not fixed: friction of left or friction of right,",
     );
     Ok(())
 }

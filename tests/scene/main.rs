@@ -34,4 +34,5 @@ mod suction;
 mod turn_charts;
 mod turn_messages;
 mod turns;
+mod units;
 mod warnings;

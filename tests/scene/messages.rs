@@ -144,7 +144,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"planar\"",
             "\"plane\"",
-            "unknown field `plane` (`planar`?), must be one of `$schema`, `format`, `id`, `comment`, `planar`, `spatial`",
+            "unknown field `plane` (`planar`?), must be one of `$schema`, `format`, `id`, `comment`, `unit`, `planar`, `spatial`",
         ),
         (
             "\"solve\"",

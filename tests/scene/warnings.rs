@@ -34,7 +34,10 @@ fn numbers_in_another_unit() {
         &[("0.35", "35")],
         "friction 35 at left and right: coefficients are rarely above 1; in percent? Then it is 0.35",
     );
-    one(&[("0.04", "40")], "the contacts are apart by up to 80 m: lengths are in m; is this in mm?");
+    one(
+        &[("0.04", "40")],
+        "the contacts are apart by up to 80 m: lengths are in m; is this in mm? A scene then says \"unit\": \"mm\"",
+    );
     let pad = r#""stiffness": 10000, "soft": {"pair": {"width": 20}}"#;
     one(
         &[(r#""stiffness": 10000"#, pad)],

@@ -23,7 +23,8 @@ def floats(name: str, given: ArrayLike) -> Array:
     except ValueError:
         raise ValueError(f"{name}: rows of different lengths given, must be an array") from None
     if found.dtype.kind not in "fiu":
-        raise TypeError(f"{name}: {_kind(found)} given, must be numbers")
+        hint = f": {name}.astype(float) makes them" if found.dtype.kind == "O" and isinstance(given, np.ndarray) else ""
+        raise TypeError(f"{name}: {_kind(found)} given, must be numbers{hint}")
     if isinstance(given, np.ma.MaskedArray):
         found = np.ma.filled(given.astype(np.float64), np.nan)
     return np.require(found, dtype=np.float64, requirements=["A"])

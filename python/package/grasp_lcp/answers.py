@@ -440,6 +440,14 @@ class Identified(Answer):
         """The estimates, in the order of the unknowns."""
         return tuple(Estimate(tree) for tree in self._tree["estimates"])
 
+    @cached_property
+    def assignments(self) -> tuple[tuple[Estimate, ...], ...]:
+        """The estimates by each assignment of slips to contacts that fits as well, the best first; empty if there is one.
+
+        Which contact slips first depends on the quantities. What the assignments do not agree on is not fixed.
+        """
+        return tuple(tuple(Estimate(tree) for tree in each) for each in self._tree.get("assignments", ()))
+
     @property
     def groups(self) -> int | None:
         """Number of groups of slips that may share errors; None if no groups were given."""

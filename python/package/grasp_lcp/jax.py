@@ -35,10 +35,10 @@ def onset_factor(
 ) -> Any:
     """The factor of a direction at which the first contact of each grasp stops sticking, as a differentiable function of all arrays.
 
-    It works under ``jax.jit``, ``jax.grad`` and ``jax.vmap``. The parameters are as in :func:`grasp_lcp.torch.onset_factor`. The factor is
-    computed in double precision and returned in the precision of JAX: double with ``jax_enable_x64``. In rows without a factor the result is
-    ``inf`` or NaN and all its derivatives are zero. At a kink, where several contacts leave together, the derivatives belong to the first of
-    these contacts. There are no second derivatives.
+    It works under ``jax.jit``, ``jax.grad``, ``jax.jvp``, ``jax.jacfwd`` and ``jax.vmap``. The parameters are as in
+    :func:`grasp_lcp.torch.onset_factor`. The factor is computed in double precision and returned in the precision of JAX: double with
+    ``jax_enable_x64``. In rows without a factor the result is ``inf`` or NaN and all its derivatives are zero. At a kink, where several
+    contacts leave together, the derivatives belong to the first of these contacts. There are no second derivatives.
     """
     at = jnp.asarray(points, dtype=float)
     axes = at.shape[-1]
@@ -92,7 +92,7 @@ def _shaped(like: Any, shape: tuple[int, ...]) -> Any:
     return jax.ShapeDtypeStruct(shape, like.dtype)
 
 
-@partial(jax.custom_vjp, nondiff_argnums=(0,))
+@partial(jax.custom_jvp, nondiff_argnums=(0,))
 def _onset_factor(hold: Any, *data: Any) -> Any:
     return _call(lambda given: factors(given, hold), _shaped(data[0], data[0].shape[:-2]), data)
 
@@ -108,13 +108,9 @@ def _refuse(hold: Any, primals: Any, tangents: Any) -> Any:
     raise NotImplementedError(f"grasp_lcp.jax.{SECOND}")
 
 
-def _forward(hold: Any, *data: Any) -> Any:
-    found, *slopes = _with_slopes(hold, *data)
-    return found, tuple(slopes)
-
-
-def _backward(hold: Any, slopes: Any, given: Any) -> Any:
-    return tuple(given.reshape(*given.shape, *(1,) * (slope.ndim - given.ndim)) * slope for slope in slopes)
-
-
-_onset_factor.defvjp(_forward, _backward)
+@_onset_factor.defjvp
+def _along(hold: Any, primals: Any, tangents: Any) -> Any:
+    """The factor and its change along the tangents, which is linear in them: reverse mode transposes it."""
+    found, *slopes = _with_slopes(hold, *primals)
+    parts = [(slope * tangent).sum(axis=tuple(range(found.ndim, slope.ndim))) for slope, tangent in zip(slopes, tangents, strict=True)]
+    return found, sum(parts)

@@ -5,18 +5,19 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 #[cfg(feature = "cli-full")]
 use clap_complete::Shell;
+use grasp_lcp::words::Unit;
 
 use crate::identifies::Identifies;
 use crate::map::Unsure;
 use crate::new::{FIELDS_HELP, Template};
 pub(crate) use crate::numbers::{BodyPush, Numbers};
-use crate::numbers::{count, kilograms, newtons, percent, times};
+use crate::numbers::{count, kilograms, newtons, percent, times, unit};
 use crate::shakes::Shakes;
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
 ///
-/// A scene is a JSON file with contacts (points, normals, stiffness, friction, clamping force) and questions. The format is described in the
-/// documentation of the module `scene`; examples are in `examples/scenes`. Lengths are in m, forces in N, angles in degrees.
+/// A scene is a JSON file with contacts (points, normals, stiffness, friction, clamping force) and questions; `new` writes one to begin with, and
+/// `help scene` lists all fields. Lengths are in m, or in the unit that the scene or `--unit` says; forces in N, angles in degrees.
 #[derive(Debug, Parser)]
 #[command(name = "grasp-lcp", version, max_term_width = 100, after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -206,6 +207,9 @@ pub(crate) enum Command {
         /// The point where the force acts, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
+        /// The unit of that point: m, cm, mm or in; that of the scene's field `unit` if left out.
+        #[arg(long, value_parser = unit, value_name = "UNIT")]
+        unit: Option<Unit>,
         #[command(flatten)]
         unsure: Unsure,
         /// Prints the map as one JSON object, and draws nothing.
@@ -295,6 +299,10 @@ pub(crate) struct Ask {
     /// Number of significant digits.
     #[arg(long, default_value_t = 6, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: u8,
+    /// The unit of lengths on the command line and in a table of slips: m, cm, mm or in; that of the scene's field `unit` if left out. Answers do
+    /// not change their units.
+    #[arg(long, value_parser = unit, value_name = "UNIT")]
+    pub(crate) unit: Option<Unit>,
 }
 
 /// The question of `need`.

@@ -25,13 +25,14 @@ use crate::words::Style;
 use crate::{files, report};
 
 /// Answers the question and prints the answer. The exit code says whether every answer is decided.
-pub(crate) fn ask(ask: &Ask, asked: &Command) -> Result<ExitCode, Failure> {
+pub(crate) fn ask(ask: &Ask, asked: Command) -> Result<ExitCode, Failure> {
     ask_of(files::read(&ask.scene)?, ask, asked)
 }
 
 /// The same about a scene that is already read; messages name its file.
-pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, asked: &Command) -> Result<ExitCode, Failure> {
-    let given = scene.clone();
+pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<ExitCode, Failure> {
+    asked.lengths_to_metres(ask.unit.unwrap_or(scene.unit));
+    let (given, asked) = (scene.clone(), &asked);
     match &mut scene.space {
         Space::Planar(setup) => {
             let moment = |m: &[f64]| planar::Wrench::new([0.0; 2], m[0]);

@@ -22,6 +22,9 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
         bytes(path, "a scene, a file in JSON")?
     };
     let scene = Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))?;
+    if let Some(warning) = scene.far_load_in(&text) {
+        eprintln!("warning: {name}: {warning}");
+    }
     #[cfg(feature = "mesh")]
     let scene = scene
         .with_files_from(path.parent().unwrap_or(Path::new("")))

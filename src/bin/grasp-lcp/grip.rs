@@ -89,8 +89,8 @@ impl Grip {
             return Ok(ExitCode::SUCCESS);
         }
         let of = self.mesh.clone().unwrap_or_default();
-        let ask = Ask { scene: of, json: false, points: false, digits: 6 };
-        asking::ask_of(scene, &ask, &Command::Ask(ask.clone()))
+        let ask = Ask { scene: of, json: false, points: false, digits: 6, unit: None };
+        asking::ask_of(scene, &ask, Command::Ask(ask.clone()))
     }
 
     /// Two jaws that close on the part, and the question whether they hold its weight: as text, and with the part read.

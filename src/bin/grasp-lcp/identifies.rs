@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use grasp_lcp::identify::{Identify, Slip, Unknown, UnknownKind};
 use grasp_lcp::scene::{Question, Setup};
-use grasp_lcp::words::printable;
+use grasp_lcp::words::{Unit, printable};
 
 use crate::arguments::Numbers;
 use crate::asking::Meaning;
@@ -35,6 +35,9 @@ pub(crate) struct Identifies {
     /// A force that acted before the load, N.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) base: Option<Numbers>,
+    /// The unit of lengths in the table.
+    #[arg(skip)]
+    pub(crate) unit: Unit,
 }
 
 /// One unknown.
@@ -225,6 +228,7 @@ impl<const C: usize> Meaning<C> {
                 }
             }
         }
+        let at = at.map(|x| given.unit.in_metres(x));
         let [force, place] = [force, at].map(|row| std::array::from_fn(|axis| row[axis]));
         let load = (self.force_at)(force, place) + (self.moment)(&moment);
         let mut slip = if first { Slip::first(load) } else { Slip::gross(load) };

@@ -14,6 +14,7 @@ mod followed;
 #[cfg(feature = "mesh")]
 mod grip;
 mod identifies;
+mod in_units;
 mod loads;
 mod map;
 mod needs;
@@ -80,20 +81,10 @@ fn as_typed() -> Result<Arguments, clap::Error> {
     Arguments::try_parse_from(&words).or(parsed)
 }
 
-fn run(command: Command) -> Result<ExitCode, Failure> {
-    if let Command::Ask(ask)
-    | Command::Hold { ask, .. }
-    | Command::Need { ask, .. }
-    | Command::Improve { ask, .. }
-    | Command::Solve { ask, .. }
-    | Command::Compare { ask, .. }
-    | Command::Onset { ask, .. }
-    | Command::Turn { ask, .. }
-    | Command::Follow { ask, .. }
-    | Command::Shake { ask, .. }
-    | Command::Identify { ask, .. } = &command
-    {
-        return asking::ask(ask, &command);
+fn run(mut command: Command) -> Result<ExitCode, Failure> {
+    if let Some(ask) = command.asks() {
+        let ask = ask.clone();
+        return asking::ask(&ask, command);
     }
     match command {
         #[cfg(feature = "mesh")]
@@ -101,10 +92,13 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::New { of, .. } => io::stdout().write_all(of.text().as_bytes())?,
         Command::Scene => io::stdout().write_all(arguments::FIELDS.as_bytes())?,
         Command::Values => values::print(&mut io::stdout().lock())?,
-        Command::Map { scene, at, unsure, json, progress, output } => {
+        Command::Map { scene, mut at, unit, unsure, json, progress, output } => {
             let pictures = Pictures::new(&output, &scene);
             let of_map = files::read(&scene)?;
             files::warn(&scene, &of_map)?;
+            if let Some(at) = &mut at {
+                at.bring_to_metres(unit.unwrap_or(of_map.unit));
+            }
             let asked = (&unsure, map::MapProgress { lines: progress });
             map::map(&of_map, at.as_ref(), asked, (!json).then_some(&pictures))?;
         }

@@ -78,15 +78,19 @@ What stands in the scenes:
   pressed_with       the squeeze, N: the contact's spring is wound up so far, and the object gives way until forces
                      agree; a warning says where a contact then presses with something else
   clearance          a gap before anything touches, m; negative for an overlap
-  tangent            the direction of the first tangent, along which the first side of a rectangular pad lies
+  tangent            the direction of the first tangent, along which the first side of a rectangular pad lies; if left out, the sides
+                     lie along y and z for a normal along x, along x and z for one along y, and along x and y for one along z
   soft               a soft pad in place of a point, which resists twisting and tilting: a rectangle with its sides, m,
-                     or a ring of a radius, m, with so many points on it
+                     or a ring of a radius, m, with so many points on it; more strips are nearer to a uniform pad and cost time
   suction            a suction cup in place of a point: the radius of its lip, m, and the pressure of its vacuum below that
                      of the air around, Pa
   force              a normal force that stays wherever the object goes, N: an air cylinder, a clamp
   fingers            fingers with joints, and their contacts
   joints             from the palm on: where it turns (revolute, a point), how stiff its motor is (stiffness, N m/rad),
                      how far it is told to close (command, rad), where it stalls (limit, saturates, N m)
+  tendons            over the joints of all fingers: one arm for each joint (arms, m/rad, of a slide 1), how stiff the motor is (stiffness, N/m), how
+                     far it pulls (pull, m); a finger on a tendon is pressed by its pull, not by pressed_with
+  unit               beside format: the unit of lengths, such as \"mm\"; forces and stiffnesses stay in N and N/m
   outline            corners of the object, m; only drawn
   part               the grasped part as a mesh: an STL or OBJ, with a unit and a mass, kg, or density, kg/m³
   touches            a pad that closes on the part, in place of point and normal: its sides, m (rectangle), its middle
@@ -110,4 +114,4 @@ What stands in the scenes:
   grasp-lcp hold gripper.json --mass 0.8       and another one
   grasp-lcp draw gripper.json                  shows whether all is where it is meant to be
 
-Lengths are in m, forces in N, stiffnesses in N/m; `grasp-lcp values` has ordinary ones and friction. All other fields: documentation of the module `scene`.";
+Lengths are in m, forces in N, stiffnesses in N/m; `grasp-lcp values` has ordinary ones and friction. All other fields: `grasp-lcp help scene`.";

@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use grasp_lcp::words::Unit;
+
 /// Largest size of a number, in SI units; larger ones are no lengths, forces or masses of real objects.
 const LARGEST_NUMBER: f64 = 1e50;
 
@@ -24,6 +26,13 @@ impl std::str::FromStr for Numbers {
 }
 
 impl Numbers {
+    /// Brings lengths in this unit to m.
+    pub(crate) fn bring_to_metres(&mut self, unit: Unit) {
+        for length in &mut self.0 {
+            *length = unit.in_metres(*length);
+        }
+    }
+
     /// Exactly `N` numbers, one for each axis of the scene.
     pub(crate) fn array<const N: usize>(&self, option: &str) -> Result<[f64; N], String> {
         let space = if N == 3 { "three numbers in space" } else { "two numbers in the plane" };
@@ -83,6 +92,11 @@ pub(crate) fn deviations(text: &str) -> Result<f64, String> {
 fn within(text: &str, range: RangeInclusive<f64>, allowed: &str) -> Result<f64, String> {
     let number = text.trim().parse().ok().filter(|number| range.contains(number));
     number.ok_or_else(|| format!("must be {allowed}"))
+}
+
+/// A unit of length.
+pub(crate) fn unit(text: &str) -> Result<Unit, String> {
+    Unit::of(text).ok_or_else(|| "must be m, cm, mm or in".to_owned())
 }
 
 /// A whole number.

@@ -5,10 +5,11 @@ use std::fmt;
 use serde::Deserialize;
 
 use super::field_path::faulty_field;
+use super::lengths::in_metres;
 use super::plain_words::in_plain_words;
-use super::written::{FORMAT, Id, Scene};
+use super::written::{FORMAT, Id, InItsUnit, Scene};
 use crate::error::Error;
-use crate::words::printable;
+use crate::words::{Unit, printable};
 
 /// The fault of a scene's text, or of its questions.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -145,7 +146,11 @@ impl Scene {
     /// # Errors
     /// A [`Fault`] with the field, its place in the text and the allowed values.
     pub fn from_json(text: &[u8]) -> Result<Self, Fault> {
-        let scene: Self = serde_json::from_slice(text).map_err(|error| Fault::of_reader(text, &error))?;
+        let InItsUnit(mut scene) =
+            serde_json::from_slice(text).map_err(|error| Fault::of_reader(text, &error))?;
+        if scene.unit != Unit::Metre {
+            scene = in_metres(text, scene.unit)?;
+        }
         scene.refuse_weights_twice(text)?;
         Ok(scene)
     }

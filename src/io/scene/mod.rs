@@ -15,8 +15,14 @@
 //! | `$schema` | the place where an editor finds the JSON Schema (feature `schema`); the crate ignores it | none |
 //! | `id` | a text or a whole number that answers repeat | none |
 //! | `comment` | a text for the reader | none |
+//! | `unit` | the unit of lengths, `"mm"`, `"cm"` or `"in"`, see below | `"m"` |
 //! | `planar` | a setup in the plane: points, normals and commands have 2 numbers | a spatial one |
 //! | `spatial` | a setup in space: they have 3 | a planar one |
+//!
+//! A scene with `"unit": "mm"` has in mm what is a length: points, outlines, centres of mass, clearances, commands of contacts, prismatic joints and tendons, arms of
+//! tendons at revolute joints, all of `soft`, `suction`, `surface`, `touches` and links that has a length, `at` and `about` of loads, and a mesh without a unit of its own.
+//! All else stays in N, N/m, N m, N m/rad, Pa, kg, kg m² and m/s²: stiffness, compliance, moment, inertia and acceleration. Answers are in m, as in other scenes.
+//! `Scene::from_json` (feature `json`) reads such a scene.
 //!
 //! The setup:
 //!
@@ -362,6 +368,8 @@ mod held;
 mod joint;
 mod labels;
 mod left_out;
+#[cfg(feature = "json")]
+mod lengths;
 mod link;
 mod matrix;
 mod motion;

@@ -119,12 +119,10 @@ impl<const C: usize> Setup<C> {
         if carried > 0.0 && heaviest > 100.0 * carried {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }
-        let points: Vec<_> = self.entries().map(|entry| entry.contact.point).collect();
-        let (size, count) = (spread(&points), points.len() as f64);
+        let (centre, size) = self.middle();
         if size == 0.0 || !self.bodies.is_empty() {
             return warnings;
         }
-        let centre = points.iter().fold(SVector::<f64, C>::zeros(), |sum, point| sum + point / count);
         let arm = |load: &Wrench<C>| {
             let force = force(load);
             let about = *load - Wrench::force_through(&centre, &force);
@@ -138,11 +136,16 @@ impl<const C: usize> Setup<C> {
                 far = far.max(arm(&load));
             }
         }
-        if far > 1.0 && far > 100.0 * size {
-            let what = "a load acts at a distance of".to_owned();
-            warnings.push(Warning::ManyMetres { what, length: far, beside: Some(size) });
-        }
+        warnings.extend(far_load(far, size));
         warnings
+    }
+
+    /// The middle of the contact points, and the size of the grasp.
+    pub(super) fn middle(&self) -> (SVector<f64, C>, f64) {
+        let points: Vec<_> = self.entries().map(|entry| entry.contact.point).collect();
+        let count = points.len() as f64;
+        let centre = points.iter().fold(SVector::<f64, C>::zeros(), |sum, point| sum + point / count);
+        (centre, spread(&points))
     }
 
     /// A warning if all contacts press away from their middle, and no outline shows the object.
@@ -187,6 +190,13 @@ impl<const C: usize> Setup<C> {
         let names = mapped(&contacts, &|i| entries[*i].contact.label_text(*i));
         is_so.then_some(Warning::SameSide { contacts, names })
     }
+}
+
+/// A warning about a load that acts far outside of a grasp of this size.
+pub(super) fn far_load(distance: f64, size: f64) -> Option<Warning> {
+    let what = "a load acts at a distance of".to_owned();
+    let is_far = size > 0.0 && distance > 1.0 && distance > 100.0 * size;
+    is_far.then_some(Warning::ManyMetres { what, length: distance, beside: Some(size) })
 }
 
 /// The loads that a question puts on.

@@ -194,7 +194,7 @@ impl fmt::Display for Warning {
                 if let Some(size) = beside {
                     write!(f, ", and contacts are {} m apart", words.number(*size))?;
                 }
-                f.write_str(": lengths are in m; is this in mm?")
+                f.write_str(": lengths are in m; is this in mm? A scene then says \"unit\": \"mm\"")
             }
             Self::OutOfProportion { names, is_stiffness: true, value, .. } => write!(
                 f,

@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::grasp::inside;
 use crate::numerics;
 use crate::serial::{in_text_of, object};
-use crate::words::Words;
+use crate::words::{Unit, Words};
 use crate::{planar, spatial};
 
 /// The version of the format that is written and read.
@@ -26,6 +26,8 @@ pub struct Scene {
     pub id: Option<Id>,
     /// A comment for the reader of the file.
     pub comment: Option<String>,
+    /// The unit of lengths in the text that was read, [`Scene::from_json`]; in this value, and where it is written, they are in m.
+    pub unit: Unit,
     /// Contacts, questions and settings.
     pub space: Space,
 }
@@ -150,7 +152,7 @@ impl Scene {
 
 impl From<Space> for Scene {
     fn from(space: Space) -> Self {
-        Self { id: None, comment: None, space }
+        Self { id: None, comment: None, unit: Unit::Metre, space }
     }
 }
 
@@ -225,6 +227,8 @@ struct In {
     id: Option<Id>,
     /// A comment for the reader of the file.
     comment: Option<String>,
+    /// The unit of lengths, m if left out; all other quantities stay in SI units.
+    unit: Option<Unit>,
     /// The grasp in the plane.
     planar: Option<Setup<2>>,
     /// The grasp in space.
@@ -233,14 +237,17 @@ struct In {
 
 impl Serialize for Scene {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { id, comment, space } = self;
+        let Self { id, comment, space, .. } = self;
         Out { format: Format, id: id.as_ref(), comment: comment.as_deref(), space }.serialize(serializer)
     }
 }
 
-impl<'de> Deserialize<'de> for Scene {
+/// A scene whose lengths are in its unit, as they stand in its text.
+pub(super) struct InItsUnit(pub(super) Scene);
+
+impl<'de> Deserialize<'de> for InItsUnit {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        object::read(deserializer, "a scene", |In { format, id, comment, planar, spatial, .. }| {
+        object::read(deserializer, "a scene", |In { format, id, comment, unit, planar, spatial, .. }| {
             if format.is_none() {
                 return Err(format!("missing field `format`: write \"format\": \"{FORMAT}\""));
             }
@@ -250,8 +257,21 @@ impl<'de> Deserialize<'de> for Scene {
                 (None, None) => return Err("missing field `planar` or `spatial`".to_owned()),
                 (Some(_), Some(_)) => return Err("planar and spatial: a scene has one of them".to_owned()),
             };
-            Ok(Self { id, comment, space })
+            Ok(Self(Scene { id, comment, unit: unit.unwrap_or_default(), space }))
         })
+    }
+}
+
+/// Refuses lengths in another unit than m: [`Scene::from_json`] reads them.
+impl<'de> Deserialize<'de> for Scene {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let InItsUnit(scene) = InItsUnit::deserialize(deserializer)?;
+        match scene.unit {
+            Unit::Metre => Ok(scene),
+            unit => Err(D::Error::custom(format_args!(
+                "unit: {unit} is read by Scene::from_json, must be m here"
+            ))),
+        }
     }
 }
 

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use super::part::Part;
-use super::unit::Unit;
 use crate::error::Error;
 use crate::numerics::{mapped, numbered};
+use crate::words::Unit;
 
 /// Bytes before the triangles of a binary STL: a comment of 80 bytes and their number.
 const HEAD: usize = 84;

@@ -58,10 +58,9 @@ mod pad;
 mod part;
 mod rays;
 mod touched;
-mod unit;
 
+pub use crate::words::Unit;
 pub use closing::Touch;
 pub use pad::Pad;
 pub use part::Part;
 pub use touched::Touched;
-pub use unit::Unit;

@@ -35,6 +35,10 @@ pub struct Identified {
     /// Combinations that slips do not determine.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free: Vec<FreeCombination>,
+    /// The estimates by each assignment of slips to contacts that fits as well, the best first: which contact slips first depends on the unknowns. Empty
+    /// if there is one.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub assignments: Vec<Vec<Estimate>>,
     /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if some slip is not predicted.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<f64>>"))]
     pub residuals: Vec<f64>,

@@ -59,7 +59,7 @@ impl Model<'_> {
         if row < self.asked.slips.len() { self.huber().weight(u) } else { 1.0 }
     }
 
-    fn loss(&self, residuals: &[f64], scatter: &Scatter) -> f64 {
+    pub(super) fn loss(&self, residuals: &[f64], scatter: &Scatter) -> f64 {
         let of_row = |(row, (r, sigma)): (usize, (&f64, &f64))| {
             let u = r / sigma;
             if row < self.asked.slips.len() { self.huber().loss(u) } else { 0.5 * u * u }
@@ -113,17 +113,24 @@ fn begun(model: &Model<'_>) -> Result<Begun, Error> {
 /// The logarithms with the least loss, by a search from the given values.
 pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     let (begin, linear) = begun(model)?;
-    let nothing = Scatter { rows: Vec::new(), estimated: None };
-    let mut fit = Fitted { logs: begin, linear: None, scatter: nothing, iterations: 0, end: FitEnd::Limit };
+    match linear {
+        Ok(linear) => fitted_from(model, begin, linear),
+        Err((slip, why)) => Ok(Fitted::from(begin, FitEnd::NoSlip(slip, why))),
+    }
+}
+
+impl Fitted {
+    fn from(logs: Vec<f64>, end: FitEnd) -> Self {
+        let nothing = Scatter { rows: Vec::new(), estimated: None };
+        Self { logs, linear: None, scatter: nothing, iterations: 0, end }
+    }
+}
+
+/// The logarithms with the least loss, by a search from logarithms at which all slips are predicted.
+pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear) -> Result<Fitted, Error> {
+    let mut fit = Fitted::from(begin, FitEnd::Limit);
     // Relative to the largest singular value squared.
     let mut damping = 1e-3;
-    let mut linear = match linear {
-        Ok(linear) => linear,
-        Err((slip, why)) => {
-            fit.end = FitEnd::NoSlip(slip, why);
-            return Ok(fit);
-        }
-    };
     loop {
         fit.scatter = model.scatter(&linear.residuals, rank(&linear));
         let steps = Steps::of(model, &linear, &fit.scatter);

@@ -28,6 +28,10 @@
 //! lost at once – all friction is halved or doubled, at most twelve times, until it predicts all. If only a slip's own load presses, the part of it
 //! along the normals acts at rest, and only the rest grows: an object that is dragged over a table lies on it first.
 //!
+//! **Which contact slips first.** Between two jaws the weaker one lets go, so that a slip depends on one friction alone, and on which depends on the start.
+//! From the solution, unknowns of one kind change places in pairs, and the search is repeated where slips then depend on other unknowns. If another
+//! assignment fits as well, at 95 %, [`Identified::assignments`] has the estimates of each, and what they do not agree on is not fixed.
+//!
 //! # Errors
 //!
 //! The errors are those of the linearised problem at the solution. If the slips have no given scatter, it is estimated from the residuals, and
@@ -50,6 +54,7 @@
 //! J. Bus. Econ. Stat. 36, 2018). Estimates do not change, and a number that one group determines alone has no error.
 
 mod answer;
+mod assignments;
 mod checked;
 mod combination;
 mod face;

@@ -3,10 +3,10 @@
 use nalgebra::SVector;
 
 use super::answer::Identified;
+use super::assignments::assigned;
 use super::fit::fitted;
 use super::model::Model;
 use super::slip::Slip;
-use super::spread::told;
 use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
 use crate::error::Error;
@@ -174,8 +174,7 @@ impl Identify<3> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?.with_weights_at_rest(&layouts);
         let model = Model { layouts: &layouts, asked };
-        let fit = fitted(&model)?;
-        Ok(told(&model, &fit))
+        assigned(&model, fitted(&model)?)
     }
 
     /// The question with weights at rest in slips whose own load presses, unless carried forces are sought.

@@ -67,6 +67,7 @@ pub(super) fn told(model: &Model<'_>, fit: &Fitted) -> Identified {
         misfit: spread.as_ref().and_then(Spread::misfit),
         degrees_of_freedom: spread.as_ref().map_or(0, |spread| spread.degrees),
         free,
+        assignments: Vec::new(),
         residuals,
         weights,
         by_differences,

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::answer::{Ending, Estimate, Identified};
+use super::assignments::is_alike;
 use super::unknown::UnknownKind;
 use crate::numerics::mapped;
 use crate::prelude::*;
@@ -15,8 +16,13 @@ impl fmt::Display for Identified {
         if let Ending::NotPredicted { slip, says } = &self.ending {
             return write!(f, "NOT FOUND from {slips}: slip {slip} is not predicted, {says}");
         }
-        let told: Vec<_> = mapped(&self.estimates, &|estimate| estimate.told(words));
-        write!(f, "{} from {slips}", told.join(", "))?;
+        let open: Vec<usize> = (0..self.estimates.len()).filter(|j| self.depends_on_assignment(*j)).collect();
+        let said: Vec<_> = (0..self.estimates.len())
+            .filter(|j| !open.contains(j))
+            .map(|j| self.estimates[j].told(words))
+            .chain((!open.is_empty()).then(|| self.one_of(&open, words)))
+            .collect();
+        write!(f, "{} from {slips}", said.join(", "))?;
         if let Some(groups) = self.groups {
             write!(f, " in {groups} groups")?;
         }
@@ -35,7 +41,9 @@ impl fmt::Display for Identified {
             write!(f, ". {}", capital(&combination.says))?;
         }
         let is_wide = |estimate: &&Estimate| {
-            !estimate.is_fixed && !self.free.iter().any(|free| free.unknowns.contains(&estimate.name))
+            !estimate.is_fixed
+                && !open.iter().any(|j| self.estimates[*j].name == estimate.name)
+                && !self.free.iter().any(|free| free.unknowns.contains(&estimate.name))
         };
         let wide: Vec<_> =
             self.estimates.iter().filter(is_wide).map(|estimate| estimate.name.clone()).collect();
@@ -68,6 +76,38 @@ impl fmt::Display for Identified {
     }
 }
 
+impl Identified {
+    /// Whether assignments of slips to contacts that fit as well do not agree on an unknown.
+    fn depends_on_assignment(&self, unknown: usize) -> bool {
+        self.assignments.iter().any(|each| !is_alike(&self.assignments[0][unknown], &each[unknown]))
+    }
+
+    /// "one of the two is 0.423 ± 0.004, which one is not fixed: friction of left or friction of right"; where values differ, each with its name.
+    fn one_of(&self, open: &[usize], words: Words) -> String {
+        let names: Vec<_> = mapped(open, &|j| self.estimates[*j].name.clone());
+        let fixed: Vec<Vec<&Estimate>> = mapped(&self.assignments, &|each| {
+            open.iter().map(|j| &each[*j]).filter(|estimate| estimate.is_fixed).collect()
+        });
+        let the_one = fixed.first().and_then(|those| those.first());
+        if let Some(one) = the_one
+            && fixed.iter().all(|those| matches!(those[..], [this] if is_alike(one, this)))
+        {
+            let count = match open.len() {
+                2 => "two".to_owned(),
+                3 => "three".to_owned(),
+                many => many.to_string(),
+            };
+            let value = one.value_told(words);
+            return format!("one of the {count} is {value}, which one is not fixed: {},", names.join(" or "));
+        }
+        let each = fixed.iter().filter(|those| !those.is_empty()).map(|those| {
+            let said: Vec<_> = those.iter().map(|estimate| estimate.told(words)).collect();
+            said.join(" and ")
+        });
+        format!("either {}, which is not fixed,", each.collect::<Vec<_>>().join(", or "))
+    }
+}
+
 /// "a is", "a and b are".
 fn are(names: &[String]) -> String {
     format!("{} {}", listed(names), if names.len() == 1 { "is" } else { "are" })
@@ -80,22 +120,26 @@ fn capital(text: &str) -> String {
 
 impl Estimate {
     fn told(&self, words: Words) -> String {
-        let name = &self.name;
+        if self.is_fixed || self.interval.is_some() {
+            format!("{} {}", self.name, self.value_told(words))
+        } else {
+            format!("{} not fixed", self.name)
+        }
+    }
+
+    /// The value with its unit and its error, if it is known.
+    fn value_told(&self, words: Words) -> String {
         let (unit, behind) = match self.kind {
             UnknownKind::Friction => ("", ""),
             UnknownKind::Carried => (" N", ""),
             UnknownKind::Squeeze => ("", " times the squeeze given"),
             UnknownKind::Stiffness => ("", " times the tangential stiffness given"),
         };
-        match (self.standard_error, self.interval) {
-            (Some(error), Some([low, high])) => {
-                let [value, error, low, high] =
-                    [self.value, error, low, high].map(|x| to_error(x, error, words));
-                format!("{name} {value}{unit} ± {error}{unit}{behind} (95 %: {low}{unit} to {high}{unit})")
-            }
-            _ if self.is_fixed => format!("{name} {}{unit}{behind}", words.number(self.value)),
-            _ => format!("{name} not fixed"),
-        }
+        let (Some(error), Some([low, high])) = (self.standard_error, self.interval) else {
+            return format!("{}{unit}{behind}", words.number(self.value));
+        };
+        let [value, error, low, high] = [self.value, error, low, high].map(|x| to_error(x, error, words));
+        format!("{value}{unit} ± {error}{unit}{behind} (95 %: {low}{unit} to {high}{unit})")
     }
 }
 

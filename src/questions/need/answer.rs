@@ -1,8 +1,8 @@
 //! The answer to the question for an amount.
 
 use crate::error::Error;
-use crate::grasp::WholeContact;
 
+use super::press::Press;
 use super::question::Demand;
 use crate::prelude::*;
 
@@ -241,18 +241,6 @@ impl AmountWindow {
     pub(super) fn contains(&self, amount: f64) -> bool {
         self.from.is_none_or(|from| from <= amount) && self.to.is_none_or(|to| amount <= to)
     }
-}
-
-/// The normal force of a contact.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[non_exhaustive]
-pub struct Press {
-    /// The contact, or the soft fingertip.
-    pub part: WholeContact,
-    /// Its normal force, N; of a soft fingertip the sum over its points.
-    pub force: f64,
 }
 
 /// Refuses a relative reduction of friction or squeeze outside `0 <= value < 1`.

@@ -5,7 +5,7 @@
 //!
 //! | sought | bound | unit of [`Amount`] |
 //! |---|---|---|
-//! | [`Need::squeeze`] | least, all commands in proportion | multiple of the squeeze given; the sentence has N at each contact |
+//! | [`Need::squeeze`] | least, all commands in proportion | multiple of the squeeze given; the sentence has N at each contact, of suction cups kPa |
 //! | [`Need::friction`] | least, of all contacts or of some | coefficient |
 //! | [`Need::load`] | greatest | multiple of the loads given |
 //! | [`Need::arm`] | greatest displacement of a force | m |
@@ -39,6 +39,7 @@ mod face;
 mod loading;
 mod needed;
 mod posed;
+mod press;
 mod question;
 mod range;
 mod repeated;
@@ -49,5 +50,6 @@ mod trial;
 mod tried;
 mod words;
 
-pub use answer::{Amount, AmountWindow, FarEnd, Needed, Press, PressedBy, Quantity, TriedAmounts};
+pub use answer::{Amount, AmountWindow, FarEnd, Needed, PressedBy, Quantity, TriedAmounts};
+pub use press::Press;
 pub use question::{Demand, Need};

@@ -1,8 +1,9 @@
 //! The question for an amount from its check to its answer: the amount, that with which nothing slides, and a safe one.
 
-use super::answer::{Amount, FarEnd, Needed, Press, Quantity};
+use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::around::Around;
 use super::posed::{Posed, Safety, Sought};
+use super::press::{Press, pressure_of_cup};
 use super::question::{Demand, Need};
 use super::search::{Searched, Tries, search};
 use super::threshold::Threshold;
@@ -212,7 +213,8 @@ fn presses<const C: usize>(grasp: &Grasp<C>, squeeze: f64) -> Result<(Vec<Press>
     let mut presses = Vec::new();
     for part in parts.with(&|_| true) {
         let force = forces[part.contact];
-        presses.push(Press { part, force });
+        let pressure = pressure_of_cup(&squeezed.contacts()[parts.ranges()[part.contact].clone()]);
+        presses.push(Press { part, force, pressure });
     }
     // Contacts held by a constant force are at their limit by design and are not listed.
     let mut at_their_limit = Vec::new();

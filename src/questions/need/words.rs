@@ -2,11 +2,12 @@
 
 use core::fmt;
 
-use super::answer::{Amount, AmountWindow, FarEnd, Needed, Press, PressedBy, Quantity, TriedAmounts};
+use super::answer::{Amount, AmountWindow, FarEnd, Needed, PressedBy, Quantity, TriedAmounts};
+use super::press::{self, Press};
 use super::question::Demand;
 use crate::numerics::mapped;
 use crate::prelude::*;
-use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed, printable};
+use crate::words::{ALIKE_IN_WORDS, Words, listed, printable};
 
 impl fmt::Display for Needed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -215,7 +216,7 @@ impl Needed {
         let (if_less, takes) = (listed(&less), if self.quantity.is_least() { "needs" } else { "takes" });
         match &self.safe {
             Some(Amount::Bound { does: safe, presses: safe_presses, .. }) => {
-                let much = match (alike(presses), alike(safe_presses)) {
+                let much = match (press::alike(presses), press::alike(safe_presses)) {
                     // Drives at their limit press no harder under a larger command.
                     (Some(one), Some(other))
                         if (one - other).abs() <= ALIKE_IN_WORDS * one.abs() && *safe != does =>
@@ -275,23 +276,7 @@ impl Needed {
         match self.quantity {
             Quantity::Squeeze => {
                 let times = format!("{} times the squeeze given", words.number(amount));
-                if presses.is_empty() {
-                    return times;
-                }
-                if let Some(force) = alike(presses) {
-                    let names: Vec<_> = mapped(presses, &|press| press.part.text());
-                    let at =
-                        if names.len() > MOST_NAMES { "every contact".to_owned() } else { listed(&names) };
-                    return format!("{} N at {at}", words.number(force));
-                }
-                let each = presses
-                    .iter()
-                    .map(|press| format!("{} N at {}", words.number(press.force), press.part.text()));
-                if presses.len() > MOST_NAMES {
-                    times
-                } else {
-                    format!("{} ({times})", listed(&each.collect::<Vec<_>>()))
-                }
+                press::in_words(words, presses, times)
             }
             Quantity::Friction => format!("a coefficient of friction of {}", words.number(amount)),
             Quantity::Load => match self.force {
@@ -308,8 +293,8 @@ impl Needed {
     /// An amount in the user's unit without its place, which the sentence has named before: "12 N".
     fn short(&self, words: Words, amount: f64, presses: &[Press]) -> String {
         match self.quantity {
-            Quantity::Squeeze => match alike(presses) {
-                Some(force) => format!("{} N", words.number(force)),
+            Quantity::Squeeze => match press::all_alike(words, presses) {
+                Some(force) => force,
                 None => format!("{} times the squeeze given", words.number(amount)),
             },
             Quantity::Friction => words.number(amount),
@@ -375,12 +360,6 @@ impl Amount {
             |amount: f64| own.contains(amount) || elsewhere.iter().any(|window| window.contains(amount));
         [amount, amount * (1.0 + ALIKE_IN_WORDS), amount * (1.0 - ALIKE_IN_WORDS)].into_iter().any(is_in)
     }
-}
-
-/// The normal force that all contacts share, to within [`ALIKE_IN_WORDS`], N.
-fn alike(presses: &[Press]) -> Option<f64> {
-    let first = presses.first()?.force;
-    presses.iter().all(|press| (press.force - first).abs() <= ALIKE_IN_WORDS * first.abs()).then_some(first)
 }
 
 impl fmt::Display for Quantity {

@@ -127,7 +127,7 @@ impl Assembly {
                         what,
                         "stiffness",
                         0.0,
-                        "positive where a contact of the finger is told how to press",
+                        "positive where a contact has `pressed_with`; where a tendon moves the joint, its `pull` presses instead",
                     );
                 };
                 torques[first..first + count].copy_from_slice(commands.as_slice());

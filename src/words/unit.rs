@@ -1,6 +1,8 @@
-//! Units of length in files of meshes, which do not say theirs.
+//! Units of length of scenes, of meshes, which do not say theirs, and of command lines.
 
-/// The unit of a mesh's lengths.
+use core::fmt;
+
+/// The unit of lengths in a file or on a command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -42,5 +44,16 @@ impl Unit {
             "in" => Some(Self::Inch),
             _ => None,
         }
+    }
+}
+
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Metre => "m",
+            Self::Centimetre => "cm",
+            Self::Millimetre => "mm",
+            Self::Inch => "in",
+        })
     }
 }

@@ -1,0 +1,57 @@
+//! Lengths of the command line in the unit of the scene, or in that of `--unit`.
+
+use grasp_lcp::words::Unit;
+
+use crate::arguments::{Ask, Command, LoadArguments, Numbers, Wanted};
+
+impl Command {
+    /// The scene and the form of the answer, of commands that ask about one.
+    pub(crate) fn asks(&mut self) -> Option<&mut Ask> {
+        match self {
+            Self::Ask(ask)
+            | Self::Hold { ask, .. }
+            | Self::Need { ask, .. }
+            | Self::Improve { ask, .. }
+            | Self::Solve { ask, .. }
+            | Self::Compare { ask, .. }
+            | Self::Onset { ask, .. }
+            | Self::Turn { ask, .. }
+            | Self::Follow { ask, .. }
+            | Self::Shake { ask, .. }
+            | Self::Identify { ask, .. } => Some(ask),
+            _ => None,
+        }
+    }
+
+    /// Brings points of loads to m; all other options are in SI units, or are directions.
+    pub(crate) fn lengths_to_metres(&mut self, unit: Unit) {
+        match self {
+            Self::Hold { load, .. }
+            | Self::Need { wanted: Wanted { load, .. }, .. }
+            | Self::Improve { load, .. }
+            | Self::Solve { load, .. }
+            | Self::Compare { load, .. }
+            | Self::Onset { load, .. } => load.lengths_to_metres(unit),
+            Self::Turn { at, .. } | Self::Follow { at, .. } => to_metres(at, unit),
+            Self::Shake { shakes, .. } => to_metres(&mut shakes.at, unit),
+            Self::Identify { slips, .. } => slips.unit = unit,
+            _ => {}
+        }
+    }
+}
+
+impl LoadArguments {
+    fn lengths_to_metres(&mut self, unit: Unit) {
+        to_metres(&mut self.at, unit);
+        to_metres(&mut self.about, unit);
+        for push in &mut self.together_with {
+            to_metres(&mut push.at, unit);
+        }
+    }
+}
+
+fn to_metres(point: &mut Option<Numbers>, unit: Unit) {
+    if let Some(point) = point {
+        point.bring_to_metres(unit);
+    }
+}

@@ -1,0 +1,97 @@
+//! Pads and stiffness: which stiffness to enter, which answers depend on it, what a pad's strips cost, and where its sides lie.
+//!
+//! # Which answers depend on it
+//!
+//! Where fingers press with given forces (`pressed_with`, `force`, suction), only **ratios** of stiffnesses decide how contacts share a load. All springs ten times
+//! as stiff leave every force, first slip and loss where they were, and divide displacements by ten.
+//!
+//! | answer | depends on |
+//! |---|---|
+//! | load that is lost, of fingers that press with forces that stay | friction and forces; on ratios of stiffness only where normal forces shift under the load |
+//! | first slip | ratios: of contacts beside each other, and of tangential to normal |
+//! | motions, and so whether a load goes too far | their size |
+//! | squeeze by `command`, a displacement | their size: force = stiffness × displacement |
+//!
+//! ```
+//! use grasp_lcp::planar::{Contact, Grasp, Wrench};
+//!
+//! // Two jaws, a load off their middle; all springs ten times as stiff, then the left jaw alone.
+//! let grasp = |left: f64, right: f64| {
+//!     let jaw = |x: f64, k: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2e5 * k, 7e4 * k).friction(0.5).pressed_with(20.0);
+//!     Grasp::new([jaw(-0.04, left), jaw(0.04, right)])
+//! };
+//! let (soft, stiff, uneven) = (grasp(1.0, 1.0)?, grasp(10.0, 10.0)?, grasp(10.0, 1.0)?);
+//! let load = Wrench::force_at([0.0, -5.0], [0.01, 0.0]);
+//! let onset = |grasp: &Grasp| Ok::<_, grasp_lcp::Error>(grasp.onset(load)?.factor().expect("it slides"));
+//! assert!((onset(&soft)? / onset(&stiff)? - 1.0).abs() < 1e-12);
+//! let sinks = |grasp: &Grasp| Ok::<_, grasp_lcp::Error>(grasp.solve(load)?.equilibrium().expect("it holds").twist.translation()[1]);
+//! assert!((sinks(&soft)? / sinks(&stiff)? - 10.0).abs() < 1e-9);
+//! // A pinch of two points carries each moment by one force a side, whatever the springs are; with a third jaw they count.
+//! assert!((onset(&uneven)? / onset(&soft)? - 1.0).abs() < 1e-12);
+//! let three = |k: f64| {
+//!     let below = Contact::new([0.0, -0.03], [0.0, 1.0]).series_stiffness(2e5 * k, 7e4 * k).friction(0.5);
+//!     Grasp::new(grasp(1.0, 1.0)?.contacts().iter().cloned().chain([below]))
+//! };
+//! assert!((onset(&three(10.0)?)? / onset(&three(1.0)?)? - 1.0).abs() > 0.5);
+//! # Ok::<(), grasp_lcp::Error>(())
+//! ```
+//!
+//! A scene without a stiffness is answered with 1e4 N/m in all directions, and a warning names each question whose answer changes when that does.
+//!
+//! # Which stiffness to enter
+//!
+//! `stiffness` (or `series_stiffness`) is `[normal, tangential]` of all that gives way between the object and what holds it, in series: the softest counts.
+//! `grasp-lcp values` prints ordinary values with their sources.
+//!
+//! | what holds | enter | how it presses |
+//! |---|---|---|
+//! | rubber pad, area A, thickness t | normal E A/t, tangential a third; 400 mm² of 5 mm: 1.4e5 to 7.5e5 N/m. Of a mesh: `layer` with modulus and thickness | `pressed_with` |
+//! | steel jaw, locator, vice | 1e7 to 1e8 N/m, tangential 0.7 to 0.9 of it | a screw that is tightened once: `pressed_with`; one that follows: `force` |
+//! | gripper with a servo that holds its position | finger (3 E I/L³) and pad in series, with the drive's stiffness where that is known | `pressed_with` |
+//! | gripper with an air cylinder or a motor that stalls | pad and finger | `force`, or a joint with a `limit` |
+//! | bolt or tie rod, section A, length L | a `spring` or `cable` link with E A/L; M10 of 50 mm: 2.4e8 N/m | `tension`, as it is once installed |
+//! | strap, rope | a `cable` link; force over elongation of its data sheet, times its length | `tension` |
+//! | suction cup | force over stroke of the bellows; some 8e3 N/m, tangential half | `suction` |
+//! | contact of a simulator | its pads, as above, and the simulator's normal forces | `pressed_with` |
+//!
+//! MuJoCo's `solref` is no stiffness in N/m: with a time constant and a damping ratio it prescribes accelerations, so that a contact's force for a penetration scales with
+//! the mass behind it (MuJoCo's documentation, chapter Computation). Drake's hydroelastic modulus is a pressure, Pa: times the area and over the thickness of the layer
+//! it is a stiffness. `python/examples` has both simulators.
+//!
+//! # Where a pad's sides lie
+//!
+//! `"rectangle": {"sides": [a, b]}` has a along the first tangent t₁ and b along t₂ = n × t₁. Without `tangent`, t₁ is the coordinate axis farthest from the normal, the
+//! first of equals:
+//!
+//! | normal along | a along | b along |
+//! |---|---|---|
+//! | x | y | z |
+//! | y | x | z |
+//! | z | x | y |
+//!
+//! ```
+//! use grasp_lcp::spatial::{Contact, Grasp};
+//!
+//! for (normal, first, second) in [(0, 1, 2), (1, 0, 2), (2, 0, 1)] {
+//!     for sign in [-1.0, 1.0] {
+//!         let mut inward = [0.0; 3];
+//!         inward[normal] = sign;
+//!         let grasp = Grasp::new([Contact::new([0.0; 3], inward).series_stiffness(1.0, 1.0)])?;
+//!         let frame = *grasp.frames().next().expect("one contact");
+//!         assert!(frame[(first, 1)].abs() == 1.0 && frame[(second, 2)].abs() == 1.0);
+//!     }
+//! }
+//! # Ok::<(), grasp_lcp::Error>(())
+//! ```
+//!
+//! # What strips cost
+//!
+//! Half of each side is cut into `strips`, two points each: `[1, 1]`, if left out, are 16 points, `[2, 2]` are 64. Tilting and twisting stiffness, first opening and first
+//! sliding are those of the uniform pad for any number; only the last part of sliding is coarser. Time grows faster than the points. The report `pad_strips` prints error and
+//! time of a gripper that twists and pulls its pads at once.
+//!
+//! # Joints, meshes, simulators
+//!
+//! * Joints, motors and tendons: [`hands`](super::hands), the scene `three_joint_pinch.json`, `grasp-lcp new hand`; in Python `help(Grasp.from_dict)`.
+//! * A mesh: `grasp-lcp new grip part.stl --jaws 20x30mm --force 40` writes a scene; `parts/bracket.json` is one; the report `from_mesh` and `crate::touch` in Rust.
+//! * MuJoCo: `python/examples/mujoco_creep.py` takes the contacts of a grasp from it, `mujoco_watch.py` its forces a thousand times a second.

@@ -1,0 +1,200 @@
+//! Lengths in the text of a scene (feature `json`): those in mm, cm or inches are brought to m before they are read, for only the text distinguishes them from
+//! other numbers; and the points of loads, of which only the moment is left once they are read.
+
+use serde_json::{Map, Value};
+
+use super::fault::Fault;
+use super::odd::far_load;
+use super::plain_words::in_plain_words;
+use super::setup::Setup;
+use super::warning::Warning;
+use super::written::{Scene, Space};
+use crate::words::Unit;
+
+/// Fields that are lengths wherever they are numbers, or lists of them.
+const LENGTHS: [&str; 32] = [
+    "about",
+    "at",
+    "centre",
+    "centre_of_mass",
+    "clearance",
+    "closed_spline",
+    "command",
+    "command_change",
+    "command_world",
+    "commands_by",
+    "commands_to",
+    "corner",
+    "disc",
+    "from",
+    "layouts",
+    "length",
+    "outline",
+    "point",
+    "polyline",
+    "pull",
+    "radius",
+    "rectangle",
+    "round",
+    "segment",
+    "sides",
+    "size",
+    "slack",
+    "spline",
+    "thickness",
+    "to",
+    "triangles",
+    "width",
+];
+
+/// The scene of this text, which was read with its numbers as they stand there; its lengths are in this unit.
+pub(super) fn in_metres(text: &[u8], unit: Unit) -> Result<Scene, Fault> {
+    let fault = |error: serde_json::Error| Fault::of_scene(in_plain_words(&error.to_string(), None));
+    let mut scene: Value = serde_json::from_slice(text).map_err(fault)?;
+    for space in ["planar", "spatial"] {
+        if let Some(setup) = scene[space].as_object_mut() {
+            Lengths::of(setup, unit)?.setup(setup);
+        }
+    }
+    if let Some(fields) = scene.as_object_mut() {
+        fields.remove("unit");
+    }
+    let scene: Scene = serde_json::from_value(scene).map_err(fault)?;
+    Ok(Scene { unit, ..scene })
+}
+
+impl Scene {
+    /// A warning about a load far outside of the grasp whose force points at it, so that it has no long arm; `text` is the scene's text. Loads with a long
+    /// arm are among [`Self::warnings`].
+    #[must_use]
+    pub fn far_load_in(&self, text: &[u8]) -> Option<Warning> {
+        let scene: Value = serde_json::from_slice(text).unwrap_or_default();
+        match &self.space {
+            Space::Planar(setup) => setup.far_load_in(&scene["planar"]["questions"], self.unit),
+            Space::Spatial(setup) => setup.far_load_in(&scene["spatial"]["questions"], self.unit),
+        }
+    }
+}
+
+impl<const C: usize> Setup<C> {
+    fn far_load_in(&self, questions: &Value, unit: Unit) -> Option<Warning> {
+        let (centre, size) = self.middle();
+        let mut farthest = 0.0_f64;
+        each_at(questions, &mut |at| {
+            let place = |a: usize| unit.in_metres(at.get(a).and_then(Value::as_f64).unwrap_or_default());
+            let squares = (0..C).map(|a| (place(a) - centre[a]).powi(2));
+            farthest = farthest.max(squares.sum::<f64>().sqrt());
+        });
+        let has_bodies = !self.bodies.is_empty();
+        far_load(farthest, size).filter(|_| !has_bodies && self.odd_loads().is_empty())
+    }
+}
+
+/// Looks at every point `at` of a value.
+fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
+    match value {
+        Value::Array(list) => list.iter().for_each(|value| each_at(value, look)),
+        Value::Object(fields) => {
+            for (name, value) in fields {
+                match value {
+                    Value::Array(at) if name == "at" => look(at),
+                    value => each_at(value, look),
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The unit, and what decides whether commands of joints are lengths.
+struct Lengths {
+    unit: Unit,
+    /// Whether each joint of all fingers is prismatic.
+    is_prismatic: Vec<bool>,
+}
+
+impl Lengths {
+    fn of(setup: &Map<String, Value>, unit: Unit) -> Result<Self, Fault> {
+        if setup.contains_key("robot") {
+            return Err(Fault::of_scene(format!(
+                "unit: {unit} given, must be m beside a robot, whose file is in m"
+            )));
+        }
+        let mut is_prismatic = Vec::new();
+        for finger in setup.get("fingers").and_then(Value::as_array).into_iter().flatten() {
+            for joint in finger["joints"].as_array().into_iter().flatten() {
+                is_prismatic.push(joint["prismatic"].is_array());
+            }
+            let has_jacobian = |contact: &Value| contact["moved_by"]["jacobian"].is_array();
+            if finger["contacts"].as_array().into_iter().flatten().any(has_jacobian) {
+                return Err(Fault::of_scene(format!(
+                    "unit: {unit} given, must be m beside a jacobian, whose columns are in m/rad or have no unit"
+                )));
+            }
+        }
+        Ok(Self { unit, is_prismatic })
+    }
+
+    fn setup(&self, setup: &mut Map<String, Value>) {
+        self.object(setup, "");
+        if let Some(part) = setup.get_mut("part").and_then(Value::as_object_mut) {
+            part.entry("unit").or_insert_with(|| self.unit.to_string().into());
+        }
+    }
+
+    /// Brings the lengths of an object to m; `of` is the field that holds it.
+    fn object(&self, fields: &mut Map<String, Value>, of: &str) {
+        let is_turning = of == "joints" && !fields.contains_key("prismatic");
+        for (name, value) in fields {
+            match (name.as_str(), value) {
+                // The command of a revolute joint is an angle.
+                ("command", _) if is_turning => {}
+                // Their fields are names of bodies.
+                ("together_with" | "body_loads_by" | "body_loads_to", Value::Object(loads)) => {
+                    for load in loads.values_mut().filter_map(Value::as_object_mut) {
+                        self.object(load, "");
+                    }
+                }
+                ("joints_by" | "joints_to" | "joint_change", Value::Array(all)) => {
+                    // Behind joints come tendons.
+                    self.each(all, |joint| self.is_prismatic.get(joint).is_none_or(|is| *is));
+                }
+                ("arms", Value::Array(all)) => {
+                    self.each(all, |joint| self.is_prismatic.get(joint).is_none_or(|is| !is));
+                }
+                (name, value @ (Value::Number(_) | Value::Array(_)))
+                    if LENGTHS.contains(&name) || (of, name) == ("cylinder", "axis") =>
+                {
+                    self.all(value);
+                }
+                (name, value) => self.within(value, name),
+            }
+        }
+    }
+
+    fn within(&self, value: &mut Value, of: &str) {
+        match value {
+            Value::Array(list) => list.iter_mut().for_each(|value| self.within(value, of)),
+            Value::Object(fields) => self.object(fields, of),
+            _ => {}
+        }
+    }
+
+    /// Brings the numbers of a list to m where they are lengths, by their index.
+    fn each(&self, list: &mut [Value], is_length: impl Fn(usize) -> bool) {
+        for (index, value) in list.iter_mut().enumerate() {
+            if is_length(index) {
+                self.all(value);
+            }
+        }
+    }
+
+    /// Brings all numbers of a value to m.
+    fn all(&self, value: &mut Value) {
+        match value {
+            Value::Array(list) => list.iter_mut().for_each(|value| self.all(value)),
+            Value::Number(_) => *value = self.unit.in_metres(value.as_f64().unwrap_or_default()).into(),
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! The normal forces with which contacts press under a squeeze, and their words.
+
+use nalgebra::SVector;
+
+use crate::grasp::{Contact, WholeContact};
+use crate::numerics::mapped;
+use crate::prelude::*;
+use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
+
+/// The normal force of a contact.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct Press {
+    /// The contact, or the soft fingertip.
+    pub part: WholeContact,
+    /// Its normal force, N; of a soft fingertip the sum over its points.
+    pub force: f64,
+    /// Of a suction cup: the pressure of its vacuum below that of the air around, Pa.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub pressure: Option<f64>,
+}
+
+/// The pressure of the vacuum within a ring of points, Pa, if they are the lip of a cup.
+pub(super) fn pressure_of_cup<const C: usize>(points: &[Contact<C>]) -> Option<f64> {
+    let count = points.len() as f64;
+    let vacuum: f64 = points.iter().map(|point| point.suction).sum();
+    let middle = points.iter().fold(SVector::<f64, C>::zeros(), |sum, point| sum + point.point / count);
+    let radius = |point: &Contact<C>| (point.point - middle).norm();
+    let size = points.iter().map(radius).fold(0.0, f64::max);
+    let is_ring = points.iter().all(|point| size - radius(point) <= ALIKE_IN_WORDS * size);
+    (vacuum > 0.0 && size > 0.0 && is_ring).then(|| vacuum / (core::f64::consts::PI * size * size))
+}
+
+impl Press {
+    /// "16.7 N"; of a suction cup "13.3 kPa (16.7 N)".
+    fn in_words(&self, words: Words) -> String {
+        let newtons = words.number(self.force);
+        match self.pressure {
+            Some(pressure) => format!("{} kPa ({newtons} N)", words.number(1e-3 * pressure)),
+            None => format!("{newtons} N"),
+        }
+    }
+}
+
+/// The contacts that press at rest; others, such as rests under a part, do so only under the load.
+fn pressing(presses: &[Press]) -> Vec<&Press> {
+    let most = presses.iter().map(|press| press.force).fold(0.0, f64::max);
+    presses.iter().filter(|press| press.force >= ALIKE_IN_WORDS * most).collect()
+}
+
+/// The normal force that all pressing contacts share, to within [`ALIKE_IN_WORDS`], N.
+pub(super) fn alike(presses: &[Press]) -> Option<f64> {
+    let pressing = pressing(presses);
+    let first = pressing.first()?.force;
+    pressing.iter().all(|press| (press.force - first).abs() <= ALIKE_IN_WORDS * first).then_some(first)
+}
+
+/// The normal force that all pressing contacts share, in words.
+pub(super) fn all_alike(words: Words, presses: &[Press]) -> Option<String> {
+    alike(presses)?;
+    pressing(presses).first().map(|press| press.in_words(words))
+}
+
+/// "12 N at left and right"; of different forces each with its contact, and the multiple of the given squeeze, `times`.
+pub(super) fn in_words(words: Words, presses: &[Press], times: String) -> String {
+    let pressing = pressing(presses);
+    let names: Vec<_> = mapped(&pressing, &|press| press.part.text());
+    match all_alike(words, presses) {
+        Some(force) if names.len() > MOST_NAMES => format!("{force} at every contact"),
+        Some(force) => format!("{force} at {}", listed(&names)),
+        None if pressing.is_empty() || names.len() > MOST_NAMES => times,
+        None => {
+            let each: Vec<_> =
+                mapped(&pressing, &|press| format!("{} at {}", press.in_words(words), press.part.text()));
+            format!("{} ({times})", listed(&each))
+        }
+    }
+}
