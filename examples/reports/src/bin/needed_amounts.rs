@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p reports --bin needed_amounts [scenes [amounts [family]]]`
 //!
-//! In random scenes of each quantity, amounts around each answer are put on by `hold` one by one.
+//! In random scenes of each quantity, amounts around each answer are put on by `hold` one by one. The family `cards` has houses of cards.
 
 use grasp_lcp::Error;
 use grasp_lcp::need::Need;
@@ -40,7 +40,7 @@ fn main() -> Result<(), Failure> {
     spatial("arm", amounts::arm())?;
     planar("force", amounts::force())?;
     spatial("force", amounts::force())?;
-    if family.is_empty() || family == "cards" {
+    if family == "cards" {
         cards()?;
     }
     Ok(())
@@ -49,7 +49,7 @@ fn main() -> Result<(), Failure> {
 /// The least friction of houses of cards, beside a linear program (HiGHS: balance of each card, `|F_t| <= μ F_n`).
 fn cards() -> Result<(), Failure> {
     println!("\nhouse of cards      least friction    by a linear program    run time, s");
-    for (rows, least) in [(2, 0.332_787), (4, 0.399_078), (8, 0.432_130)] {
+    for (rows, least) in [(2, 0.332_787), (4, 0.399_078)] {
         let house = HouseOfCards::of(rows);
         let grasp = house.bodies(0.5).grasp()?;
         let (needed, time) = once(|| Ok(grasp.need(&Need::friction(Wrench::ZERO).if_lower_by(0.0, 0.0))?))?;

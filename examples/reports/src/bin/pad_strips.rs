@@ -1,6 +1,6 @@
 //! What do the strips of a rectangular pad cost, in error and in time?
 //!
-//! `cargo run --release -p reports --bin pad_strips`
+//! `cargo run --release -p reports --bin pad_strips [MOST]`
 //!
 //! A gripper with two pads of 20 mm by 30 mm, 120 N and friction 0.35 carries 1.8 kg, 25 mm below the pads, while the arm accelerates sideways. The load pulls and
 //! turns the pads at once, so that the answer depends on how the pressure is spread. Errors are against the finest pad; times are the best of five, over that of one strip.
@@ -11,14 +11,15 @@ use grasp_lcp::load_path::Ramp;
 use grasp_lcp::spatial::{Contact, Grasp, SoftFingertip, Wrench};
 use support::Failure;
 
-/// The strips in half of each side.
-const STRIPS: [usize; 4] = [1, 2, 3, 4];
+/// The most strips in half of each side, unless another number is given.
+const MOST: usize = 4;
 
 fn main() -> Result<(), Failure> {
     // Gravity and 3 m/s² up, 5 m/s² sideways, in the plane of the pads.
     let load = Wrench::force_at([0.0, -1.8 * 5.0, -1.8 * (9.81 + 3.0)], [0.0, 0.0, -0.025]);
+    let most = std::env::args().nth(1).map_or(Ok(MOST), |count| count.parse::<usize>())?;
     let mut rows = Vec::new();
-    for strips in STRIPS {
+    for strips in 1..=most {
         let grasp = gripper(strips)?;
         let (mut best, mut times) = (f64::INFINITY, [0.0; 2]);
         // Where only whether it runs is asked, once.
@@ -33,7 +34,7 @@ fn main() -> Result<(), Failure> {
     }
     let finest = rows.last().map_or([f64::NAN; 2], |row| row.1);
     println!("strips  points  first slip (times the load)  lost at   error (%)   time");
-    for (strips, (points, [first, lost], seconds)) in STRIPS.iter().zip(&rows) {
+    for (strips, (points, [first, lost], seconds)) in (1..=most).zip(&rows) {
         let error = 100.0 * (lost / finest[1] - 1.0);
         println!(
             "{strips:6}  {points:6}  {first:27.4}  {lost:7.4}  {error:10.2}  {:5.1}",
