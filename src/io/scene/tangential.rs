@@ -18,7 +18,7 @@ impl<const C: usize> Setup<C> {
         self.questions_that_depend(&trial, &|_| false, DEPENDS)
     }
 
-    /// This setup with so many times the tangential stiffness of each contact.
+    /// This setup with the tangential stiffness of each contact multiplied by `times`.
     fn with_tangential(&self, times: f64) -> Result<Self, Error> {
         let mut setup = self.clone();
         let of_fingers = setup.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
