@@ -66,7 +66,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     Ok(united(first, &answers.collect::<Vec<_>>()))
 }
 
-/// The logarithms in which two unknowns have changed places: `weak` has the smaller value, halved so many times.
+/// The logarithms in which two unknowns have changed places: `weak` has the smaller value, divided by 2 to the power `halved`.
 fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), halved: u8) -> Vec<f64> {
     let unknowns = &model.asked.unknowns;
     let (low, high) = (logs[weak].min(logs[strong]), logs[weak].max(logs[strong]));
