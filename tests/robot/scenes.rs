@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use grasp_lcp::Limit;
 use grasp_lcp::grasp::SoftFingertip;
@@ -13,11 +14,15 @@ use serde_json::{Value, json};
 
 use crate::robots::wrist_and_fingers;
 
-fn folder() -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("robot");
-    fs::create_dir_all(&folder).expect("a folder");
-    fs::write(folder.join("hand.urdf"), wrist_and_fingers()).expect("a file");
-    folder
+/// The folder of the robot, which the first test that asks for it writes.
+fn folder() -> &'static Path {
+    static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("robot");
+        fs::create_dir_all(&folder).expect("a folder");
+        fs::write(folder.join("hand.urdf"), wrist_and_fingers()).expect("a file");
+        folder
+    });
+    &FOLDER
 }
 
 fn tip(inward: f64) -> Value {

@@ -142,7 +142,9 @@ fn every_field_in_metres_is_a_length() {
         let is_length = [", m.", ", m;", ", m,", ", m: ", "each contact, m", "rad or m", "or m;"]
             .iter()
             .any(|unit| format!("{about}.").contains(unit));
-        if !is_length || ["disc", "rectangle", "round", "thickness"].contains(&name) {
+        // Joints of a robot are radians or metres by their file: beside it no unit is read.
+        let is_of_a_robot = ["commanded", "joints"].contains(&name);
+        if !is_length || is_of_a_robot || ["disc", "rectangle", "round", "thickness"].contains(&name) {
             continue;
         }
         fields += 1;
@@ -202,6 +204,9 @@ fn what_cannot_be_read_in_mm_is_refused() {
         "{}",
         fault(jacobian)
     );
+    let robot = r#"{"format": "grasp-lcp/1", "unit": "mm", "spatial": {"robot": {"urdf": "hand.urdf", "stiffness": {"others": 3},
+        "contacts": {"tip": [{"point": [0, 0, 0], "normal": [0, 0, 1]}]}}}}"#;
+    assert!(fault(robot).starts_with("unit: mm given, must be m beside a robot"), "{}", fault(robot));
     // Other faults keep their place in the text.
     let fault = fault(&two.replace("UNIT", "mm").replace("[0, 1]", "\"up\""));
     assert!(fault.contains("planar.contacts[0].normal"), "{fault}");
