@@ -19,6 +19,10 @@ impl<const C: usize> Setup<C> {
     }
 
     /// This setup with the tangential stiffness of each contact multiplied by `times`.
+    #[cfg_attr(
+        not(feature = "mesh"),
+        allow(clippy::unnecessary_wraps, reason = "a pad on a mesh can be faulty")
+    )]
     fn with_tangential(&self, times: f64) -> Result<Self, Error> {
         let mut setup = self.clone();
         let of_fingers = setup.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
