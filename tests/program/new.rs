@@ -11,7 +11,11 @@ const NAMES: [&str; 6] = ["gripper", "three-fingers", "suction", "fixture", "han
 /// First lines of `hold` and `need` of the scenes from a shop, by hand.
 const IN_A_SHOP: [(&str, &str, &str); 8] = [
     // Load stepping of Coulomb springs, and limit analysis: 1.461 times, 5457 N.
-    ("vise", "lost at 2359.98 N (1.46079 times this load)", "5457.4 N at moving jaw"),
+    (
+        "vise",
+        "lost at 2359.98 N (1.46079 times this load)",
+        "NEEDS 5457.4 N at fixed jaw and moving jaw so that it holds",
+    ),
     // 3 μ N R = 3 * 0.2 * 2 kN * 25 mm.
     (
         "chuck",
