@@ -26,7 +26,7 @@ const IN_A_SHOP: [(&str, &str, &str); 8] = [
     (
         "bolts",
         "4000 N (1.33333 times this load) until the first slip (seat 1 and seat 2), held",
-        "7500 N at bolt 1",
+        "NEEDS 7500 N at seat 1, seat 2, bolt 1 and bolt 2",
     ),
     // μ (m g + 2 T sin 60°) = 4069.6 N; T = (0.8/0.3 - 1) m g / 2 sin 60°.
     ("tie-down", "lost at 4069.58 N", "4719.84 N at strap left"),
@@ -35,7 +35,7 @@ const IN_A_SHOP: [(&str, &str, &str); 8] = [
     // μ R N (1 + √2): a flank presses with N/√2.
     ("v-jaws", "lost at 7.72548 N m", "517.767 N at flat jaw"),
     // Four cups carry 4 * 60 kPa * π (40 mm)² = 1206.4 N.
-    ("cups", "HOLDS, everything sticks: 1206.37 N", "NEEDS 111.431 N at cup 1"),
+    ("cups", "HOLDS, everything sticks: 1206.37 N", "NEEDS 22.1685 kPa (111.431 N) at cup 1"),
     // 19.62 N at 50 mm behind the front support against 49.05 N at 20 mm before it.
     ("shelf", "HOLDS, everything sticks", "TAKES an arm of 0.17 m"),
 ];
