@@ -15,7 +15,7 @@ use super::patch::Tip;
 use super::path::{BalancedEnergy, PathAnswer, PathOutcome};
 use super::question::Question;
 #[cfg(feature = "urdf")]
-use super::robot::{Effort, RobotSetup};
+use super::robot::{MotorLimits, RobotSetup};
 use super::setup::Setup;
 use super::solved::SolveAnswer;
 use crate::equilibrium::Settings;
@@ -28,7 +28,7 @@ same_on_both_sides! {
 #[cfg(feature = "mesh")]
 same_on_both_sides! { PartSetup, Touches }
 #[cfg(feature = "urdf")]
-same_on_both_sides! { Effort }
+same_on_both_sides! { MotorLimits }
 #[cfg(feature = "urdf")]
 face_of_struct! {
     RobotSetup { urdf, at, turned_deg, joints, commanded, stiffness, effort, contacts }

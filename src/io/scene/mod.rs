@@ -418,7 +418,7 @@ pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::Question;
 #[cfg(feature = "urdf")]
-pub use robot::{Effort, RobotSetup};
+pub use robot::{MotorLimits, RobotSetup};
 pub use setup::Setup;
 pub use solved::SolveAnswer;
 pub use warning::Warning;

@@ -37,7 +37,7 @@ pub struct RobotSetup<const C: usize> {
     pub stiffness: BTreeMap<String, f64>,
     /// `"from file"`: motors stall at the efforts of the file; no limits if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub effort: Option<Effort>,
+    pub effort: Option<MotorLimits>,
     /// Contacts by the link they are on, in the frame of the link.
     pub contacts: BTreeMap<String, Vec<Fingertip<C>>>,
 }
@@ -46,7 +46,7 @@ pub struct RobotSetup<const C: usize> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub enum Effort {
+pub enum MotorLimits {
     /// From the efforts of the file.
     #[serde(rename = "from file")]
     FromFile,

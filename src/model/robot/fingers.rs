@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::grasp::{Contact, Finger, Hand, Joint, JointKind};
 
 /// A finger of the grasp: joints with coordinates of their own, and its contacts, by their place in the list of contacts.
-pub(crate) struct Grouped {
+pub(crate) struct JointGroup {
     joints: Vec<usize>,
     pub(crate) contacts: Vec<usize>,
 }
@@ -79,8 +79,8 @@ impl Robot {
     }
 
     /// The contacts on links that no joint moves, and the fingers of all others.
-    pub(crate) fn fingers(&self, links: &[usize]) -> (Vec<usize>, Vec<Grouped>) {
-        let (mut fixed, mut fingers) = (Vec::new(), Vec::<Grouped>::new());
+    pub(crate) fn fingers(&self, links: &[usize]) -> (Vec<usize>, Vec<JointGroup>) {
+        let (mut fixed, mut fingers) = (Vec::new(), Vec::<JointGroup>::new());
         for (k, &link) in links.iter().enumerate() {
             let mut joints: Vec<usize> =
                 self.movers_of(link).into_iter().map(|index| self.coordinate(index).0).collect();
@@ -99,7 +99,7 @@ impl Robot {
             joints.sort_unstable();
             joints.dedup();
             fingers = apart;
-            fingers.push(Grouped { joints, contacts });
+            fingers.push(JointGroup { joints, contacts });
         }
         fingers.sort_by_key(|finger| finger.contacts[0]);
         (fixed, fingers)
@@ -111,7 +111,7 @@ impl Robot {
     }
 
     /// The joints of a finger.
-    pub(crate) fn joints_in(&self, finger: &Grouped) -> Vec<Joint<3>> {
+    pub(crate) fn joints_in(&self, finger: &JointGroup) -> Vec<Joint<3>> {
         let joint = |&index: &usize| {
             let (point, axis) = self.axis_of(index);
             let described = &self.joints[index];
@@ -127,7 +127,7 @@ impl Robot {
     }
 
     /// How the joints of its finger move a contact on a link.
-    pub(crate) fn mover(&self, finger: &Grouped, link: usize, contact: &Contact<3>) -> Mover {
+    pub(crate) fn mover(&self, finger: &JointGroup, link: usize, contact: &Contact<3>) -> Mover {
         let movers = self.movers_of(link);
         if finger.joints.starts_with(&movers) {
             return Mover::Link(movers.len());
