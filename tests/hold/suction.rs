@@ -1,7 +1,7 @@
 //! Suction cups: what a vacuum does beside the load, against balances by hand and against the same grasp with the vacuum as a load of the caller's.
 
 use grasp_lcp::hold::WayOut;
-use grasp_lcp::need::Need;
+use grasp_lcp::need::{Amount, Need, Needed};
 use grasp_lcp::planar::hand::{Finger, Hand, Joint};
 use grasp_lcp::spatial::{Contact, Departure, Grasp, Ramp, SoftFingertip, SuctionCup, Turn, Wrench};
 use grasp_lcp::{Error, Field, planar};
@@ -155,4 +155,30 @@ fn what_is_no_vacuum_is_refused() {
         );
     }
     assert!(SuctionCup::of_force(0.0, 12, 1.0).is_err() && SuctionCup::of_force(RADIUS, 2, 1.0).is_err());
+}
+
+/// The only contact that presses, as an answer has it: N, and Pa of a cup.
+fn press(needed: &Needed) -> (f64, Option<f64>) {
+    let Amount::Bound { presses, .. } = &needed.amount else { panic!("{needed}") };
+    assert_eq!(presses.len(), 1, "{needed}");
+    (presses[0].force, presses[0].pressure)
+}
+
+/// A cup has the area of its lip. In the plane suction is a force.
+#[test]
+fn a_cup_needs_a_pressure_and_two_edges_in_the_plane_a_force() -> Tested {
+    let above = Contact::new([0.0; 3], [0.0, 0.0, -1.0]).series_stiffness(8e3, 4e3).friction(FRICTION);
+    let cup = Grasp::new(SuctionCup::of_force(RADIUS, 12, VACUUM)?.contacts(&above)?)?;
+    let (force, pressure) = press(&cup.need(&Need::squeeze(Wrench::force([0.0, 0.0, -30.0])))?);
+    is(force, 30.0);
+    is(pressure.expect("a cup") * std::f64::consts::PI * RADIUS * RADIUS, 30.0);
+    let above = planar::Contact::new([0.0; 2], [0.0, -1.0])
+        .series_stiffness(8e3, 4e3)
+        .friction(FRICTION)
+        .suction(VACUUM);
+    let edges = planar::Grasp::new(planar::SoftFingertip::pair(2.0 * RADIUS)?.contacts(&above)?)?;
+    let (force, pressure) = press(&edges.need(&Need::squeeze(planar::Wrench::force([0.0, -30.0])))?);
+    is(force, 30.0);
+    assert_eq!(pressure, None);
+    Ok(())
 }
