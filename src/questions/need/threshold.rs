@@ -42,7 +42,7 @@ impl Threshold {
         }
         self.does = presumed.does;
         // The whole search is the longer the nearer the amount is to the bound, and undecided beside it: it comes near from afar.
-        let is_hard = matches!(presumed.does_not.1, Trial::Unknown(_));
+        let mut is_hard = matches!(presumed.does_not.1, Trial::Unknown(_));
         loop {
             let far = self.does_not.0;
             let near = beside + (far - beside) / NEARER;
@@ -50,6 +50,10 @@ impl Threshold {
             let at = if is_last { beside } else { near };
             match tries.at(at)? {
                 now @ Trial::DoesNot { .. } => self.does_not = (at, now),
+                Trial::Unknown(_) if !is_hard => {
+                    is_hard = true;
+                    continue;
+                }
                 Trial::Unknown(why) => {
                     self.unknown = Some((at, why));
                     return Ok(self);
