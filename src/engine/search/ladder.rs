@@ -185,8 +185,9 @@ fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if scene.trial.is_banded() {
         found = climb(problem, &of_the_leaving, log);
     }
-    // With few contacts the path on the matrix is kept: another covering vector may end in another of several equilibria.
-    let lists = problem.len() >= 8;
+    // With few contacts the path on the matrix is kept: another covering vector may end in another of several equilibria. With many coordinates a pivot
+    // on lists solves a system of all of them, and costs more than one on a matrix that is affordable.
+    let lists = problem.len() >= 8 && !(dense && scene.trial.is_banded());
     if lists && found.is_none() {
         found = climb(problem, &on_states, log);
     }

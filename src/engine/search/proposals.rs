@@ -87,6 +87,9 @@ pub(super) fn propose_dense(
         let few = problem.round || enumerable(problem, settings);
         // Covering vectors tried after a ray where there are too many contacts to try every combination.
         let retries = if few { COVERING_VECTORS } else { 16 };
+        // Further paths share the work that one rung may cost.
+        let paths = most_work / form.rows.len().pow(3).max(1);
+        let retries = paths.saturating_sub(1).min(retries);
         lcp::Settings { prove_infeasible: problem.len() < MANY_CONTACTS, retries, ..one_path }
     };
     match form.lcp.solve_with(&lcp_settings) {

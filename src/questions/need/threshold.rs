@@ -99,6 +99,11 @@ impl Threshold {
             }
             let is_slow = width > 0.125 * widths[step % 3];
             widths[step % 3] = width;
+            // Where one measure is not known on both sides, the other may be.
+            if signs_differ(&sides, which).is_none() && signs_differ(&sides, 1 - which).is_some() {
+                which = 1 - which;
+                at_first = first(&sides, which);
+            }
             // A linear measure falls by 1/16 where the bracket is 1/16 as wide as the first. A quarter is a jump at the bound.
             let jumps = |sides: &[Side; 2], which: usize| {
                 let now = signs_differ(sides, which).map(|[over, under]| over - under);
