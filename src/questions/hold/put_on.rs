@@ -124,11 +124,7 @@ impl Engine {
             Some(PathEnd::Lost(_)) => Holding::Lost,
             Some(PathEnd::NoStart(start)) => match &**start {
                 Outcome::NoEquilibrium(none) => Holding::NoRest(none.clone()),
-                Outcome::Undecided(undecided) => {
-                    let undecided = Holding::Undecided { doubt: undecided.doubt };
-                    // Without the search of every case a long search is not wanted, and that path asks anew at its start.
-                    if settings.most_states == 0 { undecided } else { or_at_rest(undecided) }
-                }
+                Outcome::Undecided(undecided) => or_at_rest(Holding::Undecided { doubt: undecided.doubt }),
                 Outcome::Equilibrium(_) => inaccurate,
             },
             Some(PathEnd::Undecided { doubt, .. }) => Holding::Undecided { doubt: *doubt },

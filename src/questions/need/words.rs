@@ -51,10 +51,10 @@ impl Needed {
                 ..
             } => {
                 let much = self.much(words, *does, presses);
-                if is_least {
-                    write!(f, "NEEDS {much} so that {aim}")?;
-                } else {
-                    write!(f, "TAKES {much} and {aim}")?;
+                match until {
+                    _ if is_least => write!(f, "NEEDS {much} so that {aim}")?,
+                    Some(end) => write!(f, "TAKES {} and {aim}", self.from_to(words, end.does, *does))?,
+                    None => write!(f, "TAKES {much} and {aim}")?,
                 }
                 let is_one_amount = self.beside(f, *does)?;
                 self.safe_amount(f, (*does, presses), is_one_amount)?;
@@ -269,6 +269,12 @@ impl Needed {
                 None => format!("{low} to {high} times the load given{}", self.at()),
             },
         }
+    }
+
+    /// "an arm of 0.25 m to 10.8 m", from one end of the sufficient amounts to the other.
+    fn from_to(&self, words: Words, from: f64, to: f64) -> String {
+        let range = self.range(words, from, to);
+        if self.quantity == Quantity::Arm { format!("an arm of {range}") } else { range }
     }
 
     /// An amount in the user's unit with its place: "12 N at left and right".
