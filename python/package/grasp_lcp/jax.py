@@ -149,16 +149,36 @@ def _status(hold: Any, *data: Any) -> Any:
     return _call(lambda given: statuses(given, hold), jax.ShapeDtypeStruct(data[0].shape[:-2], jnp.uint8), data)
 
 
+class _Namespace:
+    """``jax.numpy``, and what makes the compiler compute rows once."""
+
+    def __init__(self, points: Any) -> None:
+        self.one = None
+        if jax.default_backend() == "cpu":
+            # A one that the compiler does not know: it never computes a division twice, and for this processor it ignores barriers.
+            size = jnp.max(jnp.abs(jax.lax.stop_gradient(points)), initial=0.0)
+            self.one = jnp.maximum(jnp.minimum(jnp.where(size < jnp.inf, size, 0.0), 1.0), 1.0)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(jnp, name)
+
+    def kept(self, rows: Any) -> Any:
+        """The same rows."""
+        if self.one is None:
+            return jax.lax.optimization_barrier(rows)
+        return jax.tree.map(lambda row: row / self.one, rows)
+
+
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
 def _array_program(kind: Kind, *data: Any) -> Any:
     """Factors, statuses and leaving contacts of rows."""
-    return tuple(onsets(jnp, float(jnp.finfo(data[0].dtype).eps), kind, list(data), _among))
+    return tuple(onsets(_Namespace(data[0]), float(jnp.finfo(data[0].dtype).eps), kind, list(data), _among))
 
 
 def _change(kind: Kind, primals: Any, tangents: Any) -> Any:
     """The factor and its change along the tangents. The slopes are functions of the data and of the factor, so that they have derivatives."""
     found = FirstExit(*_array_program(kind, *primals))
-    slopes = gradients(jnp, float(jnp.finfo(primals[0].dtype).eps), kind, list(primals), found)
+    slopes = gradients(_Namespace(primals[0]), float(jnp.finfo(primals[0].dtype).eps), kind, list(primals), found)
     change = jnp.zeros_like(found.factor)
     for slope, tangent in zip(slopes, tangents, strict=True):
         if not isinstance(tangent, SymbolicZero):

@@ -11,7 +11,7 @@ from functools import reduce
 from typing import Any
 
 from .factors import Factors
-from .sites import Each, Row, Sites, Vector, across, dot, moment, sum_of_sizes, turned, world
+from .sites import Each, Row, Sites, Vector, across, dot, kept, moment, sum_of_sizes, turned, world
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,8 @@ class Body:
         self.centre = tuple(sites.total([p[k] for p in sites.point]) / sites.count for k in axes)
         self.arm = [tuple(p[k] - self.centre[k] for k in axes) for p in sites.point]
         self.reach = reduce(sites.larger, [sites.most([abs(arm[k]) for arm in self.arm]) for k in axes])
-        self.factors = Factors(sites, self._stiffness())
+        self.factors = Factors(sites, kept(sites.xp, self._stiffness()))
+        self.factors.inverse, self.factors.below = kept(sites.xp, (self.factors.inverse, self.factors.below))
 
     def _stiffness(self) -> list[list[Row]]:
         """The entries of T on and below the diagonal. With one tangential stiffness a contact, ``K = k_t I + (k_n - k_t) n nᵀ``."""
@@ -123,7 +124,7 @@ class Body:
             left, _ = self.unbalanced(normal, tangential, load)
         moved: list[Row] = []
         for time in range(refined + 1):
-            q = self.factors.solve(left)
+            q = kept(sites.xp, self.factors.solve(left))
             moved = [a + b for a, b in zip(moved, q, strict=True)] if moved else q
             stretch = self.displacements(q)
             less_n = [k_n * dot(n, u) for (k_n, _), n, u in zip(sites.springs, sites.normal, stretch, strict=True)]
@@ -135,6 +136,7 @@ class Body:
             else:
                 normal = [a - b for a, b in zip(normal, less_n, strict=True)]
                 tangential = [tuple(x - y for x, y in zip(a, b, strict=True)) for a, b in zip(tangential, less_t, strict=True)]
+            normal, tangential = kept(sites.xp, (normal, tangential))
             left, part = self.unbalanced(normal, tangential, load)
             if time < refined:
                 improvable = part > sites.tolerances.improvable

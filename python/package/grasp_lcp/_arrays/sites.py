@@ -131,6 +131,14 @@ class Sites:
         return self.total([self.xp.where(at, each, 0.0) for at, each in zip(here, of, strict=True)])
 
 
+def kept(xp: Any, rows: Any) -> Any:
+    """Rows that a compiler shall compute once. Left to itself it may compute them again for each of their uses, which are many.
+
+    A namespace without such a compiler has no function ``kept``.
+    """
+    return xp.kept(rows) if hasattr(xp, "kept") else rows
+
+
 def dot(a: Sequence[Row], b: Sequence[Row]) -> Row:
     """The scalar product."""
     return reduce(lambda x, y: x + y, (x * y for x, y in zip(a, b, strict=True)))

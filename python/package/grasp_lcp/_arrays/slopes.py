@@ -11,7 +11,7 @@ from typing import Any
 
 from .forces import Body, Commands
 from .onset import Scenes
-from .sites import Row, Vector, cross, dot, moment, sum_of_sizes, turned, world
+from .sites import Row, Vector, cross, dot, kept, moment, sum_of_sizes, turned, world
 
 
 def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]:
@@ -39,6 +39,7 @@ def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]
     slides = sites.length(friction)
     apart = slides > sites.tolerances.negligible * sites.chosen(here, terms)
     sliding = [xp.where(apart, -beta * t / xp.where(apart, slides, 1.0), 0.0) for t in friction]
+    alpha, sliding = kept(xp, (alpha, sliding))
     probe = Commands(
         [xp.where(at, alpha, 0.0) for at in here], [tuple(xp.where(at, t, 0.0) for t in sliding) for at in here]
     )  # fmt: skip
@@ -46,14 +47,14 @@ def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]
     answered, aside, virtual, _ = body.let_go(probe, nothing, refined)
     # The margin closes at the rate of the virtual work of the load.
     scale = sites.over(1.0, dot(virtual, body.carried(scenes.direction)))
-    virtual = [scale * each for each in virtual]
-    answered, aside = [scale * p for p in answered], [tuple(scale * t for t in each) for each in aside]
+    virtual = kept(xp, [scale * each for each in virtual])
+    answered, aside = kept(xp, ([scale * p for p in answered], [tuple(scale * t for t in each) for each in aside]))
     turn, virtual_turn = moved[axes:], virtual[axes:]
     points, normals, springs, by_friction, by_command = [], [], [], [], []
     displaced = zip(stretch, body.displacements(virtual), strict=True)
     for i, (u, v) in enumerate(displaced):
         n, (k_n, k_t) = sites.normal[i], sites.springs[i]
-        force, reply = world(n, normal[i], tangential[i]), world(n, answered[i], aside[i])
+        force, reply, u, v = kept(xp, (world(n, normal[i], tangential[i]), world(n, answered[i], aside[i]), u, v))
         points.append(tuple(a + b for a, b in zip(turned(virtual_turn, force), turned(turn, reply), strict=True)))
         tilt = _tilt(n, [a + b for a, b in zip(moment(v, force), moment(u, reply), strict=True)])
         # Commands along the coordinate axes stay where the normal tilts.
@@ -67,21 +68,23 @@ def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]
     at_origin = [v - t for v, t in zip(virtual[:axes], turned(virtual_turn, body.centre), strict=True)]
     is_free = body.factors.free > 0
 
-    def shown(row: Row, free: bool) -> Row:
-        return xp.where(leaves, xp.where(is_free, float("nan"), row) if free else row, 0.0)
+    def shown(rows: list[Any], free: bool) -> list[Any]:
+        return kept(xp, [xp.where(leaves, xp.where(is_free, float("nan"), row) if free else row, 0.0) for row in rows])
 
     def vectors(rows: list[Vector], free: bool) -> Any:
-        each = [xp.stack([shown(x, free) for x in row], axis=-1) for row in rows]
+        size = len(rows[0])
+        flat = shown([x for row in rows for x in row], free)
+        each = [xp.stack(flat[i : i + size], axis=-1) for i in range(0, len(flat), size)]
         return xp.moveaxis(each[0], 0, -2) if sites.stacked else xp.stack(each, axis=-2)
 
-    rows = [shown(x, False) for x in by_friction]
+    rows = shown(by_friction, False)
     return [
         vectors(points, True),
         vectors(normals, True),
         xp.moveaxis(rows[0], 0, -1) if sites.stacked else xp.stack(rows, axis=-1),
         vectors(springs, False),
         vectors(by_command, False),
-        xp.stack([shown(-x, True) for x in (*at_origin, *virtual_turn)], axis=-1),
+        xp.stack(shown([-x for x in (*at_origin, *virtual_turn)], True), axis=-1),
     ]
 
 
