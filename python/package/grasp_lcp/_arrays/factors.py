@@ -8,8 +8,8 @@ from .sites import Row, Sites
 class Factors:
     """L below the diagonal, and ``1/d`` of each pivot; zero where the pivot is rounding."""
 
-    def __init__(self, sites: Sites, t: list[list[Row]]) -> None:
-        """Factorises the matrix given on and below its diagonal."""
+    def __init__(self, sites: Sites, t: list[list[Row]], last_is_free: bool = False) -> None:
+        """Factorises the matrix given on and below its diagonal. The last pivot is rounding where that is known beforehand."""
         rows = range(len(t))
         self.below: list[list[Row]] = [[None] * len(t) for _ in rows]
         self.inverse: list[Row] = []
@@ -21,6 +21,8 @@ class Factors:
             for k in range(column):
                 pivot = pivot - self.below[column][k] * scaled[k][column]
             resists = pivot > sites.tolerances.dependent * whole
+            if last_is_free and column == rows[-1]:
+                resists = resists & (pivot < 0)
             self.inverse.append(sites.xp.where(resists, 1.0 / sites.xp.where(resists, pivot, 1.0), 0.0))
             self.free = self.free + sites.xp.where(resists, 0.0, 1.0)
             for row in range(column + 1, len(t)):

@@ -55,7 +55,8 @@ class Body:
         self.centre = tuple(sites.total([p[k] for p in sites.point]) / sites.count for k in axes)
         self.arm = [tuple(p[k] - self.centre[k] for k in axes) for p in sites.point]
         self.reach = reduce(sites.larger, [sites.most([abs(arm[k]) for arm in self.arm]) for k in axes])
-        self.factors = Factors(sites, kept(sites.xp, self._stiffness()))
+        # Two contacts in space resist no rotation about the line between them, and that line is close to the last axis; see `pinch`.
+        self.factors = Factors(sites, kept(sites.xp, self._stiffness()), last_is_free=(sites.axes, sites.count) == (3, 2))
         self.factors.inverse, self.factors.below = kept(sites.xp, (self.factors.inverse, self.factors.below))
 
     def _stiffness(self) -> list[list[Row]]:

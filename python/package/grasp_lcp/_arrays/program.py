@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from .first_exit import FirstExit
 from .onset import REFINED, Scenes
+from .pinch import AlongTheLine
 from .slopes import slopes
 
 Again = Callable[[list[Any]], list[Any]]
@@ -41,7 +42,7 @@ def onsets(xp: Any, epsilon: float, kind: Kind, data: list[Any], among: Among) -
     count, axes = data[0].shape[-2:]
     if (axes, count) == (3, 2):
         # Two contacts in space leave a motion free, which only refined forces tell from a load that works on it.
-        return of(data, kind.stacked).thoroughly()
+        return of(AlongTheLine(xp, data[0]).there(data), kind.stacked).thoroughly()
     # The closed forms for two and three contacts have an array for each of them.
     closed = (axes, count) in ((2, 2), (3, 3))
     found, is_open = of(data, kind.stacked and not closed).quickly()
@@ -53,9 +54,12 @@ def gradients(xp: Any, epsilon: float, kind: Kind, data: list[Any], found: First
 
     One refinement makes them as accurate as the factor unless stiffnesses differ by more than a million within a grasp.
     """
-    scenes = Scenes(xp, epsilon, data, kind.hold, loaded=kind.loaded, stacked=kind.stacked)
+    line = AlongTheLine(xp, data[0]) if data[0].shape[-2:] == (2, 3) else None
+    given = data if line is None else line.there(data)
+    scenes = Scenes(xp, epsilon, given, kind.hold, loaded=kind.loaded, stacked=kind.stacked)
     by = slopes(scenes, found.factor, found.contact, 1)
-    return [*by, xp.where(found.contact >= 0, found.factor, 0.0)[..., None] * by[-1]]
+    by.append(xp.where(found.contact >= 0, found.factor, 0.0)[..., None] * by[-1])
+    return by if line is None else line.back(by)
 
 
 def among_rows(is_open: Any, found: list[Any], data: list[Any], again: Again) -> list[Any]:
