@@ -171,8 +171,9 @@ class _Namespace:
 
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
 def _array_program(kind: Kind, *data: Any) -> Any:
-    """Factors, statuses and leaving contacts of rows."""
-    return tuple(onsets(_Namespace(data[0]), float(jnp.finfo(data[0].dtype).eps), kind, list(data), _among))
+    """Factors, statuses and leaving contacts of rows, all as numbers of one type: JAX spreads derivatives of integers over no devices."""
+    found = onsets(_Namespace(data[0]), float(jnp.finfo(data[0].dtype).eps), kind, list(data), _among)
+    return tuple(each.astype(data[0].dtype) for each in found)
 
 
 def _change(kind: Kind, primals: Any, tangents: Any) -> Any:
@@ -183,8 +184,8 @@ def _change(kind: Kind, primals: Any, tangents: Any) -> Any:
     for slope, tangent in zip(slopes, tangents, strict=True):
         if not isinstance(tangent, SymbolicZero):
             change = change + (slope * tangent).sum(axis=tuple(range(1, slope.ndim)))
-    none = np.zeros(found.factor.shape, dtype=jax.dtypes.float0)
-    return tuple(found), (change, none, none)
+    nothing = jnp.zeros_like(found.factor)
+    return tuple(found), (change, nothing, nothing)
 
 
 _array_program.defjvp(_change, symbolic_zeros=True)

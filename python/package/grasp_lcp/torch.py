@@ -58,10 +58,10 @@ def onset_factor(
     """
     kind, place = points.dtype, points.device
     is_native = place.type != "cpu" if native is None else native
-    computed = {"dtype": kind, "device": place} if is_native else {"dtype": torch.float64, "device": "cpu"}
+    of, there = (kind, place) if is_native else (torch.float64, torch.device("cpu"))
 
     def of_its_kind(given: Any) -> Tensor:
-        return torch.as_tensor(given).to(**computed) if isinstance(given, Tensor) else torch.as_tensor(given, **computed)
+        return given.to(dtype=of, device=there) if isinstance(given, Tensor) else torch.as_tensor(given, dtype=of, device=there)
 
     at, axes = of_its_kind(points), points.shape[-1]
     inward = _unit(of_its_kind(normals))
@@ -192,9 +192,9 @@ class _ArrayProgram(Function):
         return _ArrayProgram.apply(kind, *moved), (0, 0, 0)
 
 
-def _slopes(kind: Any, *data: Tensor) -> list[Tensor]:
+def _slopes(kind: Any, *saved: Tensor) -> list[Tensor]:
     """The derivatives of the factor by each tensor."""
-    *data, contact = data
+    *data, contact = saved
     factor, status, _ = _ArrayProgram.apply(kind, *data)
     leading = factor.shape
     found = FirstExit(factor.reshape(-1), status.reshape(-1), contact.reshape(-1))

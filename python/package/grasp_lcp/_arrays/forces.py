@@ -1,7 +1,8 @@
 """The forces of contacts that all stick, found by motions of the object.
 
 The commands stretch the springs with the object held in place. The object then moves by ``q = T⁻¹ w``, with w the wrench that was not balanced and
-``T = Σ G K Gᵀ`` the stiffness of the object about the centroid of its contacts. Motions that stretch no spring have a pivot of rounding; they stay zero.
+``T = Σ G K Gᵀ`` the stiffness of the object about the centroid of its contacts. Motions that stretch no spring have a pivot of rounding: they stay
+zero.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ class Scenes:
 
     def __init__(self, xp: Any, epsilon: float, data: Sequence[Any], hold: Sequence[str], *, loaded: bool, stacked: bool) -> None:
         points, normals, friction, stiffness, command, base, direction = data
-        count, axes = points.shape[-2:]
+        count = points.shape[-2]
         self.xp, self.loaded = xp, loaded
         self.base = tuple(base[..., k] for k in range(base.shape[-1]))
         self.direction = tuple(direction[..., k] for k in range(direction.shape[-1]))

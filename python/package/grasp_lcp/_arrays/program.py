@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from .first_exit import FirstExit
-from .onset import REFINED, Scenes
+from .onset import Scenes
 from .pinch import AlongTheLine
 from .slopes import slopes
 

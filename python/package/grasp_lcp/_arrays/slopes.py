@@ -69,7 +69,8 @@ def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]
     is_free = body.factors.free > 0
 
     def shown(rows: list[Any], free: bool) -> list[Any]:
-        return kept(xp, [xp.where(leaves, xp.where(is_free, float("nan"), row) if free else row, 0.0) for row in rows])
+        found: list[Any] = kept(xp, [xp.where(leaves, xp.where(is_free, float("nan"), row) if free else row, 0.0) for row in rows])
+        return found
 
     def vectors(rows: list[Vector], free: bool) -> Any:
         size = len(rows[0])
