@@ -241,3 +241,12 @@ def test_the_report_runs() -> None:
     done = subprocess.run([sys.executable, str(REPORT), "--quick", "--rows", "2000"], check=True, capture_output=True, text=True)
     all_of_them = next(line for line in done.stdout.splitlines() if line.startswith("  all: "))
     assert ", 0 otherwise;" in all_of_them, done.stdout
+
+
+def test_the_example_climbs_and_certifies() -> None:
+    pytest.importorskip("jax")
+    example = REPORT.parents[1] / "examples" / "improve_on_accelerator.py"
+    done = subprocess.run([sys.executable, str(example), "--quick"], check=True, capture_output=True, text=True)
+    lines = done.stdout.splitlines()
+    before, after = [float(line.split("hold ")[1].split(",")[1]) for line in lines[1:3]]
+    assert after > 2 * before and lines[3].startswith("the best 100 that are certified hold "), done.stdout
