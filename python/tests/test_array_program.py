@@ -120,6 +120,8 @@ def test_torch_has_derivatives_of_all_kinds(report: ModuleType) -> None:
         single = [each.detach()[0] for each in given]
         mapped = torch.func.vmap(lambda points, rest=single: scaled(points, *rest[1:]))(given[0].detach())
         assert torch.allclose(mapped[0], scaled(*single))
+        bends = torch.func.hessian(lambda points, rest=single: scaled(points, *rest[1:]))(single[0])
+        assert torch.allclose(bends, bends.movedim((2, 3), (0, 1)), rtol=1e-8) and (bends != 0).any()
 
 
 def test_torch_in_single_precision_with_status(report: ModuleType) -> None:

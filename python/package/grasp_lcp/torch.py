@@ -162,10 +162,10 @@ class _ArrayProgram(Function):
     @staticmethod
     def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
         ctx.kind, *data = inputs
-        _, status, contact = output
+        factor, status, contact = output
         ctx.mark_non_differentiable(status, contact)
-        ctx.save_for_backward(*data, contact)
-        ctx.save_for_forward(*data, contact)
+        ctx.save_for_backward(*data, factor, contact)
+        ctx.save_for_forward(*data, factor, contact)
 
     @staticmethod
     def backward(ctx: Any, given: Tensor, *_: Any) -> Any:
@@ -194,9 +194,7 @@ class _ArrayProgram(Function):
 
 def _slopes(kind: Any, *saved: Tensor) -> list[Tensor]:
     """The derivatives of the factor by each tensor."""
-    *data, contact = saved
-    factor, status, _ = _ArrayProgram.apply(kind, *data)
-    leading = factor.shape
-    found = FirstExit(factor.reshape(-1), status.reshape(-1), contact.reshape(-1))
+    *data, factor, contact = saved
+    found = FirstExit(factor.reshape(-1), None, contact.reshape(-1))
     slopes = gradients(torch, torch.finfo(factor.dtype).eps, kind, _rows(data), found)
-    return [each.reshape(*leading, *each.shape[1:]) for each in slopes]
+    return [each.reshape(*factor.shape, *each.shape[1:]) for each in slopes]

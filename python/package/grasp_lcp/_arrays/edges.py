@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from .factors import Factors
 from .forces import Forces
-from .sites import Row, Sites, Vector, across, cross, dot, moment, sum_of_sizes
+from .sites import Row, Sites, Vector, across, cross, dot, moment, sum_of, sum_of_sizes
 
 
 class Pair:
@@ -177,11 +177,3 @@ class Triangle:
             tangential.append(tuple(f - n * pressed for f, n in zip(force, self.sites.normal[i], strict=True)))
             unbalanced = unbalanced + 0.0 * pressed
         return Forces(normal, tangential, [rounding] * 3, unbalanced, unbalanced > 0)
-
-
-def sum_of(rows: object) -> Row:
-    """The sum of some rows."""
-    total: Row = None
-    for row in rows:  # type: ignore[attr-defined]
-        total = row if total is None else total + row
-    return total

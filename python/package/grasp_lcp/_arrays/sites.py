@@ -6,9 +6,10 @@ they are a list of one array with the contacts as its first axis, which needs fe
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import reduce
+from operator import add
 from typing import Any, NamedTuple
 
 Row = Any
@@ -86,7 +87,7 @@ class Sites:
 
     def total(self, of: Each) -> Row:
         """The sum over contacts."""
-        return self.xp.sum(of[0], axis=0) if self.stacked else reduce(lambda a, b: a + b, of)
+        return kept(self.xp, self.xp.sum(of[0], axis=0)) if self.stacked else sum_of(of)
 
     def most(self, of: Each) -> Row:
         """The largest number of a contact."""
@@ -139,14 +140,19 @@ def kept(xp: Any, rows: Any) -> Any:
     return xp.kept(rows) if hasattr(xp, "kept") else rows
 
 
+def sum_of(rows: Iterable[Row]) -> Row:
+    """The sum of some rows, at least one."""
+    return reduce(add, rows)
+
+
 def dot(a: Sequence[Row], b: Sequence[Row]) -> Row:
     """The scalar product."""
-    return reduce(lambda x, y: x + y, (x * y for x, y in zip(a, b, strict=True)))
+    return sum_of(x * y for x, y in zip(a, b, strict=True))
 
 
 def sum_of_sizes(of: Sequence[Row]) -> Row:
     """The sum of the absolute values."""
-    return reduce(lambda x, y: x + y, (abs(x) for x in of))
+    return sum_of(abs(x) for x in of)
 
 
 def cross(a: Sequence[Row], b: Sequence[Row]) -> Vector:
