@@ -51,23 +51,32 @@ def test_statuses_and_factors_are_those_of_the_crate(report: ModuleType, axes: i
         assert found.unexplained == 0 and found.worst < 1e-12, (kind, found)
 
 
-@pytest.mark.parametrize(("axes", "contacts", "stacked"), [(2, 2, False), (2, 3, True), (3, 3, False), (3, 3, True), (3, 5, False)])
-def test_slopes_are_those_of_the_crate(report: ModuleType, axes: int, contacts: int, stacked: bool) -> None:
-    data = jars(report, axes, contacts, 200, "loaded")
-    kind = Kind(("unilateral",) * contacts, True, stacked)
-    found = array_program(np, EPSILON, kind, list(data.values()), among_rows)
-    slopes = dict(zip(NAMES, gradients(np, EPSILON, kind, list(data.values()), found), strict=True))
+@pytest.mark.parametrize("kind", ["loaded", "even", "infinite or no friction", "slim"])
+@pytest.mark.parametrize(
+    ("axes", "contacts", "stacked"), [(2, 2, False), (2, 3, True), (3, 2, False), (3, 3, False), (3, 3, True), (3, 5, False)]
+)
+def test_slopes_are_those_of_the_crate(report: ModuleType, axes: int, contacts: int, stacked: bool, kind: str) -> None:
+    """Also at ties, where they are those of the first contact that leaves. About the line between two hard fingers the object turns freely."""
+    is_pinch = (axes, contacts) == (3, 2)
+    data = jars(report, axes, contacts, 200, "opposed" if is_pinch else kind)
+    program = Kind(("unilateral",) * contacts, True, stacked)
+    found = array_program(np, EPSILON, program, [each.copy() for each in data.values()], among_rows)
+    slopes = dict(zip(NAMES, gradients(np, EPSILON, program, list(data.values()), found), strict=True))
     crate = onset_gradients(**data)
+    assert len(crate.contact) > 20 and np.array_equal(found.contact, crate.contact)
     along = (data["command_world"] * data["normals"]).sum(axis=-1, keepdims=True)
     pressed = (crate.command_world * data["normals"]).sum(axis=-1, keepdims=True)
     for name in NAMES:
+        if is_pinch and name in ("points", "normals", "base", "direction"):
+            assert np.isnan(slopes[name]).all()
+            continue
         expected = getattr(crate, name)
         if name == "normals":
             # There, commands tilt with the contact frame.
             expected = expected - (crate.command_world * along - data["command_world"] * pressed)
         size = np.abs(expected).reshape(len(expected), -1).max(axis=1)
         off = np.abs(slopes[name] - expected).reshape(len(expected), -1).max(axis=1)
-        assert (off <= 1e-9 * size).all(), name
+        assert (off <= 1e-7 * size).all() and np.median(off) <= 1e-12 * np.median(size), name
 
 
 def test_holds_and_many_points(report: ModuleType) -> None:
