@@ -157,6 +157,23 @@ def test_torch_in_single_precision_with_status(report: ModuleType) -> None:
     assert all(each.grad.isfinite().all() and (each.grad[status != OnsetStatus.LEAVES] == 0).all() for each in given)
 
 
+@pytest.mark.parametrize("kind", ["slim", "malformed", "anywhere", "on the edge"])
+def test_torch_derivatives_are_zero_in_rows_without_a_factor(report: ModuleType, kind: str) -> None:
+    """First and second ones, and finite in all others; slim triangles are answered by another method among all the rest."""
+    torch = pytest.importorskip("torch")
+    from grasp_lcp.torch import onset_factor
+
+    data = report.grasps(kind, 3, 3, 1000, np.random.default_rng(6))
+    given = [torch.tensor(each, requires_grad=True) for each in data.values()]
+    factor, status = asked(onset_factor, *given, with_status=True)
+    expected, statuses = report.in_numpy(data)
+    assert np.array_equal(status.numpy(), statuses) and np.allclose(factor.detach(), expected, rtol=1e-9, equal_nan=True)
+    slopes = torch.autograd.grad(torch.where(factor.isfinite(), factor, 0.0).sum(), given, create_graph=True)
+    bends = torch.autograd.grad(sum((each * each.detach()).sum() for each in slopes), given)
+    for derivatives in (slopes, bends):
+        assert all(each.isfinite().all() and (each[status != OnsetStatus.LEAVES] == 0).all() for each in derivatives)
+
+
 def test_jax_has_derivatives_of_all_kinds(report: ModuleType) -> None:
     """Of a pair in the plane, for which everything is compiled in seconds."""
     jax = pytest.importorskip("jax")

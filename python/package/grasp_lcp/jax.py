@@ -90,11 +90,13 @@ def _on_an_accelerator(points: Any) -> bool:
 
 
 def _unit(given: Any) -> Any:
-    """Unit vectors; zeros stay zeros, with finite derivatives."""
+    """Unit vectors; zeros stay zeros, and NaN stays NaN, with finite derivatives."""
+    known = jnp.isfinite(given).all(axis=-1, keepdims=True)
+    given = jnp.where(known, given, 1.0)
     largest = jax.lax.stop_gradient(jnp.max(jnp.abs(given), axis=-1, keepdims=True))
     scaled = given / jnp.where(largest > 0, largest, 1.0)
     square = jnp.sum(scaled * scaled, axis=-1, keepdims=True)
-    return scaled / jnp.sqrt(jnp.where(square == 0, 1.0, square))
+    return jnp.where(known, scaled / jnp.sqrt(jnp.where(square == 0, 1.0, square)), jnp.nan)
 
 
 def _load(given: Any, axes: int) -> Any:

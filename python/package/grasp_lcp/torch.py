@@ -98,11 +98,13 @@ def onset_factor(
 
 
 def _unit(given: Tensor) -> Tensor:
-    """Unit vectors; zeros stay zeros, with finite derivatives."""
+    """Unit vectors; zeros stay zeros, and NaN stays NaN, with finite derivatives."""
+    known = given.isfinite().all(dim=-1, keepdim=True)
+    given = torch.where(known, given, torch.ones_like(given))
     largest = given.detach().abs().amax(dim=-1, keepdim=True)
     scaled = given / torch.where(largest > 0, largest, torch.ones_like(largest))
     square = (scaled * scaled).sum(dim=-1, keepdim=True)
-    return scaled / torch.where(square == 0, torch.ones_like(square), square).sqrt()
+    return torch.where(known, scaled / torch.where(square == 0, torch.ones_like(square), square).sqrt(), torch.full_like(given, torch.nan))
 
 
 def _load(given: Tensor, axes: int) -> Tensor:

@@ -54,11 +54,14 @@ def gradients(xp: Any, epsilon: float, kind: Kind, data: list[Any], found: First
 
     One refinement makes them as accurate as the factor unless stiffnesses differ by more than a million within a grasp.
     """
+    # Elsewhere data may be NaN, which would reach second derivatives.
+    leaves = found.contact >= 0
+    data = [xp.where(leaves.reshape(*leaves.shape, *(1,) * (each.ndim - leaves.ndim)), each, 1.0) for each in data]
     line = AlongTheLine(xp, data[0]) if data[0].shape[-2:] == (2, 3) else None
     given = data if line is None else line.there(data)
     scenes = Scenes(xp, epsilon, given, kind.hold, loaded=kind.loaded, stacked=kind.stacked)
     by = slopes(scenes, found.factor, found.contact, 1)
-    by.append(xp.where(found.contact >= 0, found.factor, 0.0)[..., None] * by[-1])
+    by.append(xp.where(leaves, found.factor, 0.0)[..., None] * by[-1])
     return by if line is None else line.back(by)
 
 
@@ -66,5 +69,5 @@ def among_rows(is_open: Any, found: list[Any], data: list[Any], again: Again) ->
     """Answers the open scenes alone, where the number of rows may depend on the data: in numpy and in PyTorch."""
     if bool(is_open.any()):
         for whole, part in zip(found, again([each[is_open] for each in data]), strict=True):
-            whole[is_open] = part
+            whole[is_open] = part.to(whole.dtype) if hasattr(part, "to") else part
     return found
