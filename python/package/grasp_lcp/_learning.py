@@ -13,7 +13,7 @@ from ._views import Array
 from .batch import Onsets, onsets
 from .gradients import onset_gradients
 
-SECOND = "onset_factor has no second derivatives: its factor is smooth only piece by piece, and its gradient is exact as it is"
+SECOND = "onset_factor has no second derivatives from the crate: those of each smooth piece of its factor come with native=True"
 """Message with which a second backward pass is refused."""
 
 Hold = str | Sequence[str]

@@ -44,7 +44,7 @@ def onset_factor(
     It works under ``jax.jit``, ``jax.grad``, ``jax.jvp``, ``jax.jacfwd``, ``jax.vmap`` and ``jax.shard_map``. The parameters are as in
     :func:`grasp_lcp.torch.onset_factor`. The crate computes in double precision, the array program in that of JAX: double with
     ``jax_enable_x64``. In rows without a factor the result is ``inf`` or NaN and all its derivatives are zero. At a kink, where several contacts
-    leave together, the derivatives belong to the first of these contacts.
+    leave together, the derivatives belong to the first of these contacts. The array program alone has second derivatives.
 
     :param native: ``True`` for the array program, ``False`` for the crate; unless given, the array program on an accelerator.
     :param with_status: return a pair, factors and the :class:`grasp_lcp.OnsetStatus` of each row.
