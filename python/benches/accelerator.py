@@ -318,7 +318,7 @@ def main() -> None:
     print_differences(500 if given.quick else 10_000)
     data = grasps("jar", 3, 3, rows, np.random.default_rng(1))
     crate = [rows / best_of(lambda of=of: of(**data), 3) * 1e-6 for of in (onsets, onset_gradients)]
-    print(f"the crate on the processor, 3 contacts: {crate[0]:.3g} million onsets a second, {crate[1]:.3g} million gradients")
+    print(f"the crate on the processor, 3 contacts, a load each: {crate[0]:.3g} million onsets a second, {crate[1]:.3g} million gradients")
     for name, paced in (("jax", paced_by_jax), ("torch", paced_by_torch)):
         if importlib.util.find_spec(name) is None:
             print(f"{name} is not installed: not measured")
