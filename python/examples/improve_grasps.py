@@ -108,15 +108,15 @@ def pear() -> Mesh:
     return Mesh.of(ball * [0.045, 0.035, 0.06] * (1 - 0.3 * ball[:, 2:]) ** [1, 1, 0], np.array(faces))
 
 
-def random_grasps(mesh: Mesh, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+def random_grasps(mesh: Mesh, rng: np.random.Generator, grasps: int = GRASPS) -> tuple[np.ndarray, np.ndarray]:
     """Fingers anywhere on the surface, of grasps that stick when they close."""
     kept: list[tuple[np.ndarray, np.ndarray]] = []
-    while sum(len(points) for points, _ in kept) < GRASPS:
-        shape = (4 * GRASPS, 3)
+    while sum(len(points) for points, _ in kept) < grasps:
+        shape = (4 * grasps, 3)
         points, faces = mesh.put(rng.normal(size=(*shape, 3)), rng.integers(len(mesh.corners), size=shape))
         sticks = np.isfinite(onsets(points, mesh.normals[faces], WEIGHT, **FINGERS).factor)
         kept.append((points[sticks], faces[sticks]))
-    points, faces = (np.concatenate(part)[:GRASPS] for part in zip(*kept, strict=True))
+    points, faces = (np.concatenate(part)[:grasps] for part in zip(*kept, strict=True))
     return points, faces
 
 

@@ -86,6 +86,22 @@ def test_torch_rows_without_a_factor_leave_others_alone() -> None:
     assert press.grad.isfinite().all() and (press.grad[1] == 0).all() and (press.grad[0] != 0).any()
 
 
+@pytest.mark.parametrize("native", [False, True])
+def test_torch_a_normal_of_zero_length_spoils_no_other_row(native: bool) -> None:
+    torch = pytest.importorskip("torch")
+    from grasp_lcp.torch import onset_factor
+
+    data = made()
+    data["normals"][2, 1] = 0
+    normals = torch.tensor(data["normals"], requires_grad=True)
+    found, status = onset_factor(
+        torch.tensor(data["points"]), normals, DOWN, friction=0.6, series_stiffness=10.0, pressed_with=6.0, native=native, with_status=True
+    )  # fmt: skip
+    assert status.tolist() == [0, 0, 8, 0]
+    found.nansum().backward()
+    assert normals.grad.isfinite().all() and (normals.grad[2] == 0).all() and (normals.grad[3] != 0).any()
+
+
 def test_torch_refuses_second_derivatives_by_name() -> None:
     torch = pytest.importorskip("torch")
     from grasp_lcp.torch import onset_factor

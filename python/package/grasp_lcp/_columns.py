@@ -77,7 +77,8 @@ def _vectors(name: str, given: ArrayLike, axes: int) -> Array:
     return found
 
 
-def _holds(given: str | Sequence[str], contacts: int) -> np.ndarray[Any, np.dtype[np.uint8]]:
+def words_of_holds(given: str | Sequence[str], contacts: int) -> tuple[str, ...]:
+    """A word a contact for the argument ``hold``."""
     if isinstance(given, str):
         given = [given] * contacts
     words = listed("hold", given, "a word, or one for each contact")
@@ -86,7 +87,7 @@ def _holds(given: str | Sequence[str], contacts: int) -> np.ndarray[Any, np.dtyp
     for index, word in enumerate(words):
         if not isinstance(word, str) or word not in HOLDS:
             raise ValueError(f"hold[{index}] is {word!r}, must be one of {', '.join(HOLDS)}")
-    return np.array([HOLDS[word] for word in words], dtype=np.uint8)
+    return tuple(words)
 
 
 def columns(
@@ -145,7 +146,7 @@ def columns(
     }
     for name in ("friction", "pressed_with", "clearance"):
         made[name] = np.broadcast_to(scalars[name], shape).reshape(rows, contacts) if name in scalars else None
-    made["hold"] = None if hold == "unilateral" else _holds(hold, contacts)
+    made["hold"] = None if hold == "unilateral" else np.array([HOLDS[word] for word in words_of_holds(hold, contacts)], dtype=np.uint8)
     return leading, made
 
 

@@ -10,10 +10,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from ._views import Array
-from .batch import onsets
+from .batch import Onsets, onsets
 from .gradients import onset_gradients
 
-SECOND = "onset_factor has no second derivatives: its factor is smooth only piece by piece, and its gradient is exact as it is"
+SECOND = "onset_factor has no second derivatives from the crate: those of each smooth piece of its factor come with native=True"
 """Message with which a second backward pass is refused."""
 
 Hold = str | Sequence[str]
@@ -22,12 +22,20 @@ Hold = str | Sequence[str]
 
 def factors(data: Sequence[Array], hold: Hold) -> Array:
     """Factors of points, normals, friction, series stiffness, commands along the coordinate axes, base load and direction."""
+    return np.broadcast_to(_asked(data, hold).factor, _leading(data))
+
+
+def statuses(data: Sequence[Array], hold: Hold) -> Array:
+    """The :class:`grasp_lcp.OnsetStatus` of each row."""
+    return np.broadcast_to(_asked(data, hold).status, _leading(data))
+
+
+def _asked(data: Sequence[Array], hold: Hold) -> Onsets:
     points, normals, friction, stiffness, command, base, direction = data
     direction, base = _shared(direction, base)
-    found = onsets(
+    return onsets(
         points, normals, direction, base, friction=friction, series_stiffness=stiffness, command_world=command, hold=hold
     )  # fmt: skip
-    return np.broadcast_to(found.factor, _leading(data))
 
 
 def factors_and_gradients(data: Sequence[Array], hold: Hold) -> list[Array]:

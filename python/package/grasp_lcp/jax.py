@@ -1,9 +1,9 @@
-"""The onset of sliding as a function of JAX: exact factors and exact gradients of whole batches, by callbacks to the processor.
+"""The onset of sliding as a function of JAX: exact factors and exact gradients of whole batches, where the arrays are.
 
     >>> from grasp_lcp.jax import onset_factor
     >>> jax.grad(lambda points: onset_factor(points, normals, down, friction=0.5, series_stiffness=2e3, pressed_with=8.0).sum())(points)
 
-No other module of the package imports JAX.
+On a processor the crate answers, by callbacks; on an accelerator one program of array operations. No other module of the package imports JAX.
 """
 
 from __future__ import annotations
@@ -15,8 +15,12 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jax.custom_derivatives import SymbolicZero
 
-from ._learning import SECOND, factors, factors_and_gradients
+from ._arrays.first_exit import FirstExit
+from ._arrays.program import UNROLLED, Again, Kind, gradients, onsets
+from ._columns import words_of_holds
+from ._learning import SECOND, factors, factors_and_gradients, statuses
 
 __all__ = ["onset_factor"]
 
@@ -32,18 +36,22 @@ def onset_factor(
     pressed_with: Any = None,
     command_world: Any = None,
     hold: str | Sequence[str] = "unilateral",
+    native: bool | None = None,
+    with_status: bool = False,
 ) -> Any:
     """The factor of a direction at which the first contact of each grasp stops sticking, as a differentiable function of all arrays.
 
-    It works under ``jax.jit``, ``jax.grad``, ``jax.jvp``, ``jax.jacfwd`` and ``jax.vmap``. The parameters are as in
-    :func:`grasp_lcp.torch.onset_factor`. The factor is computed in double precision and returned in the precision of JAX: double with
-    ``jax_enable_x64``. In rows without a factor the result is ``inf`` or NaN and all its derivatives are zero. At a kink, where several
-    contacts leave together, the derivatives belong to the first of these contacts. There are no second derivatives.
+    It works under ``jax.jit``, ``jax.grad``, ``jax.jvp``, ``jax.jacfwd``, ``jax.vmap`` and ``jax.shard_map``. The parameters are as in
+    :func:`grasp_lcp.torch.onset_factor`. The crate computes in double precision, the array program in that of JAX: double with
+    ``jax_enable_x64``. In rows without a factor the result is ``inf`` or NaN and all its derivatives are zero. At a kink, where several contacts
+    leave together, the derivatives belong to the first of these contacts. The array program alone has second derivatives.
+
+    :param native: ``True`` for the array program, ``False`` for the crate; unless given, the array program on an accelerator.
+    :param with_status: return a pair, factors and the :class:`grasp_lcp.OnsetStatus` of each row.
     """
     at = jnp.asarray(points, dtype=float)
     axes = at.shape[-1]
-    inward = jnp.asarray(normals, dtype=float)
-    inward = inward / jnp.linalg.norm(inward, axis=-1, keepdims=True)
+    inward = _unit(jnp.asarray(normals, dtype=float))
     stiffness = jnp.asarray(series_stiffness, dtype=float)
     if stiffness.ndim == 0 or stiffness.shape[-1] != 2:
         stiffness = jnp.stack([stiffness, stiffness], axis=-1)
@@ -56,17 +64,39 @@ def onset_factor(
     contacts = jnp.broadcast_shapes(at.shape[:-1], inward.shape[:-1], stiffness.shape[:-1], told.shape[:-1], mu.shape)
     leading = jnp.broadcast_shapes(contacts[:-1], along.shape[:-1], start.shape[:-1])
     each, coordinates = (*leading, contacts[-1]), 3 * (axes - 1)
+    data = [
+        jnp.broadcast_to(given, shape)
+        for given, shape in zip(
+            (at, inward, mu, stiffness, told, start, along),
+            ((*each, axes), (*each, axes), each, (*each, 2), (*each, axes), (*leading, coordinates), (*leading, coordinates)),
+            strict=True,
+        )
+    ]
+    if _on_an_accelerator(points) if native is None else native:
+        kind = Kind(words_of_holds(hold, contacts[-1]), base is not None, contacts[-1] > UNROLLED)
+        rows = [given.reshape(-1, *given.shape[len(leading) :]) for given in data]
+        factor, status, _ = _array_program(kind, *rows)
+        factor, status = factor.reshape(leading), status.reshape(leading)
+        return (factor, status.astype(jnp.uint8)) if with_status else factor
     held = hold if isinstance(hold, str) else tuple(hold)
-    return _onset_factor(
-        held,
-        jnp.broadcast_to(at, (*each, axes)),
-        jnp.broadcast_to(inward, (*each, axes)),
-        jnp.broadcast_to(mu, each),
-        jnp.broadcast_to(stiffness, (*each, 2)),
-        jnp.broadcast_to(told, (*each, axes)),
-        jnp.broadcast_to(start, (*leading, coordinates)),
-        jnp.broadcast_to(along, (*leading, coordinates)),
-    )
+    factor = _onset_factor(held, *data)
+    return (factor, _status(held, *map(jax.lax.stop_gradient, data))) if with_status else factor
+
+
+def _on_an_accelerator(points: Any) -> bool:
+    if isinstance(points, jax.Array) and not isinstance(points, jax.core.Tracer):
+        return any(device.platform != "cpu" for device in points.devices())
+    return jax.default_backend() != "cpu"
+
+
+def _unit(given: Any) -> Any:
+    """Unit vectors; zeros stay zeros, and NaN stays NaN, with finite derivatives."""
+    known = jnp.isfinite(given).all(axis=-1, keepdims=True)
+    given = jnp.where(known, given, 1.0)
+    largest = jax.lax.stop_gradient(jnp.max(jnp.abs(given), axis=-1, keepdims=True))
+    scaled = given / jnp.where(largest > 0, largest, 1.0)
+    square = jnp.sum(scaled * scaled, axis=-1, keepdims=True)
+    return jnp.where(known, scaled / jnp.sqrt(jnp.where(square == 0, 1.0, square)), jnp.nan)
 
 
 def _load(given: Any, axes: int) -> Any:
@@ -114,3 +144,67 @@ def _along(hold: Any, primals: Any, tangents: Any) -> Any:
     found, *slopes = _with_slopes(hold, *primals)
     parts = [(slope * tangent).sum(axis=tuple(range(found.ndim, slope.ndim))) for slope, tangent in zip(slopes, tangents, strict=True)]
     return found, sum(parts)
+
+
+def _status(hold: Any, *data: Any) -> Any:
+    """The status of each row, from the crate."""
+    return _call(lambda given: statuses(given, hold), jax.ShapeDtypeStruct(data[0].shape[:-2], jnp.uint8), data)
+
+
+class _Namespace:
+    """``jax.numpy``, and what makes the compiler compute rows once."""
+
+    def __init__(self, points: Any) -> None:
+        self.one = None
+        if jax.default_backend() == "cpu":
+            # A one that the compiler does not know: it never computes a division twice, and for this processor it ignores barriers.
+            size = jnp.max(jnp.abs(jax.lax.stop_gradient(points)), initial=0.0)
+            self.one = jnp.maximum(jnp.minimum(jnp.where(size < jnp.inf, size, 0.0), 1.0), 1.0)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(jnp, name)
+
+    def kept(self, rows: Any) -> Any:
+        """The same rows."""
+        if self.one is None:
+            return jax.lax.optimization_barrier(rows)
+        return jax.tree.map(lambda row: row / self.one, rows)
+
+
+@partial(jax.custom_jvp, nondiff_argnums=(0,))
+def _array_program(kind: Kind, *data: Any) -> Any:
+    """Factors, statuses and leaving contacts of rows, all as numbers of one type: JAX spreads derivatives of integers over no devices."""
+    found = onsets(_Namespace(data[0]), float(jnp.finfo(data[0].dtype).eps), kind, list(data), _among)
+    return tuple(each.astype(data[0].dtype) for each in found)
+
+
+def _change(kind: Kind, primals: Any, tangents: Any) -> Any:
+    """The factor and its change along the tangents. The slopes are functions of the data and of the factor, so that they have derivatives."""
+    found = FirstExit(*_array_program(kind, *primals))
+    slopes = gradients(_Namespace(primals[0]), float(jnp.finfo(primals[0].dtype).eps), kind, list(primals), found)
+    change = jnp.zeros_like(found.factor)
+    for slope, tangent in zip(slopes, tangents, strict=True):
+        if not isinstance(tangent, SymbolicZero):
+            change = change + (slope * tangent).sum(axis=tuple(range(1, slope.ndim)))
+    nothing = jnp.zeros_like(found.factor)
+    return tuple(found), (change, nothing, nothing)
+
+
+_array_program.defjvp(_change, symbolic_zeros=True)
+
+LOOPS = 16
+"""Open rows are answered thoroughly in at most so many rounds, each with as many rows."""
+
+
+def _among(is_open: Any, found: list[Any], data: list[Any], again: Again) -> list[Any]:
+    rows = is_open.shape[0]
+    each = min(rows, max(64, -(-rows // LOOPS)))
+
+    def round_of(state: Any) -> Any:
+        is_open, found = state
+        (at,) = jnp.nonzero(is_open, size=each, fill_value=rows)
+        answers = again([given.at[at].get(mode="clip") for given in data])
+        found = [whole.at[at].set(part.astype(whole.dtype), mode="drop") for whole, part in zip(found, answers, strict=True)]
+        return is_open.at[at].set(False, mode="drop"), found
+
+    return jax.lax.while_loop(lambda state: state[0].any(), round_of, (is_open, found))[1]

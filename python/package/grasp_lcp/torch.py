@@ -1,10 +1,10 @@
-"""The onset of sliding as a layer of PyTorch: exact factors and exact gradients of whole batches, on the processor.
+"""The onset of sliding as a layer of PyTorch: exact factors and exact gradients of whole batches, where the tensors are.
 
     >>> from grasp_lcp.torch import onset_factor
     >>> factor = onset_factor(points, normals, direction, friction=0.5, series_stiffness=[2e3, 1.5e3], pressed_with=8.0)
     >>> factor.sum().backward()
 
-No other module of the package imports PyTorch.
+On a processor the crate answers; on an accelerator one program of array operations. No other module of the package imports PyTorch.
 """
 
 from __future__ import annotations
@@ -16,7 +16,10 @@ import torch
 from torch import Tensor
 from torch.autograd import Function
 
-from ._learning import SECOND, factors, factors_and_gradients
+from ._arrays.first_exit import FirstExit
+from ._arrays.program import Kind, among_rows, gradients, onsets
+from ._columns import words_of_holds
+from ._learning import SECOND, factors, factors_and_gradients, statuses
 
 __all__ = ["onset_factor"]
 
@@ -32,13 +35,16 @@ def onset_factor(
     pressed_with: Tensor | Sequence[float] | float | None = None,
     command_world: Tensor | Sequence[float] | None = None,
     hold: str | Sequence[str] = "unilateral",
-) -> Tensor:
+    native: bool | None = None,
+    with_status: bool = False,
+) -> Any:
     """The factor of a direction at which the first contact of each grasp stops sticking, as a differentiable function of all tensors.
 
-    Shapes are as in :func:`grasp_lcp.onsets`; grasps have two to five contacts. The factor is computed in double precision and returned in
-    the type of ``points``. In rows without a factor the result is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` leaves such
-    rows out of a sum. At a kink, where several contacts leave together, the derivatives belong to the first of these contacts. There are no second
-    derivatives.
+    Shapes are as in :func:`grasp_lcp.onsets`. The crate takes grasps of two to five contacts and computes in double precision. The array program
+    takes two or more, each point of a pad being one, computes in the precision of ``points``, and has forward and second derivatives, too. In rows
+    without a factor the result is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` leaves such rows out of a sum. Where a motion of
+    the object is free, as for two hard fingers in space, the derivatives by points, normals and loads are NaN. At a kink, where several contacts
+    leave together, the derivatives belong to the first of these contacts.
 
     :param points: contact points, m, shape (..., n, 2) or (..., n, 3).
     :param normals: directions into the object, of any length, of the shape of ``points``.
@@ -47,28 +53,30 @@ def onset_factor(
     :param series_stiffness: N/m: one number, or (..., 2) normal and tangential.
     :param pressed_with: squeeze forces along the normals, N. Commands change with normals and stiffness so that these forces stay.
     :param command_world: further commands along the coordinate axes, m. They stay when normals change, and add to the commands of ``pressed_with``.
+    :param native: ``True`` for the array program, ``False`` for the crate; unless given, the array program for tensors on an accelerator.
+    :param with_status: return a pair, factors and the :class:`grasp_lcp.OnsetStatus` of each row.
     """
     kind, place = points.dtype, points.device
+    is_native = place.type != "cpu" if native is None else native
+    of, there = (kind, place) if is_native else (torch.float64, torch.device("cpu"))
 
-    def double(given: Any) -> Tensor:
-        return torch.as_tensor(given, dtype=torch.float64, device="cpu") if not isinstance(given, Tensor) else given.cpu().double()
+    def of_its_kind(given: Any) -> Tensor:
+        return given.to(dtype=of, device=there) if isinstance(given, Tensor) else torch.as_tensor(given, dtype=of, device=there)
 
-    at, axes = double(points), points.shape[-1]
-    inward = double(normals)
-    inward = inward / inward.norm(dim=-1, keepdim=True)
-    stiffness = double(series_stiffness)
+    at, axes = of_its_kind(points), points.shape[-1]
+    inward = _unit(of_its_kind(normals))
+    stiffness = of_its_kind(series_stiffness)
     if stiffness.ndim == 0 or stiffness.shape[-1] != 2:
         stiffness = stiffness.unsqueeze(-1).expand(*stiffness.shape, 2)
-    told = torch.zeros(axes, dtype=torch.float64) if command_world is None else double(command_world)
+    told = at.new_zeros(axes) if command_world is None else of_its_kind(command_world)
     if pressed_with is not None:
-        told = told + inward * (double(pressed_with) / stiffness[..., 0]).unsqueeze(-1)
-    mu = double(friction)
+        told = told + inward * (of_its_kind(pressed_with) / stiffness[..., 0]).unsqueeze(-1)
+    mu = of_its_kind(friction)
     contacts = torch.broadcast_shapes(at.shape[:-1], inward.shape[:-1], stiffness.shape[:-1], told.shape[:-1], mu.shape)
-    along = _load(double(direction), axes)
-    start = torch.zeros_like(along) if base is None else _load(double(base), axes)
+    along = _load(of_its_kind(direction), axes)
+    start = torch.zeros_like(along) if base is None else _load(of_its_kind(base), axes)
     start, along = torch.broadcast_tensors(start, along)
-    found = _OnsetFactor.apply(
-        hold,
+    data = [
         at.expand(*contacts, axes),
         inward.expand(*contacts, axes),
         mu.expand(contacts),
@@ -76,8 +84,27 @@ def onset_factor(
         told.expand(*contacts, axes),
         start,
         along,
-    )
-    return found.to(dtype=kind, device=place)
+    ]
+    if is_native:
+        leading, coordinates = torch.broadcast_shapes(contacts[:-1], along.shape[:-1]), along.shape[-1]
+        data = [each.expand(*leading, *each.shape[len(contacts) - 1 :]) for each in data[:5]]
+        data += [each.expand(*leading, coordinates) for each in (start, along)]
+        factor, status, _ = _ArrayProgram.apply(Kind(words_of_holds(hold, contacts[-1]), base is not None, True), *data)
+        return (factor, status.to(torch.uint8)) if with_status else factor
+    factor = _OnsetFactor.apply(hold, *data).to(dtype=kind, device=place)
+    if not with_status:
+        return factor
+    return factor, torch.from_numpy(statuses([each.detach().numpy() for each in data], hold).copy()).to(place)
+
+
+def _unit(given: Tensor) -> Tensor:
+    """Unit vectors; zeros stay zeros, and NaN stays NaN, with finite derivatives."""
+    known = given.isfinite().all(dim=-1, keepdim=True)
+    given = torch.where(known, given, torch.ones_like(given))
+    largest = given.detach().abs().amax(dim=-1, keepdim=True)
+    scaled = given / torch.where(largest > 0, largest, torch.ones_like(largest))
+    square = (scaled * scaled).sum(dim=-1, keepdim=True)
+    return torch.where(known, scaled / torch.where(square == 0, torch.ones_like(square), square).sqrt(), torch.full_like(given, torch.nan))
 
 
 def _load(given: Tensor, axes: int) -> Tensor:
@@ -118,3 +145,58 @@ class _Slope(Function):
     @staticmethod
     def backward(ctx: Any, *given: Tensor) -> Any:
         raise RuntimeError(f"grasp_lcp.torch.{SECOND}")
+
+
+def _rows(data: Sequence[Tensor]) -> list[Tensor]:
+    """The data with one row a scene."""
+    axes = len(data[0].shape) - 2
+    return [each.reshape(-1, *each.shape[axes:]) for each in data]
+
+
+class _ArrayProgram(Function):
+    """Factors, statuses and leaving contacts. The slopes are functions of the data and of the factor, so that they have derivatives."""
+
+    @staticmethod
+    def forward(kind: Any, *data: Tensor) -> Any:
+        found = onsets(torch, torch.finfo(data[0].dtype).eps, kind, _rows(data), among_rows)
+        return tuple(each.reshape(data[0].shape[:-2]) for each in found)
+
+    @staticmethod
+    def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
+        ctx.kind, *data = inputs
+        factor, status, contact = output
+        ctx.mark_non_differentiable(status, contact)
+        ctx.save_for_backward(*data, factor, contact)
+        ctx.save_for_forward(*data, factor, contact)
+
+    @staticmethod
+    def backward(ctx: Any, given: Tensor, *_: Any) -> Any:
+        slopes = _slopes(ctx.kind, *ctx.saved_tensors)
+        weighted = (given.reshape(*given.shape, *(1,) * (each.ndim - given.ndim)) * each for each in slopes)
+        return (None, *(each if wanted else None for each, wanted in zip(weighted, ctx.needs_input_grad[1:], strict=True)))
+
+    @staticmethod
+    def jvp(ctx: Any, _: Any, *tangents: Tensor | None) -> Any:
+        slopes = _slopes(ctx.kind, *ctx.saved_tensors)
+        changes = [
+            (slope * tangent).flatten(slopes[-1].ndim - 1).sum(dim=-1)
+            for slope, tangent in zip(slopes, tangents, strict=True)
+            if tangent is not None
+        ]
+        return sum(changes), None, None
+
+    @staticmethod
+    def vmap(info: Any, axes: Any, kind: Any, *data: Tensor) -> Any:
+        moved = [
+            each.expand(info.batch_size, *each.shape) if axis is None else each.movedim(axis, 0)
+            for each, axis in zip(data, axes[1:], strict=True)
+        ]
+        return _ArrayProgram.apply(kind, *moved), (0, 0, 0)
+
+
+def _slopes(kind: Any, *saved: Tensor) -> list[Tensor]:
+    """The derivatives of the factor by each tensor."""
+    *data, factor, contact = saved
+    found = FirstExit(factor.reshape(-1), None, contact.reshape(-1))
+    slopes = gradients(torch, torch.finfo(factor.dtype).eps, kind, _rows(data), found)
+    return [each.reshape(*factor.shape, *each.shape[1:]) for each in slopes]

@@ -1,0 +1,330 @@
+"""Onsets and gradients as array programs: millions a second on the device at hand, and differences to the crate.
+
+    python python/benches/accelerator.py            # a million scenes a line
+    python python/benches/accelerator.py --quick    # small, for a processor in CI
+
+Statuses and factors of random and degenerate grasps are compared with those of the crate. Where statuses differ, the crate is asked again about
+copies of the scene in turned axes, with the same mechanics and other rounding: a status that one of the copies has is decided by rounding.
+A factor is well conditioned if relative changes of all data by ε change it by at most 100 ε, and the stiffnesses of a grasp differ by at most a
+thousand times.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from grasp_lcp import OnsetStatus, onset_gradients, onsets
+from grasp_lcp._arrays.program import Kind, among_rows
+from grasp_lcp._arrays.program import onsets as array_program
+
+Data = dict[str, np.ndarray]
+
+SIZES = [(2, 2), (2, 3), (2, 5), (3, 2), (3, 3), (3, 4), (3, 5)]
+"""Numbers of axes and of contacts."""
+KINDS = (
+    "anywhere", "jar", "loaded", "sheared", "infinite or no friction", "stiff and soft", "slim", "far off", "even", "on the edge",
+    "in a row", "coincident", "on a grid", "opposed", "malformed",
+)  # fmt: skip
+COPIES = 256
+
+
+def unit(v: np.ndarray) -> np.ndarray:
+    """Unit vectors; zeros stay zeros."""
+    length = np.linalg.norm(v, axis=-1, keepdims=True)
+    return v / np.where(length > 0, length, 1)
+
+
+def grasps(kind: str, axes: int, contacts: int, rows: int, rng: np.random.Generator) -> Data:
+    """Grasps of one kind: most stick at rest, and degenerate ones are exactly so."""
+    size, shape = 3 * (axes - 1), (rows, contacts)
+    outward = unit(rng.normal(size=(*shape, axes)))
+    points, normals = 0.05 * outward, unit(-outward + 0.05 * rng.normal(size=outward.shape))
+    friction, stiffness = rng.uniform(0.3, 0.9, shape), rng.uniform(500, 3000, (*shape, 2))
+    press = rng.uniform(1, 9, shape)
+    shear, base = np.zeros_like(points), np.zeros((rows, size))
+    arms = np.array([1.0] * axes + [0.02] * (size - axes))
+    direction = rng.normal(size=(rows, size)) * arms
+    if kind not in ("anywhere", "coincident", "malformed"):
+        angles = 2 * np.pi * np.arange(contacts) / contacts + (0 if kind == "even" else rng.uniform(-0.3, 0.3, shape))
+        height = [rng.uniform(-0.01, 0.01, shape)] * (axes - 2)
+        around = np.broadcast_arrays(0.04 * np.cos(angles), 0.04 * np.sin(angles), np.zeros(shape))[:2]
+        points = np.stack([*around, *height], axis=-1)
+        tilt = 0 if kind == "even" else rng.normal(0, 0.002, points.shape)
+        normals = unit(-points * np.array([1, 1, 0][:axes]) + tilt)
+    if kind == "loaded":
+        base = 0.3 * rng.normal(size=(rows, size)) * arms
+    elif kind == "sheared":
+        shear = rng.normal(0, 2e-4, points.shape)
+    elif kind == "infinite or no friction":
+        friction, base = rng.choice([0, np.inf, 0.5, 0.8], size=shape), 0.1 * direction
+    elif kind == "stiff and soft":
+        stiffness = 10 ** rng.uniform(0, 9, (*shape, 2))
+    elif kind == "slim":
+        points[..., 0] *= 10 ** rng.uniform(-9, 0, (rows, 1))
+    elif kind == "far off":
+        away, strong = 10 ** rng.uniform(-12, 12, (rows, 1)), 10 ** rng.uniform(-12, 12, (rows, 1))
+        points, press = points * away[..., None], press * strong
+        direction = direction * strong * np.concatenate([np.ones((rows, axes)), np.repeat(away, size - axes, axis=1)], axis=1)
+    elif kind == "even":
+        friction[:], stiffness[:], press[:], direction[:] = 0.5, [1e3, 8e2], 5.0, 0.0
+        direction[:, axes - 1] = -rng.uniform(0.5, 2, rows)
+    elif kind in ("on the edge", "on a grid"):
+        points = rng.integers(-2, 3, points.shape) / 64
+        normals = unit(rng.integers(-1, 2, points.shape).astype(float))
+        stiffness[:], press = 1024.0, rng.integers(0, 3, shape).astype(float)
+        friction = rng.choice([0, 0.5, 1, np.inf] if kind == "on a grid" else [0.25, 0.5, 1], size=shape)
+        direction = np.round(2 * direction)
+        if kind == "on the edge":
+            aside = np.stack([-normals[..., 1], normals[..., 0], *[0 * friction] * (axes - 2)], axis=-1)
+            shear = aside * (press * friction / 1024)[..., None] * rng.choice([0, 0.5, 1], size=(*shape, 1))
+    elif kind == "in a row":
+        points = np.zeros_like(points)
+        points[..., 0], normals = np.linspace(-0.04, 0.04, contacts), np.zeros_like(normals)
+        normals[..., 1] = np.where(np.arange(contacts) % 2 == 0, 1, -1)
+    elif kind == "coincident":
+        points[:, 1] = points[:, 0]
+    elif kind == "opposed":
+        # The load acts on the line between two contacts, or turns the object about it by a little.
+        points[:, :2], normals[:, :2] = 0, 0
+        points[:, 0, 0], points[:, 1, 0], normals[:, 0, 0], normals[:, 1, 0] = -0.04, 0.04, 1, -1
+        turn = np.linalg.qr(rng.normal(size=(rows, axes, axes)))[0]
+        away = 0.1 * rng.normal(size=(rows, 1, axes))
+        points, normals = np.einsum("bij,bnj->bni", turn, points) + away, np.einsum("bij,bnj->bni", turn, normals)
+        force = rng.normal(size=(rows, axes))
+        moment = np.cross(away[:, 0], force) if axes == 3 else (away[:, 0, :1] * force[:, 1:] - away[:, 0, 1:] * force[:, :1])
+        direction = np.concatenate([force, moment], axis=1)
+        if axes == 3:
+            twist = 10 ** rng.uniform(-16, -4, (rows, 1)) * rng.choice([0, 1], size=(rows, 1))
+            direction[:, 3:] += twist * unit(points[:, 1] - points[:, 0])
+    elif kind == "malformed":
+        which, contact = rng.integers(0, 12, rows), rng.integers(0, contacts, rows)
+        wrong: list[tuple[np.ndarray, float]] = [(points, np.nan), (points, 1e60), (normals, np.nan), (friction, -1), (friction, np.nan)]
+        wrong += [(stiffness, 0), (stiffness, -1), (stiffness, np.nan), (direction, np.nan)]
+        for number, (array, value) in enumerate(wrong):
+            at = np.flatnonzero(which == number)
+            array[(at, contact[at], *[1] * (array.ndim - 2)) if array is not direction else (at, 1)] = value
+        normals[np.flatnonzero(which == 9), 0], direction[which == 10] = 0, 0
+        friction[rng.random(rows) < 0.1, 0] = -1
+    safe = np.where(stiffness[..., 0] > 0, stiffness[..., 0], 1)
+    command = normals * (press / safe)[..., None] + shear
+    return {
+        "points": points, "normals": normals, "friction": friction, "series_stiffness": stiffness,
+        "command_world": command, "base": base, "direction": direction,
+    }  # fmt: skip
+
+
+def in_turned_axes(data: Data, rng: np.random.Generator) -> Data:
+    """The same scenes with all vectors turned, each scene by a rotation of its own."""
+    axes = data["points"].shape[-1]
+    turn = np.linalg.qr(rng.normal(size=(len(data["points"]), axes, axes)))[0]
+    turn[:, 0] *= np.linalg.det(turn)[:, None]
+    turned = dict(data)
+    for name in ("points", "normals", "command_world"):
+        turned[name] = np.einsum("bij,bnj->bni", turn, data[name])
+    for name in ("base", "direction"):
+        parts = [np.einsum("bij,bj->bi", turn, data[name][:, :axes])]
+        parts.append(data[name][:, axes:] if axes == 2 else np.einsum("bij,bj->bi", turn, data[name][:, axes:]))
+        turned[name] = np.concatenate(parts, axis=1)
+    return turned
+
+
+def in_numpy(data: Data) -> tuple[np.ndarray, np.ndarray]:
+    """Factors and statuses by the array program, in numpy."""
+    kind = Kind(("unilateral",) * data["points"].shape[1], bool(data["base"].any()), False)
+    with np.errstate(all="ignore"):
+        found = array_program(np, float(np.finfo(np.float64).eps), kind, [each.copy() for each in data.values()], among_rows)
+    return found.factor, found.status
+
+
+@dataclass
+class Differences:
+    """How answers of the array program differ from those of the crate."""
+
+    rows: int = 0
+    by_rounding: int = 0
+    """Rows with another status, decided by rounding in the crate, too."""
+    unexplained: int = 0
+    """Rows with any other difference of statuses."""
+    factors: int = 0
+    ill_conditioned: int = 0
+    worst: float = 0.0
+    """The largest relative difference of well-conditioned factors."""
+    worst_of_all: float = 0.0
+
+    def add(self, others: Differences) -> None:
+        """Counts them, too."""
+        for name in ("rows", "by_rounding", "unexplained", "factors", "ill_conditioned"):
+            setattr(self, name, getattr(self, name) + getattr(others, name))
+        self.worst, self.worst_of_all = max(self.worst, others.worst), max(self.worst_of_all, others.worst_of_all)
+
+
+def compared(data: Data, answer: Callable[[Data], tuple[np.ndarray, np.ndarray]] = in_numpy) -> Differences:
+    """The differences for grasps with these data."""
+    factor, status = answer(data)
+    found, asked = onset_gradients(**data), onsets(**data).status
+    differ = np.flatnonzero(status != asked)
+    open_ones = differ
+    rng = np.random.default_rng(6)
+    for _ in range(COPIES):
+        if not len(open_ones):
+            break
+        copies = onsets(**in_turned_axes({name: each[open_ones] for name, each in data.items()}, rng))
+        open_ones = open_ones[copies.status != status[open_ones]]
+    if len(open_ones) and data["points"].shape[1:] == (2, 3):
+        # Whether the motion of a pinch is free is decided without rounding here; the crate's longer method decides, too.
+        whole = onsets(**{name: each[open_ones] for name, each in data.items()}, complete=True).status
+        open_ones = open_ones[whole != status[open_ones]]
+    both = (status == OnsetStatus.LEAVES) & (asked == OnsetStatus.LEAVES)
+    with np.errstate(all="ignore"):
+        off = np.abs(factor / found.factor - 1)
+        sizes = [(found.points, np.abs(data["points"]).max(axis=(1, 2), keepdims=True)), (found.normals, 1.0)]
+        sizes += [(getattr(found, name), data[name]) for name in ("series_stiffness", "command_world", "base", "direction")]
+        sizes += [(found.friction, np.where(np.isfinite(data["friction"]), data["friction"], 0))]
+        # Where a motion is free, as in every pinch in space, a factor has no derivatives by the load.
+        conditioned = sum(np.abs(slope * size).reshape(len(factor), -1).sum(axis=1) for slope, size in sizes) / found.factor <= 100
+        stiffness = data["series_stiffness"].reshape(len(factor), -1)
+        conditioned &= stiffness.max(axis=1) <= 1e3 * stiffness.min(axis=1)
+    conditioned &= data["points"].shape[1:] != (2, 3)
+    well = both & conditioned
+    return Differences(
+        len(factor), len(differ) - len(open_ones), len(open_ones), int(both.sum()), int((both & ~conditioned).sum()),
+        float(off[well].max(initial=0)), float(off[both].max(initial=0)),
+    )  # fmt: skip
+
+
+def print_differences(rows: int) -> Differences:
+    """A line for each number of contacts."""
+    total = Differences()
+    print("differences of the array program, in numpy, to the crate")
+    for axes, contacts in SIZES:
+        here = Differences()
+        for number, kind in enumerate(KINDS):
+            rng = np.random.default_rng([axes, contacts, number])
+            here.add(compared(grasps(kind, axes, contacts, rows, rng)))
+        total.add(here)
+        print(f"  {contacts} contacts in {'plane' if axes == 2 else 'space'}: {_shown(here)}", flush=True)
+    print(f"  all: {_shown(total)}", flush=True)
+    return total
+
+
+def _shown(d: Differences) -> str:
+    return (
+        f"{d.rows} grasps, {d.by_rounding} statuses differ by rounding, {d.unexplained} otherwise; {d.factors} factors, {d.ill_conditioned} not "
+        f"well conditioned, others within {d.worst:.1e} (all within {d.worst_of_all:.1e})"
+    )
+
+
+def best_of(run: Callable[[], Any], times: int) -> float:
+    """The best time, s, after a first run."""
+    run()
+    taken = []
+    for _ in range(times):
+        start = time.perf_counter()
+        run()
+        taken.append(time.perf_counter() - start)
+    return min(taken)
+
+
+def paced_by_jax(rows: int, sizes: list[int], times: int) -> None:
+    """Millions a second with scenes along the last axis of the arrays, and the largest difference of a factor to the crate."""
+    import jax
+    import jax.numpy as jnp
+
+    from grasp_lcp.jax import onset_factor
+
+    jax.config.update("jax_enable_x64", True)
+    device = jax.devices()[0]
+    print(f"JAX {jax.__version__} on {device.device_kind} ({device.platform}), {rows} grasps in space")
+    for contacts in sizes:
+        data = grasps("jar", 3, contacts, rows, np.random.default_rng(1))
+        expected = onsets(**data)
+        for dtype in (np.float64, np.float32):
+            with jax.enable_x64(dtype == np.float64):
+                given = [jnp.asarray(np.moveaxis(each, 0, -1), dtype) for each in data.values()]
+
+                def asked(*given: Any) -> Any:
+                    points, normals, friction, stiffness, command, _, direction = (jnp.moveaxis(each, -1, 0) for each in given)
+                    return onset_factor(
+                        points, normals, direction, friction=friction, series_stiffness=stiffness, command_world=command, native=True
+                    )  # fmt: skip
+
+                def total(*given: Any) -> Any:
+                    factor = asked(*given)
+                    return jnp.where(jnp.isfinite(factor), factor, 0).sum()
+
+                onset, gradient = jax.jit(asked), jax.jit(jax.grad(total, argnums=(0, 1)))
+                start = time.perf_counter()
+                factor = np.asarray(jax.block_until_ready(onset(*given)))
+                first = time.perf_counter() - start
+                paces = [best_of(lambda f=f, given=given: jax.block_until_ready(f(*given)), times) for f in (onset, gradient)]
+            print(_pace(contacts, dtype, rows, paces, factor, expected.factor) + f", compiled in {first:.1f} s", flush=True)
+
+
+def paced_by_torch(rows: int, sizes: list[int], times: int) -> None:
+    """The same in PyTorch, operation by operation."""
+    import torch
+
+    from grasp_lcp.torch import onset_factor
+
+    place = "cuda" if torch.cuda.is_available() else "cpu"
+    name = torch.cuda.get_device_name() if place == "cuda" else place
+    print(f"PyTorch {torch.__version__} on {name}, {rows} grasps in space")
+    for contacts in sizes:
+        data = grasps("jar", 3, contacts, rows, np.random.default_rng(1))
+        expected = onsets(**data)
+        for dtype in (torch.float64, torch.float32):
+            given = {each: torch.as_tensor(value, dtype=dtype, device=place) for each, value in data.items() if each != "base"}
+            leaves = [given["points"].requires_grad_(), given["normals"].requires_grad_()]
+
+            def onset(given: Any = given) -> Any:
+                with torch.no_grad():
+                    found = onset_factor(**given, native=True)
+                return found.cpu()
+
+            def gradient(given: Any = given, leaves: Any = leaves) -> Any:
+                factor = onset_factor(**given, native=True)
+                slopes = torch.autograd.grad(torch.where(factor.isfinite(), factor, torch.zeros_like(factor)).sum(), leaves)
+                return [each.flatten()[0].item() for each in slopes]
+
+            paces = [best_of(run, times) for run in (onset, gradient)]
+            print(_pace(contacts, np.dtype(str(dtype)[6:]), rows, paces, onset().numpy(), expected.factor), flush=True)
+
+
+def _pace(contacts: int, dtype: Any, rows: int, seconds: list[float], factor: np.ndarray, expected: np.ndarray) -> str:
+    both = np.isfinite(factor) & np.isfinite(expected)
+    off = np.abs(factor[both] / expected[both] - 1)
+    onset, gradient = (rows / each * 1e-6 for each in seconds)
+    return (
+        f"  {contacts} contacts, {np.dtype(dtype).name}: {onset:.3g} million onsets a second, {gradient:.3g} million gradients; factors off by "
+        f"{np.median(off):.0e} in the median, {off.max(initial=0):.0e} at most"
+    )
+
+
+def main() -> None:
+    """Prints the report."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--quick", action="store_true", help="few grasps of three contacts")
+    parser.add_argument("--rows", type=int, help="grasps of each line of throughput")
+    given = parser.parse_args()
+    sizes, rows = ([3], 20_000) if given.quick else ([3, 5], 1_000_000)
+    rows = given.rows or rows
+    print_differences(500 if given.quick else 10_000)
+    data = grasps("jar", 3, 3, rows, np.random.default_rng(1))
+    crate = [rows / best_of(lambda of=of: of(**data), 3) * 1e-6 for of in (onsets, onset_gradients)]
+    print(f"the crate on the processor, 3 contacts, a load each: {crate[0]:.3g} million onsets a second, {crate[1]:.3g} million gradients")
+    for name, paced in (("jax", paced_by_jax), ("torch", paced_by_torch)):
+        if importlib.util.find_spec(name) is None:
+            print(f"{name} is not installed: not measured")
+        else:
+            paced(rows, sizes, 2 if given.quick else 7)
+
+
+if __name__ == "__main__":
+    main()

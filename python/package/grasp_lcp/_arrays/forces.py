@@ -1,0 +1,172 @@
+"""The forces of contacts that all stick, found by motions of the object.
+
+The commands stretch the springs with the object held in place. The object then moves by ``q = T⁻¹ w``, with w the wrench that was not balanced and
+``T = Σ G K Gᵀ`` the stiffness of the object about the centroid of its contacts. Motions that stretch no spring have a pivot of rounding: they stay
+zero.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import reduce
+from typing import Any
+
+from .factors import Factors
+from .sites import Each, Row, Sites, Vector, across, dot, kept, moment, sum_of_sizes, turned, world
+
+
+@dataclass(frozen=True)
+class Forces:
+    """The forces of all contacts, or their rates."""
+
+    normal: Each
+    tangential: list[Vector]
+    rounding: Each
+    """A bound of the rounding of each force."""
+    unbalanced: Row
+    """The part of the load that the forces leave unbalanced."""
+    free: Any
+    """Where the load works on a motion that no contact resists."""
+
+    def plus(self, others: Forces, rounding: float) -> Forces:
+        """The sum, with the rounding of the others multiplied by ``rounding``."""
+        return Forces(
+            [a + b for a, b in zip(self.normal, others.normal, strict=True)],
+            [tuple(x + y for x, y in zip(a, b, strict=True)) for a, b in zip(self.tangential, others.tangential, strict=True)],
+            [a + rounding * b for a, b in zip(self.rounding, others.rounding, strict=True)],
+            self.unbalanced + others.unbalanced,
+            self.free | others.free,
+        )
+
+
+@dataclass(frozen=True)
+class Commands:
+    """Commanded displacements along and across the normals."""
+
+    pressed: Each
+    sheared: list[Vector]
+
+
+class Body:
+    """The object on the springs of its contacts, its stiffness factorised as ``L D Lᵀ``."""
+
+    def __init__(self, sites: Sites) -> None:
+        axes = range(sites.axes)
+        self.sites = sites
+        self.centre = tuple(sites.total([p[k] for p in sites.point]) / sites.count for k in axes)
+        self.arm = [tuple(p[k] - self.centre[k] for k in axes) for p in sites.point]
+        self.reach = reduce(sites.larger, [sites.most([abs(arm[k]) for arm in self.arm]) for k in axes])
+        # Two contacts in space resist no rotation about the line between them, and that line is close to the last axis; see `pinch`.
+        self.factors = Factors(sites, kept(sites.xp, self._stiffness()), last_is_free=(sites.axes, sites.count) == (3, 2))
+        self.factors.inverse, self.factors.below = kept(sites.xp, (self.factors.inverse, self.factors.below))
+
+    def _stiffness(self) -> list[list[Row]]:
+        """The entries of T on and below the diagonal. With one tangential stiffness a contact, ``K = k_t I + (k_n - k_t) n nᵀ``."""
+        sites, axes, rows = self.sites, self.sites.axes, range(self.sites.coordinates)
+        lines = [(*n, *moment(arm, n)) for n, arm in zip(sites.normal, self.arm, strict=True)]
+        more = [k_n - k_t for k_n, k_t in sites.springs]
+        t = [[sites.total([m * line[r] * line[c] for m, line in zip(more, lines, strict=True)]) for c in range(r + 1)] for r in rows]
+        shear = [k_t for _, k_t in sites.springs]
+        pulled = [tuple(k * a for a in arm) for k, arm in zip(shear, self.arm, strict=True)]
+        across_all = sites.total(shear)
+        first = [sites.total([p[k] for p in pulled]) for k in range(axes)]
+        square = sites.total([dot(p, arm) for p, arm in zip(pulled, self.arm, strict=True)])
+        for k in range(axes):
+            t[k][k] = t[k][k] + across_all
+        if axes == 2:
+            t[2][0], t[2][1], t[2][2] = t[2][0] - first[1], t[2][1] + first[0], t[2][2] + square
+            return t
+        for k in range(axes):
+            after, last = (k + 1) % 3, (k + 2) % 3
+            t[3 + k][after] = t[3 + k][after] - first[last]
+            t[3 + k][last] = t[3 + k][last] + first[after]
+            t[3 + k][3 + k] = t[3 + k][3 + k] + square
+            for other in range(k + 1):
+                both = sites.total([p[k] * arm[other] for p, arm in zip(pulled, self.arm, strict=True)])
+                t[3 + k][3 + other] = t[3 + k][3 + other] - both
+        return t
+
+    def carried(self, load: Vector) -> Vector:
+        """The load with its moment about the centroid instead of the origin."""
+        axes = self.sites.axes
+        about = moment(self.centre, load[:axes])
+        return (*load[:axes], *(m - a for m, a in zip(load[axes:], about, strict=True)))
+
+    def displacements(self, q: list[Row]) -> list[Vector]:
+        """How a motion of the object displaces its contacts."""
+        axes = self.sites.axes
+        return [tuple(x + t for x, t in zip(q[:axes], turned(q[axes:], arm), strict=True)) for arm in self.arm]
+
+    def unbalanced(self, normal: Each, tangential: list[Vector], load: Vector) -> tuple[list[Row], Row]:
+        """The residual of the balance, and its size relative to forces and moments."""
+        sites, axes = self.sites, self.sites.axes
+        forces = [world(*each) for each in zip(sites.normal, normal, tangential, strict=True)]
+        moments = [moment(arm, force) for arm, force in zip(self.arm, forces, strict=True)]
+        left = [load[k] + sites.total([force[k] for force in forces]) for k in range(axes)]
+        left += [load[axes + k] + sites.total([m[k] for m in moments]) for k in range(len(moments[0]))]
+        size = sum_of_sizes(load[:axes]) + sites.total([sum_of_sizes(force) for force in forces])
+        turning = self.reach * size + sum_of_sizes(load[axes:])
+        worst = reduce(sites.larger, [abs(x) for x in left[:axes]]) / (size + sites.tolerances.tiny)
+        worst = worst + reduce(sites.larger, [abs(x) for x in left[axes:]]) / (turning + sites.tolerances.tiny)
+        return left, worst + 0.0 * left[0]
+
+    def let_go(self, commands: Commands | None, load: Vector, refined: int) -> tuple[Each, list[Vector], list[Row], Row]:
+        """Normal and tangential forces at the equilibrium, the motion of the object, and the unbalanced part of the load.
+
+        Where stiffnesses differ much, T loses the contribution of soft contacts. The balance of forces shows the loss, and its residual is solved
+        for again, at most ``refined`` times.
+        """
+        sites = self.sites
+        zero = sites.xp.zeros_like(sites.springs[0][0])
+        if commands is None:
+            normal, tangential, left = [], [], list(load)
+        else:
+            normal = [k_n * a for (k_n, _), a in zip(sites.springs, commands.pressed, strict=True)]
+            tangential = [tuple(k_t * x for x in s) for (_, k_t), s in zip(sites.springs, commands.sheared, strict=True)]
+            left, _ = self.unbalanced(normal, tangential, load)
+        moved: list[Row] = []
+        for time in range(refined + 1):
+            q = kept(sites.xp, self.factors.solve(left))
+            moved = [a + b for a, b in zip(moved, q, strict=True)] if moved else q
+            stretch = self.displacements(q)
+            less_n = [k_n * dot(n, u) for (k_n, _), n, u in zip(sites.springs, sites.normal, stretch, strict=True)]
+            less_t = [
+                tuple(k_t * x for x in across(n, u)) for (_, k_t), n, u in zip(sites.springs, sites.normal, stretch, strict=True)
+            ]  # fmt: skip
+            if not normal:
+                normal, tangential = [zero - x for x in less_n], [tuple(zero - x for x in t) for t in less_t]
+            else:
+                normal = [a - b for a, b in zip(normal, less_n, strict=True)]
+                tangential = [tuple(x - y for x, y in zip(a, b, strict=True)) for a, b in zip(tangential, less_t, strict=True)]
+            normal, tangential = kept(sites.xp, (normal, tangential))
+            left, part = self.unbalanced(normal, tangential, load)
+            if time < refined:
+                improvable = part > sites.tolerances.improvable
+                left = [sites.xp.where(improvable, each, 0.0) for each in left]
+        return normal, tangential, moved, part
+
+    def sticking(self, commands: Commands | None, load: Vector, refined: int) -> Forces:
+        """The forces of commands alone, or of a load about the origin alone."""
+        if commands is None:
+            load = self.carried(load)
+        normal, tangential, moved, part = self.let_go(commands, load, refined)
+        free = (part > self.sites.tolerances.free_motion) & (self.factors.free > 0)
+        return Forces(normal, tangential, self._rounding(commands, load, moved, normal, tangential), part, free)
+
+    def _rounding(self, commands: Commands | None, load: Vector, moved: list[Row], normal: Each, tangential: list[Vector]) -> Each:
+        """A part of each force, and a part of the force that its spring would have over the whole displacement that stretches and slackens it.
+
+        The second part is limited by the size of all forces: displacements that ought to cancel leave forces only between two contacts or more.
+        """
+        sites, axes = self.sites, self.sites.axes
+        span = sum_of_sizes(moved[:axes]) + self.reach * sum_of_sizes(moved[axes:])
+        stretched, sizes = [], []
+        for i, (k_n, k_t) in enumerate(sites.springs):
+            force = sites.larger(k_n, k_t) * span
+            if commands is not None:
+                force = force + k_n * abs(commands.pressed[i]) + k_t * sum_of_sizes(commands.sheared[i])
+            stretched.append(force)
+            sizes.append(abs(normal[i]) + sum_of_sizes(tangential[i]))
+        largest = sum_of_sizes(load[:axes]) + sites.total(sizes) + sites.second(stretched)
+        part = sites.tolerances.slack if commands is None else sites.tolerances.on_the_edge
+        return [part * (size + sites.smaller(largest, force)) for size, force in zip(sizes, stretched, strict=True)]
