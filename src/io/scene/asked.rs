@@ -29,7 +29,7 @@ impl<const C: usize> Setup<C> {
             | Question::Solve { .. }
             | Question::Compare { .. }
             | Question::OnsetOfTurn(_) => Ok(()),
-            Question::Need(asked) => asked.check(self.entries().count()),
+            Question::Need(asked) => inside(&**asked).check(Space::of::<C>(), self.entries().count()),
             Question::Improve(asked) => asked.given_loads().map(drop),
             Question::Onset { .. } => question.ramp()?.check_changes(self.lengths()),
             Question::Follow { legs, in_steps, .. } => {

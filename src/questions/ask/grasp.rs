@@ -15,7 +15,7 @@ use crate::grasp::{
 };
 use crate::hold::Verdict;
 use crate::load_path::Ramp;
-use crate::numerics::{Once, mapped, numbered};
+use crate::numerics::{Once, Space, mapped, numbered};
 use crate::prelude::*;
 
 /// An object held by elastic fingers: a checked list of contacts, and the joints behind them if a [`Hand`] holds it.
@@ -232,6 +232,11 @@ impl<const C: usize> Grasp<C> {
     /// Refuses a question if there are joints or several bodies.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         self.engine.refuse_hands(question)
+    }
+
+    /// Whether it is a grasp of the plane or of space.
+    pub(crate) fn space(&self) -> Space {
+        self.engine.space()
     }
 
     /// Whether anything presses at rest.

@@ -7,6 +7,7 @@ use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
+use crate::words::Words;
 
 /// Speed, relative to the fastest contact, below which a contact stays and a rotation counts as none. It only chooses the name of a motion: a larger
 /// fraction calls slow contacts fixed, a smaller one finds no contact to tip over.
@@ -222,9 +223,9 @@ fn turns(twist: &Twist<3>, near: &SVector<f64, 3>, moves: &SVector<f64, 3>) -> W
 
 impl<const C: usize> WayOut<C> {
     /// Whether the object falls: it moves down, against the last axis, and no contact with friction holds it back.
-    pub(super) fn falls(&self, slide: &[WholeContact]) -> bool {
+    pub(super) fn falls(&self, slide: &[WholeContact], words: Words) -> bool {
         let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
         // Within 25 degrees of the vertical a colleague would say that it falls.
-        slide.is_empty() && direction[C - 1] < -0.9
+        slide.is_empty() && direction[words.space::<C>().axes() - 1] < -0.9
     }
 }

@@ -8,14 +8,14 @@ use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
 use crate::equilibrium::TooFar;
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
-use crate::numerics::mapped;
+use crate::numerics::{Space, mapped};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::words::{Words, listed, open, opens, printable};
 
 impl<const C: usize> fmt::Display for Verdict<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
@@ -94,16 +94,16 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 impl<const C: usize> Verdict<C> {
     /// The sentence of a load that is lost: the load at the loss and the motion.
     fn told_lost(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
         let Some(lost) = &self.lost else { return f.write_str("LOST") };
         if let Some(far) = &lost.too_far {
             return self.told_too_far(lost, far, f);
         }
         if lost.factor <= NEGLIGIBLE {
             let whole = self.whole(words);
-            return write!(f, "{} at once, under any part of {whole}: {lost:.digits$}", lost.verb());
+            return write!(f, "{} at once, under any part of {whole}: {lost:.digits$}", lost.verb(words));
         }
-        write!(f, "{} at {}", lost.verb(), self.part(lost.factor, words))?;
+        write!(f, "{} at {}", lost.verb(words), self.part(lost.factor, words))?;
         if lost.falls_at_once {
             f.write_str(", falls at the first slip")?;
         }
@@ -247,9 +247,9 @@ impl<const C: usize> Lost<C> {
         }
     }
 
-    pub(crate) fn verb(&self) -> &'static str {
+    pub(crate) fn verb(&self, words: Words) -> &'static str {
         match &self.way_out {
-            way if way.falls(&self.slide) => "DROPS",
+            way if way.falls(&self.slide, words) => "DROPS",
             WayOut::LiftsOff { .. } => "LIFTS OFF",
             WayOut::SlidesOut { .. } => "SLIPS OUT",
             WayOut::TipsOver { .. } => "TIPS OVER",
@@ -273,7 +273,7 @@ impl<const C: usize> Lost<C> {
 /// The motion of the loss, and the radius of the proof that nothing near it holds.
 impl<const C: usize> fmt::Display for Lost<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let digits = Words::of(f).digits();
+        let digits = Words::of(f).precision();
         write!(f, "{:.digits$}", self.way_out)?;
         if !self.slide.is_empty() {
             let apart = if matches!(self.way_out, WayOut::Apart { .. }) { ";" } else { "," };
@@ -312,13 +312,13 @@ impl<const C: usize> fmt::Display for WayOut<C> {
         let words = Words::of(f);
         match self {
             Self::LiftsOff { direction } => {
-                let goes = if self.falls(&[]) { "falls" } else { "lifts" };
+                let goes = if self.falls(&[], words) { "falls" } else { "lifts" };
                 write!(f, "the object {goes} off along {}", words.along(direction))
             }
             Self::SlidesOut { .. } | Self::Turns { .. } | Self::TipsOver { .. } => {
                 write!(f, "the object {}", self.goes(words, false))
             }
-            Self::TurnsAbout { about } if C == 3 && about.len() == 2 => {
+            Self::TurnsAbout { about } if words.space::<C>() == Space::Spatial && about.len() == 2 => {
                 write!(f, "the object spins about the line {}–{}", about[0].text(), about[1].text())
             }
             Self::TurnsAbout { about } => write!(f, "the object turns about {}", listed(about)),
@@ -356,8 +356,11 @@ impl<const C: usize> WayOut<C> {
         match self {
             Self::SlidesOut { direction } => format!("move{ending} along {}", words.along(direction)),
             Self::Turns { centre, axis } => {
-                let axis = if C == 3 { format!("{} through ", words.along(axis)) } else { String::new() };
-                format!("turn{ending} about {axis}{} m", words.numbers(centre.as_slice()))
+                let axis = match words.space::<C>() {
+                    Space::Planar => String::new(),
+                    Space::Spatial => format!("{} through ", words.along(axis)),
+                };
+                format!("turn{ending} about {axis}{} m", words.vector(centre))
             }
             Self::TipsOver { about, opens } => {
                 let edge = |part: &WholeContact| {
