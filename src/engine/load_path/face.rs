@@ -77,8 +77,9 @@ face_of_enum! {
 
 impl<T: Face> Face for LegGoal<T> {
     type Inside = LegGoal<T::Inside>;
+    const SAME: bool = T::SAME;
 
-    fn enter(self) -> Self::Inside {
+    fn widen(self) -> Self::Inside {
         match self {
             Self::Stay => LegGoal::Stay,
             Self::By(change) => LegGoal::By(change.enter()),
@@ -86,7 +87,7 @@ impl<T: Face> Face for LegGoal<T> {
         }
     }
 
-    fn leave(inside: Self::Inside) -> Self {
+    fn narrow(inside: Self::Inside) -> Self {
         match inside {
             LegGoal::Stay => Self::Stay,
             LegGoal::By(change) => Self::By(T::leave(change)),

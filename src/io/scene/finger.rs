@@ -8,7 +8,7 @@ use super::fingertip::{Fingertip, MovedBy};
 use super::matrix::Rows;
 use super::written_contact::LinkedContact;
 use crate::error::Error;
-use crate::grasp::{self, Joint};
+use crate::grasp::{self, Joint, Space};
 use crate::numerics::moved;
 use crate::serial::AsGiven;
 use crate::serial::object;
@@ -64,8 +64,18 @@ impl<const C: usize> FingerSetup<C> {
         self
     }
 
+    /// Refuses a finger without contacts, which would be ignored silently.
+    fn checked(self) -> Result<Self, String> {
+        if self.contacts.is_empty() {
+            return Err("contacts: none given, must be at least one a finger".to_owned());
+        }
+        Ok(self)
+    }
+}
+
+impl FingerSetup<3> {
     /// The finger of a hand. `first` is the index of its first contact in the scene.
-    pub(super) fn spread(&self, first: usize) -> Result<grasp::Finger<C>, Error> {
+    pub(super) fn spread(&self, first: usize) -> Result<grasp::Finger<3>, Error> {
         let points = |k: usize| self.contacts[k].points(first + k);
         let mut finger = grasp::Finger::new(self.joints.iter().cloned());
         finger.coupling.clone_from(&self.stiffness_matrix);
@@ -75,7 +85,7 @@ impl<const C: usize> FingerSetup<C> {
                 finger = match &entry.moved_by {
                     MovedBy::LastLink => finger.contact(point),
                     MovedBy::Link(joints) => finger.contact_on(*joints, point),
-                    MovedBy::Jacobian(twists) if C == 3 && twists.nrows() == 6 => {
+                    MovedBy::Jacobian(twists) if point.space == Space::Spatial && twists.nrows() == 6 => {
                         let arm = point.point - entry.contact.point;
                         finger.contact_moved_by(moved_at(twists, &arm), point)
                     }
@@ -93,19 +103,11 @@ impl<const C: usize> FingerSetup<C> {
         }
         Ok(finger)
     }
-
-    /// Refuses a finger without contacts, which would be ignored silently.
-    fn checked(self) -> Result<Self, String> {
-        if self.contacts.is_empty() {
-            return Err("contacts: none given, must be at least one a finger".to_owned());
-        }
-        Ok(self)
-    }
 }
 
 /// Velocities of a point of a link for each joint, `v + ω × r`, from those of the contact and, below them, angular velocities.
-fn moved_at<const C: usize>(twists: &DMatrix<f64>, arm: &SVector<f64, C>) -> DMatrix<f64> {
-    DMatrix::from_fn(C, twists.ncols(), |a, j| {
+fn moved_at(twists: &DMatrix<f64>, arm: &SVector<f64, 3>) -> DMatrix<f64> {
+    DMatrix::from_fn(3, twists.ncols(), |a, j| {
         let (b, c) = ((a + 1) % 3, (a + 2) % 3);
         twists[(a, j)] + twists[(3 + b, j)] * arm[c] - twists[(3 + c, j)] * arm[b]
     })

@@ -422,4 +422,5 @@ pub use robot::{MotorLimits, RobotSetup};
 pub use setup::Setup;
 pub use solved::SolveAnswer;
 pub use warning::Warning;
+pub(crate) use written::AnswersInside;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::setup::Setup;
 use super::written::{Scene, Space};
 use crate::error::Error;
+use crate::grasp::inside;
 use crate::numerics::mapped;
 use crate::words::{Words, listed, printable};
 
@@ -297,7 +298,14 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::grasp`].
     pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
-        let grasp = self.grasp()?;
+        inside(self).all_warnings()
+    }
+}
+
+impl Setup<3> {
+    /// [`Self::warnings`] in the plane or in space.
+    pub(crate) fn all_warnings(&self) -> Result<Vec<Warning>, Error> {
+        let grasp = self.grasp_checked()?;
         let mut warnings = self.odd_contacts(&grasp)?;
         #[cfg(feature = "mesh")]
         warnings.extend(self.badly_touching()?);
@@ -307,13 +315,11 @@ impl<const C: usize> Setup<C> {
         }
         warnings.extend(self.otherwise_at_rest(&grasp)?);
         warnings.extend(self.same_names());
-        warnings.extend(self.stiffness_left_out()?);
+        warnings.extend(self.springs_left_out()?);
         warnings.extend(self.stiffness_of_links_left_out()?);
         Ok(warnings)
     }
-}
 
-impl<const C: usize> Setup<C> {
     /// Names that more than one contact has.
     fn same_names(&self) -> Vec<Warning> {
         let mut named: BTreeMap<&str, Vec<usize>> = BTreeMap::new();

@@ -64,12 +64,13 @@ struct Door<const C: usize> {
 /// Inside the engine a grasp of the plane answers questions with vectors of three components.
 impl<const C: usize> Face for Grasp<C> {
     type Inside = Grasp<3>;
+    const SAME: bool = C == 3;
 
-    fn enter(self) -> Grasp<3> {
+    fn widen(self) -> Grasp<3> {
         Grasp { engine: self.engine, settings: self.settings, door: Once::new() }
     }
 
-    fn leave(inside: Grasp<3>) -> Self {
+    fn narrow(inside: Grasp<3>) -> Self {
         Self { engine: inside.engine, settings: inside.settings, door: Once::new() }
     }
 }
