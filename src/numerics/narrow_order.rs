@@ -7,6 +7,8 @@
 
 use core::ops::Range;
 
+use super::increasing::increasing;
+use super::mapped::mapped;
 use crate::prelude::*;
 
 /// The number of each of `count` coordinates in the order; a coupling connects all coordinates of its ranges.
@@ -102,7 +104,10 @@ fn outwards(neighbours: &[Vec<usize>], from: usize, seen: &mut [bool]) -> Vec<Ve
                     next.push(*other);
                 }
             }
-            next[begin..].sort_by_key(|other| neighbours[*other].len());
+            let last = next.split_off(begin);
+            for k in increasing(&mapped(&last, &|other| neighbours[*other].len() as f64)) {
+                next.push(last[k]);
+            }
         }
         if next.is_empty() {
             break;

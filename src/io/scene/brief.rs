@@ -169,12 +169,7 @@ impl SceneNames {
         Brief { margin, first, does: Some(doing(&contact.state)), ..brief }
     }
 
-    fn onset_briefly(
-        &self,
-        question: &'static str,
-        grasp: &Grasp<3>,
-        onset: &Onset<3>,
-    ) -> Brief {
+    fn onset_briefly(&self, question: &'static str, grasp: &Grasp<3>, onset: &Onset<3>) -> Brief {
         match onset {
             Onset::At(event) => {
                 let contact = event

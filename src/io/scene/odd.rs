@@ -229,11 +229,7 @@ fn is_in_place_of(one: &Fingertip<3>, other: &Fingertip<3>, size: f64) -> bool {
 }
 
 /// Whether a step along the normal leads out of the outline and a step against it leads in. Always false in space, where an outline is no surface.
-fn points_out(
-    outline: &[SVector<f64, 3>],
-    point: &SVector<f64, 3>,
-    normal: &SVector<f64, 3>,
-) -> bool {
+fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVector<f64, 3>) -> bool {
     if outline.len() < 3 {
         return false;
     }

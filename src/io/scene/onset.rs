@@ -171,11 +171,7 @@ impl SceneNames {
         }
     }
 
-    pub(super) fn onset_of_turn(
-        &self,
-        grasp: &Grasp<3>,
-        found: &path::TurnOnset<3>,
-    ) -> TurnAnswer<3> {
+    pub(super) fn onset_of_turn(&self, grasp: &Grasp<3>, found: &path::TurnOnset<3>) -> TurnAnswer<3> {
         let mut touches = found.touches.clone();
         for touch in &mut touches {
             if let EdgeOf::Contact(contact) = &mut touch.of {

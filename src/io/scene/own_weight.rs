@@ -97,7 +97,8 @@ impl<const C: usize> Setup<C> {
             |x: &SVector<f64, C>| -> [f64; 3] { std::array::from_fn(|a| x.get(a).copied().unwrap_or(0.0)) };
         let weight =
             Turn::<3>::force_at(in_space(&(gravity * mass)), in_space(&centre.into()), axis)?.reversed();
-        let [constant, cosine, sine] = weight.parts().map(|part| Wrench::among(self.space, &part.coordinates(self.space)));
+        let [constant, cosine, sine] =
+            weight.parts().map(|part| Wrench::among(self.space, &part.coordinates(self.space)));
         Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
     }
 }

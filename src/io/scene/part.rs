@@ -216,7 +216,9 @@ impl Setup<3> {
             (None, Some(contact)) => {
                 Err(format!("contact {contact}: touches nothing, the scene has no `part`"))
             }
-            (Some(_), _) if self.space == numerics::Space::Planar => Err("part: a mesh belongs to a spatial scene".to_owned()),
+            (Some(_), _) if self.space == numerics::Space::Planar => {
+                Err("part: a mesh belongs to a spatial scene".to_owned())
+            }
             (Some(part), _) if part.mass.is_some() && part.density.is_some() => {
                 Err("part: mass and density given, must be one of them".to_owned())
             }

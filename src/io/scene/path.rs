@@ -90,11 +90,7 @@ pub struct BalancedEnergy {
 
 impl SceneNames {
     /// A path that was followed to its end, and the events on the way.
-    pub(super) fn path(
-        &self,
-        path: &LoadPath<'_, 3>,
-        events: Vec<Event<3>>,
-    ) -> PathAnswer<3> {
+    pub(super) fn path(&self, path: &LoadPath<'_, 3>, events: Vec<Event<3>>) -> PathAnswer<3> {
         let balanced = |energy: &LegEnergy| BalancedEnergy {
             energy: LegEnergy { turnover: 0.0, ..*energy },
             residual: energy.residual(),
@@ -110,11 +106,7 @@ impl SceneNames {
     }
 
     /// A path that was followed to its end in steps.
-    pub(super) fn path_in_steps(
-        &self,
-        path: &SteppedPath<'_, 3>,
-        steps: Vec<Step<3>>,
-    ) -> PathAnswer<3> {
+    pub(super) fn path_in_steps(&self, path: &SteppedPath<'_, 3>, steps: Vec<Step<3>>) -> PathAnswer<3> {
         PathAnswer {
             end: self.end(path.end(), path.state(), path.beyond()),
             events: Vec::new(),

@@ -104,12 +104,7 @@ impl RobotSetup<3> {
 }
 
 /// A contact from the frame of its link in that of the scene, with the place and the direction of its pad.
-fn placed(
-    robot: &Robot,
-    link: usize,
-    index: usize,
-    mut entry: Fingertip<3>,
-) -> Result<Fingertip<3>, Error> {
+fn placed(robot: &Robot, link: usize, index: usize, mut entry: Fingertip<3>) -> Result<Fingertip<3>, Error> {
     entry.contact = robot.placed_on(link, index, &entry.contact)?;
     if let Some(touches) = &mut entry.touches {
         touches.from = std::array::from_fn(|a| entry.contact.point[a]);

@@ -1,6 +1,5 @@
 //! Warnings about probable mistakes in a scene that can be answered.
 
-use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::Serialize;
@@ -9,7 +8,7 @@ use super::setup::Setup;
 use super::written::{Scene, Space};
 use crate::error::Error;
 use crate::grasp::inside;
-use crate::numerics::mapped;
+use crate::numerics::{mapped, moved};
 use crate::words::{Words, listed, printable};
 
 /// A probable mistake in a scene.
@@ -322,13 +321,16 @@ impl Setup<3> {
 
     /// Names that more than one contact has.
     fn same_names(&self) -> Vec<Warning> {
-        let mut named: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        let mut named: Vec<(&str, Vec<usize>)> = Vec::new();
         for (contact, entry) in self.entries().enumerate() {
-            if let Some(name) = entry.contact.name.as_deref() {
-                named.entry(name).or_default().push(contact);
+            let Some(name) = entry.contact.name.as_deref() else { continue };
+            let place = named.partition_point(|(other, _)| *other < name);
+            match named.get_mut(place) {
+                Some((same, contacts)) if *same == name => contacts.push(contact),
+                _ => named.insert(place, (name, vec![contact])),
             }
         }
-        let several = named.into_iter().filter(|(_, contacts)| contacts.len() > 1);
-        several.map(|(name, contacts)| Warning::SameName { contacts, name: name.to_owned() }).collect()
+        named.retain(|(_, contacts)| contacts.len() > 1);
+        moved(named, &|(name, contacts)| Warning::SameName { contacts, name: name.to_owned() })
     }
 }

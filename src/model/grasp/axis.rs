@@ -49,9 +49,7 @@ impl Rotation {
     /// Vector from a point with displacement u = `moves` to the nearest point of the axis: `ω × u / |ω|²`.
     pub(crate) fn way_to_axis(&self, moves: &SVector<f64, 3>) -> SVector<f64, 3> {
         match self {
-            Self::Plane(turn) => {
-                SVector::from([-moves[1] / turn, moves[0] / turn, 0.0])
-            }
+            Self::Plane(turn) => SVector::from([-moves[1] / turn, moves[0] / turn, 0.0]),
             Self::Space(omega) => {
                 let cross = |a: usize| {
                     omega[(a + 1) % 3] * moves[(a + 2) % 3] - omega[(a + 2) % 3] * moves[(a + 1) % 3]

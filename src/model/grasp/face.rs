@@ -150,7 +150,7 @@ macro_rules! same_on_both_sides {
 pub(crate) use same_on_both_sides;
 
 same_on_both_sides! {
-    bool, f64, usize, String, Arc<str>, DMatrix<f64>, Space, super::WholeContact, super::PartLabel, crate::error::ContactLabel,
+    bool, f64, usize, &'static str, String, Arc<str>, DMatrix<f64>, Space, super::WholeContact, super::PartLabel, crate::error::ContactLabel,
 }
 
 impl<T: Face> Face for Vec<T> {

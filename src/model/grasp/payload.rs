@@ -106,7 +106,9 @@ impl Payload<3> {
         let spin = match self.inertia {
             Some(inertia) => inertia * alpha + omega.cross(&(inertia * omega)),
             // Rotation in the plane has one fixed axis, and so no gyroscopic moment.
-            None if *alpha == Vector3::zeros() && (space == Space::Planar || *omega == Vector3::zeros()) => Vector3::zeros(),
+            None if *alpha == Vector3::zeros() && (space == Space::Planar || *omega == Vector3::zeros()) => {
+                Vector3::zeros()
+            }
             None => {
                 let fault = "is missing, must be given where the arm turns: about the centre of mass, kg m², zero for a body that is small beside its arm";
                 return Err(Error::Question { question: "payload", field: "inertia", fault });

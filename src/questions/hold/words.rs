@@ -8,8 +8,8 @@ use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
 use crate::equilibrium::TooFar;
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
-use crate::numerics::{Space, mapped};
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Space, mapped};
 use crate::prelude::*;
 use crate::words::{Words, listed, open, opens, printable};
 
