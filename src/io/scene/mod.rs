@@ -422,5 +422,6 @@ pub use robot::{MotorLimits, RobotSetup};
 pub use setup::Setup;
 pub use solved::SolveAnswer;
 pub use warning::Warning;
+#[cfg(feature = "json")]
 pub(crate) use written::AnswersInside;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

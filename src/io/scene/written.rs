@@ -120,8 +120,10 @@ impl Serialize for Answers {
 }
 
 /// Answers of the plane or of space with three components a vector; they are written as [`Answers`] are.
+#[cfg(feature = "json")]
 pub(crate) struct AnswersInside(pub(crate) numerics::Space, pub(crate) Vec<Answer<3>>);
 
+#[cfg(feature = "json")]
 impl Serialize for AnswersInside {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         write_all(self.0, &self.1, serializer)

@@ -214,11 +214,11 @@ pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) ->
 impl FirstSlip {
     /// The parts that leave, with a verb unless they slide: "left", "thumb opens".
     fn who(&self) -> String {
-        let opens = self.open.iter().map(|part| format!("{} {}", part.text(), opens(part.link)));
-        let pulls = self.would_pull.iter().map(|part| format!("{} would have to pull", part.text()));
-        let names = self.slide.iter().map(|part| part.text().into_owned()).chain(opens).chain(pulls);
-        let give_way = self.give_way.iter().map(|name| format!("{} gives way", printable(name)));
-        listed(&names.chain(give_way).collect::<Vec<_>>())
+        let mut names = mapped(&self.slide, &|part| part.text().into_owned());
+        names.extend(mapped(&self.open, &|part| format!("{} {}", part.text(), opens(part.link))));
+        names.extend(mapped(&self.would_pull, &|part| format!("{} would have to pull", part.text())));
+        names.extend(mapped(&self.give_way, &|name| format!("{} gives way", printable(name))));
+        listed(&names)
     }
 }
 
@@ -227,14 +227,20 @@ impl fmt::Display for FirstSlip {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let give_way: Vec<_> = mapped(&self.give_way, &|name| printable(name));
         let gives = if give_way.len() == 1 { "gives way" } else { "give way" };
-        let all = [
-            (!self.slide.is_empty()).then(|| does(&self.slide, "slides", "slide")),
-            (!self.open.is_empty()).then(|| they_open(&self.open)),
-            (!self.would_pull.is_empty())
-                .then(|| does(&self.would_pull, "would have to pull", "would have to pull")),
-            (!give_way.is_empty()).then(|| format!("{} {gives}", listed(&give_way))),
-        ];
-        f.write_str(&all.into_iter().flatten().collect::<Vec<_>>().join(", "))
+        let mut all = Vec::new();
+        if !self.slide.is_empty() {
+            all.push(does(&self.slide, "slides", "slide"));
+        }
+        if !self.open.is_empty() {
+            all.push(they_open(&self.open));
+        }
+        if !self.would_pull.is_empty() {
+            all.push(does(&self.would_pull, "would have to pull", "would have to pull"));
+        }
+        if !give_way.is_empty() {
+            all.push(format!("{} {gives}", listed(&give_way)));
+        }
+        f.write_str(&all.join(", "))
     }
 }
 
