@@ -52,7 +52,7 @@ impl Setup<3> {
             along < -1e-6 * size * length
         };
         let hangs = |LinkSetup { link, .. }: &LinkSetup<3>| {
-            let points = link.contacts().unwrap_or_default();
+            let points = link.contacts_in(self.space, link.kind().name()).unwrap_or_default();
             points.iter().any(|point| point.hold != Hold::Unilateral || presses(point.normal.as_slice()))
         };
         self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
@@ -104,7 +104,7 @@ impl Setup<3> {
             warnings = self.same_side().map_or(warnings, |why| vec![why]);
         }
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
-            let points = link.contacts()?.len();
+            let points = link.contacts_in(self.space, link.kind().name())?.len();
             let (told, site) = (link.pretension, first);
             first += points;
             if told == 0.0 || link.tension.is_some() {

@@ -273,7 +273,7 @@ impl Setup<3> {
     pub(super) fn points_of_links(&self) -> Result<Vec<Contact<3>>, Error> {
         let mut points = Vec::new();
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
-            points.extend(link.contacts_called(&link.called(number))?);
+            points.extend(link.contacts_in(self.space, &link.called(number))?);
         }
         Ok(points)
     }

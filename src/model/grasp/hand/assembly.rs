@@ -25,8 +25,7 @@ impl Hand<3> {
     /// as for [`Grasp::new`](crate::ask::Grasp::new).
     pub(crate) fn engine(self, mut bodies: Option<PlacedBodies>) -> Result<Engine, Error> {
         let others = bodies.as_ref().map_or(0, |bodies| bodies.names.len() - 1);
-        let contacts = self.fingers.iter().flat_map(|finger| &finger.contacts);
-        let space = contacts.map(|carried| carried.contact.space).next().unwrap_or(Space::Spatial);
+        let space = self.space();
         let most = Size::of(self.coordinates_in(space) + others * space.of_the_object());
         let used = self.joints();
         let Self { fingers, tendons } = self;

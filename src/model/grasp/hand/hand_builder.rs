@@ -61,6 +61,16 @@ impl<const C: usize> Hand<C> {
         self.coordinates_in(Space::of::<C>())
     }
 
+    /// Whether it holds objects of the plane or of space.
+    pub(crate) fn space(&self) -> Space {
+        for finger in &self.fingers {
+            if let Some(carried) = finger.contacts.first() {
+                return carried.contact.space;
+            }
+        }
+        Space::of::<C>()
+    }
+
     /// [`Self::coordinates`] in the plane or in space.
     pub(super) fn coordinates_in(&self, space: Space) -> usize {
         let saturates = |limit: Option<Limit>| usize::from(matches!(limit, Some(Limit::Saturates(_))));
