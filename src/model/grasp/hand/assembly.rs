@@ -11,7 +11,6 @@ use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::bodies::{PlacedBodies, refuse_sides};
 use crate::grasp::engine::Engine;
-use crate::numerics::Space;
 use crate::numerics::{Size, Vector, mapped};
 use crate::prelude::*;
 use crate::words::printable;
