@@ -52,15 +52,16 @@ impl Pressure {
         let moment = |k, a, b| self.integral(k + around, b) - self.integral(k + around, a);
         let total = moment(0, 0.0, 1.0);
         let edge = |j: usize| j as f64 / bands as f64;
-        (0..bands)
-            .flat_map(|j| {
-                let (a, b) = (edge(j), edge(j + 1));
-                let [m0, m1, m2] = [0, 1, 2].map(|k| moment(k, a, b) / total);
-                let x = (b * m1 - m2) / (b * m0 - m1);
-                let inner = (b * m0 - m1) / (b - x);
-                [Layer { distance: x, share: inner }, Layer { distance: b, share: m0 - inner }]
-            })
-            .collect()
+        let mut layers = Vec::with_capacity(2 * bands);
+        for j in 0..bands {
+            let (a, b) = (edge(j), edge(j + 1));
+            let [m0, m1, m2] = [0, 1, 2].map(|k| moment(k, a, b) / total);
+            let x = (b * m1 - m2) / (b * m0 - m1);
+            let inner = (b * m0 - m1) / (b - x);
+            layers.push(Layer { distance: x, share: inner });
+            layers.push(Layer { distance: b, share: m0 - inner });
+        }
+        layers
     }
 
     /// An antiderivative of `ρ^power p(ρ)` at `rho`, for powers 0 to 3.
