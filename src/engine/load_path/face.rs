@@ -79,11 +79,11 @@ impl<T: Face> Face for LegGoal<T> {
     type Inside = LegGoal<T::Inside>;
     const SAME: bool = T::SAME;
 
-    fn widen(self) -> Self::Inside {
+    fn widen(&self) -> Self::Inside {
         match self {
             Self::Stay => LegGoal::Stay,
-            Self::By(change) => LegGoal::By(change.enter()),
-            Self::To(goal) => LegGoal::To(goal.enter()),
+            Self::By(change) => LegGoal::By(change.entered()),
+            Self::To(goal) => LegGoal::To(goal.entered()),
         }
     }
 

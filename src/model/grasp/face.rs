@@ -30,7 +30,7 @@ pub(crate) trait Face: Sized + Clone + 'static {
     const SAME: bool;
 
     /// The value of the plane with three components a vector.
-    fn widen(self) -> Self::Inside;
+    fn widen(&self) -> Self::Inside;
 
     /// The value of the plane without third components.
     fn narrow(inside: Self::Inside) -> Self;
@@ -38,6 +38,11 @@ pub(crate) trait Face: Sized + Clone + 'static {
     /// The value as the engine has it.
     fn enter(self) -> Self::Inside {
         if const { Self::SAME } { same(self) } else { self.widen() }
+    }
+
+    /// A copy of the value as the engine has it.
+    fn entered(&self) -> Self::Inside {
+        if const { Self::SAME } { same(self.clone()) } else { self.widen() }
     }
 
     /// The value as the caller sees it; that of space is moved as it is.
@@ -58,13 +63,20 @@ pub(crate) fn inside<T: Face>(value: &T) -> Cow<'_, T::Inside> {
     if const { T::SAME } {
         Cow::Borrowed((value as &dyn Any).downcast_ref::<T::Inside>().expect("both names are of one type"))
     } else {
-        Cow::Owned(value.clone().widen())
+        Cow::Owned(value.widen())
     }
 }
 
 /// The values as the engine has them.
 pub(crate) fn all_inside<T: Face>(values: &[T]) -> Vec<T::Inside> {
-    values.to_vec().enter()
+    if const { T::SAME } {
+        return same(values.to_vec());
+    }
+    let mut all = Vec::with_capacity(values.len());
+    for value in values {
+        all.push(value.widen());
+    }
+    all
 }
 
 /// The value as the caller sees it; that of space is moved as it is.
@@ -79,9 +91,9 @@ macro_rules! face_of_struct {
             type Inside = $name<3 $(, $same)?>;
             const SAME: bool = C == 3;
 
-            fn widen(self) -> Self::Inside {
+            fn widen(&self) -> Self::Inside {
                 let Self { $($(#[$when])? $field),* } = self;
-                $name { $($(#[$when])? $field: crate::grasp::Face::enter($field)),* }
+                $name { $($(#[$when])? $field: crate::grasp::Face::entered($field)),* }
             }
 
             fn narrow(inside: Self::Inside) -> Self {
@@ -100,10 +112,10 @@ macro_rules! face_of_enum {
             type Inside = $name<3 $(, $same)?>;
             const SAME: bool = C == 3;
 
-            fn widen(self) -> Self::Inside {
+            fn widen(&self) -> Self::Inside {
                 match self {
                     $(Self::$variant { $($key: $field),* } =>
-                        $name::$variant { $($key: crate::grasp::Face::enter($field)),* },)*
+                        $name::$variant { $($key: crate::grasp::Face::entered($field)),* },)*
                 }
             }
 
@@ -126,8 +138,8 @@ macro_rules! same_on_both_sides {
             const SAME: bool = true;
 
             #[inline]
-            fn widen(self) -> Self {
-                self
+            fn widen(&self) -> Self {
+                self.clone()
             }
 
             #[inline]
@@ -138,6 +150,11 @@ macro_rules! same_on_both_sides {
             #[inline]
             fn enter(self) -> Self {
                 self
+            }
+
+            #[inline]
+            fn entered(&self) -> Self {
+                self.clone()
             }
 
             #[inline]
@@ -157,12 +174,8 @@ impl<T: Face> Face for Vec<T> {
     type Inside = Vec<T::Inside>;
     const SAME: bool = T::SAME;
 
-    fn widen(self) -> Self::Inside {
-        let mut all = Vec::with_capacity(self.len());
-        for value in self {
-            all.push(value.enter());
-        }
-        all
+    fn widen(&self) -> Self::Inside {
+        all_inside(self)
     }
 
     fn narrow(inside: Self::Inside) -> Self {
@@ -178,8 +191,8 @@ impl<T: Face> Face for Option<T> {
     type Inside = Option<T::Inside>;
     const SAME: bool = T::SAME;
 
-    fn widen(self) -> Self::Inside {
-        self.map(T::enter)
+    fn widen(&self) -> Self::Inside {
+        self.as_ref().map(T::entered)
     }
 
     fn narrow(inside: Self::Inside) -> Self {
@@ -191,10 +204,10 @@ impl<T: Face> Face for BTreeMap<String, T> {
     type Inside = BTreeMap<String, T::Inside>;
     const SAME: bool = T::SAME;
 
-    fn widen(self) -> Self::Inside {
+    fn widen(&self) -> Self::Inside {
         let mut all = BTreeMap::new();
         for (key, value) in self {
-            all.insert(key, value.enter());
+            all.insert(key.clone(), value.entered());
         }
         all
     }
@@ -212,8 +225,8 @@ impl<T: Face> Face for Box<T> {
     type Inside = Box<T::Inside>;
     const SAME: bool = T::SAME;
 
-    fn widen(self) -> Self::Inside {
-        Box::new((*self).enter())
+    fn widen(&self) -> Self::Inside {
+        Box::new(T::entered(self))
     }
 
     fn narrow(inside: Self::Inside) -> Self {
@@ -225,8 +238,8 @@ impl<A: Face, B: Face> Face for (A, B) {
     type Inside = (A::Inside, B::Inside);
     const SAME: bool = A::SAME && B::SAME;
 
-    fn widen(self) -> Self::Inside {
-        (self.0.enter(), self.1.enter())
+    fn widen(&self) -> Self::Inside {
+        (self.0.entered(), self.1.entered())
     }
 
     fn narrow(inside: Self::Inside) -> Self {
@@ -238,8 +251,12 @@ impl<T: Face> Face for Harmonic<T> {
     type Inside = Harmonic<T::Inside>;
     const SAME: bool = T::SAME;
 
-    fn widen(self) -> Self::Inside {
-        Harmonic { constant: self.constant.enter(), cosine: self.cosine.enter(), sine: self.sine.enter() }
+    fn widen(&self) -> Self::Inside {
+        Harmonic {
+            constant: self.constant.entered(),
+            cosine: self.cosine.entered(),
+            sine: self.sine.entered(),
+        }
     }
 
     fn narrow(inside: Self::Inside) -> Self {
@@ -253,7 +270,7 @@ impl<const C: usize> Face for SVector<f64, C> {
     const SAME: bool = C == 3;
 
     #[inline]
-    fn widen(self) -> SVector<f64, 3> {
+    fn widen(&self) -> SVector<f64, 3> {
         SVector::from_fn(|a, _| if a < C { self[a] } else { 0.0 })
     }
 
@@ -272,8 +289,8 @@ impl<const C: usize> Face for [f64; C] {
     type Inside = [f64; 3];
     const SAME: bool = C == 3;
 
-    fn widen(self) -> [f64; 3] {
-        SVector::from(self).enter().into()
+    fn widen(&self) -> [f64; 3] {
+        SVector::from(*self).widen().into()
     }
 
     fn narrow(inside: [f64; 3]) -> Self {
@@ -289,7 +306,7 @@ macro_rules! face_of_six {
             const SAME: bool = C == 3;
 
             #[inline]
-            fn widen(self) -> $name<3> {
+            fn widen(&self) -> $name<3> {
                 let space = Space::of::<C>();
                 $name::among(space, &self.coordinates(space))
             }
@@ -324,7 +341,7 @@ impl<const C: usize> Face for Stiffness<C> {
     type Inside = Stiffness<3>;
     const SAME: bool = C == 3;
 
-    fn widen(self) -> Stiffness<3> {
+    fn widen(&self) -> Stiffness<3> {
         let filled = |k: &SVector<f64, C>| SVector::from_fn(|a, _| k[a.min(C - 1)]);
         match self {
             Self::BodyAndFinger { body, finger } => {

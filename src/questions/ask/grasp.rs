@@ -66,8 +66,8 @@ impl<const C: usize> Face for Grasp<C> {
     type Inside = Grasp<3>;
     const SAME: bool = C == 3;
 
-    fn widen(self) -> Grasp<3> {
-        Grasp { engine: self.engine, settings: self.settings, door: Once::new() }
+    fn widen(&self) -> Grasp<3> {
+        Grasp { engine: Arc::clone(&self.engine), settings: self.settings, door: Once::new() }
     }
 
     fn narrow(inside: Grasp<3>) -> Self {

@@ -18,8 +18,8 @@ impl<const C: usize> Face for Surface<C> {
     type Inside = Surface<3>;
     const SAME: bool = C == 3;
 
-    fn widen(self) -> Surface<3> {
-        Surface(self.0)
+    fn widen(&self) -> Surface<3> {
+        Surface(self.0.clone())
     }
 
     fn narrow(inside: Surface<3>) -> Self {

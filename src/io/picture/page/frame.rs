@@ -57,7 +57,7 @@ impl Frame<2> {
     /// What tables show of the answer, with three components a vector.
     pub(super) fn widened(&self) -> Frame<3> {
         let shown = match &self.shown {
-            Ok(state) => Ok(Box::new(state.as_ref().clone().enter())),
+            Ok(state) => Ok(state.entered()),
             Err(why) => Err(why.clone()),
         };
         let mut frame = Frame::new(self.label.clone(), shown);

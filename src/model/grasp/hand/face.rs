@@ -21,13 +21,13 @@ impl<const C: usize> Face for JointMotion<C> {
     type Inside = JointMotion<3>;
     const SAME: bool = C == 3;
 
-    fn widen(self) -> JointMotion<3> {
+    fn widen(&self) -> JointMotion<3> {
         match self {
             Self::Revolute { point, .. } => {
                 // A joint of the plane has no axis of its own.
-                JointMotion::Revolute { point: point.enter(), axis: SVector::from([0.0, 0.0, 1.0]) }
+                JointMotion::Revolute { point: point.entered(), axis: SVector::from([0.0, 0.0, 1.0]) }
             }
-            Self::Prismatic { direction } => JointMotion::Prismatic { direction: direction.enter() },
+            Self::Prismatic { direction } => JointMotion::Prismatic { direction: direction.entered() },
             Self::Given => JointMotion::Given,
         }
     }
