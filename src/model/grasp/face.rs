@@ -345,9 +345,9 @@ impl<const C: usize> Face for Stiffness<C> {
         let filled = |k: &SVector<f64, C>| SVector::from_fn(|a, _| k[a.min(C - 1)]);
         match self {
             Self::BodyAndFinger { body, finger } => {
-                Stiffness::BodyAndFinger { body: filled(&body), finger: filled(&finger) }
+                Stiffness::BodyAndFinger { body: filled(body), finger: filled(finger) }
             }
-            Self::Series(k) => Stiffness::Series(filled(&k)),
+            Self::Series(k) => Stiffness::Series(filled(k)),
         }
     }
 
