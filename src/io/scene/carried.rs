@@ -31,7 +31,7 @@ pub(super) struct WrittenMass<'w> {
 }
 
 impl WrittenMass<'_> {
-    /// [`Self::load`] of a space, with components as inside the engine.
+    /// The load in the plane or in space; `None` if it has no mass.
     pub(super) fn load_in(&self, space: Space) -> Result<Option<Wrench<3>>, String> {
         let Some(mass) = self.mass else {
             let others = [
