@@ -1,10 +1,9 @@
 //! Malformed input, and only that: "no equilibrium exists" is an answer (see [`crate::equilibrium::Outcome`]), not an error.
 
-use alloc::sync::Arc;
 use core::fmt;
 
 use crate::prelude::*;
-use crate::words::{LinkKind, printable};
+pub use crate::words::ContactLabel;
 
 /// Larger numbers are refused: squares of products of three of them would overflow, and a size that overflows makes every
 /// violation look small. No unit of length or force brings a real grasp near this.
@@ -306,52 +305,6 @@ pub enum Error {
         /// The limit in force.
         most: usize,
     },
-}
-
-/// A contact as messages and answers name it: by its number and, where the user gave one, by its name.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct ContactLabel {
-    /// Position in the list of contacts, from 0: of the grasp, or of the scene in the answer to a scene. Written as `contact`.
-    #[cfg_attr(feature = "serde", serde(rename = "contact"))]
-    pub index: usize,
-    /// Number of the point in its soft fingertip, from 0, in the answer to a scene; `None`, and omitted, for a contact that is a point itself.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub point: Option<usize>,
-    /// The user's name for it; omitted if it has none.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub name: Option<Arc<str>>,
-    /// Kind of the link between bodies that it belongs to; omitted for a contact.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub link: Option<LinkKind>,
-}
-
-impl ContactLabel {
-    /// Name of the contact in tables and pictures: its own, safe to print, or "contact" and its number, and the point of a soft fingertip.
-    #[must_use]
-    pub fn text(&self) -> String {
-        let name = self.name.as_deref().map(|name| printable(name).into_owned());
-        let name = name.unwrap_or_else(|| format!("contact {}", self.index));
-        self.point.map_or(name.clone(), |point| format!("{name}, point {point}"))
-    }
-}
-
-impl ContactLabel {
-    /// The soft fingertip that a point belongs to; a contact that is a point itself stays.
-    #[must_use]
-    pub fn whole(&self) -> Self {
-        Self { point: None, ..self.clone() }
-    }
-}
-
-impl fmt::Display for ContactLabel {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.name {
-            Some(name) => write!(f, "{} ({})", self.index, printable(name)),
-            None => write!(f, "{}", self.index),
-        }
-    }
 }
 
 /// The data of a contact, as error messages name them.

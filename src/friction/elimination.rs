@@ -6,32 +6,46 @@
 use super::blocks::{Blocks, ContactBlock};
 use super::problem::part;
 use crate::prelude::*;
-use alloc::collections::BTreeSet;
+use alloc::collections::BinaryHeap;
+use core::cmp::Reverse;
 use nalgebra::DVector;
 
 /// The order in which contacts are eliminated: each time one with the fewest remaining neighbours (minimum degree).
 pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
-    let n = blocks.len();
-    let mut near: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); n];
-    for i in 0..n {
+    let mut near: Vec<Vec<usize>> = vec![Vec::new(); blocks.len()];
+    for i in 0..blocks.len() {
         for (j, _) in blocks.others(i) {
-            near[i].insert(*j);
-            near[*j].insert(i);
+            near[i].push(*j);
+            near[*j].push(i);
         }
     }
-    let mut waiting: BTreeSet<(usize, usize)> = BTreeSet::new();
-    for (i, near) in near.iter().enumerate() {
-        waiting.insert((near.len(), i));
+    by_degree(near)
+}
+
+/// [`order`] from the neighbours of each contact.
+fn by_degree(mut near: Vec<Vec<usize>>) -> Vec<usize> {
+    // The numbers of neighbours that a contact has had; only its last one counts.
+    let mut waiting = BinaryHeap::new();
+    for (i, near) in near.iter_mut().enumerate() {
+        near.sort_unstable();
+        near.dedup();
+        waiting.push(Reverse((near.len(), i)));
     }
-    let mut order = Vec::with_capacity(n);
-    while let Some((_, i)) = waiting.pop_first() {
+    let mut is_eliminated = vec![false; near.len()];
+    let mut order = Vec::with_capacity(near.len());
+    while let Some(Reverse((degree, i))) = waiting.pop() {
+        if is_eliminated[i] || near[i].len() != degree {
+            continue;
+        }
+        is_eliminated[i] = true;
         order.push(i);
         let around = core::mem::take(&mut near[i]);
         for j in &around {
-            waiting.remove(&(near[*j].len(), *j));
-            near[*j].remove(&i);
-            near[*j].extend(around.iter().filter(|k| *k != j));
-            waiting.insert((near[*j].len(), *j));
+            near[*j].extend_from_slice(&around);
+            near[*j].sort_unstable();
+            near[*j].dedup();
+            near[*j].retain(|k| *k != i && k != j);
+            waiting.push(Reverse((near[*j].len(), *j)));
         }
     }
     order

@@ -7,6 +7,8 @@
 
 use core::ops::Range;
 
+use super::increasing::increasing;
+use super::mapped::mapped;
 use crate::prelude::*;
 
 /// The number of each of `count` coordinates in the order; a coupling connects all coordinates of its ranges.
@@ -33,11 +35,17 @@ pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec
 
 /// The largest distance in the order between two coordinates of one coupling.
 pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usize {
-    let width = |ranges: &[Range<usize>; 2]| {
-        let all = || ranges.iter().flat_map(|range| &numbers[range.clone()]);
-        all().max().zip(all().min()).map_or(0, |(most, least)| most - least)
-    };
-    couplings.iter().map(width).max().unwrap_or(0)
+    let mut widest = 0;
+    for ranges in couplings {
+        let (mut least, mut most) = (usize::MAX, 0);
+        for range in ranges {
+            for number in &numbers[range.clone()] {
+                (least, most) = (least.min(*number), most.max(*number));
+            }
+        }
+        widest = widest.max(most.saturating_sub(least));
+    }
+    widest
 }
 
 /// The first coordinate of each node, followed by their total number, and the neighbours of each node.
@@ -102,7 +110,10 @@ fn outwards(neighbours: &[Vec<usize>], from: usize, seen: &mut [bool]) -> Vec<Ve
                     next.push(*other);
                 }
             }
-            next[begin..].sort_by_key(|other| neighbours[*other].len());
+            let last = next.split_off(begin);
+            for k in increasing(&mapped(&last, &|other| neighbours[*other].len() as f64)) {
+                next.push(last[k]);
+            }
         }
         if next.is_empty() {
             break;

@@ -15,12 +15,14 @@
 //! assert_eq!(printable("left\u{1b}[2J\n"), "left\\u{1b}[2J\\n");
 //! ```
 
+mod contact_label;
 mod link_kind;
 mod names;
 mod numbers;
 mod tolerances;
 mod unit;
 
+pub use contact_label::ContactLabel;
 pub use link_kind::LinkKind;
 pub(crate) use link_kind::{open, opens};
 pub(crate) use names::listed;

@@ -6,21 +6,26 @@ use nalgebra::SVector;
 
 use super::tolerances::ALIKE_IN_WORDS;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{dot, mapped};
+use crate::numerics::{Space, dot, mapped};
 use crate::prelude::*;
 
 /// Default number of significant digits.
 const DEFAULT_DIGITS: usize = 6;
 
+/// Added to the precision of a formatter that writes an answer of the plane with three components a vector; far beyond every number of digits.
+const IN_THE_PLANE: usize = 1 << 14;
+
 /// The form of numbers: significant digits, without trailing zeros, and without a minus before zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Words {
     digits: usize,
+    /// The space of values with three components a vector.
+    space: Space,
 }
 
 impl Default for Words {
     fn default() -> Self {
-        Self { digits: DEFAULT_DIGITS }
+        Self { digits: DEFAULT_DIGITS, space: Space::Spatial }
     }
 }
 
@@ -29,12 +34,34 @@ impl Words {
     #[must_use]
     pub fn with_digits(digits: usize) -> Self {
         // A double has no more than 17 digits.
-        Self { digits: digits.clamp(1, 17) }
+        Self { digits: digits.clamp(1, 17), ..Self::default() }
     }
 
-    /// Numbers with the precision of a formatter as significant digits.
+    /// Numbers with the precision of a formatter as significant digits, of the space that its [`Self::precision`] says.
     pub(crate) fn of(f: &fmt::Formatter<'_>) -> Self {
-        f.precision().map_or_else(Self::default, Self::with_digits)
+        match f.precision() {
+            None => Self::default(),
+            Some(planar) if planar >= IN_THE_PLANE => {
+                Self::with_digits(planar - IN_THE_PLANE).in_space(Space::Planar)
+            }
+            Some(digits) => Self::with_digits(digits),
+        }
+    }
+
+    /// The same words for values of this space.
+    #[must_use]
+    pub(crate) fn in_space(self, space: Space) -> Self {
+        Self { space, ..self }
+    }
+
+    /// The space of values with `C` axes.
+    pub(crate) fn space<const C: usize>(self) -> Space {
+        if C == 2 { Space::Planar } else { self.space }
+    }
+
+    /// The precision for formatting a part of an answer: the digits, and the space.
+    pub(crate) fn precision(self) -> usize {
+        self.digits + if self.space == Space::Planar { IN_THE_PLANE } else { 0 }
     }
 
     /// Number of significant digits; also the precision for formatting a part of an answer.
@@ -99,10 +126,15 @@ impl Words {
         format!("{}°", self.number(radians.to_degrees()))
     }
 
+    /// The components of a vector in brackets.
+    pub(crate) fn vector<const C: usize>(self, vector: &SVector<f64, C>) -> String {
+        self.numbers(&vector.as_slice()[..self.space::<C>().axes()])
+    }
+
     /// A direction: "−z", or the components.
     #[must_use]
     pub fn along<const C: usize>(self, direction: &SVector<f64, C>) -> String {
-        self.along_axes(direction.as_slice())
+        self.along_axes(&direction.as_slice()[..self.space::<C>().axes()])
     }
 
     fn along_axes(self, direction: &[f64]) -> String {

@@ -8,9 +8,10 @@ use clap_complete::Shell;
 use grasp_lcp::words::Unit;
 
 use crate::identifies::Identifies;
+pub(crate) use crate::load_arguments::LoadArguments;
 use crate::map::Unsure;
 use crate::new::{FIELDS_HELP, Template};
-pub(crate) use crate::numbers::{BodyPush, Numbers};
+pub(crate) use crate::numbers::Numbers;
 use crate::numbers::{count, kilograms, newtons, percent, times, unit};
 use crate::shakes::Shakes;
 
@@ -366,45 +367,6 @@ pub(crate) enum SoughtQuantity {
     Angle,
     /// The least load of a body, lever or screw, or command of one contact or cable.
     Force,
-}
-
-/// A load that replaces those of the scene.
-#[derive(Debug, Clone, Args)]
-pub(crate) struct LoadArguments {
-    /// The force, N: components separated by commas. Without force and moment, the scene's own questions are asked.
-    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
-    pub(crate) force: Option<Numbers>,
-    /// The moment, N m: one number in the plane, three in space.
-    #[arg(long, allow_hyphen_values = true, value_name = "M")]
-    pub(crate) moment: Option<Numbers>,
-    /// The point where force and weight act, m; the origin if left out.
-    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
-    pub(crate) at: Option<Numbers>,
-    /// With several bodies: a force on one of them that grows with the load, and its point; give one for each body.
-    #[arg(long, allow_hyphen_values = true, value_name = "BODY=X,Y[,Z][@X,Y[,Z]]")]
-    pub(crate) together_with: Vec<BodyPush>,
-    /// A mass, kg, whose weight is added to the load.
-    #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG")]
-    pub(crate) mass: Option<f64>,
-    /// The acceleration of gravity, m/s²; 9.81 down along the last axis if left out.
-    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
-    pub(crate) gravity: Option<Numbers>,
-    /// The acceleration of the arm, m/s²; the inertia of the mass is added to the load. Without --mass, the scene's bodies under gravity count.
-    /// For `need`, one number is the size of accelerations to and fro along every axis in turn, beside the weight.
-    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
-    pub(crate) acceleration: Option<Numbers>,
-    /// A point on the axis about which the arm turns, m; the origin if left out.
-    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
-    pub(crate) about: Option<Numbers>,
-    /// The angular velocity of the arm, degrees/s: one number in the plane, three along the axis in space.
-    #[arg(long, allow_hyphen_values = true, value_name = "W", requires = "mass")]
-    pub(crate) angular_velocity: Option<Numbers>,
-    /// The angular acceleration of the arm, degrees/s²: as many numbers.
-    #[arg(long, allow_hyphen_values = true, value_name = "A", requires = "mass")]
-    pub(crate) angular_acceleration: Option<Numbers>,
-    /// The moment of inertia about the centre of mass, kg m²: one number in the plane; three in space, about axes along the coordinates.
-    #[arg(long, allow_hyphen_values = true, value_name = "I", requires = "mass")]
-    pub(crate) inertia: Option<Numbers>,
 }
 
 /// The place and the names of pictures.

@@ -15,6 +15,7 @@ mod followed;
 mod grip;
 mod identifies;
 mod in_units;
+mod load_arguments;
 mod loads;
 mod map;
 mod needs;

@@ -15,7 +15,7 @@ use crate::words::Words;
 
 impl<const C: usize> fmt::Display for Outcome<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let digits = Words::of(f).digits();
+        let digits = Words::of(f).precision();
         match self {
             Self::Equilibrium(state) => write!(f, "equilibrium: {state:.digits$}"),
             Self::NoEquilibrium(none) => write!(f, "no equilibrium exists: {none:.digits$}"),
@@ -38,7 +38,7 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
         if let Some(gone) = self.vacuum_gone() {
             write!(f, "; {gone}")?;
         }
-        let digits = words.digits();
+        let digits = words.precision();
         for told in self.whole_contacts() {
             match told.carries(words, self.largest_force()) {
                 Some(carries) => write!(f, "\n  {} {carries}", told.text())?,
@@ -54,7 +54,7 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
 impl<const C: usize> fmt::Display for WholeAnswer<'_, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
-        let force = words.numbers(self.force().as_slice());
+        let force = words.vector(&self.force());
         write!(f, "{}: {}, force {force} N", self.text(), self.doing())?;
         if let Self::Pad(pad) = self {
             write!(f, ", moment {} N m", pad.moment_text(words))?;

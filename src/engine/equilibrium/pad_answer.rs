@@ -75,9 +75,9 @@ impl<const C: usize> PadAnswer<C> {
     }
 
     pub(crate) fn moment_text(&self, words: Words) -> String {
-        match self.moment() {
-            [moment] => words.number(*moment),
-            moment => words.numbers(moment),
+        match words.space::<C>() {
+            Space::Planar => words.number(self.moment()[self.moment().len() - 1]),
+            Space::Spatial => words.numbers(self.moment()),
         }
     }
 }

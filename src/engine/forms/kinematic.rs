@@ -8,9 +8,6 @@
 //!
 //! For many coordinates `Q Qᵀ = K^{1/2}Gᵀ (G K Gᵀ)⁻¹ G K^{1/2}` is applied to one column after the other, with sums over the entries of a row.
 
-use alloc::collections::BTreeMap;
-use alloc::collections::btree_map::Entry;
-
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::rows::{Form, Row};
@@ -82,7 +79,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
 
 /// Motions of the coordinates by jumps along the columns of the kinematic form computed so far, by contact.
 #[derive(Debug, Default)]
-pub(crate) struct Moved(BTreeMap<usize, Vec<Vec<f64>>>);
+pub(crate) struct Moved(Vec<Option<Vec<Vec<f64>>>>);
 
 /// The kinematic form of a few contacts among many coordinates, with all others in the trial state.
 pub(crate) fn kinematic_form_among(
@@ -95,7 +92,10 @@ pub(crate) fn kinematic_form_among(
     let (rows, jumps) = jumps(problem, contacts);
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let contact = of_contact[0].contact;
-        if let Entry::Vacant(place) = known.entry(contact) {
+        if known.len() <= contact {
+            known.resize(contact + 1, None);
+        }
+        if known[contact].is_none() {
             let mut moved: Vec<Vec<f64>> = Vec::with_capacity(of_contact.len());
             for (k, jump) in of_contact.iter().enumerate() {
                 // Facets come in pairs of opposite directions.
@@ -105,12 +105,12 @@ pub(crate) fn kinematic_form_among(
                     None => trial.moved_by(contact, &jump.column)?,
                 });
             }
-            place.insert(moved);
+            known[contact] = Some(moved);
         }
     }
     let mut moved = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
-        moved.extend(&known[&of_contact[0].contact]);
+        moved.extend(known[of_contact[0].contact].iter().flatten());
     }
     form(problem, state, rows, &jumps, &|i, j| trial.felt(jumps[i].contact, &jumps[i].row, moved[j]))
 }

@@ -11,7 +11,7 @@ use crate::words::{Words, opens};
 
 impl<const C: usize> fmt::Display for Onset<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
         match self {
             Self::At(event) => event.fmt(f),
             Self::Never => f.write_str("never: everything keeps sticking however far the load goes"),
@@ -101,7 +101,7 @@ impl fmt::Display for DriveChange {
 
 impl<const C: usize> fmt::Display for PathEnd<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
         match self {
             Self::Completed => f.write_str("all legs are held to their end"),
             Self::Lost(loss) => loss.fmt(f),
@@ -116,7 +116,7 @@ impl<const C: usize> fmt::Display for PathEnd<C> {
 /// The answer in words: "no equilibrium; it is the limit load".
 impl<const C: usize> fmt::Display for Beyond<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let digits = Words::of(f).digits();
+        let digits = Words::of(f).precision();
         match self {
             Self::Continues(_) => f.write_str("the grasp holds on"),
             Self::LimitLoad => f.write_str("no equilibrium; it is the limit load"),

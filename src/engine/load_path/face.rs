@@ -77,16 +77,17 @@ face_of_enum! {
 
 impl<T: Face> Face for LegGoal<T> {
     type Inside = LegGoal<T::Inside>;
+    const SAME: bool = T::SAME;
 
-    fn enter(self) -> Self::Inside {
+    fn widen(&self) -> Self::Inside {
         match self {
             Self::Stay => LegGoal::Stay,
-            Self::By(change) => LegGoal::By(change.enter()),
-            Self::To(goal) => LegGoal::To(goal.enter()),
+            Self::By(change) => LegGoal::By(change.entered()),
+            Self::To(goal) => LegGoal::To(goal.entered()),
         }
     }
 
-    fn leave(inside: Self::Inside) -> Self {
+    fn narrow(inside: Self::Inside) -> Self {
         match inside {
             LegGoal::Stay => Self::Stay,
             LegGoal::By(change) => Self::By(T::leave(change)),

@@ -8,8 +8,8 @@ use nalgebra::SVector;
 use super::event::ContactChange;
 use crate::equilibrium::Equilibrium;
 use crate::error::ContactLabel;
-use crate::grasp::BodyMotion;
-use crate::numerics::{largest, mapped};
+use crate::grasp::{BodyMotion, all_inside};
+use crate::numerics::{largest, mapped, picked};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -69,10 +69,11 @@ impl<const C: usize> fmt::Display for Jump<C> {
         if !self.reaches.is_empty() {
             let mut reached: Vec<_> = mapped(&self.reaches, &|contact| contact.whole().text());
             reached.dedup();
-            let farthest = largest(&self.moved, &BodyMotion::speed);
+            let (moved, words) = (all_inside(&self.moved), words.in_space(words.space::<C>()));
+            let farthest = largest(&moved, &BodyMotion::speed);
             // A body that moves by less than this part of the largest motion is not named in the sentence.
-            let moved = self.moved.iter().filter(|body| body.speed() > 1e-6 * farthest);
-            let moved: Vec<_> = moved.map(|body| words.body_motion(body)).collect();
+            let moved =
+                picked(&moved, &|body| (body.speed() > 1e-6 * farthest).then(|| words.body_motion(body)));
             return write!(f, "{} to {}", listed(&moved), listed(&reached));
         }
         let mut told: Vec<(ContactLabel, f64)> = Vec::new();

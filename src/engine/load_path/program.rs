@@ -11,7 +11,7 @@ use super::trajectory::Trajectory;
 use super::turn::inside;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Vector, mapped};
+use crate::numerics::{Vector, largest, mapped, paired};
 use crate::prelude::*;
 
 /// A load program in progress.
@@ -94,34 +94,32 @@ impl Program {
         let mut gone = self.clone();
         let (load, [commands, _], [joints, _]) =
             (self.course.at(0.0), self.commands.clone(), self.joints.clone());
-        let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(0.0, f64::max);
-        let size = |load: &Wrench<3>| largest(&mut load.components().iter().map(|x| x.abs()));
-        let on_bodies = |bodies: &BodyLoads, end: usize| largest(&mut bodies.at_end(end).iter().map(size));
+        let largest_of = |numbers: &[f64]| largest(numbers, &|x| x.abs());
+        let size = |load: &Wrench<3>| largest_of(load.components());
+        let on_bodies = |bodies: &BodyLoads, end: usize| largest(bodies.at_end(end), &size);
         let mut most = [
             size(&load),
-            largest(&mut commands.iter().map(Matrix::amax)),
-            largest(&mut joints.iter().map(|x| x.abs())),
+            largest(&commands, &Matrix::amax),
+            largest_of(&joints),
             on_bodies(&self.bodies, 0),
-            largest(&mut self.held.iter().map(|x| x.abs())),
+            largest_of(&self.held),
         ];
         let mut goes = gone.goes();
         while goes {
             most[0] = most[0].max(size(&gone.goal)).max(size(&gone.course.at(0.5)));
-            most[1] = most[1].max(largest(&mut gone.commands[1].iter().map(Matrix::amax)));
-            most[2] = most[2].max(largest(&mut gone.joints[1].iter().map(|x| x.abs())));
+            most[1] = most[1].max(largest(&gone.commands[1], &Matrix::amax));
+            most[2] = most[2].max(largest_of(&gone.joints[1]));
             most[3] = most[3].max(on_bodies(&gone.bodies, 1));
-            most[4] = most[4].max(largest(&mut gone.torques.at_end(1).iter().map(|x| x.abs())));
+            most[4] = most[4].max(largest_of(gone.torques.at_end(1)));
             goes = gone.next_leg();
         }
         let off = [
             size(&(gone.goal - load)),
-            largest(&mut gone.commands[1].iter().zip(&commands).map(|(end, start)| (end - start).amax())),
-            largest(&mut gone.joints[1].iter().zip(&joints).map(|(end, start)| (end - start).abs())),
+            largest_of(&paired(&gone.commands[1], &commands, &|(end, start)| (end - start).amax())),
+            largest_of(&paired(&gone.joints[1], &joints, &|(end, start)| end - start)),
             // A cycle begins without them.
             on_bodies(&gone.bodies, 1),
-            largest(
-                &mut gone.torques.at_end(1).iter().zip(&self.held).map(|(end, start)| (end - start).abs()),
-            ),
+            largest_of(&paired(gone.torques.at_end(1), &self.held, &|(end, start)| end - start)),
         ];
         let what =
             ["load", "commands of contacts", "commands of joints", "load of a body", "torques of joints"];

@@ -50,7 +50,7 @@ pub enum PadChange<const C: usize> {
 impl<const C: usize> fmt::Display for PadChange<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Point(change) => return write!(f, "{change:.*}", Words::of(f).digits()),
+            Self::Point(change) => return write!(f, "{change:.*}", Words::of(f).precision()),
             Self::BeginsToSlide => "begins to slide",
             Self::SlidesEverywhere => "slides everywhere",
             Self::SticksInPart => "sticks in part",
@@ -72,7 +72,7 @@ impl<const C: usize> fmt::Display for WholeChange<C> {
         match (self.contact.link, self.what) {
             (link @ Some(_), PadChange::Point(Change::Opens)) => write!(f, "{name} {}", opens(link)),
             (Some(_), PadChange::Point(Change::Closes)) => write!(f, "{name} pulls tight"),
-            (_, what) => write!(f, "{name} {what:.*}", Words::of(f).digits()),
+            (_, what) => write!(f, "{name} {what:.*}", Words::of(f).precision()),
         }
     }
 }
@@ -81,7 +81,12 @@ impl<const C: usize> WholeChange<C> {
     /// What the contact does, without the direction of a slip: "slides", "begins to open".
     #[must_use]
     pub fn verb(&self) -> String {
-        let said = self.to_string();
+        self.verb_in(Words::default())
+    }
+
+    /// [`Self::verb`] in the words of a space.
+    pub(crate) fn verb_in(&self, words: Words) -> String {
+        let said = format!("{self:.*}", words.precision());
         match self.what {
             PadChange::Point(Change::Slides { .. }) => "slides".to_owned(),
             PadChange::Point(Change::ClosesSliding { .. }) => "closes and slides".to_owned(),
@@ -103,7 +108,7 @@ impl<const C: usize> Event<C> {
 /// "leg 0 at 0.5, (0, -4) N: left begins to slide".
 impl<const C: usize> fmt::Display for Event<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
         let (fraction, load) = (words.number(self.fraction), words.load(&self.load));
         write!(f, "leg {} at {fraction}, {load}:", self.leg)?;
         let contacts = self.whole_changes().into_iter().map(|change| format!(" {change:.digits$}"));

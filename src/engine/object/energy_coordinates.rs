@@ -209,11 +209,26 @@ pub(crate) fn normal() -> SVector<f64, 3> {
     SVector::from_fn(|axis, _| if axis == 0 { 1.0 } else { 0.0 })
 }
 
-/// The rows of K^{1/2}Gᵀ, spring by spring.
-pub(crate) fn spring_rows(sites: &[Site]) -> impl Iterator<Item = Vector> {
-    sites.iter().flat_map(|site| {
-        (0..site.springs.axes()).map(|axis| site.map.column(axis) * site.springs.root_along(axis))
-    })
+/// The rows `K^{1/2}Gᵀ` of all springs in turn, in reused memory. Returns whether they were there already.
+pub(crate) fn spring_rows(sites: &[Site], rows: &mut Vec<Vector>) -> bool {
+    let (mut count, mut same) = (0, true);
+    for site in sites {
+        for axis in 0..site.springs.axes() {
+            let row = site.map.column(axis) * site.springs.root_along(axis);
+            match rows.get_mut(count) {
+                Some(known) if *known == row => {}
+                Some(known) => (*known, same) = (row, false),
+                None => {
+                    rows.push(row);
+                    same = false;
+                }
+            }
+            count += 1;
+        }
+    }
+    same &= rows.len() == count;
+    rows.truncate(count);
+    same
 }
 
 /// K^{1/2}v for these stretches of the contacts, spring by spring, in reused memory.

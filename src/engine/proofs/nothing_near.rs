@@ -17,7 +17,7 @@
 
 use crate::contact::Resistance;
 use crate::grasp::Space;
-use crate::numerics::{Vector, unit};
+use crate::numerics::{Vector, increasing, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -57,9 +57,9 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     if left <= 0.0 {
         return None;
     }
-    openings.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (mut rho, mut growth) = (0.0, reach(problem.space(), &slope));
-    for (from, faster) in openings {
+    for next in increasing(&mapped(&openings, &|(from, _)| *from)) {
+        let (from, faster) = openings[next];
         if growth * (from - rho) >= left {
             break;
         }

@@ -130,7 +130,11 @@ fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
         for motion in &loose {
             let moved = |i: usize| {
                 let moved = problem.sites[i].map.tr_mul(motion);
-                if states[i].is_open() { moved.norm() } else { moved.rows(1, 2).norm() }
+                if states[i].is_open() {
+                    moved.norm()
+                } else {
+                    (moved[1] * moved[1] + moved[2] * moved[2]).sqrt()
+                }
             };
             let may_stick = |i: &usize| !states[*i].is_sticking() && !problem.local(*i).is_absent();
             let most = (0..states.len()).filter(may_stick).max_by(|a, b| moved(*a).total_cmp(&moved(*b)))?;

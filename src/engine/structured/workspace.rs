@@ -183,11 +183,7 @@ impl Workspace {
     /// Computes the trial state in which every contact sticks; `false` if no contact resists the load.
     fn stick(&mut self, problem: &Problem) -> bool {
         let sites = problem.sites;
-        let mut known = self.springs.iter();
-        let same = spring_rows(sites).all(|row| known.next() == Some(&row)) && known.next().is_none();
-        if !same {
-            self.springs.clear();
-            self.springs.extend(spring_rows(sites));
+        if !spring_rows(sites, &mut self.springs) {
             self.factor.assign(problem.size(), &self.springs);
             self.factor.null_space_into(&mut self.free);
         }

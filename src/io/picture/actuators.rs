@@ -9,21 +9,24 @@ use crate::numerics::{indexed, numbered};
 
 /// Names of joints and tendons, and the centres of the joints.
 #[derive(Debug, Clone)]
-pub(super) struct Actuators<const C: usize> {
-    pub(super) joints: Vec<(String, Option<SVector<f64, C>>)>,
+pub(super) struct Actuators {
+    pub(super) joints: Vec<(String, Option<SVector<f64, 3>>)>,
     tendons: Vec<String>,
 }
 
-impl<const C: usize> Actuators<C> {
-    pub(super) fn of(grasp: &Grasp<C>) -> Self {
-        let joint = |(j, at): (usize, &Option<SVector<f64, C>>)| (grasp.label_of(HandPart::Joint(j)), *at);
+impl Actuators {
+    pub(super) fn of(grasp: &Grasp<3>) -> Self {
+        let joint = |(j, at): (usize, &Option<SVector<f64, 3>>)| (grasp.label_of(HandPart::Joint(j)), *at);
         let joints: Vec<_> = indexed(grasp.joint_centres(), &joint);
         let tendons = grasp.joint_commands().len() - joints.len();
         Self { joints, tendons: numbered(tendons, &|t| grasp.label_of(HandPart::Tendon(t))) }
     }
 
     /// Joints and tendons at their limit; joints with their centres, if these are known.
-    pub(super) fn that_yield(&self, state: &Equilibrium<C>) -> Vec<(&str, Option<SVector<f64, C>>)> {
+    pub(super) fn that_yield<const C: usize>(
+        &self,
+        state: &Equilibrium<C>,
+    ) -> Vec<(&str, Option<SVector<f64, 3>>)> {
         let mut yielding = Vec::new();
         for ((name, at), answer) in self.joints.iter().zip(&state.joints) {
             if answer.state == DriveState::Yields {

@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use super::contact_look::word;
 use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
-use crate::grasp::{Contact, WholeContacts};
+use crate::grasp::{Contact, WholeContacts, face_of_struct};
 use crate::numerics::{indexed, summed};
 use crate::words::{LinkKind, Words};
 
@@ -20,6 +20,7 @@ pub(super) struct ContactGroup {
 }
 
 /// Force and state of a fingertip as a whole.
+#[derive(Clone)]
 pub(super) struct Resultant<const C: usize> {
     /// The point at which the force acts: the centre of pressure, or the middle of the points if none of them presses.
     pub(super) at: SVector<f64, C>,
@@ -31,6 +32,10 @@ pub(super) struct Resultant<const C: usize> {
     pub(super) slides: Option<SVector<f64, C>>,
     /// The state in a word: "sliding" if no point sticks, "separated" if no point touches.
     pub(super) word: &'static str,
+}
+
+face_of_struct! {
+    Resultant { at, force, normal_force, displacement, slides, word }
 }
 
 /// The groups of contacts of a grasp: point contacts, soft fingertips and links.
@@ -80,15 +85,11 @@ impl ContactGroup {
         }
     }
 
-    pub(super) fn resultant<const C: usize>(
-        &self,
-        contacts: &[Contact<C>],
-        state: &Equilibrium<C>,
-    ) -> Resultant<C> {
+    pub(super) fn resultant(&self, contacts: &[Contact<3>], state: &Equilibrium<3>) -> Resultant<3> {
         let answers = &state.contacts[self.contacts.clone()];
         let pressed: f64 = summed(answers, &|answer| answer.normal_force().max(0.0));
         // For a single point the share is exactly one, without rounding.
-        let share = |answer: &ContactAnswer<C>| match pressed > 0.0 {
+        let share = |answer: &ContactAnswer<3>| match pressed > 0.0 {
             _ if answers.len() == 1 => 1.0,
             true if self.link.is_none() => answer.normal_force().max(0.0) / pressed,
             _ => 1.0 / answers.len() as f64,
@@ -101,8 +102,8 @@ impl ContactGroup {
             ContactState::Sliding { direction } => Some(direction * share(answer)),
             _ => None,
         });
-        let along: SVector<f64, C> = along.sum();
-        let force: SVector<f64, C> = answers.iter().map(|answer| answer.force_world).sum();
+        let along: SVector<f64, 3> = along.sum();
+        let force: SVector<f64, 3> = answers.iter().map(|answer| answer.force_world).sum();
         let acts = without_rounding(force.norm(), state) > 0.0;
         let normal_force: f64 = summed(answers, &ContactAnswer::normal_force);
         Resultant {

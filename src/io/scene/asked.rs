@@ -10,11 +10,11 @@ use super::question::Question;
 use super::setup::Setup;
 use crate::ask::{Grasp, check_contact};
 use crate::error::{ContactLabel, Error};
-use crate::grasp::inside;
+use crate::grasp::{inside, outside};
 use crate::identify::{Identify, LAYOUTS_OF_HANDS};
 use crate::improve::Improve;
 use crate::load_path::{self, Leg};
-use crate::numerics::{Space, tried};
+use crate::numerics::tried;
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
@@ -23,13 +23,56 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::answers`].
     pub fn check(&self, question: &Question<C>) -> Result<(), Error> {
+        inside(self).check_question(&inside(question))
+    }
+
+    /// The question for the grasp, with the surfaces of the scene's contacts.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] for a patch that cannot be built.
+    pub fn improve(&self, asked: &Improve<C>) -> Result<Improve<C>, Error> {
+        inside(self).with_surfaces(&inside(asked)).map(outside)
+    }
+
+    /// The answer to every question, in order.
+    ///
+    /// # Errors
+    /// As for [`Self::grasp`] and the methods of [`Grasp`] that answer: a malformed question is an error, "no equilibrium" is an answer.
+    pub fn answers(&self) -> Result<Vec<Answer<C>>, Error> {
+        self.answers_in(Words::default())
+    }
+
+    /// The answer to every question, in order, with this number of digits in its sentences.
+    ///
+    /// # Errors
+    /// As for [`Self::answers`].
+    pub fn answers_in(&self, words: Words) -> Result<Vec<Answer<C>>, Error> {
+        inside(self).answered(words).map(outside)
+    }
+}
+
+impl Setup<3> {
+    /// [`Self::improve`] in the plane or in space.
+    pub(super) fn with_surfaces(&self, asked: &Improve<3>) -> Result<Improve<3>, Error> {
+        let (mut question, mut first) = (asked.clone(), 0);
+        for entry in self.entries() {
+            if let Some(surface) = &entry.surface {
+                question = question.along(first, surface.clone());
+            }
+            first += entry.count()?;
+        }
+        Ok(question)
+    }
+
+    /// [`Self::check`] in the plane or in space.
+    pub(super) fn check_question(&self, question: &Question<3>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
             Question::Hold { .. }
             | Question::Solve { .. }
             | Question::Compare { .. }
             | Question::OnsetOfTurn(_) => Ok(()),
-            Question::Need(asked) => asked.check(self.entries().count()),
+            Question::Need(asked) => asked.check(self.space, self.entries().count()),
             Question::Improve(asked) => asked.given_loads().map(drop),
             Question::Onset { .. } => question.ramp()?.check_changes(self.lengths()),
             Question::Follow { legs, in_steps, .. } => {
@@ -49,23 +92,8 @@ impl<const C: usize> Setup<C> {
         }
     }
 
-    /// The question for the grasp, with the surfaces of the scene's contacts.
-    ///
-    /// # Errors
-    /// [`Error::Fingertip`] for a patch that cannot be built.
-    pub fn improve(&self, asked: &Improve<C>) -> Result<Improve<C>, Error> {
-        let (mut question, mut first) = (asked.clone(), 0);
-        for entry in self.entries() {
-            if let Some(surface) = &entry.surface {
-                question = question.along(first, surface.clone());
-            }
-            first += entry.count()?;
-        }
-        Ok(question)
-    }
-
     /// Refuses faults that show without building the layouts.
-    pub(super) fn check_identify(&self, asked: &Identify<C>) -> Result<(), Error> {
+    pub(super) fn check_identify(&self, asked: &Identify<3>) -> Result<(), Error> {
         if !asked.layouts.is_empty() && (self.is_held_by_a_hand() || !self.bodies.is_empty()) {
             return Err(LAYOUTS_OF_HANDS);
         }
@@ -79,10 +107,10 @@ impl<const C: usize> Setup<C> {
         for contact in asked.unknowns.iter().flat_map(|unknown| &unknown.contacts).flatten() {
             check_contact(*contact, expected)?;
         }
-        inside(asked).check_numbers(Space::of::<C>(), 1 + asked.layouts.len())
+        asked.check_numbers(self.space, 1 + asked.layouts.len())
     }
 
-    fn check_legs(&self, legs: &[Leg<C>]) -> Result<(), Error> {
+    fn check_legs(&self, legs: &[Leg<3>]) -> Result<(), Error> {
         for leg in legs {
             leg.check_lengths(self.lengths())?;
             leg.loaded_bodies().try_for_each(|name| self.has_body(name))?;
@@ -117,32 +145,21 @@ impl<const C: usize> Setup<C> {
         Ok(SceneNames(labels))
     }
 
-    /// The answer to every question, in order.
-    ///
-    /// # Errors
-    /// As for [`Self::grasp`] and the methods of [`Grasp`] that answer: a malformed question is an error, "no equilibrium" is an answer.
-    pub fn answers(&self) -> Result<Vec<Answer<C>>, Error> {
-        self.answers_in(Words::default())
-    }
-
-    /// The answer to every question, in order, with this number of digits in its sentences.
-    ///
-    /// # Errors
-    /// As for [`Self::answers`].
-    pub fn answers_in(&self, words: Words) -> Result<Vec<Answer<C>>, Error> {
-        let (grasp, labels) = (self.grasp()?, self.labels()?);
-        tried(&self.questions, &|question| self.answer(&grasp, &labels, question, words))
+    /// [`Self::answers_in`] in the plane or in space.
+    pub(crate) fn answered(&self, words: Words) -> Result<Vec<Answer<3>>, Error> {
+        let (grasp, labels) = (self.grasp_checked()?, self.labels()?);
+        tried(&self.questions, &|question| self.answer(&grasp, &labels, question, words.in_space(self.space)))
     }
 
     fn answer(
         &self,
-        grasp: &Grasp<C>,
+        grasp: &Grasp<3>,
         labels: &SceneNames,
-        question: &Question<C>,
+        question: &Question<3>,
         words: Words,
-    ) -> Result<Answer<C>, Error> {
-        self.check(question)?;
-        let grasp = &self.grasp_of(grasp, question)?;
+    ) -> Result<Answer<3>, Error> {
+        self.check_question(question)?;
+        let grasp = &self.grasp_asked(grasp, question)?;
         Ok(match &*self.meant(question)? {
             Question::Hold { .. } => Answer::Hold(labels.verdict(grasp.hold(question.ramp()?)?, words)),
             Question::Need(asked) => {
@@ -150,7 +167,7 @@ impl<const C: usize> Setup<C> {
                 Answer::Need(NeedAnswer::of(needed, words))
             }
             Question::Improve(asked) => {
-                Answer::Improve(ImproveAnswer::of(grasp.improve(&self.improve(asked)?)?, words))
+                Answer::Improve(ImproveAnswer::of(grasp.improve(&self.with_surfaces(asked)?)?, words))
             }
             Question::Solve { load, .. } => {
                 Answer::Solve(labels.solve(grasp, load, grasp.solve(load)?, words)?)

@@ -9,15 +9,15 @@ use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
-use crate::grasp::{Hold, Wrench, inside, outside};
+use crate::grasp::{Hold, Wrench};
 use crate::load_path::Ramp;
 use crate::numerics::summed;
 
-impl<const C: usize> Setup<C> {
+impl Setup<3> {
     /// Whether no command presses, and some question has no load at rest and no load that presses contacts on, as a weight or a jamming load does. A
     /// question that seeks the forces at rest need not state them.
     /// Without a question, the commands alone decide.
-    pub(super) fn nothing_presses(&self, grasp: &Grasp<C>) -> Result<bool, Error> {
+    pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
         if grasp.presses() {
             return Ok(false);
         }
@@ -27,7 +27,7 @@ impl<const C: usize> Setup<C> {
             if is_solved || is_sought || at_rest(question) != Wrench::ZERO {
                 continue;
             }
-            let grasp = self.grasp_of(grasp, question)?;
+            let grasp = self.grasp_asked(grasp, question)?;
             let mut presses = false;
             for load in put_on(question) {
                 presses = presses || self.lies_on_a_contact(&load) || jams(&grasp, load)?;
@@ -40,8 +40,8 @@ impl<const C: usize> Setup<C> {
     }
 
     /// Whether a load presses an object onto a contact without a squeeze, as a weight presses it onto a table.
-    fn lies_on_a_contact(&self, load: &Wrench<C>) -> bool {
-        let force = &load.components()[..C];
+    fn lies_on_a_contact(&self, load: &Wrench<3>) -> bool {
+        let force = &load.components()[..3];
         let size = summed(force, &|x| x * x).sqrt();
         let presses = |normal: &[f64]| {
             let (mut along, mut length) = (0.0, 0.0_f64);
@@ -51,8 +51,8 @@ impl<const C: usize> Setup<C> {
             // A force presses on a contact if its component against the normal is more than this part of it.
             along < -1e-6 * size * length
         };
-        let hangs = |LinkSetup { link, .. }: &LinkSetup<C>| {
-            let points = link.contacts().unwrap_or_default();
+        let hangs = |LinkSetup { link, .. }: &LinkSetup<3>| {
+            let points = link.contacts_in(self.space, link.kind().name()).unwrap_or_default();
             points.iter().any(|point| point.hold != Hold::Unilateral || presses(point.normal.as_slice()))
         };
         self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
@@ -60,8 +60,8 @@ impl<const C: usize> Setup<C> {
 
     /// Contacts and links that at rest press or pull with another force than stated. The states at rest are without load, and under the base load of
     /// each question; the state with the fewest warnings counts.
-    pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
-        let told = |entry: &LinkSetup<C>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
+    pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
+        let told = |entry: &LinkSetup<3>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
         if self.entries().all(|entry| entry.contact.press.is_none()) && !self.links.iter().any(told) {
             return Ok(Vec::new());
         }
@@ -82,7 +82,7 @@ impl<const C: usize> Setup<C> {
         Ok(fewest.unwrap_or_default())
     }
 
-    fn otherwise_under(&self, grasp: &Grasp<C>, base: &Wrench<C>) -> Result<Vec<Warning>, Error> {
+    fn otherwise_under(&self, grasp: &Grasp<3>, base: &Wrench<3>) -> Result<Vec<Warning>, Error> {
         let Ok(Outcome::Equilibrium(state)) = grasp.solve(base) else { return Ok(Vec::new()) };
         let mut warnings = Vec::new();
         let (mut first, mut pressed) = (0, 0);
@@ -104,7 +104,7 @@ impl<const C: usize> Setup<C> {
             warnings = self.same_side().map_or(warnings, |why| vec![why]);
         }
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
-            let points = link.contacts()?.len();
+            let points = link.contacts_in(self.space, link.kind().name())?.len();
             let (told, site) = (link.pretension, first);
             first += points;
             if told == 0.0 || link.tension.is_some() {
@@ -121,7 +121,7 @@ impl<const C: usize> Setup<C> {
 }
 
 /// Whether a load would be held for a while with more friction, because it presses contacts on.
-fn jams<const C: usize>(grasp: &Grasp<C>, load: Wrench<C>) -> Result<bool, Error> {
+fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);
     }
@@ -132,7 +132,7 @@ fn jams<const C: usize>(grasp: &Grasp<C>, load: Wrench<C>) -> Result<bool, Error
 }
 
 /// The load before the loads of a question are put on; zero for a single equilibrium.
-fn at_rest<const C: usize>(question: &Question<C>) -> Wrench<C> {
+fn at_rest(question: &Question<3>) -> Wrench<3> {
     match question {
         Question::Hold { base, .. }
         | Question::Compare { base, .. }
@@ -147,6 +147,6 @@ fn at_rest<const C: usize>(question: &Question<C>) -> Wrench<C> {
         Question::Solve { .. } => Wrench::ZERO,
         Question::OnsetOfTurn(turn) => turn.load_at(0.0),
         Question::Follow { start, .. } => *start,
-        Question::Identify(asked) => outside(inside(asked).at_rest()),
+        Question::Identify(asked) => asked.at_rest(),
     }
 }

@@ -10,7 +10,7 @@ use crate::ask::Grasp;
 use crate::energy::ComparisonVerdict;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
-use crate::grasp::WholeContact;
+use crate::grasp::{WholeContact, inside};
 use crate::hold::{Holding, Verdict};
 use crate::identify::{Ending, Identified};
 use crate::improve::{Binds, Improved, SearchEnd};
@@ -75,22 +75,29 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::answers`].
     pub fn brief_answers(&self) -> Result<Vec<Brief>, Error> {
-        let (grasp, labels) = (self.grasp()?, self.labels()?);
+        inside(self).answered_briefly()
+    }
+}
+
+impl Setup<3> {
+    /// [`Self::brief_answers`] in the plane or in space.
+    pub(crate) fn answered_briefly(&self) -> Result<Vec<Brief>, Error> {
+        let (grasp, labels) = (self.grasp_checked()?, self.labels()?);
         tried(&self.questions, &|question| self.brief(&grasp, &labels, question))
     }
 
     /// The short answer to one question.
-    pub(super) fn brief_answer(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Brief, Error> {
+    pub(super) fn brief_answer(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Brief, Error> {
         self.brief(grasp, &self.labels()?, question)
     }
 
-    fn brief(&self, grasp: &Grasp<C>, labels: &SceneNames, question: &Question<C>) -> Result<Brief, Error> {
-        self.check(question)?;
-        let grasp = &self.grasp_of(grasp, question)?;
+    fn brief(&self, grasp: &Grasp<3>, labels: &SceneNames, question: &Question<3>) -> Result<Brief, Error> {
+        self.check_question(question)?;
+        let grasp = &self.grasp_asked(grasp, question)?;
         Ok(match &*self.meant(question)? {
             Question::Hold { .. } => held_briefly(&grasp.hold(question.ramp()?)?),
             Question::Need(asked) => needed_briefly(&grasp.need(asked)?),
-            Question::Improve(asked) => improved_briefly(&grasp.improve(&self.improve(asked)?)?),
+            Question::Improve(asked) => improved_briefly(&grasp.improve(&self.with_surfaces(asked)?)?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
             Question::Compare { base, load } => {
                 compared_briefly(&labels.compared(grasp, base, load, Words::default())?)
@@ -143,7 +150,7 @@ impl Brief {
 }
 
 impl SceneNames {
-    fn solved_briefly<const C: usize>(&self, question: &'static str, outcome: &Outcome<C>) -> Brief {
+    fn solved_briefly(&self, question: &'static str, outcome: &Outcome<3>) -> Brief {
         match outcome {
             Outcome::Equilibrium(state) => self.tightest(Brief::new(question, "equilibrium"), state),
             Outcome::NoEquilibrium(_) => Brief::new(question, "no_equilibrium"),
@@ -152,7 +159,7 @@ impl SceneNames {
     }
 
     /// Adds the contact with the least margin.
-    fn tightest<const C: usize>(&self, brief: Brief, state: &Equilibrium<C>) -> Brief {
+    fn tightest(&self, brief: Brief, state: &Equilibrium<3>) -> Brief {
         let vacuum_gone = !state.open_cups.is_empty();
         let brief = Brief { beyond_small_motions: is_far(Some(state)), vacuum_gone, ..brief };
         let margins = state.contacts.iter().enumerate().filter(|(_, contact)| contact.margin.is_finite());
@@ -162,12 +169,7 @@ impl SceneNames {
         Brief { margin, first, does: Some(doing(&contact.state)), ..brief }
     }
 
-    fn onset_briefly<const C: usize>(
-        &self,
-        question: &'static str,
-        grasp: &Grasp<C>,
-        onset: &Onset<C>,
-    ) -> Brief {
+    fn onset_briefly(&self, question: &'static str, grasp: &Grasp<3>, onset: &Onset<3>) -> Brief {
         match onset {
             Onset::At(event) => {
                 let contact = event
@@ -190,7 +192,7 @@ impl SceneNames {
         }
     }
 
-    fn path_briefly<const C: usize>(&self, end: Option<&PathEnd<C>>) -> Brief {
+    fn path_briefly(&self, end: Option<&PathEnd<3>>) -> Brief {
         let brief = |outcome| Brief {
             leg: end.and_then(PathEnd::leg),
             fraction: end.and_then(PathEnd::fraction),
@@ -208,12 +210,12 @@ impl SceneNames {
     }
 }
 
-fn is_far<const C: usize>(state: Option<&Equilibrium<C>>) -> bool {
+fn is_far(state: Option<&Equilibrium<3>>) -> bool {
     state.is_some_and(Equilibrium::is_beyond_small_motions)
 }
 
 /// Whether the load is held, and the load factor at its loss.
-fn held_briefly<const C: usize>(verdict: &Verdict<C>) -> Brief {
+fn held_briefly(verdict: &Verdict<3>) -> Brief {
     let outcome = match verdict.holding {
         Holding::Sticks => "sticks",
         Holding::Slides { .. } => "slides",
@@ -247,7 +249,7 @@ fn needed_briefly(needed: &Needed) -> Brief {
 }
 
 /// First slip or the reserve of the best grasp, with the contact that slides first or has the least reserve.
-fn improved_briefly<const C: usize>(improved: &Improved<C>) -> Brief {
+fn improved_briefly(improved: &Improved<3>) -> Brief {
     let outcome = match improved.search {
         SearchEnd::Optimum => "optimum",
         SearchEnd::Stalled => "stalled",
@@ -263,7 +265,7 @@ fn improved_briefly<const C: usize>(improved: &Improved<C>) -> Brief {
 }
 
 /// The fate of a repeated load, with the contact that slides.
-fn shaken_briefly<const C: usize>(shaken: &Shaken<C>) -> Brief {
+fn shaken_briefly(shaken: &Shaken<3>) -> Brief {
     let first = |contacts: &[WholeContact]| contacts.first().map(|part| part.label.clone());
     let (outcome, slides, on) = match &shaken.repeats {
         Repeats::Rests { slid, .. } => ("rests", first(slid), None),
@@ -279,7 +281,7 @@ fn shaken_briefly<const C: usize>(shaken: &Shaken<C>) -> Brief {
 }
 
 /// Whether the grasp comes to rest in any order, with the factor and the contact that would slide beyond it.
-fn shakedown_briefly<const C: usize>(found: Option<&Shakedown<C>>) -> Brief {
+fn shakedown_briefly(found: Option<&Shakedown<3>>) -> Brief {
     let Some(found) = found else { return Brief::new("shakedown", "undecided") };
     let outcome = match found.rests(1.0) {
         Some(true) => "rests",
@@ -291,7 +293,7 @@ fn shakedown_briefly<const C: usize>(found: Option<&Shakedown<C>>) -> Brief {
 }
 
 /// The kind of the comparison, with the multiple of the load up to which both agree.
-fn compared_briefly<const C: usize>(answer: &CompareAnswer<C>) -> Brief {
+fn compared_briefly(answer: &CompareAnswer<3>) -> Brief {
     let outcome = match answer.comparison.verdict {
         ComparisonVerdict::Agree => "agree",
         ComparisonVerdict::TwoEquilibria => "two_equilibria",
@@ -310,7 +312,7 @@ fn identified_briefly(found: &Identified) -> Brief {
     Brief { factor: first.map(|estimate| estimate.value), ..Brief::new("identify", ended(&found.ending)) }
 }
 
-fn doing<const C: usize>(state: &ContactState<C>) -> &'static str {
+fn doing(state: &ContactState<3>) -> &'static str {
     match state {
         ContactState::Separated => "separated",
         ContactState::Sticking => "sticking",

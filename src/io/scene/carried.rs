@@ -1,7 +1,7 @@
 //! A load by its mass: a body that an arm carries, `{"mass": 0.5, "at": [0.5, 0], "turning": {"velocity_deg": 90}}`.
 
 use super::wrench::part;
-use crate::grasp::{ArmMotion, Face, Payload, Space, Wrench, of_the_object};
+use crate::grasp::{ArmMotion, Payload, Space, Wrench};
 use crate::serial::{Few, Given, Number};
 
 /// The rotation of the arm.
@@ -31,16 +31,8 @@ pub(super) struct WrittenMass<'w> {
 }
 
 impl WrittenMass<'_> {
-    /// [`Self::load`] of a space, with components as inside the engine.
+    /// The load in the plane or in space; `None` if it has no mass.
     pub(super) fn load_in(&self, space: Space) -> Result<Option<Wrench<3>>, String> {
-        match space {
-            Space::Planar => Ok(self.load::<2>()?.map(Face::enter)),
-            Space::Spatial => self.load::<3>(),
-        }
-    }
-
-    /// The force of the mass on the grasp, if there is a mass.
-    fn load<const C: usize>(&self) -> Result<Option<Wrench<C>>, String> {
         let Some(mass) = self.mass else {
             let others = [
                 ("inertia", self.inertia.is_some()),
@@ -53,18 +45,18 @@ impl WrittenMass<'_> {
                 None => Ok(None),
             };
         };
-        let along = |given: Option<&Few<Given, 3>>, name: &str| part(given, C, name);
+        let along = |given: Option<&Few<Given, 3>>, name: &str| part(given, space.axes(), name);
         // The rotation in the plane is about z, the last axis of space.
-        let planes = of_the_object::<C>() - C;
+        let planes = space.planes().len();
         let about_axes = |given: Option<&Few<Given, 3>>, name: &str| {
             let listed = part(given, planes, name)?;
             let mut axes = [0.0; 3];
             axes[3 - planes..].copy_from_slice(&listed[..planes]);
             Ok::<_, String>(axes)
         };
-        let mut arm = ArmMotion::<C>::still().accelerated(first(along(self.accelerated, "accelerated")?));
+        let mut arm = ArmMotion::<3>::still_in(space).accelerated(along(self.accelerated, "accelerated")?);
         if let Some(gravity) = self.gravity {
-            arm = arm.gravity(first(along(Some(gravity), "gravity")?));
+            arm = arm.gravity(along(Some(gravity), "gravity")?);
         }
         if let Some(turning) = self.turning {
             let rate = |degrees: Option<&Few<Given, 3>>, radians: Option<&Few<Given, 3>>, name: &str| {
@@ -80,16 +72,12 @@ impl WrittenMass<'_> {
             let velocity = rate(turning.velocity_deg.as_ref(), turning.velocity_rad.as_ref(), "velocity")?;
             let speeding =
                 rate(turning.acceleration_deg.as_ref(), turning.acceleration_rad.as_ref(), "acceleration")?;
-            arm = arm.and_turning(first(along(turning.about.as_ref(), "about")?), velocity, speeding);
+            arm = arm.and_turning(along(turning.about.as_ref(), "about")?, velocity, speeding);
         }
-        let mut body = Payload::new(mass.0, first::<C>(along(self.at, "at")?));
+        let mut body = Payload::new(mass.0, along(self.at, "at")?);
         if let Some(inertia) = self.inertia {
             body = body.of_inertia(about_axes(Some(inertia), "inertia")?);
         }
-        body.load(&arm).map(Some).map_err(|error| error.to_string())
+        body.load_in(space, &arm).map(Some).map_err(|error| error.to_string())
     }
-}
-
-fn first<const C: usize>(all: [f64; 3]) -> [f64; C] {
-    std::array::from_fn(|a| all[a])
 }

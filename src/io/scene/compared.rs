@@ -30,13 +30,13 @@ pub struct CompareAnswer<const C: usize> {
 
 impl SceneNames {
     /// The comparison under a load beside one at rest, and the range of the load in which both agree.
-    pub(super) fn compared<const C: usize>(
+    pub(super) fn compared(
         &self,
-        grasp: &Grasp<C>,
-        base: &Wrench<C>,
-        load: &Wrench<C>,
+        grasp: &Grasp<3>,
+        base: &Wrench<3>,
+        load: &Wrench<3>,
         words: Words,
-    ) -> Result<CompareAnswer<C>, Error> {
+    ) -> Result<CompareAnswer<3>, Error> {
         let energy = grasp.energy();
         let mut comparison = energy.compare(*base + *load)?;
         let is_loaded = *load != Wrench::ZERO;

@@ -7,7 +7,7 @@ use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, Visitor};
 use serde::ser::{Serialize, Serializer};
 
 use crate::error::Error;
-use crate::grasp::SuctionCup;
+use crate::grasp::{Space, SuctionCup};
 
 /// A suction cup of a scene, `"suction": {"radius": 0.02, "pressure": 60000}`; see [`SuctionCup`]. On a contact in space, in place of a soft fingertip.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -49,8 +49,8 @@ impl Cup {
     ///
     /// # Errors
     /// [`Error::Fingertip`] if a number is out of range, and unless there are axes of space and one of pressure and force.
-    pub(super) fn made<const C: usize>(&self) -> Result<SuctionCup, Error> {
-        if C != 3 {
+    pub(super) fn made(&self, space: Space) -> Result<SuctionCup, Error> {
+        if space == Space::Planar {
             let (what, allowed) = ("number of axes of the cup", "2: a force, N, as a number");
             return Err(Error::Fingertip { what, value: 3.0, allowed });
         }

@@ -36,7 +36,7 @@ face_of_struct! {
 
 face_of_struct! {
     Setup {
-        contacts, fingers, tendons, bodies, links, gravity, loaded, shared_by_mass, outline, #[cfg(feature = "mesh")] part, #[cfg(feature = "urdf")] robot, questions, settings,
+        space, contacts, fingers, tendons, bodies, links, gravity, loaded, shared_by_mass, outline, #[cfg(feature = "mesh")] part, #[cfg(feature = "urdf")] robot, questions, settings,
     }
     Fingertip {
         contact, soft, cup, #[cfg(feature = "mesh")] touches, surface, no_stiffness, comment, moved_by,

@@ -77,6 +77,13 @@ struct Outside {
     id: Option<Id>,
 }
 
+/// The message of the reader without the place in the text.
+pub(super) fn message_of(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    let place = format!(" at line {} column {}", error.line(), error.column());
+    message.strip_suffix(&place).unwrap_or(&message).to_owned()
+}
+
 impl Fault {
     /// The fault that stopped the reader of a scene.
     fn of_reader(text: &[u8], error: &serde_json::Error) -> Self {
@@ -100,8 +107,7 @@ impl Fault {
         }
         let (line, column) = (error.line(), error.column());
         let at = (line > 0).then_some(TextPosition { line, column });
-        let message = error.to_string();
-        let message = message.strip_suffix(&format!(" at line {line} column {column}")).unwrap_or(&message);
+        let message = &message_of(error);
         let lines = text.split_inclusive(|byte| *byte == b'\n').take(line.saturating_sub(1));
         let read = text.len().min(lines.map(<[u8]>::len).sum::<usize>() + column);
         let field = faulty_field(text, read, error, message);

@@ -8,7 +8,7 @@ use super::fingertip::{Fingertip, MovedBy};
 use super::matrix::Rows;
 use super::written_contact::LinkedContact;
 use crate::error::Error;
-use crate::grasp::{self, Joint};
+use crate::grasp::{self, Joint, Space};
 use crate::numerics::moved;
 use crate::serial::AsGiven;
 use crate::serial::object;
@@ -28,6 +28,37 @@ use crate::serial::object;
 /// let scene = Scene::from(Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0)));
 /// let written = serde_json::to_value(&scene)?;
 /// assert_eq!(written["planar"]["fingers"][0]["joints"][0]["stiffness"], 1e3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Two jaws of a gripper whose motors stall at 6 N:
+///
+/// ```
+/// use grasp_lcp::scene::Scene;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "format": "grasp-lcp/1",
+///     "planar": {
+///         "fingers": [
+///             {
+///                 "joints": [{ "name": "left jaw", "prismatic": [1, 0], "stiffness": 1000, "command": 0.004, "limit": { "saturates": 6 } }],
+///                 "contacts": [{ "point": [-1, 0], "normal": [1, 0], "series_stiffness": [1e4, 1e4], "friction": 0.5 }]
+///             },
+///             {
+///                 "joints": [{ "name": "right jaw", "prismatic": [-1, 0], "stiffness": 1000, "command": 0.004, "limit": { "saturates": 6 } }],
+///                 "contacts": [{ "point": [1, 0], "normal": [-1, 0], "series_stiffness": [1e4, 1e4], "friction": 0.5 }]
+///             }
+///         ],
+///         "questions": [{ "onset": { "direction": { "force": [1, 0] } } }, { "follow": { "legs": [{ "joints_to": [0.01, 0.01] }] } }]
+///     }
+/// }"#)?;
+/// let answers = serde_json::to_value(scene.answers()?)?;
+/// // Told 4 mm, 1.1 mm/N a side: pulled by W the right jaw carries 4/1.1 N + W/2.
+/// let onset = &answers[0]["onset"];
+/// assert!((onset["factor"].as_f64().unwrap() - 2.0 * (6.0 - 4.0 / 1.1)).abs() < 1e-12);
+/// assert_eq!(onset["drives"][0], serde_json::json!({ "joint": 1, "name": "right jaw", "what": "yields" }));
+/// let end = &answers[1]["follow"]["state"];
+/// assert_eq!(end["joints"][0]["state"], "yields");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -64,8 +95,18 @@ impl<const C: usize> FingerSetup<C> {
         self
     }
 
+    /// Refuses a finger without contacts, which would be ignored silently.
+    fn checked(self) -> Result<Self, String> {
+        if self.contacts.is_empty() {
+            return Err("contacts: none given, must be at least one a finger".to_owned());
+        }
+        Ok(self)
+    }
+}
+
+impl FingerSetup<3> {
     /// The finger of a hand. `first` is the index of its first contact in the scene.
-    pub(super) fn spread(&self, first: usize) -> Result<grasp::Finger<C>, Error> {
+    pub(super) fn spread(&self, first: usize) -> Result<grasp::Finger<3>, Error> {
         let points = |k: usize| self.contacts[k].points(first + k);
         let mut finger = grasp::Finger::new(self.joints.iter().cloned());
         finger.coupling.clone_from(&self.stiffness_matrix);
@@ -75,7 +116,7 @@ impl<const C: usize> FingerSetup<C> {
                 finger = match &entry.moved_by {
                     MovedBy::LastLink => finger.contact(point),
                     MovedBy::Link(joints) => finger.contact_on(*joints, point),
-                    MovedBy::Jacobian(twists) if C == 3 && twists.nrows() == 6 => {
+                    MovedBy::Jacobian(twists) if point.space == Space::Spatial && twists.nrows() == 6 => {
                         let arm = point.point - entry.contact.point;
                         finger.contact_moved_by(moved_at(twists, &arm), point)
                     }
@@ -93,19 +134,11 @@ impl<const C: usize> FingerSetup<C> {
         }
         Ok(finger)
     }
-
-    /// Refuses a finger without contacts, which would be ignored silently.
-    fn checked(self) -> Result<Self, String> {
-        if self.contacts.is_empty() {
-            return Err("contacts: none given, must be at least one a finger".to_owned());
-        }
-        Ok(self)
-    }
 }
 
 /// Velocities of a point of a link for each joint, `v + ω × r`, from those of the contact and, below them, angular velocities.
-fn moved_at<const C: usize>(twists: &DMatrix<f64>, arm: &SVector<f64, C>) -> DMatrix<f64> {
-    DMatrix::from_fn(C, twists.ncols(), |a, j| {
+fn moved_at(twists: &DMatrix<f64>, arm: &SVector<f64, 3>) -> DMatrix<f64> {
+    DMatrix::from_fn(3, twists.ncols(), |a, j| {
         let (b, c) = ((a + 1) % 3, (a + 2) % 3);
         twists[(a, j)] + twists[(3 + b, j)] * arm[c] - twists[(3 + c, j)] * arm[b]
     })

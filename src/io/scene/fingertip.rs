@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::cup::Cup;
 use super::patch::Tip;
 use crate::error::Error;
-use crate::grasp::{Contact, SoftFingertip, Space};
+use crate::grasp::{Contact, SoftFingertip};
 use crate::improve::Surface;
 
 /// A contact of a scene: one point, or the patch of a soft fingertip around it.
@@ -98,12 +98,14 @@ impl<const C: usize> Fingertip<C> {
     pub fn moved_by(self, moved_by: MovedBy) -> Self {
         Self { moved_by, ..self }
     }
+}
 
+impl Fingertip<3> {
     /// The point contacts of the patch, or the contact itself.
     ///
     /// # Errors
     /// [`Error::Contact`] with this index, or [`Error::Fingertip`].
-    pub(super) fn points(&self, index: usize) -> Result<Vec<Contact<C>>, Error> {
+    pub(super) fn points(&self, index: usize) -> Result<Vec<Contact<3>>, Error> {
         #[cfg(feature = "mesh")]
         if let Some(touches) = &self.touches {
             return touches.points(index, &self.contact);
@@ -111,29 +113,18 @@ impl<const C: usize> Fingertip<C> {
         let Some((patch, suction)) = self.patch()? else { return Ok(vec![self.contact.clone()]) };
         self.contact.check(index)?;
         self.contact.frame(index)?;
-        patch.contacts(&self.contact.clone().suction(suction))
+        patch.contacts_inside(&self.contact.clone().suction(suction))
     }
 
-    /// The patch, and the force of its vacuum, N; `None` for a point.
-    pub(super) fn patch(&self) -> Result<Option<(SoftFingertip<C>, f64)>, Error> {
-        self.patch_of_axes()
-    }
-
-    /// Refuses a patch that a space does not have.
-    pub(super) fn check_patch(&self, space: Space) -> Result<(), Error> {
-        match space {
-            Space::Planar => self.patch_of_axes::<2>().map(drop),
-            Space::Spatial => self.patch_of_axes::<3>().map(drop),
-        }
-    }
-
-    fn patch_of_axes<const A: usize>(&self) -> Result<Option<(SoftFingertip<A>, f64)>, Error> {
+    /// The patch, and the force of its vacuum, N; `None` for a point. Refuses a patch that the space of the contact does not have.
+    pub(super) fn patch(&self) -> Result<Option<(SoftFingertip<3>, f64)>, Error> {
+        let space = self.contact.space;
         if let Some(cup) = &self.cup {
-            let cup = cup.made::<A>()?;
-            return Ok(cup.lip().clone().of_axes().map(|lip| (lip, cup.force())));
+            let cup = cup.made(space)?;
+            return Ok(Some((cup.lip().clone(), cup.force())));
         }
-        let soft = self.soft.as_ref().map(Tip::spread::<A>).transpose()?;
-        Ok(soft.map(|patch| (patch, self.contact.suction)))
+        let Some(soft) = &self.soft else { return Ok(None) };
+        Ok(Some((soft.spread(space)?, self.contact.suction)))
     }
 
     /// Whether the contact is spread over a patch.

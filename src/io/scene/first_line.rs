@@ -34,7 +34,7 @@ impl<const C: usize> Question<C> {
     /// ```
     #[must_use]
     pub fn first_line(&self, answer: &Answer<C>, words: Words) -> String {
-        let digits = words.digits();
+        let digits = words.precision();
         match (self, answer) {
             (_, Answer::Hold(answer)) => format!("{:.digits$}", answer.verdict),
             (_, Answer::Need(answer)) => format!("{:.digits$}", answer.needed),
@@ -78,7 +78,7 @@ fn solved<const C: usize>(
     answer: &SolveAnswer<C>,
     words: Words,
 ) -> String {
-    let digits = words.digits();
+    let digits = words.precision();
     let other =
         |(body, load): (&String, &Wrench<C>)| format!(", {} on {}", words.load(load), printable(body));
     let load = words.load(load) + &together_with.iter().map(other).collect::<Vec<_>>().concat();
@@ -135,10 +135,10 @@ fn first_slip<const C: usize, At>(
     how_far: &str,
     words: Words,
 ) -> String {
-    let digits = words.digits();
+    let digits = words.precision();
     match onset {
         OnsetAnswer::At(event) => {
-            let (what, leaves) = leaving(event);
+            let (what, leaves) = leaving(event, words);
             let (at, beyond) = (place(&event.at), &event.beyond);
             let caution = event.state.too_far.as_ref().map_or(String::new(), beyond_small_motions);
             format!("{what} at {at}: {leaves}; beyond: {beyond:.digits$}{caution}")
@@ -156,7 +156,7 @@ fn first_slip<const C: usize, At>(
 }
 
 /// The kind of an onset, and the contacts and drives that leave: "FIRST SLIP", "left and right slide".
-fn leaving<const C: usize, At>(event: &OnsetAt<C, At>) -> (&'static str, String) {
+fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'static str, String) {
     let changes = event.whole_changes();
     let slides = changes.iter().any(|change| {
         use PadChange::{BeginsToSlide, Point, SlidesEverywhere};
@@ -164,7 +164,7 @@ fn leaving<const C: usize, At>(event: &OnsetAt<C, At>) -> (&'static str, String)
     });
     let drives = event.drives.iter().map(|drive| (drive.part.text(), drive.what.to_string()));
     let verbs: Vec<(String, String)> =
-        changes.iter().map(|change| (change.contact.text(), change.verb())).chain(drives).collect();
+        changes.iter().map(|change| (change.contact.text(), change.verb_in(words))).chain(drives).collect();
     let mut told: Vec<String> = Vec::new();
     for group in verbs.chunk_by(|a, b| a.1 == b.1) {
         let names: Vec<&str> = mapped(group, &|(name, _)| name.as_str());
@@ -188,7 +188,7 @@ fn plural<T: ToString>(names: &[T], verb: &str) -> String {
 
 /// "LOST at 0.425 of leg 0, (0, 0, -8.5) N: no contact states carry more; first slip at 0.215 of leg 0, (0, 0, -4.3) N".
 fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
-    let digits = words.digits();
+    let digits = words.precision();
     let place = |leg: usize, fraction: f64, load: &Wrench<C>| {
         let load = if *load == Wrench::ZERO { String::new() } else { format!(", {}", words.load(load)) };
         format!("{} of leg {leg}{load}", words.number(fraction))

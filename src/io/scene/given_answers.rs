@@ -6,7 +6,7 @@ use super::solved::SolveAnswer;
 use crate::ask::Grasp;
 use crate::equilibrium::{Equilibrium, Outcome};
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Wrench, inside, outside};
 use crate::load_path as path;
 use crate::words::Words;
 
@@ -35,7 +35,8 @@ impl<const C: usize> Setup<C> {
         load: &Wrench<C>,
         outcome: &Outcome<C>,
     ) -> Result<SolveAnswer<C>, Error> {
-        self.labels()?.solve(grasp, load, outcome.clone(), Words::default())
+        let (setup, words) = (inside(self), Words::default().in_space(self.space));
+        setup.labels()?.solve(&inside(grasp), &inside(load), inside(outcome).into_owned(), words).map(outside)
     }
 
     /// The answer of this setup's grasp to [`Grasp::onset`], with the settings of the setup. The behaviour beyond first slip and the
@@ -44,7 +45,7 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::points`].
     pub fn tell_onset(&self, grasp: &Grasp<C>, onset: &path::Onset<C>) -> Result<OnsetAnswer<C>, Error> {
-        Ok(self.labels()?.onset(grasp, onset, |factor| Factor { factor }))
+        Ok(outside(inside(self).labels()?.onset(&inside(grasp), &inside(onset), |factor| Factor { factor })))
     }
 
     /// The answer of this setup's grasp to [`Grasp::onset_of_turn`]; otherwise like [`Self::tell_onset`].
@@ -56,7 +57,7 @@ impl<const C: usize> Setup<C> {
         grasp: &Grasp<C>,
         onset: &path::TurnOnset<C>,
     ) -> Result<TurnAnswer<C>, Error> {
-        Ok(self.labels()?.onset_of_turn(grasp, onset))
+        Ok(outside(inside(self).labels()?.onset_of_turn(&inside(grasp), &inside(onset))))
     }
 
     /// An equilibrium of this setup's grasp, one of [`Grasp::equilibria`] for instance; its accuracy is left out.
@@ -64,6 +65,6 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::points`].
     pub fn tell_equilibrium(&self, state: &Equilibrium<C>) -> Result<Equilibrium<C>, Error> {
-        Ok(self.labels()?.equilibrium(state.clone()))
+        Ok(outside(inside(self).labels()?.equilibrium(inside(state).into_owned())))
     }
 }

@@ -7,14 +7,13 @@ use super::question::Question;
 use super::setup::Setup;
 use crate::ask::{Grasp, check_growing};
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Wrench, inside, outside};
 
 /// The name of a question, its load at rest, the load with which others grow, and those.
-type Growing<'q, const C: usize> =
-    (&'static str, Wrench<C>, Option<Wrench<C>>, &'q BTreeMap<String, Wrench<C>>);
+type Growing<'q> = (&'static str, Wrench<3>, Option<Wrench<3>>, &'q BTreeMap<String, Wrench<3>>);
 
 /// The loads that grow together; `None` for a question without any.
-fn growing<const C: usize>(asked: &Question<C>) -> Option<Growing<'_, C>> {
+fn growing(asked: &Question<3>) -> Option<Growing<'_>> {
     match asked {
         Question::Hold { base, load, together_with } => Some(("hold", *base, Some(*load), together_with)),
         Question::Solve { load, together_with } => Some(("solve", Wrench::ZERO, Some(*load), together_with)),
@@ -33,6 +32,13 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// [`Error::Question`] where nothing can grow together, and as for [`Grasp::growing_together`].
     pub fn grasp_of(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Grasp<C>, Error> {
+        inside(self).grasp_asked(&inside(grasp), &inside(question)).map(outside)
+    }
+}
+
+impl Setup<3> {
+    /// [`Self::grasp_of`] in the plane or in space.
+    pub(super) fn grasp_asked(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Grasp<3>, Error> {
         self.check_growing(question)?;
         if let Some(tilted) = self.tilted_grasp(question)? {
             return Ok(tilted);
@@ -46,7 +52,7 @@ impl<const C: usize> Setup<C> {
     }
 
     /// Refuses loads that cannot grow together.
-    pub(super) fn check_growing(&self, question: &Question<C>) -> Result<(), Error> {
+    pub(super) fn check_growing(&self, question: &Question<3>) -> Result<(), Error> {
         let Some((name, base, load, others)) = growing(question) else { return Ok(()) };
         others.keys().try_for_each(|name| self.has_body(name))?;
         check_growing(name, base, load, others)

@@ -57,7 +57,7 @@ pub struct NeedAnswer {
 }
 
 impl SceneNames {
-    pub(super) fn verdict<const C: usize>(&self, mut verdict: Verdict<C>, words: Words) -> HoldAnswer<C> {
+    pub(super) fn verdict(&self, mut verdict: Verdict<3>, words: Words) -> HoldAnswer<3> {
         let says = said(&verdict, words);
         let at_the_loss = verdict.lost.as_mut().and_then(|lost| lost.state.as_mut());
         for state in verdict.state.as_mut().into_iter().chain(at_the_loss) {
@@ -226,7 +226,7 @@ impl<const C: usize> ShakedownAnswer<C> {
 }
 
 impl SceneNames {
-    pub(super) fn shaken<const C: usize>(&self, mut shaken: Shaken<C>, words: Words) -> ShakeAnswer<C> {
+    pub(super) fn shaken(&self, mut shaken: Shaken<3>, words: Words) -> ShakeAnswer<3> {
         let says = said(&shaken, words);
         if let Some(state) = shaken.state.as_mut() {
             **state = self.equilibrium(state.as_ref().clone());
@@ -236,6 +236,6 @@ impl SceneNames {
 }
 
 pub(super) fn said(answer: &impl fmt::Display, words: Words) -> String {
-    let digits = words.digits();
+    let digits = words.precision();
     format!("{answer:.digits$}")
 }

@@ -110,7 +110,11 @@ impl<'de, const C: usize> Deserialize<'de> for Joint<C> {
                 (Some(Hinge { point, axis }), None) => match (space_of_text::<C>().axes(), axis) {
                     (3, Some(axis)) => JointMotion::Revolute { point, axis: axis.0 },
                     (3, None) => return Err("missing field `axis` of a revolute joint in space".to_owned()),
-                    (_, None) => JointMotion::Revolute { point, axis: SVector::zeros() },
+                    // A joint of the plane turns about z.
+                    (_, None) => JointMotion::Revolute {
+                        point,
+                        axis: SVector::from_fn(|a, _| f64::from(u8::from(a == 2))),
+                    },
                     (_, Some(_)) => {
                         return Err("axis: a revolute joint of the plane has a point alone".to_owned());
                     }

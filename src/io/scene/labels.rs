@@ -14,13 +14,13 @@ impl SceneNames {
     }
 
     /// An equilibrium in its written form.
-    pub(super) fn equilibrium<const C: usize>(&self, mut state: Equilibrium<C>) -> Equilibrium<C> {
+    pub(super) fn equilibrium(&self, mut state: Equilibrium<3>) -> Equilibrium<3> {
         state.contacts.iter_mut().for_each(|contact| self.name(&mut contact.contact));
         state.written()
     }
 
     /// An outcome in its written form.
-    pub(super) fn outcome<const C: usize>(&self, mut outcome: Outcome<C>) -> Outcome<C> {
+    pub(super) fn outcome(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         match &mut outcome {
             Outcome::Equilibrium(state) => **state = self.equilibrium(state.as_ref().clone()),
             Outcome::NoEquilibrium(_) => {}
@@ -30,7 +30,7 @@ impl SceneNames {
     }
 
     /// An outcome in its written form, with the accuracy of an equilibrium, and whether working precision distinguishes each contact state.
-    pub(super) fn solved<const C: usize>(&self, grasp: &Grasp<C>, mut outcome: Outcome<C>) -> Outcome<C> {
+    pub(super) fn solved(&self, grasp: &Grasp<3>, mut outcome: Outcome<3>) -> Outcome<3> {
         if let Outcome::Equilibrium(state) = &mut outcome {
             state.accuracy = grasp.accuracy(state);
             let distinct = grasp.distinct(state).into_iter().flatten();

@@ -9,7 +9,7 @@ use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::{Error, LARGEST};
-use crate::grasp::Link;
+use crate::grasp::{Link, inside};
 use crate::load_path::Ramp;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
@@ -24,6 +24,13 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::answers`].
     pub fn stiffness_left_out(&self) -> Result<Option<Warning>, Error> {
+        inside(self).springs_left_out()
+    }
+}
+
+impl Setup<3> {
+    /// [`Self::stiffness_left_out`] in the plane or in space.
+    pub(super) fn springs_left_out(&self) -> Result<Option<Warning>, Error> {
         let (mut contacts, mut names) = (Vec::new(), Vec::new());
         for (i, entry) in self.entries().enumerate() {
             if entry.no_stiffness {
@@ -34,7 +41,7 @@ impl<const C: usize> Setup<C> {
         if contacts.is_empty() || self.questions.is_empty() {
             return Ok(None);
         }
-        let is_motion = |question: &Question<C>| matches!(question, Question::Solve { .. });
+        let is_motion = |question: &Question<3>| matches!(question, Question::Solve { .. });
         let questions =
             self.questions_that_depend(&|trial| self.with_springs(trial), &is_motion, SAME_ANSWER)?;
         let depends = !questions.is_empty();
@@ -61,7 +68,7 @@ impl<const C: usize> Setup<C> {
         let questions =
             // Links are usually stiff beside the grasped object.
             self.questions_that_depend(&|trial| self.with_links(trial), &|_| false, 1e-3)?;
-        let (depends, stiffness) = (!questions.is_empty(), Link::<C>::STIFF);
+        let (depends, stiffness) = (!questions.is_empty(), Link::<3>::STIFF);
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
@@ -69,10 +76,10 @@ impl<const C: usize> Setup<C> {
     pub(super) fn questions_that_depend(
         &self,
         trial: &dyn Fn(usize) -> Self,
-        is_known: &dyn Fn(&Question<C>) -> bool,
+        is_known: &dyn Fn(&Question<3>) -> bool,
         same_within: f64,
     ) -> Result<Vec<usize>, Error> {
-        let given = self.grasp()?;
+        let given = self.grasp_checked()?;
         let others = [trial(1), trial(2)];
         let mut questions = Vec::new();
         for (number, question) in self.questions.iter().enumerate() {
@@ -81,7 +88,7 @@ impl<const C: usize> Setup<C> {
             let mut depends =
                 is_known(question) || !same(&figures, &self.figures(&given, question)?, same_within);
             for other in &others {
-                let others = other.figures(&without_limits(&other.grasp()?), question)?;
+                let others = other.figures(&without_limits(&other.grasp_checked()?), question)?;
                 depends |= !same(&figures, &others, same_within);
             }
             if depends {
@@ -97,7 +104,7 @@ impl<const C: usize> Setup<C> {
         for (number, LinkSetup { link, .. }) in setup.links.iter_mut().enumerate() {
             if link.stiffness.is_none() {
                 link.stiffness =
-                    Some(Link::<C>::STIFF * STIFFNESS_RANGE.powf(2.0 * part(trial + 2 * number) - 1.0));
+                    Some(Link::<3>::STIFF * STIFFNESS_RANGE.powf(2.0 * part(trial + 2 * number) - 1.0));
             }
         }
         setup
@@ -106,15 +113,16 @@ impl<const C: usize> Setup<C> {
     /// This setup with trial springs of contacts in place of those left out.
     fn with_springs(&self, trial: usize) -> Self {
         let mut setup = self.clone();
-        let mut entries: Vec<&mut Fingertip<C>> = setup.contacts.iter_mut().collect();
+        let mut entries: Vec<&mut Fingertip<3>> = setup.contacts.iter_mut().collect();
         for finger in &mut setup.fingers {
             entries.extend(&mut finger.contacts);
         }
         for (index, entry) in entries.into_iter().enumerate() {
             if entry.no_stiffness {
-                let mut springs = [DEFAULT_STIFFNESS; C];
-                for (axis, spring) in springs.iter_mut().enumerate() {
-                    *spring *= STIFFNESS_RANGE.powf(2.0 * part(trial + 2 * (C * index + axis)) - 1.0);
+                let mut springs = [DEFAULT_STIFFNESS; 3];
+                let axes = self.space.axes();
+                for (axis, spring) in springs.iter_mut().enumerate().take(axes) {
+                    *spring *= STIFFNESS_RANGE.powf(2.0 * part(trial + 2 * (axes * index + axis)) - 1.0);
                 }
                 entry.contact = entry.contact.clone().series_stiffness_axes(springs);
             }
@@ -123,9 +131,9 @@ impl<const C: usize> Setup<C> {
     }
 
     /// The numbers of an answer that are compared.
-    fn figures(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Vec<f64>, Error> {
+    fn figures(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
-        let (whole, grasp) = (grasp, &self.grasp_of(grasp, question)?);
+        let (whole, grasp) = (grasp, &self.grasp_asked(grasp, question)?);
         match &*self.meant(question)? {
             Question::Hold { base, load, .. } => {
                 let verdict = grasp.hold(Ramp::load(*base, *load))?;
@@ -138,7 +146,7 @@ impl<const C: usize> Setup<C> {
             }
             Question::Need(asked) => Ok(vec![grasp.need(asked)?.amount.bound().unwrap_or(f64::INFINITY)]),
             Question::Improve(asked) => {
-                Ok(vec![grasp.improve(&self.improve(asked)?)?.after.unwrap_or(f64::INFINITY)])
+                Ok(vec![grasp.improve(&self.with_surfaces(asked)?)?.after.unwrap_or(f64::INFINITY)])
             }
             Question::Solve { load, .. } => Ok(match grasp.solve(load)? {
                 Outcome::Equilibrium(state) => mapped(&state.contacts, &ContactAnswer::normal_force),
@@ -172,7 +180,7 @@ impl<const C: usize> Fingertip<C> {
 }
 
 /// This grasp without limits of small motions.
-fn without_limits<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
+fn without_limits(grasp: &Grasp<3>) -> Grasp<3> {
     grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }
 

@@ -3,12 +3,13 @@
 
 use serde_json::{Map, Value};
 
-use super::fault::Fault;
+use super::fault::{Fault, message_of};
 use super::odd::far_load;
 use super::plain_words::in_plain_words;
 use super::setup::Setup;
 use super::warning::Warning;
 use super::written::{Scene, Space};
+use crate::grasp::inside;
 use crate::words::Unit;
 
 /// Fields that are lengths wherever they are numbers, or lists of them.
@@ -49,7 +50,7 @@ const LENGTHS: [&str; 32] = [
 
 /// The scene of this text, which was read with its numbers as they stand there; its lengths are in this unit.
 pub(super) fn in_metres(text: &[u8], unit: Unit) -> Result<Scene, Fault> {
-    let fault = |error: serde_json::Error| Fault::of_scene(in_plain_words(&error.to_string(), None));
+    let fault = |error: serde_json::Error| Fault::of_scene(in_plain_words(&message_of(&error), None));
     let mut scene: Value = serde_json::from_slice(text).map_err(fault)?;
     for space in ["planar", "spatial"] {
         if let Some(setup) = scene[space].as_object_mut() {
@@ -59,7 +60,8 @@ pub(super) fn in_metres(text: &[u8], unit: Unit) -> Result<Scene, Fault> {
     if let Some(fields) = scene.as_object_mut() {
         fields.remove("unit");
     }
-    let scene: Scene = serde_json::from_value(scene).map_err(fault)?;
+    // Scenes are read from texts alone, so that their reader is compiled once.
+    let scene: Scene = serde_json::from_slice(&serde_json::to_vec(&scene).map_err(fault)?).map_err(fault)?;
     Ok(Scene { unit, ..scene })
 }
 
@@ -70,19 +72,19 @@ impl Scene {
     pub fn far_load_in(&self, text: &[u8]) -> Option<Warning> {
         let scene: Value = serde_json::from_slice(text).unwrap_or_default();
         match &self.space {
-            Space::Planar(setup) => setup.far_load_in(&scene["planar"]["questions"], self.unit),
+            Space::Planar(setup) => inside(setup).far_load_in(&scene["planar"]["questions"], self.unit),
             Space::Spatial(setup) => setup.far_load_in(&scene["spatial"]["questions"], self.unit),
         }
     }
 }
 
-impl<const C: usize> Setup<C> {
+impl Setup<3> {
     fn far_load_in(&self, questions: &Value, unit: Unit) -> Option<Warning> {
         let (centre, size) = self.middle();
         let mut farthest = 0.0_f64;
         each_at(questions, &mut |at| {
             let place = |a: usize| unit.in_metres(at.get(a).and_then(Value::as_f64).unwrap_or_default());
-            let squares = (0..C).map(|a| (place(a) - centre[a]).powi(2));
+            let squares = (0..self.space.axes()).map(|a| (place(a) - centre[a]).powi(2));
             farthest = farthest.max(squares.sum::<f64>().sqrt());
         });
         let has_bodies = !self.bodies.is_empty();

@@ -268,12 +268,12 @@ impl<const C: usize> Hinge<C> {
     }
 }
 
-impl<const C: usize> Setup<C> {
+impl Setup<3> {
     /// The point contacts of all links, behind all contacts of the grasp.
-    pub(super) fn points_of_links(&self) -> Result<Vec<Contact<C>>, Error> {
+    pub(super) fn points_of_links(&self) -> Result<Vec<Contact<3>>, Error> {
         let mut points = Vec::new();
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
-            points.extend(link.contacts_called(&link.called(number))?);
+            points.extend(link.contacts_in(self.space, &link.called(number))?);
         }
         Ok(points)
     }

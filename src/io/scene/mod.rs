@@ -277,37 +277,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Two jaws of a gripper whose motors stall at 6 N:
-//!
-//! ```
-//! use grasp_lcp::scene::Scene;
-//!
-//! let scene: Scene = serde_json::from_str(r#"{
-//!     "format": "grasp-lcp/1",
-//!     "planar": {
-//!         "fingers": [
-//!             {
-//!                 "joints": [{ "name": "left jaw", "prismatic": [1, 0], "stiffness": 1000, "command": 0.004, "limit": { "saturates": 6 } }],
-//!                 "contacts": [{ "point": [-1, 0], "normal": [1, 0], "series_stiffness": [1e4, 1e4], "friction": 0.5 }]
-//!             },
-//!             {
-//!                 "joints": [{ "name": "right jaw", "prismatic": [-1, 0], "stiffness": 1000, "command": 0.004, "limit": { "saturates": 6 } }],
-//!                 "contacts": [{ "point": [1, 0], "normal": [-1, 0], "series_stiffness": [1e4, 1e4], "friction": 0.5 }]
-//!             }
-//!         ],
-//!         "questions": [{ "onset": { "direction": { "force": [1, 0] } } }, { "follow": { "legs": [{ "joints_to": [0.01, 0.01] }] } }]
-//!     }
-//! }"#)?;
-//! let answers = serde_json::to_value(scene.answers()?)?;
-//! // Told 4 mm, 1.1 mm/N a side: pulled by W the right jaw carries 4/1.1 N + W/2.
-//! let onset = &answers[0]["onset"];
-//! assert!((onset["factor"].as_f64().unwrap() - 2.0 * (6.0 - 4.0 / 1.1)).abs() < 1e-12);
-//! assert_eq!(onset["drives"][0], serde_json::json!({ "joint": 1, "name": "right jaw", "what": "yields" }));
-//! let end = &answers[1]["follow"]["state"];
-//! assert_eq!(end["joints"][0]["state"], "yields");
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
-//!
 //! # Answers
 //!
 //! One [`Answer`] for each question, under the name of the question: `{"solve": {"outcome":
@@ -422,4 +391,6 @@ pub use robot::{MotorLimits, RobotSetup};
 pub use setup::Setup;
 pub use solved::SolveAnswer;
 pub use warning::Warning;
+#[cfg(feature = "json")]
+pub(crate) use written::AnswersInside;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

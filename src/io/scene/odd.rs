@@ -11,12 +11,12 @@ use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Leg;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{chosen, largest, mapped, picked};
+use crate::numerics::{Space, chosen, largest, mapped, picked};
 use crate::statics::Closure;
 
-impl<const C: usize> Setup<C> {
+impl Setup<3> {
     /// Warnings about the contacts alone, whatever the loads.
-    pub(super) fn odd_contacts(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
+    pub(super) fn odd_contacts(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
         let mut warnings = Vec::new();
         let entries: Vec<_> = self.entries().collect();
         let name = |i: usize| entries[i].contact.label_text(i);
@@ -82,7 +82,7 @@ impl<const C: usize> Setup<C> {
         }
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
-            if points_out(self.outline_around(entry), &point, &normal) {
+            if self.space == Space::Planar && points_out(self.outline_around(entry), &point, &normal) {
                 warnings.push(Warning::PointsOut { contact, name: entry.contact.label_text(contact) });
             }
         }
@@ -90,7 +90,7 @@ impl<const C: usize> Setup<C> {
     }
 
     /// The outline of the body that a contact's normal points into.
-    fn outline_around(&self, entry: &Fingertip<C>) -> &[SVector<f64, C>] {
+    fn outline_around(&self, entry: &Fingertip<3>) -> &[SVector<f64, 3>] {
         let Some(on) = &entry.contact.on else { return &self.outline };
         self.bodies.iter().find(|body| body.name == *on).map_or(&[], |body| &body.outline)
     }
@@ -105,7 +105,7 @@ impl<const C: usize> Setup<C> {
             (pressed, carried) =
                 (pressed + force, carried + force * entry.contact.friction_coefficient().max(0.3));
         }
-        let force = |load: &Wrench<C>| SVector::<f64, C>::from_column_slice(&load.components()[..C]);
+        let force = |load: &Wrench<3>| load.force_part();
         let mut heaviest = 0.0_f64;
         for question in &self.questions {
             // Onsets are left out: the size of their direction has no meaning.
@@ -123,10 +123,10 @@ impl<const C: usize> Setup<C> {
         if size == 0.0 || !self.bodies.is_empty() {
             return warnings;
         }
-        let arm = |load: &Wrench<C>| {
+        let arm = |load: &Wrench<3>| {
             let force = force(load);
             let about = *load - Wrench::force_through(&centre, &force);
-            let moment = about.components()[C..].iter().fold(0.0, |h: f64, m| h.hypot(*m));
+            let moment = about.components()[3..].iter().fold(0.0, |h: f64, m| h.hypot(*m));
             // A moment alone has no arm.
             if force.norm() > 0.0 { moment / force.norm() } else { 0.0 }
         };
@@ -141,19 +141,19 @@ impl<const C: usize> Setup<C> {
     }
 
     /// The middle of the contact points, and the size of the grasp.
-    pub(super) fn middle(&self) -> (SVector<f64, C>, f64) {
+    pub(super) fn middle(&self) -> (SVector<f64, 3>, f64) {
         let points: Vec<_> = self.entries().map(|entry| entry.contact.point).collect();
         let count = points.len() as f64;
-        let centre = points.iter().fold(SVector::<f64, C>::zeros(), |sum, point| sum + point / count);
+        let centre = points.iter().fold(SVector::<f64, 3>::zeros(), |sum, point| sum + point / count);
         (centre, spread(&points))
     }
 
     /// A warning if all contacts press away from their middle, and no outline shows the object.
-    fn outwards(&self, entries: &[&Fingertip<C>]) -> Option<Warning> {
+    fn outwards(&self, entries: &[&Fingertip<3>]) -> Option<Warning> {
         let count = entries.len() as f64;
         let centre =
-            entries.iter().fold(SVector::<f64, C>::zeros(), |sum, entry| sum + entry.contact.point / count);
-        let is_so = |entry: &&Fingertip<C>| {
+            entries.iter().fold(SVector::<f64, 3>::zeros(), |sum, entry| sum + entry.contact.point / count);
+        let is_so = |entry: &&Fingertip<3>| {
             let (way, normal) = (entry.contact.point - centre, entry.contact.normal);
             // The cosine to the way from the middle tells a normal that points outwards.
             entry.contact.press.is_some() && way.dot(&normal) > 0.5 * way.norm() * normal.norm()
@@ -168,8 +168,8 @@ impl<const C: usize> Setup<C> {
     }
 
     /// Whether all contacts are unilateral, without friction and without suction, and nothing else holds the object.
-    fn has_no_friction(&self, entries: &[&Fingertip<C>]) -> bool {
-        let is_bare = |entry: &&Fingertip<C>| {
+    fn has_no_friction(&self, entries: &[&Fingertip<3>]) -> bool {
+        let is_bare = |entry: &&Fingertip<3>| {
             let contact = &entry.contact;
             let presses_alone =
                 contact.hold == Hold::Unilateral && contact.suction == 0.0 && entry.cup.is_none();
@@ -200,7 +200,7 @@ pub(super) fn far_load(distance: f64, size: f64) -> Option<Warning> {
 }
 
 /// The loads that a question puts on.
-pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
+pub(super) fn put_on(question: &Question<3>) -> Vec<Wrench<3>> {
     match question {
         Question::Hold { load, .. } | Question::Solve { load, .. } | Question::Compare { load, .. } => {
             vec![*load]
@@ -216,12 +216,12 @@ pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
 }
 
 /// The largest distance from the first point; the largest of all distances is at most twice as large.
-fn spread<const C: usize>(points: &[SVector<f64, C>]) -> f64 {
+fn spread(points: &[SVector<f64, 3>]) -> f64 {
     largest(points, &|point| (point - points[0]).norm())
 }
 
 /// Whether two contacts of the same bodies are at one point with parallel normals.
-fn is_in_place_of<const C: usize>(one: &Fingertip<C>, other: &Fingertip<C>, size: f64) -> bool {
+fn is_in_place_of(one: &Fingertip<3>, other: &Fingertip<3>, size: f64) -> bool {
     let (a, b) = (&one.contact, &other.contact);
     let parallel = a.normal.dot(&b.normal).abs() >= (1.0 - NEGLIGIBLE) * a.normal.norm() * b.normal.norm();
     let near = (a.point - b.point).norm() <= NEGLIGIBLE * size;
@@ -229,12 +229,8 @@ fn is_in_place_of<const C: usize>(one: &Fingertip<C>, other: &Fingertip<C>, size
 }
 
 /// Whether a step along the normal leads out of the outline and a step against it leads in. Always false in space, where an outline is no surface.
-fn points_out<const C: usize>(
-    outline: &[SVector<f64, C>],
-    point: &SVector<f64, C>,
-    normal: &SVector<f64, C>,
-) -> bool {
-    if C != 2 || outline.len() < 3 {
+fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVector<f64, 3>) -> bool {
+    if outline.len() < 3 {
         return false;
     }
     let size = largest(outline, &|corner| (corner - outline[0]).norm());
@@ -244,7 +240,7 @@ fn points_out<const C: usize>(
 }
 
 /// Whether a ray along x from a point crosses a closed line an odd number of times.
-fn is_inside<const C: usize>(outline: &[SVector<f64, C>], point: &SVector<f64, C>) -> bool {
+fn is_inside(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>) -> bool {
     let sides = outline.iter().zip(outline.iter().cycle().skip(1));
     let crossed = sides.filter(|(a, b)| {
         let part = (point[1] - a[1]) / (b[1] - a[1]);

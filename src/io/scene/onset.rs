@@ -138,12 +138,12 @@ pub struct TurnAnswer<const C: usize> {
 }
 
 impl SceneNames {
-    pub(super) fn onset<const C: usize, At>(
+    pub(super) fn onset<At>(
         &self,
-        grasp: &Grasp<C>,
-        onset: &path::Onset<C>,
+        grasp: &Grasp<3>,
+        onset: &path::Onset<3>,
         at: impl Fn(f64) -> At,
-    ) -> OnsetAnswer<C, At> {
+    ) -> OnsetAnswer<3, At> {
         let undecided = |doubt| OnsetAnswer::Undecided(Undecided { doubt, work: WorkDone::default() });
         match onset {
             path::Onset::At(event) => {
@@ -171,11 +171,7 @@ impl SceneNames {
         }
     }
 
-    pub(super) fn onset_of_turn<const C: usize>(
-        &self,
-        grasp: &Grasp<C>,
-        found: &path::TurnOnset<C>,
-    ) -> TurnAnswer<C> {
+    pub(super) fn onset_of_turn(&self, grasp: &Grasp<3>, found: &path::TurnOnset<3>) -> TurnAnswer<3> {
         let mut touches = found.touches.clone();
         for touch in &mut touches {
             if let EdgeOf::Contact(contact) = &mut touch.of {

@@ -6,7 +6,6 @@ use nalgebra::SVector;
 
 use super::question::Question;
 use super::setup::Setup;
-use super::turn::of_space;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -91,25 +90,28 @@ impl<const C: usize> Setup<C> {
     fn own_turn(&self, turn: &Turn<C>) -> Result<Option<Turn<C>>, Error> {
         let Some(axis) = turn.tilts_bodies_about else { return Ok(None) };
         let (Some(gravity), Some((mass, centre))) = (self.gravity, self.own_mass()) else {
-            turn.check()?;
+            turn.check_in(self.space)?;
             return Ok(None);
         };
         let in_space =
             |x: &SVector<f64, C>| -> [f64; 3] { std::array::from_fn(|a| x.get(a).copied().unwrap_or(0.0)) };
         let weight =
             Turn::<3>::force_at(in_space(&(gravity * mass)), in_space(&centre.into()), axis)?.reversed();
-        let [constant, cosine, sine] = weight.parts().map(|part| of_space(&part));
+        let [constant, cosine, sine] =
+            weight.parts().map(|part| Wrench::among(self.space, &part.coordinates(self.space)));
         Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
     }
+}
 
+impl Setup<3> {
     /// The grasp of a question in which gravity turns: without gravity, which is its load.
-    pub(super) fn tilted_grasp(&self, question: &Question<C>) -> Result<Option<Grasp<C>>, Error> {
+    pub(super) fn tilted_grasp(&self, question: &Question<3>) -> Result<Option<Grasp<3>>, Error> {
         let turn = match question {
             Question::OnsetOfTurn(turn) => Some(turn),
             Question::Need(asked) => asked.turn.as_ref(),
             _ => None,
         };
         let tilts = turn.is_some_and(|turn| turn.tilts_bodies_about.is_some());
-        tilts.then(|| self.with_gravity_as_load().grasp()).transpose()
+        tilts.then(|| self.with_gravity_as_load().grasp_checked()).transpose()
     }
 }

@@ -8,8 +8,8 @@ use super::setup::Setup;
 use super::warning::Warning;
 use super::written::{Scene, Space};
 use crate::error::Error;
-use crate::grasp::{Contact, inside, outside};
-use crate::numerics::moved;
+use crate::grasp::Contact;
+use crate::numerics;
 use crate::touch::{Pad, Part, Touch, Touched, Unit};
 
 /// The grasped part, `{"mesh": "part.stl", "unit": "mm", "density": 7850}` or with `vertices` and `faces`; see [`Part`].
@@ -138,27 +138,18 @@ impl Touches {
     }
 
     /// The pad on the part, with the data of the contact of this index.
-    pub(super) fn touched<const C: usize>(
-        &self,
-        index: usize,
-        contact: &Contact<C>,
-    ) -> Result<Touched, Error> {
+    pub(super) fn touched(&self, index: usize, contact: &Contact<3>) -> Result<Touched, Error> {
         let Some(part) = &self.part else {
             let fault =
                 "the part is not read; `Scene::with_files_from` reads it from a folder, as the program does";
             return Err(Error::Mesh { fault: fault.to_owned() });
         };
-        Touch::new(self.pad()?, inside(contact).into_owned()).on_as(index, part)
+        Touch::new(self.pad()?, contact.clone()).on_as(index, part)
     }
 
     /// The contacts of its points.
-    pub(super) fn points<const C: usize>(
-        &self,
-        index: usize,
-        contact: &Contact<C>,
-    ) -> Result<Vec<Contact<C>>, Error> {
-        let touched = self.touched(index, contact)?;
-        Ok(moved(touched.into_contacts(), &outside::<Contact<C>>))
+    pub(super) fn points(&self, index: usize, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
+        Ok(self.touched(index, contact)?.into_contacts())
     }
 }
 
@@ -186,6 +177,14 @@ impl<const C: usize> Setup<C> {
         self
     }
 
+    /// The mesh of the part, if the scene has one that is read.
+    #[must_use]
+    pub fn part_read(&self) -> Option<&Part> {
+        self.part.as_ref()?.read.as_deref()
+    }
+}
+
+impl Setup<3> {
     fn with_files_from(self, folder: &Path) -> Result<Self, Error> {
         #[cfg(feature = "urdf")]
         let this = self.with_robot_from(folder)?;
@@ -198,12 +197,6 @@ impl<const C: usize> Setup<C> {
         let Some(part) = &self.part else { return Ok(self) };
         let part = Arc::new(part.read_from(folder)?);
         Ok(self.on_part(part))
-    }
-
-    /// The mesh of the part, if the scene has one that is read.
-    #[must_use]
-    pub fn part_read(&self) -> Option<&Part> {
-        self.part.as_ref()?.read.as_deref()
     }
 
     /// This setup, checked, with a part that is given by arrays; and whether all contacts have their points.
@@ -223,7 +216,9 @@ impl<const C: usize> Setup<C> {
             (None, Some(contact)) => {
                 Err(format!("contact {contact}: touches nothing, the scene has no `part`"))
             }
-            (Some(_), _) if C != 3 => Err("part: a mesh belongs to a spatial scene".to_owned()),
+            (Some(_), _) if self.space == numerics::Space::Planar => {
+                Err("part: a mesh belongs to a spatial scene".to_owned())
+            }
             (Some(part), _) if part.mass.is_some() && part.density.is_some() => {
                 Err("part: mass and density given, must be one of them".to_owned())
             }

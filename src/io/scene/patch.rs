@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
-use crate::grasp::{Pressure, SoftFingertip};
+use crate::grasp::{Pressure, SoftFingertip, Space};
 
 /// The patch of a [`SoftFingertip`]: rings, discs and rectangles in space, pairs and pads in the plane. It is written as
 /// `{"disc": {"radius": 0.006, …}}`. The functions named below state the allowed numbers.
@@ -65,20 +65,25 @@ impl Tip {
     ///
     /// # Errors
     /// [`Error::Fingertip`] for a number out of range, and for a patch of the plane in space or the reverse.
-    pub(super) fn spread<const C: usize>(&self) -> Result<SoftFingertip<C>, Error> {
-        let patch = match *self {
-            Self::Ring { radius, points } => SoftFingertip::ring(radius, points)?.of_axes(),
+    pub(super) fn spread(&self, space: Space) -> Result<SoftFingertip<3>, Error> {
+        let (patch, of) = match *self {
+            Self::Ring { radius, points } => (SoftFingertip::ring(radius, points)?, Space::Spatial),
             Self::Disc { radius, annuli, points, pressure } => {
-                SoftFingertip::disc(radius, annuli, points, pressure)?.of_axes()
+                (SoftFingertip::disc(radius, annuli, points, pressure)?, Space::Spatial)
             }
-            Self::Rectangle { sides, strips } => SoftFingertip::rectangle(sides, strips)?.of_axes(),
-            Self::Pair { width } => SoftFingertip::pair(width)?.of_axes(),
-            Self::Pad { width, strips, pressure } => SoftFingertip::pad(width, strips, pressure)?.of_axes(),
+            Self::Rectangle { sides, strips } => (SoftFingertip::rectangle(sides, strips)?, Space::Spatial),
+            Self::Pair { width } => (SoftFingertip::pair_inside(width)?, Space::Planar),
+            Self::Pad { width, strips, pressure } => {
+                (SoftFingertip::pad_inside(width, strips, pressure)?, Space::Planar)
+            }
         };
-        patch.ok_or(Error::Fingertip {
-            what: "number of axes of the patch",
-            value: if C == 2 { 3.0 } else { 2.0 },
-            allowed: if C == 2 { "2: a pair or a pad" } else { "3: a ring, a disc or a rectangle" },
-        })
+        if of == space {
+            return Ok(patch);
+        }
+        let allowed = match space {
+            Space::Planar => "2: a pair or a pad",
+            Space::Spatial => "3: a ring, a disc or a rectangle",
+        };
+        Err(Error::Fingertip { what: "number of axes of the patch", value: of.axes() as f64, allowed })
     }
 }

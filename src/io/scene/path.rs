@@ -90,11 +90,7 @@ pub struct BalancedEnergy {
 
 impl SceneNames {
     /// A path that was followed to its end, and the events on the way.
-    pub(super) fn path<const C: usize>(
-        &self,
-        path: &LoadPath<'_, C>,
-        events: Vec<Event<C>>,
-    ) -> PathAnswer<C> {
+    pub(super) fn path(&self, path: &LoadPath<'_, 3>, events: Vec<Event<3>>) -> PathAnswer<3> {
         let balanced = |energy: &LegEnergy| BalancedEnergy {
             energy: LegEnergy { turnover: 0.0, ..*energy },
             residual: energy.residual(),
@@ -110,11 +106,7 @@ impl SceneNames {
     }
 
     /// A path that was followed to its end in steps.
-    pub(super) fn path_in_steps<const C: usize>(
-        &self,
-        path: &SteppedPath<'_, C>,
-        steps: Vec<Step<C>>,
-    ) -> PathAnswer<C> {
+    pub(super) fn path_in_steps(&self, path: &SteppedPath<'_, 3>, steps: Vec<Step<3>>) -> PathAnswer<3> {
         PathAnswer {
             end: self.end(path.end(), path.state(), path.beyond()),
             events: Vec::new(),
@@ -125,12 +117,12 @@ impl SceneNames {
         }
     }
 
-    fn end<const C: usize>(
+    fn end(
         &self,
-        end: Option<&PathEnd<C>>,
-        state: Option<Equilibrium<C>>,
-        beyond: Option<Beyond<C>>,
-    ) -> PathOutcome<C> {
+        end: Option<&PathEnd<3>>,
+        state: Option<Equilibrium<3>>,
+        beyond: Option<Beyond<3>>,
+    ) -> PathOutcome<3> {
         let state = state.map(|state| Box::new(self.equilibrium(state)));
         match end {
             Some(PathEnd::Completed) => PathOutcome::Completed { state },
@@ -151,7 +143,7 @@ impl SceneNames {
         }
     }
 
-    fn event<const C: usize>(&self, mut event: Event<C>) -> Event<C> {
+    fn event(&self, mut event: Event<3>) -> Event<3> {
         event.changes.iter_mut().for_each(|change| self.name(&mut change.contact));
         let jump = event.jump.map(|mut jump| {
             jump.changes.iter_mut().for_each(|change| self.name(&mut change.contact));

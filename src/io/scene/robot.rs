@@ -9,7 +9,7 @@ use super::finger::FingerSetup;
 use super::fingertip::{Fingertip, MovedBy};
 use super::setup::Setup;
 use crate::error::Error;
-use crate::grasp::{inside, outside};
+use crate::grasp::Space;
 use crate::robot::{Mover, Robot};
 
 /// The robot that holds the object, `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "effort": "from file"}`; see
@@ -52,7 +52,7 @@ pub enum MotorLimits {
     FromFile,
 }
 
-impl<const C: usize> RobotSetup<C> {
+impl RobotSetup<3> {
     /// The robot in its posture, from a folder from which relative paths count.
     fn read_from(&self, folder: &Path) -> Result<Robot, Error> {
         let mut robot = Robot::read(folder.join(&self.urdf))?;
@@ -75,7 +75,7 @@ impl<const C: usize> RobotSetup<C> {
     }
 
     /// The contacts on links that no joint moves, and the fingers of all others.
-    fn spread(self, folder: &Path) -> Result<(Vec<Fingertip<C>>, Vec<FingerSetup<C>>), Error> {
+    fn spread(self, folder: &Path) -> Result<(Vec<Fingertip<3>>, Vec<FingerSetup<3>>), Error> {
         let robot = self.read_from(folder)?;
         let (mut links, mut entries) = (Vec::new(), Vec::new());
         for (name, on_link) in self.contacts {
@@ -88,10 +88,10 @@ impl<const C: usize> RobotSetup<C> {
         let (fixed, groups) = robot.fingers(&links);
         let mut fingers = Vec::new();
         for group in groups {
-            let joints = robot.joints_in(&group).into_iter().map(outside);
-            let mut finger = FingerSetup::new(joints.collect::<Vec<_>>());
+            let joints = robot.joints_in(&group);
+            let mut finger = FingerSetup::new(joints);
             for &k in &group.contacts {
-                let moved_by = match robot.mover(&group, links[k], &inside(&entries[k].contact)) {
+                let moved_by = match robot.mover(&group, links[k], &entries[k].contact) {
                     Mover::Link(joints) => MovedBy::Link(joints),
                     Mover::Jacobian(twists) => MovedBy::Jacobian(twists),
                 };
@@ -104,13 +104,8 @@ impl<const C: usize> RobotSetup<C> {
 }
 
 /// A contact from the frame of its link in that of the scene, with the place and the direction of its pad.
-fn placed<const C: usize>(
-    robot: &Robot,
-    link: usize,
-    index: usize,
-    mut entry: Fingertip<C>,
-) -> Result<Fingertip<C>, Error> {
-    entry.contact = outside(robot.placed_on(link, index, &inside(&entry.contact))?);
+fn placed(robot: &Robot, link: usize, index: usize, mut entry: Fingertip<3>) -> Result<Fingertip<3>, Error> {
+    entry.contact = robot.placed_on(link, index, &entry.contact)?;
     if let Some(touches) = &mut entry.touches {
         touches.from = std::array::from_fn(|a| entry.contact.point[a]);
         touches.closing = std::array::from_fn(|a| entry.contact.normal[a]);
@@ -118,12 +113,12 @@ fn placed<const C: usize>(
     Ok(entry)
 }
 
-impl<const C: usize> Setup<C> {
+impl Setup<3> {
     /// Refuses a robot in the plane, and one that touches nothing.
     pub(super) fn check_robot(&self) -> Result<(), String> {
         let Some(robot) = &self.robot else { return Ok(()) };
         let mut entries = robot.contacts.values().flatten();
-        if C != 3 {
+        if self.space == Space::Planar {
             return Err("robot: belongs to a spatial scene".to_owned());
         }
         if entries.clone().next().is_none() {

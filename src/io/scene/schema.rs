@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::springs::Springs;
 use super::written::{FORMAT, Format};
 use crate::error::LARGEST;
-use crate::grasp::{Twist, Wrench, of_the_object};
+use crate::grasp::{Space, Twist, Wrench};
 use crate::numerics::mapped;
 use crate::serial::{As, AxisRow, Computed, Friction, Given, Kind, Number, Numeric, SpringStiffness};
 
@@ -137,7 +137,7 @@ fn by_parts<K: Bounded, const C: usize>(
 ) -> Schema {
     let joints = json_schema!({ "type": "array", "items": number::<K>() });
     let first = told(generator, list::<K>(C, C), linear.1);
-    let second = told(generator, angular::<K>(of_the_object::<C>() - C), turning.1);
+    let second = told(generator, angular::<K>(Space::of::<C>().planes().len()), turning.1);
     let joints =
         told(generator, joints, "Of the joints of a hand; fewer than there are stand for the first.");
     let required = if generator.contract().is_serialize() { vec![linear.0, turning.0] } else { Vec::new() };
@@ -161,7 +161,7 @@ fn told(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema 
 
 /// The rotation of the arm that carries a body.
 fn turning<const C: usize>(generator: &SchemaGenerator) -> Schema {
-    let rate = || angular::<Given>(of_the_object::<C>() - C);
+    let rate = || angular::<Given>(Space::of::<C>().planes().len());
     let about = told(generator, list::<Given>(C, C), "A point of the axis, m; the origin if left out.");
     let velocity = [("velocity_deg", "degrees/s."), ("velocity_rad", "rad/s, in place of it.")];
     let speeding = [("acceleration_deg", "degrees/s²."), ("acceleration_rad", "rad/s², in place of it.")];
@@ -194,7 +194,7 @@ impl<const C: usize> JsonSchema for Wrench<C> {
         let at = told(generator, at, "Where the force acts, m; at the origin if left out.");
         if let Some(properties) = schema.get_mut("properties").and_then(Value::as_object_mut) {
             properties.insert("at".to_owned(), at.into());
-            let turns = of_the_object::<C>() - C;
+            let turns = Space::of::<C>().planes().len();
             let body = [
                 ("mass", number::<Given>(), "Of a body that an arm carries, kg; its centre is `at`."),
                 ("inertia", angular::<Given>(turns), "Of the body about its centre, kg m²."),

@@ -13,7 +13,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{self, Bodies, Hand, Space, Tendon, inside, outside};
-use crate::serial::{AsGiven, in_text_of, object};
+use crate::serial::{AsGiven, in_text_of, object, space_of_text};
 
 /// Contacts, questions and settings: 3 degrees of freedom of the object and `C` = 2 axes of a contact in the plane, 6 and 3 in space.
 ///
@@ -43,6 +43,9 @@ use crate::serial::{AsGiven, in_text_of, object};
 #[serde(remote = "Self", deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Setup<const C: usize> {
+    /// The plane or space; a setup of the plane may have three components a vector.
+    #[serde(skip, default = "space_of_text::<C>")]
+    pub(crate) space: Space,
     /// Contacts whose fingers have no joints. Together with those of fingers there must be at least one, else [`Setup::grasp`] is an error.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<Fingertip<C>>,
@@ -115,12 +118,11 @@ impl<const C: usize> Serialize for Setup<C> {
 impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         let checked = |Fields(setup): Fields| {
-            let setup: Self = outside(setup);
             setup.check_bodies()?;
             #[cfg(feature = "urdf")]
             if setup.robot.is_some() {
                 // Its contacts are known, and questions are checked, once its file is read.
-                return setup.check_robot().map(|()| setup);
+                return setup.check_robot().map(|()| outside(setup));
             }
             if setup.entries().next().is_none() && setup.links.is_empty() {
                 return Err(Error::EmptyGrasp.to_string());
@@ -131,12 +133,12 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
             let has_points = true;
             if has_points && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
                 // The numbers of joints depend on their contacts, and are checked with the grasp.
-                setup.grasp().map(drop).map_err(|error| error.to_string())?;
+                setup.grasp_checked().map(drop).map_err(|error| error.to_string())?;
             }
             for (index, question) in setup.questions.iter().enumerate() {
-                setup.check(question).map_err(|error| format!("questions[{index}]: {error}"))?;
+                setup.check_question(question).map_err(|error| format!("questions[{index}]: {error}"))?;
             }
-            Ok(setup)
+            Ok(outside(setup))
         };
         in_text_of(Space::of::<C>(), || object::read(deserializer, "a setup", checked))
     }
@@ -153,6 +155,7 @@ impl<const C: usize> Setup<C> {
     /// A setup without questions and outline, with default settings. A [`Contact`](crate::grasp::Contact) is turned `into` a [`Fingertip`].
     pub fn new(contacts: impl IntoIterator<Item = Fingertip<C>>) -> Self {
         Self {
+            space: Space::of::<C>(),
             contacts: contacts.into_iter().collect(),
             fingers: Vec::new(),
             tendons: Vec::new(),
@@ -213,8 +216,7 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// [`Error::Fingertip`] for a patch that cannot be built.
     pub fn points(&self) -> Result<usize, Error> {
-        let points = self.entries().map(Fingertip::count).sum::<Result<usize, _>>()?;
-        Ok(points + self.points_of_links()?.len())
+        inside(self).all_points()
     }
 
     /// Whether there are fingers, tendons or contacts held by a force; the grasp is then that of a [`Hand`], see [`Self::hand`].
@@ -230,10 +232,31 @@ impl<const C: usize> Setup<C> {
     /// As for [`Grasp::new`], [`Hand::grasp`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index
     /// that the contact has in the scene.
     pub fn grasp(&self) -> Result<Grasp<C>, Error> {
+        inside(self).grasp_checked().map(outside)
+    }
+
+    /// The hand that holds the object: fingers without joints first, one for each contact.
+    ///
+    /// # Errors
+    /// [`Error::Contact`], [`Error::Fingertip`] and [`Error::Hand`] for parts that cannot be built.
+    pub fn hand(&self) -> Result<Hand<C>, Error> {
+        inside(self).whole_hand().map(outside)
+    }
+}
+
+impl Setup<3> {
+    /// [`Self::points`] in the plane or in space.
+    pub(crate) fn all_points(&self) -> Result<usize, Error> {
+        let points = self.entries().map(Fingertip::count).sum::<Result<usize, _>>()?;
+        Ok(points + self.points_of_links()?.len())
+    }
+
+    /// [`Self::grasp`] in the plane or in space.
+    pub(super) fn grasp_checked(&self) -> Result<Grasp<3>, Error> {
         let grasp = if !self.bodies.is_empty() {
             self.several_bodies()?.grasp()
         } else if self.is_held_by_a_hand() {
-            self.hand()?.grasp()
+            self.whole_hand()?.grasp()
         } else {
             let mut points = Vec::with_capacity(self.contacts.len());
             for (index, entry) in self.contacts.iter().enumerate() {
@@ -245,11 +268,8 @@ impl<const C: usize> Setup<C> {
         Ok(grasp.map_err(|error| self.in_the_scene(error))?.with(&self.settings))
     }
 
-    /// The hand that holds the object: fingers without joints first, one for each contact.
-    ///
-    /// # Errors
-    /// [`Error::Contact`], [`Error::Fingertip`] and [`Error::Hand`] for parts that cannot be built.
-    pub fn hand(&self) -> Result<Hand<C>, Error> {
+    /// [`Self::hand`] in the plane or in space.
+    fn whole_hand(&self) -> Result<Hand<3>, Error> {
         let mut fingers = Vec::new();
         for (index, entry) in self.contacts.iter().enumerate() {
             fingers.extend(entry.points(index)?.into_iter().map(grasp::Finger::fixed));
@@ -264,8 +284,8 @@ impl<const C: usize> Setup<C> {
     }
 
     /// The bodies with the hand that holds them.
-    fn several_bodies(&self) -> Result<Bodies<C>, Error> {
-        let mut bodies = Bodies::new(self.bodies.iter().map(BodySetup::body)).held_by(self.hand()?);
+    fn several_bodies(&self) -> Result<Bodies<3>, Error> {
+        let mut bodies = Bodies::new(self.bodies.iter().map(BodySetup::body)).held_by(self.whole_hand()?);
         if let Some(gravity) = self.gravity {
             bodies = bodies.gravity(gravity);
         }

@@ -25,13 +25,13 @@ pub struct SolveAnswer<const C: usize> {
 
 impl SceneNames {
     /// The answer to a question; if the search does not decide whether the load is held, with the answer of a path from rest.
-    pub(super) fn solve<const C: usize>(
+    pub(super) fn solve(
         &self,
-        grasp: &Grasp<C>,
-        load: &Wrench<C>,
-        outcome: Outcome<C>,
+        grasp: &Grasp<3>,
+        load: &Wrench<3>,
+        outcome: Outcome<3>,
         words: Words,
-    ) -> Result<SolveAnswer<C>, Error> {
+    ) -> Result<SolveAnswer<3>, Error> {
         let tells = match &outcome {
             Outcome::Equilibrium(state) => state.open_cups.is_empty(),
             Outcome::NoEquilibrium(_) => true,

@@ -2,6 +2,7 @@
 
 use super::setup::Setup;
 use crate::error::Error;
+use crate::grasp::inside;
 
 /// Numbers of an answer that differ by this part depend on the stiffness.
 const DEPENDS: f64 = 0.05;
@@ -13,6 +14,13 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::answers`].
     pub fn depends_on_tangential_stiffness(&self) -> Result<Vec<usize>, Error> {
+        inside(self).where_tangential_springs_matter()
+    }
+}
+
+impl Setup<3> {
+    /// [`Self::depends_on_tangential_stiffness`] in the plane or in space.
+    fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
         let (softer, stiffer) = (self.with_tangential(0.1)?, self.with_tangential(10.0)?);
         let trial = |trial: usize| if trial == 1 { softer.clone() } else { stiffer.clone() };
         self.questions_that_depend(&trial, &|_| false, DEPENDS)
@@ -35,7 +43,7 @@ impl<const C: usize> Setup<C> {
                 entry.contact = entry.contact.clone().series_stiffness(normal, tangential);
             }
             let mut springs = entry.contact.series_stiffness_of_axes();
-            for axis in 1..C {
+            for axis in 1..3 {
                 springs[axis] *= times;
             }
             entry.contact = entry.contact.clone().series_stiffness_axes(springs);

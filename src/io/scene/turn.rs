@@ -10,7 +10,7 @@ use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::wrench::part;
-use crate::grasp::{Space, Wrench, of_the_object};
+use crate::grasp::{Space, Wrench};
 use crate::load_path::Turn;
 #[cfg(feature = "schema")]
 use crate::serial::AxisRow;
@@ -128,13 +128,6 @@ impl<const C: usize> WrittenTurn<C> {
             [self.constant, self.cosine, self.sine].map(|part| part.unwrap_or(Wrench::ZERO));
         Ok(Turn::new(constant, cosine, sine))
     }
-}
-
-/// The part of a wrench in space that the plane has: forces along x and y, and the moment about z. In space the whole wrench.
-pub(super) fn of_space<const C: usize>(wrench: &Wrench<3>) -> Wrench<C> {
-    let (force, moment) = wrench.components().split_at(3);
-    let planes = of_the_object::<C>() - C;
-    Wrench::from_components(&[&force[..C], &moment[3 - planes..]].concat())
 }
 
 /// `{"constant": …, "cosine": …, "sine": …, "angle_rad": …}` (feature `serde`), see [`crate::scene`].

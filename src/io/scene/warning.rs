@@ -1,6 +1,5 @@
 //! Warnings about probable mistakes in a scene that can be answered.
 
-use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::Serialize;
@@ -8,7 +7,8 @@ use serde::Serialize;
 use super::setup::Setup;
 use super::written::{Scene, Space};
 use crate::error::Error;
-use crate::numerics::mapped;
+use crate::grasp::inside;
+use crate::numerics::{mapped, moved};
 use crate::words::{Words, listed, printable};
 
 /// A probable mistake in a scene.
@@ -297,7 +297,14 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::grasp`].
     pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
-        let grasp = self.grasp()?;
+        inside(self).all_warnings()
+    }
+}
+
+impl Setup<3> {
+    /// [`Self::warnings`] in the plane or in space.
+    pub(crate) fn all_warnings(&self) -> Result<Vec<Warning>, Error> {
+        let grasp = self.grasp_checked()?;
         let mut warnings = self.odd_contacts(&grasp)?;
         #[cfg(feature = "mesh")]
         warnings.extend(self.badly_touching()?);
@@ -307,22 +314,23 @@ impl<const C: usize> Setup<C> {
         }
         warnings.extend(self.otherwise_at_rest(&grasp)?);
         warnings.extend(self.same_names());
-        warnings.extend(self.stiffness_left_out()?);
+        warnings.extend(self.springs_left_out()?);
         warnings.extend(self.stiffness_of_links_left_out()?);
         Ok(warnings)
     }
-}
 
-impl<const C: usize> Setup<C> {
     /// Names that more than one contact has.
     fn same_names(&self) -> Vec<Warning> {
-        let mut named: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        let mut named: Vec<(&str, Vec<usize>)> = Vec::new();
         for (contact, entry) in self.entries().enumerate() {
-            if let Some(name) = entry.contact.name.as_deref() {
-                named.entry(name).or_default().push(contact);
+            let Some(name) = entry.contact.name.as_deref() else { continue };
+            let place = named.partition_point(|(other, _)| *other < name);
+            match named.get_mut(place) {
+                Some((same, contacts)) if *same == name => contacts.push(contact),
+                _ => named.insert(place, (name, vec![contact])),
             }
         }
-        let several = named.into_iter().filter(|(_, contacts)| contacts.len() > 1);
-        several.map(|(name, contacts)| Warning::SameName { contacts, name: name.to_owned() }).collect()
+        named.retain(|(_, contacts)| contacts.len() > 1);
+        moved(named, &|(name, contacts)| Warning::SameName { contacts, name: name.to_owned() })
     }
 }

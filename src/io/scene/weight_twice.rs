@@ -5,34 +5,44 @@ use serde_json::Value;
 use super::fault::{Fault, FaultKind};
 use super::setup::Setup;
 use super::written::{Scene, Space};
+use crate::grasp::inside;
 use crate::words::printable;
 
 impl Scene {
     /// Refuses questions that count a weight twice. Only their text still distinguishes a mass from a force.
     pub(super) fn refuse_weights_twice(&self, text: &[u8]) -> Result<(), Fault> {
         match &self.space {
-            Space::Planar(setup) => setup.refuse_in_scene(text, "planar"),
+            Space::Planar(setup) => inside(setup).refuse_in_scene(text, "planar"),
             Space::Spatial(setup) => setup.refuse_in_scene(text, "spatial"),
         }
     }
 }
 
-impl<const C: usize> Setup<C> {
+impl Setup<3> {
     fn refuse_in_scene(&self, text: &[u8], space: &str) -> Result<(), Fault> {
         if self.own_mass().is_none() {
             return Ok(());
         }
         // The scene was read from this text, which is therefore JSON.
         let scene: Value = serde_json::from_slice(text).unwrap_or_default();
-        self.refuse_weight_twice(&scene[space]["questions"], &format!("{space}.questions"))
+        self.refuse_twice(&scene[space]["questions"], &format!("{space}.questions"))
     }
+}
 
+impl<const C: usize> Setup<C> {
     /// Refuses a question, as JSON, with a mass or a turning weight on bodies that have a weight by their own masses; `path` is the field
     /// that holds the question.
     ///
     /// # Errors
     /// A [`Fault`] that names the field, and how to count the weight once.
     pub fn refuse_weight_twice(&self, question: &Value, path: &str) -> Result<(), Fault> {
+        inside(self).refuse_twice(question, path)
+    }
+}
+
+impl Setup<3> {
+    /// [`Self::refuse_weight_twice`] in the plane or in space.
+    fn refuse_twice(&self, question: &Value, path: &str) -> Result<(), Fault> {
         match self.own_mass().and_then(|_| self.weight_twice(question, path, None)) {
             Some((field, message)) => {
                 Err(Fault { kind: FaultKind::Scene, message, field: Some(field), at: None })

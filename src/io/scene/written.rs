@@ -3,12 +3,12 @@
 use std::fmt;
 
 use serde::de::{Deserialize, Deserializer, Error as _, Unexpected, Visitor};
-use serde::ser::{Serialize, SerializeSeq, Serializer};
+use serde::ser::{Serialize, Serializer};
 
 use super::answer::Answer;
 use super::setup::Setup;
 use crate::error::Error;
-use crate::grasp::inside;
+use crate::grasp::all_inside;
 use crate::numerics;
 use crate::serial::{in_text_of, object};
 use crate::words::{Unit, Words};
@@ -113,20 +113,29 @@ impl Answers {
 impl Serialize for Answers {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
-            Self::Planar(list) => write_all(list, serializer),
-            Self::Spatial(list) => write_all(list, serializer),
+            Self::Planar(list) => write_all(numerics::Space::Planar, &all_inside(list), serializer),
+            Self::Spatial(list) => write_all(numerics::Space::Spatial, list, serializer),
         }
     }
 }
 
-fn write_all<S: Serializer, const C: usize>(list: &[Answer<C>], serializer: S) -> Result<S::Ok, S::Error> {
-    in_text_of(numerics::Space::of::<C>(), || {
-        let mut seq = serializer.serialize_seq(Some(list.len()))?;
-        for answer in list {
-            seq.serialize_element(&*inside(answer))?;
-        }
-        seq.end()
-    })
+/// Answers of the plane or of space with three components a vector; they are written as [`Answers`] are.
+#[cfg(feature = "json")]
+pub(crate) struct AnswersInside(pub(crate) numerics::Space, pub(crate) Vec<Answer<3>>);
+
+#[cfg(feature = "json")]
+impl Serialize for AnswersInside {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        write_all(self.0, &self.1, serializer)
+    }
+}
+
+fn write_all<S: Serializer>(
+    space: numerics::Space,
+    list: &[Answer<3>],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    in_text_of(space, || list.serialize(serializer))
 }
 
 impl Scene {

@@ -12,7 +12,7 @@ use super::matrix::Rows;
 use super::patch::Tip;
 use super::springs::Springs;
 use crate::error::{ContactLabel, Error};
-use crate::grasp::{Axes, Contact, Hold, Stiffness};
+use crate::grasp::{Axes, Contact, Hold, Stiffness, inside};
 use crate::improve::Surface;
 use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Friction, Given, Number, space_of_text};
@@ -285,7 +285,7 @@ impl<const C: usize> Fingertip<C> {
             contact.check(0).map_err(fault)?;
         }
         contact.frame(0).map_err(fault)?;
-        self.check_patch(contact.space).map_err(fault)?;
+        inside(&self).patch().map_err(fault)?;
         #[cfg(feature = "mesh")]
         self.touches.as_ref().map(super::part::Touches::pad).transpose().map_err(fault)?;
         Ok(self)

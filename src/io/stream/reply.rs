@@ -5,9 +5,13 @@ use serde::Serialize;
 use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use crate::error::Error;
+use crate::grasp::Face;
 use crate::numerics::mapped;
-use crate::scene::{Answers, Brief, Fault, Id, Scene, Setup, Space, Warning};
+#[cfg(feature = "schema")]
+use crate::scene::Answers;
+use crate::scene::{AnswersInside, Brief, Fault, Id, Scene, Space, Warning};
 use crate::sweep::fault_in;
+use crate::words::Words;
 
 /// See [the stream](super).
 #[derive(Serialize)]
@@ -21,7 +25,8 @@ pub(crate) struct Reply {
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     blank: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
-    answers: Option<Answers>,
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Answers>"))]
+    answers: Option<AnswersInside>,
     #[serde(skip_serializing_if = "Option::is_none")]
     brief: Option<Vec<Brief>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -87,23 +92,15 @@ impl Reply {
     }
 
     fn answer(&mut self, scene: Scene, options: &StreamOptions) -> Result<(), Fault> {
-        match scene.space {
-            Space::Planar(setup) => self.answer_setup(setup, options, Answers::Planar),
-            Space::Spatial(setup) => self.answer_setup(setup, options, Answers::Spatial),
-        }
-    }
-
-    fn answer_setup<const C: usize>(
-        &mut self,
-        mut setup: Setup<C>,
-        options: &StreamOptions,
-        wrap: impl FnOnce(Vec<crate::scene::Answer<C>>) -> Answers,
-    ) -> Result<(), Fault> {
+        let mut setup = match scene.space {
+            Space::Planar(setup) => setup.enter(),
+            Space::Spatial(setup) => setup,
+        };
         if setup.questions.is_empty() {
             return Err(Fault::of_scene("no questions: there is nothing to answer".to_owned()));
         }
         let refused = |error: Error| Fault::of_question(&error);
-        let points = setup.points().map_err(refused)?;
+        let points = setup.all_points().map_err(refused)?;
         if points > options.most_points {
             let most = options.most_points;
             return Err(Fault::of_scene(format!(
@@ -112,11 +109,12 @@ impl Reply {
         }
         setup.settings.most_states = setup.settings.most_states.min(options.most_states);
         setup.settings.most_steps = setup.settings.most_steps.min(options.most_steps);
-        self.warnings = mapped(&setup.warnings().map_err(refused)?, &Warning::to_string);
+        self.warnings = mapped(&setup.all_warnings().map_err(refused)?, &Warning::to_string);
         if options.brief {
-            self.brief = Some(setup.brief_answers().map_err(refused)?);
+            self.brief = Some(setup.answered_briefly().map_err(refused)?);
         } else {
-            self.answers = Some(wrap(setup.answers().map_err(refused)?));
+            let all = setup.answered(Words::default()).map_err(refused)?;
+            self.answers = Some(AnswersInside(setup.space, all));
         }
         Ok(())
     }

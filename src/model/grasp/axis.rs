@@ -3,28 +3,33 @@
 use nalgebra::SVector;
 
 use super::wrench::Twist;
+use crate::numerics::Space;
 
 /// A rotation: in the plane its angle from x to y, in space its rotation vector, rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Rotation<const C: usize> {
+pub(crate) enum Rotation {
     Plane(f64),
-    Space(SVector<f64, C>),
+    Space(SVector<f64, 3>),
 }
 
-impl<const C: usize> Twist<C> {
+impl Twist<3> {
     /// Translation of the origin, m, and rotation.
-    pub(crate) fn parts(&self) -> (SVector<f64, C>, Rotation<C>) {
-        let (along, turning) = self.components().split_at(C);
-        let rotation = if C == 2 {
-            Rotation::Plane(turning[0])
-        } else {
-            Rotation::Space(SVector::from_column_slice(turning))
+    pub(crate) fn parts(&self) -> (SVector<f64, 3>, Rotation) {
+        self.parts_in(Space::Spatial)
+    }
+
+    /// [`Self::parts`] in the plane or in space.
+    pub(crate) fn parts_in(&self, space: Space) -> (SVector<f64, 3>, Rotation) {
+        let (along, turning) = self.components().split_at(3);
+        let rotation = match space {
+            Space::Planar => Rotation::Plane(turning[2]),
+            Space::Spatial => Rotation::Space(SVector::from_column_slice(turning)),
         };
         (SVector::from_column_slice(along), rotation)
     }
 }
 
-impl<const C: usize> Rotation<C> {
+impl Rotation {
     /// Absolute angle of the rotation, rad.
     pub(crate) fn size(&self) -> f64 {
         match self {
@@ -34,7 +39,7 @@ impl<const C: usize> Rotation<C> {
     }
 
     /// Unit vector of the axis; zero in the plane.
-    pub(crate) fn axis(&self) -> SVector<f64, C> {
+    pub(crate) fn axis(&self) -> SVector<f64, 3> {
         match self {
             Self::Plane(_) => SVector::zeros(),
             Self::Space(omega) => omega.normalize(),
@@ -42,14 +47,12 @@ impl<const C: usize> Rotation<C> {
     }
 
     /// Vector from a point with displacement u = `moves` to the nearest point of the axis: `ω × u / |ω|²`.
-    pub(crate) fn way_to_axis(&self, moves: &SVector<f64, C>) -> SVector<f64, C> {
+    pub(crate) fn way_to_axis(&self, moves: &SVector<f64, 3>) -> SVector<f64, 3> {
         match self {
-            Self::Plane(turn) => {
-                SVector::from_fn(|a, _| if a == 0 { -moves[1] / turn } else { moves[0] / turn })
-            }
+            Self::Plane(turn) => SVector::from([-moves[1] / turn, moves[0] / turn, 0.0]),
             Self::Space(omega) => {
                 let cross = |a: usize| {
-                    omega[(a + 1) % C] * moves[(a + 2) % C] - omega[(a + 2) % C] * moves[(a + 1) % C]
+                    omega[(a + 1) % 3] * moves[(a + 2) % 3] - omega[(a + 2) % 3] * moves[(a + 1) % 3]
                 };
                 SVector::from_fn(|a, _| cross(a)) / omega.norm_squared()
             }
@@ -57,7 +60,7 @@ impl<const C: usize> Rotation<C> {
     }
 
     /// Part of a point's displacement `moves` along the axis.
-    pub(crate) fn along_axis(&self, moves: &SVector<f64, C>) -> SVector<f64, C> {
+    pub(crate) fn along_axis(&self, moves: &SVector<f64, 3>) -> SVector<f64, 3> {
         let axis = self.axis();
         axis * axis.dot(moves)
     }

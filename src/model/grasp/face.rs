@@ -26,37 +26,62 @@ pub(crate) trait Face: Sized + Clone + 'static {
     /// The value inside the engine.
     type Inside: Clone + 'static;
 
-    /// The value as the engine has it.
-    fn enter(self) -> Self::Inside;
+    /// Whether the value is the same inside, as in space: then neither [`Self::widen`] nor [`Self::narrow`] is compiled.
+    const SAME: bool;
 
-    /// The value as the caller sees it.
-    fn leave(inside: Self::Inside) -> Self;
+    /// The value of the plane with three components a vector.
+    fn widen(&self) -> Self::Inside;
+
+    /// The value of the plane without third components.
+    fn narrow(inside: Self::Inside) -> Self;
+
+    /// The value as the engine has it.
+    fn enter(self) -> Self::Inside {
+        if const { Self::SAME } { same(self) } else { self.widen() }
+    }
+
+    /// A copy of the value as the engine has it.
+    fn entered(&self) -> Self::Inside {
+        if const { Self::SAME } { same(self.clone()) } else { self.widen() }
+    }
+
+    /// The value as the caller sees it; that of space is moved as it is.
+    fn leave(inside: Self::Inside) -> Self {
+        if const { Self::SAME } { same(inside) } else { Self::narrow(inside) }
+    }
+}
+
+/// A value under the other name of its type.
+fn same<A: 'static, B: 'static>(value: A) -> B {
+    let mut value = Some(value);
+    let same = (&mut value as &mut dyn Any).downcast_mut::<Option<B>>().and_then(Option::take);
+    same.expect("both names are of one type")
 }
 
 /// The value as the engine has it; that of space is lent.
 pub(crate) fn inside<T: Face>(value: &T) -> Cow<'_, T::Inside> {
-    match (value as &dyn Any).downcast_ref::<T::Inside>() {
-        Some(same) => Cow::Borrowed(same),
-        None => Cow::Owned(value.clone().enter()),
+    if const { T::SAME } {
+        Cow::Borrowed((value as &dyn Any).downcast_ref::<T::Inside>().expect("both names are of one type"))
+    } else {
+        Cow::Owned(value.widen())
     }
 }
 
 /// The values as the engine has them.
 pub(crate) fn all_inside<T: Face>(values: &[T]) -> Vec<T::Inside> {
+    if const { T::SAME } {
+        return same(values.to_vec());
+    }
     let mut all = Vec::with_capacity(values.len());
     for value in values {
-        all.push(value.clone().enter());
+        all.push(value.widen());
     }
     all
 }
 
 /// The value as the caller sees it; that of space is moved as it is.
 pub(crate) fn outside<T: Face>(inside: T::Inside) -> T {
-    let mut inside = Some(inside);
-    match (&mut inside as &mut dyn Any).downcast_mut::<Option<T>>().and_then(Option::take) {
-        Some(same) => same,
-        None => T::leave(inside.expect("is taken by the other arm alone")),
-    }
+    T::leave(inside)
 }
 
 /// Declares that a structure goes through the door field by field. A second parameter of its type is the same on both sides.
@@ -64,13 +89,14 @@ macro_rules! face_of_struct {
     ($($name:ident $(<$same:ident>)? { $($(#[$when:meta])? $field:ident),* $(,)? })*) => {$(
         impl<const C: usize $(, $same: crate::grasp::Face<Inside = $same>)?> crate::grasp::Face for $name<C $(, $same)?> {
             type Inside = $name<3 $(, $same)?>;
+            const SAME: bool = C == 3;
 
-            fn enter(self) -> Self::Inside {
+            fn widen(&self) -> Self::Inside {
                 let Self { $($(#[$when])? $field),* } = self;
-                $name { $($(#[$when])? $field: crate::grasp::Face::enter($field)),* }
+                $name { $($(#[$when])? $field: crate::grasp::Face::entered($field)),* }
             }
 
-            fn leave(inside: Self::Inside) -> Self {
+            fn narrow(inside: Self::Inside) -> Self {
                 let $name { $($(#[$when])? $field),* } = inside;
                 Self { $($(#[$when])? $field: crate::grasp::Face::leave($field)),* }
             }
@@ -84,15 +110,16 @@ macro_rules! face_of_enum {
     ($($name:ident $(<$same:ident>)? { $($variant:ident { $($key:tt : $field:ident),* $(,)? }),* $(,)? })*) => {$(
         impl<const C: usize $(, $same: crate::grasp::Face<Inside = $same>)?> crate::grasp::Face for $name<C $(, $same)?> {
             type Inside = $name<3 $(, $same)?>;
+            const SAME: bool = C == 3;
 
-            fn enter(self) -> Self::Inside {
+            fn widen(&self) -> Self::Inside {
                 match self {
                     $(Self::$variant { $($key: $field),* } =>
-                        $name::$variant { $($key: crate::grasp::Face::enter($field)),* },)*
+                        $name::$variant { $($key: crate::grasp::Face::entered($field)),* },)*
                 }
             }
 
-            fn leave(inside: Self::Inside) -> Self {
+            fn narrow(inside: Self::Inside) -> Self {
                 match inside {
                     $($name::$variant { $($key: $field),* } =>
                         Self::$variant { $($key: crate::grasp::Face::leave($field)),* },)*
@@ -108,10 +135,26 @@ macro_rules! same_on_both_sides {
     ($($name:ty),* $(,)?) => {$(
         impl crate::grasp::Face for $name {
             type Inside = Self;
+            const SAME: bool = true;
+
+            #[inline]
+            fn widen(&self) -> Self {
+                self.clone()
+            }
+
+            #[inline]
+            fn narrow(inside: Self) -> Self {
+                inside
+            }
 
             #[inline]
             fn enter(self) -> Self {
                 self
+            }
+
+            #[inline]
+            fn entered(&self) -> Self {
+                self.clone()
             }
 
             #[inline]
@@ -124,21 +167,18 @@ macro_rules! same_on_both_sides {
 pub(crate) use same_on_both_sides;
 
 same_on_both_sides! {
-    bool, f64, usize, String, Arc<str>, DMatrix<f64>, Space, super::WholeContact, super::PartLabel, crate::error::ContactLabel,
+    bool, f64, usize, &'static str, String, Arc<str>, DMatrix<f64>, Space, super::WholeContact, super::PartLabel, crate::error::ContactLabel,
 }
 
 impl<T: Face> Face for Vec<T> {
     type Inside = Vec<T::Inside>;
+    const SAME: bool = T::SAME;
 
-    fn enter(self) -> Self::Inside {
-        let mut all = Vec::with_capacity(self.len());
-        for value in self {
-            all.push(value.enter());
-        }
-        all
+    fn widen(&self) -> Self::Inside {
+        all_inside(self)
     }
 
-    fn leave(inside: Self::Inside) -> Self {
+    fn narrow(inside: Self::Inside) -> Self {
         let mut all = Self::with_capacity(inside.len());
         for value in inside {
             all.push(T::leave(value));
@@ -149,28 +189,30 @@ impl<T: Face> Face for Vec<T> {
 
 impl<T: Face> Face for Option<T> {
     type Inside = Option<T::Inside>;
+    const SAME: bool = T::SAME;
 
-    fn enter(self) -> Self::Inside {
-        self.map(T::enter)
+    fn widen(&self) -> Self::Inside {
+        self.as_ref().map(T::entered)
     }
 
-    fn leave(inside: Self::Inside) -> Self {
+    fn narrow(inside: Self::Inside) -> Self {
         inside.map(T::leave)
     }
 }
 
 impl<T: Face> Face for BTreeMap<String, T> {
     type Inside = BTreeMap<String, T::Inside>;
+    const SAME: bool = T::SAME;
 
-    fn enter(self) -> Self::Inside {
+    fn widen(&self) -> Self::Inside {
         let mut all = BTreeMap::new();
         for (key, value) in self {
-            all.insert(key, value.enter());
+            all.insert(key.clone(), value.entered());
         }
         all
     }
 
-    fn leave(inside: Self::Inside) -> Self {
+    fn narrow(inside: Self::Inside) -> Self {
         let mut all = Self::new();
         for (key, value) in inside {
             all.insert(key, T::leave(value));
@@ -181,36 +223,43 @@ impl<T: Face> Face for BTreeMap<String, T> {
 
 impl<T: Face> Face for Box<T> {
     type Inside = Box<T::Inside>;
+    const SAME: bool = T::SAME;
 
-    fn enter(self) -> Self::Inside {
-        Box::new((*self).enter())
+    fn widen(&self) -> Self::Inside {
+        Box::new(T::entered(self))
     }
 
-    fn leave(inside: Self::Inside) -> Self {
+    fn narrow(inside: Self::Inside) -> Self {
         Self::new(T::leave(*inside))
     }
 }
 
 impl<A: Face, B: Face> Face for (A, B) {
     type Inside = (A::Inside, B::Inside);
+    const SAME: bool = A::SAME && B::SAME;
 
-    fn enter(self) -> Self::Inside {
-        (self.0.enter(), self.1.enter())
+    fn widen(&self) -> Self::Inside {
+        (self.0.entered(), self.1.entered())
     }
 
-    fn leave(inside: Self::Inside) -> Self {
+    fn narrow(inside: Self::Inside) -> Self {
         (A::leave(inside.0), B::leave(inside.1))
     }
 }
 
 impl<T: Face> Face for Harmonic<T> {
     type Inside = Harmonic<T::Inside>;
+    const SAME: bool = T::SAME;
 
-    fn enter(self) -> Self::Inside {
-        Harmonic { constant: self.constant.enter(), cosine: self.cosine.enter(), sine: self.sine.enter() }
+    fn widen(&self) -> Self::Inside {
+        Harmonic {
+            constant: self.constant.entered(),
+            cosine: self.cosine.entered(),
+            sine: self.sine.entered(),
+        }
     }
 
-    fn leave(inside: Self::Inside) -> Self {
+    fn narrow(inside: Self::Inside) -> Self {
         let Harmonic { constant, cosine, sine } = inside;
         Self { constant: T::leave(constant), cosine: T::leave(cosine), sine: T::leave(sine) }
     }
@@ -218,14 +267,15 @@ impl<T: Face> Face for Harmonic<T> {
 
 impl<const C: usize> Face for SVector<f64, C> {
     type Inside = SVector<f64, 3>;
+    const SAME: bool = C == 3;
 
     #[inline]
-    fn enter(self) -> SVector<f64, 3> {
+    fn widen(&self) -> SVector<f64, 3> {
         SVector::from_fn(|a, _| if a < C { self[a] } else { 0.0 })
     }
 
     #[inline]
-    fn leave(inside: SVector<f64, 3>) -> Self {
+    fn narrow(inside: SVector<f64, 3>) -> Self {
         Self::from_fn(|a, _| inside[a])
     }
 }
@@ -237,12 +287,13 @@ pub(crate) fn frame_outside<const C: usize>(inside: &SMatrix<f64, 3, 3>) -> SMat
 
 impl<const C: usize> Face for [f64; C] {
     type Inside = [f64; 3];
+    const SAME: bool = C == 3;
 
-    fn enter(self) -> [f64; 3] {
-        SVector::from(self).enter().into()
+    fn widen(&self) -> [f64; 3] {
+        SVector::from(*self).widen().into()
     }
 
-    fn leave(inside: [f64; 3]) -> Self {
+    fn narrow(inside: [f64; 3]) -> Self {
         SVector::<f64, C>::leave(inside.into()).into()
     }
 }
@@ -252,15 +303,16 @@ macro_rules! face_of_six {
     ($($name:ident),*) => {$(
         impl<const C: usize> Face for $name<C> {
             type Inside = $name<3>;
+            const SAME: bool = C == 3;
 
             #[inline]
-            fn enter(self) -> $name<3> {
+            fn widen(&self) -> $name<3> {
                 let space = Space::of::<C>();
                 $name::among(space, &self.coordinates(space))
             }
 
             #[inline]
-            fn leave(inside: $name<3>) -> Self {
+            fn narrow(inside: $name<3>) -> Self {
                 let space = Space::of::<C>();
                 Self::among(space, &inside.coordinates(space))
             }
@@ -287,18 +339,19 @@ face_of_struct! {
 /// The stiffness along an axis that the plane does not have is that of the tangent, so that it passes every check; no spring has it.
 impl<const C: usize> Face for Stiffness<C> {
     type Inside = Stiffness<3>;
+    const SAME: bool = C == 3;
 
-    fn enter(self) -> Stiffness<3> {
+    fn widen(&self) -> Stiffness<3> {
         let filled = |k: &SVector<f64, C>| SVector::from_fn(|a, _| k[a.min(C - 1)]);
         match self {
             Self::BodyAndFinger { body, finger } => {
-                Stiffness::BodyAndFinger { body: filled(&body), finger: filled(&finger) }
+                Stiffness::BodyAndFinger { body: filled(body), finger: filled(finger) }
             }
-            Self::Series(k) => Stiffness::Series(filled(&k)),
+            Self::Series(k) => Stiffness::Series(filled(k)),
         }
     }
 
-    fn leave(inside: Stiffness<3>) -> Self {
+    fn narrow(inside: Stiffness<3>) -> Self {
         match inside {
             Stiffness::BodyAndFinger { body, finger } => {
                 Self::BodyAndFinger { body: Face::leave(body), finger: Face::leave(finger) }

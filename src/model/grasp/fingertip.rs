@@ -9,9 +9,10 @@ use core::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::contact::Contact;
+use super::face::{Face, face_of_struct, inside, outside};
 use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
-use crate::numerics::{indexed, largest, moved};
+use crate::numerics::{Space, indexed, largest, moved};
 use crate::prelude::*;
 
 /// A patch of point contacts that models one fingertip, with its stiffness and its friction in closed form.
@@ -93,6 +94,11 @@ pub(super) struct PatchPoint<const C: usize> {
     pub(super) share: f64,
 }
 
+face_of_struct! {
+    SoftFingertip { radius, points }
+    PatchPoint { offset, share }
+}
+
 /// Layers on both sides of the middle, in order along a line: place in units of the half width, and share.
 pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
     let mut all = Vec::with_capacity(2 * layers.len());
@@ -142,7 +148,7 @@ impl SoftFingertip<3> {
         check(annuli >= 1, "number of annuli", annuli as f64, "at least 1")?;
         let rings = annuli.saturating_mul(2);
         Self::check_points(rings, points)?;
-        Self::of_rings(radius, &pressure.layers::<3>(annuli), points)
+        Self::of_rings(radius, &pressure.layers(Space::Spatial, annuli), points)
     }
 
     fn check_points(rings: usize, points: usize) -> Result<(), Error> {
@@ -206,7 +212,7 @@ impl SoftFingertip<2> {
     /// # Errors
     /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50.
     pub fn pair(width: f64) -> Result<Self, Error> {
-        Self::of_layers(width, &[Layer { distance: 1.0, share: 1.0 }])
+        SoftFingertip::pair_inside(width).map(Self::leave)
     }
 
     /// A pad of this width (m); each half is cut into `strips` of equal width, each represented by two points, one of them on its outer edge. The
@@ -228,16 +234,46 @@ impl SoftFingertip<2> {
     /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50, there is at least one strip and
     /// there are at most [`Self::MOST_POINTS`] points.
     pub fn pad(width: f64, strips: usize, pressure: Pressure) -> Result<Self, Error> {
+        SoftFingertip::pad_inside(width, strips, pressure).map(Self::leave)
+    }
+}
+
+impl SoftFingertip<3> {
+    /// [`SoftFingertip::pair`] with three components a vector.
+    pub(crate) fn pair_inside(width: f64) -> Result<Self, Error> {
+        Self::of_layers(width, &[Layer { distance: 1.0, share: 1.0 }])
+    }
+
+    /// [`SoftFingertip::pad`] with three components a vector.
+    pub(crate) fn pad_inside(width: f64, strips: usize, pressure: Pressure) -> Result<Self, Error> {
         check(strips >= 1, "number of strips", strips as f64, "at least 1")?;
         let all = strips.saturating_mul(4);
         check(all <= Self::MOST_POINTS, "number of points", all as f64, "at most 4096")?;
-        Self::of_layers(width, &pressure.layers::<2>(strips))
+        Self::of_layers(width, &pressure.layers(Space::Planar, strips))
+    }
+
+    /// [`SoftFingertip::contacts`] in the plane or in space.
+    pub(crate) fn contacts_inside(&self, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
+        contact.check(0)?;
+        let frame = contact.frame(0)?;
+        let child = |(i, place): (usize, &PatchPoint<3>)| Contact {
+            name: contact.name.as_ref().map(|name| format!("{name} {i}").into()),
+            point: contact.point + frame * place.offset,
+            tangent: Some(frame.column(1).into_owned()),
+            stiffness: contact.stiffness.scaled(place.share),
+            press: contact.press.map(|force| force * place.share),
+            force: contact.force.map(|force| force * place.share),
+            suction: contact.suction * place.share,
+            point_of_pad: Some(i),
+            ..contact.clone()
+        };
+        Ok(indexed(&self.points, &child))
     }
 
     /// Points in order along the tangent.
     fn of_layers(width: f64, layers: &[Layer]) -> Result<Self, Error> {
         let radius = 0.5 * usable(width, "width")?;
-        let place = |(at, share)| PatchPoint { offset: SVector::from([0.0, at * radius]), share };
+        let place = |(at, share)| PatchPoint { offset: SVector::from([0.0, at * radius, 0.0]), share };
         let points = moved(along_a_line(layers), &place);
         Ok(Self { radius, points })
     }
@@ -255,31 +291,7 @@ impl<const C: usize> SoftFingertip<C> {
     /// # Errors
     /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.
     pub fn contacts(&self, contact: &Contact<C>) -> Result<Vec<Contact<C>>, Error> {
-        contact.check(0)?;
-        let frame = contact.frame(0)?;
-        let child = |(i, place): (usize, &PatchPoint<C>)| Contact {
-            name: contact.name.as_ref().map(|name| format!("{name} {i}").into()),
-            point: contact.point + frame * place.offset,
-            tangent: Some(frame.column(1).into_owned()),
-            stiffness: contact.stiffness.scaled(place.share),
-            press: contact.press.map(|force| force * place.share),
-            force: contact.force.map(|force| force * place.share),
-            suction: contact.suction * place.share,
-            point_of_pad: Some(i),
-            ..contact.clone()
-        };
-        Ok(indexed(&self.points, &child))
-    }
-
-    /// This patch as one with `B` axes, for callers generic over that number; `None` if it has another number.
-    #[cfg(feature = "serde")]
-    pub(crate) fn of_axes<const B: usize>(self) -> Option<SoftFingertip<B>> {
-        let Self { radius, points } = self;
-        let place = |place: PatchPoint<C>| PatchPoint {
-            offset: SVector::from_fn(|a, _| place.offset[a]),
-            share: place.share,
-        };
-        (B == C).then(|| SoftFingertip { radius, points: moved(points, &place) })
+        inside(self).contacts_inside(&inside(contact)).map(outside)
     }
 
     /// Distance of the outermost points from the centre, m: the radius R, or half the width.

@@ -4,25 +4,26 @@ use nalgebra::SVector;
 
 use super::axis::Rotation;
 use super::bodies::BodyMotion;
+use super::face::{Face, all_inside, inside};
 use super::motion::Motion;
 use super::tolerances::{LITTLE_ROUNDING, SEEN_MOTION};
 use super::wrench::{Twist, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{largest, mapped, summed};
+use crate::numerics::{Space, dot, largest, mapped, summed};
 use crate::prelude::*;
 use crate::words::{Words, listed, printable};
 
 impl<const C: usize> Wrench<C> {
     /// Size and unit of a load that is one force or one moment.
     pub(crate) fn measure(&self) -> Option<(f64, &'static str)> {
-        let (force, moment) = self.components().split_at(C);
+        let spatial = self.enter();
+        let (force, moment) = spatial.components().split_at(3);
         let norm = |x: &[f64]| summed(x, &|x| x * x).sqrt();
         let (force_size, moment_size) = (norm(force), norm(moment));
         if force_size == 0.0 {
             return (moment_size > 0.0).then_some((moment_size, "N m"));
         }
-        let twisted =
-            if C == 3 { force.iter().zip(moment).map(|(f, m)| f * m).sum::<f64>().abs() } else { 0.0 };
+        let twisted = dot(force, moment).abs();
         // Largest `|f·m|/(|f||m|)` at which force and moment act along one line, and so are a single force.
         (twisted <= SOLVED_ROUNDING * force_size * moment_size).then_some((force_size, "N"))
     }
@@ -32,10 +33,16 @@ impl Words {
     /// A force and a moment about the origin: "(0, -4.905) N and 0.2 N m".
     #[must_use]
     pub fn load<const C: usize>(self, load: &Wrench<C>) -> String {
-        let largest = load.components().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let space = self.space::<C>();
+        self.load_of(space.axes(), &load.enter().coordinates(space).as_slice()[..space.of_the_object()])
+    }
+
+    /// [`Self::load`] from its components, first those of the force along these axes.
+    fn load_of(self, axes: usize, components: &[f64]) -> String {
+        let largest = largest(components, &|x| x.abs());
         let clean = |x: &f64| if x.abs() <= LITTLE_ROUNDING * largest { 0.0 } else { *x };
-        let components: Vec<_> = mapped(load.components(), &clean);
-        let (force, moment) = components.split_at(C);
+        let components: Vec<_> = mapped(components, &clean);
+        let (force, moment) = components.split_at(axes);
         let is_there = |part: &[f64]| part.iter().any(|x| *x != 0.0);
         let moment_words = || match moment {
             [moment] => format!("{} N m", self.number(*moment)),
@@ -53,30 +60,33 @@ impl Words {
     /// first if the object hardly turns.
     #[must_use]
     pub fn motion<const C: usize>(self, twist: &Twist<C>, moved: &[SVector<f64, C>]) -> String {
+        let (words, twist) = (self.in_space(self.space::<C>()), twist.enter());
         if moved.is_empty() {
-            return self.moved(twist, None);
+            return words.moved(&twist, None);
         }
-        let mean = moved.iter().sum::<SVector<f64, C>>() / moved.len() as f64;
-        self.moved(twist, Some((mean, largest(moved, &|u| (u - mean).norm()))))
+        let moved = all_inside(moved);
+        let mean = moved.iter().sum::<SVector<f64, 3>>() / moved.len() as f64;
+        words.moved(&twist, Some((mean, largest(&moved, &|u| (u - mean).norm()))))
     }
 
     /// [`Self::motion`] of one of several bodies, with its name.
     #[must_use]
     pub fn body_motion<const C: usize>(self, motion: &BodyMotion<C>) -> String {
-        let told = self.moved(&motion.twist, Some((motion.middle_moves(), motion.turning_moves())));
+        let (words, motion) = (self.in_space(self.space::<C>()), inside(motion));
+        let told = words.moved(&motion.twist, Some((motion.middle_moves(), motion.turning_moves())));
         format!("{} {told}", printable(&motion.body))
     }
 
     /// [`Self::motion`] from the mean displacement of points and their distance from it, m, where known.
-    fn moved<const C: usize>(self, twist: &Twist<C>, points: Option<(SVector<f64, C>, f64)>) -> String {
-        let (along, omega) = twist.parts();
+    fn moved(self, twist: &Twist<3>, points: Option<(SVector<f64, 3>, f64)>) -> String {
+        let (along, omega) = twist.parts_in(self.space::<3>());
         let (mean, spread) = points.unwrap_or((along, 0.0));
         // A rotation or translation below the part NEGLIGIBLE of the other one is rounding.
         // Displacement, m, below which a point counts as at rest: less than the width of an atomic nucleus.
         let nowhere: f64 = 1e-15;
         let turns =
             omega.size() > 0.0 && (points.is_none() || spread > nowhere.max(NEGLIGIBLE * mean.norm()));
-        let moves = |by: &SVector<f64, C>| {
+        let moves = |by: &SVector<f64, 3>| {
             if by.norm() <= nowhere {
                 return "stays where it is".to_owned();
             }
@@ -93,7 +103,7 @@ impl Words {
         // Distance of the points from the axis, m, as the scale of rounding.
         let arm = if spread > 0.0 { spread / omega.size() } else { 1.0 };
         let through = omega.way_to_axis(&along).map(|x| if x.abs() <= NEGLIGIBLE * arm { 0.0 } else { x });
-        let turning = format!("turns {}{} m", self.about(&omega), self.point::<C>(&through));
+        let turning = format!("turns {}{} m", self.about(&omega), self.point(&through));
         let pitch = omega.along_axis(&along);
         if pitch.norm() <= NEGLIGIBLE * spread.max(mean.norm()) {
             return turning;
@@ -104,20 +114,21 @@ impl Words {
     /// Words for the direction of a motion: "turning about +z through (0, 0.03, 0) m".
     #[must_use]
     pub fn direction_of<const C: usize>(self, motion: &Motion<C>) -> String {
+        let (words, motion) = (self.in_space(self.space::<C>()), inside(motion));
         if !motion.bodies.is_empty() {
-            return self.directions_of(&motion.bodies);
+            return words.directions_of(&motion.bodies);
         }
-        let object = self.direction(&motion.object);
+        let object = words.direction(&motion.object);
         let moves = motion.joints.iter().any(|x| *x != 0.0);
         if moves { format!("{object}, the hand with it") } else { object }
     }
 
     /// Directions of the bodies that move: "wedge moving along −x, block moving along +y".
-    fn directions_of<const C: usize>(self, bodies: &[BodyMotion<C>]) -> String {
+    fn directions_of(self, bodies: &[BodyMotion<3>]) -> String {
         let fastest = largest(bodies, &BodyMotion::speed);
         let moves = bodies.iter().filter(|motion| motion.speed() > SEEN_MOTION * fastest);
         let told =
-            |motion: &BodyMotion<C>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
+            |motion: &BodyMotion<3>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
         let told: Vec<_> = moves.map(told).collect();
         let Some((_, first)) = told.first() else { return "moving nothing but the hand".to_owned() };
         // Up to this number of bodies with the same motion are named one by one.
@@ -128,8 +139,8 @@ impl Words {
         listed(&told.iter().map(|(name, way)| format!("{name} {way}")).collect::<Vec<_>>())
     }
 
-    fn direction<const C: usize>(self, twist: &Twist<C>) -> String {
-        let (along, omega) = twist.parts();
+    fn direction(self, twist: &Twist<3>) -> String {
+        let (along, omega) = twist.parts_in(self.space::<3>());
         if omega.size() <= NEGLIGIBLE * along.norm() {
             if along.norm() > 0.0 {
                 format!("moving along {}", self.along(&along.normalize()))
@@ -139,12 +150,11 @@ impl Words {
         } else {
             let through = omega.way_to_axis(&along).map(|x| if x.abs() <= LITTLE_ROUNDING { 0.0 } else { x });
             let pitch = omega.along_axis(&along);
-            let axis = if C == 2 {
-                "turning".to_owned()
-            } else {
-                format!("turning about {}", self.along(&omega.axis()))
+            let axis = match omega {
+                Rotation::Plane(_) => "turning".to_owned(),
+                Rotation::Space(_) => format!("turning about {}", self.along(&omega.axis())),
             };
-            let turning = format!("{axis}{} m", self.point::<C>(&through));
+            let turning = format!("{axis}{} m", self.point(&through));
             if pitch.norm() <= NEGLIGIBLE * along.norm() {
                 turning
             } else {
@@ -155,7 +165,7 @@ impl Words {
     }
 
     /// Angle and direction: "1.9° about +z", in the plane "1.9° clockwise".
-    fn about<const C: usize>(self, omega: &Rotation<C>) -> String {
+    fn about(self, omega: &Rotation) -> String {
         let angle = self.angle(omega.size());
         match omega {
             Rotation::Plane(turn) if *turn < 0.0 => format!("{angle} clockwise"),
@@ -165,8 +175,8 @@ impl Words {
     }
 
     /// Place of the axis: " about (0, 0.03)", in space " through (0, 0.03, 0)".
-    fn point<const C: usize>(self, through: &SVector<f64, C>) -> String {
-        let at = self.numbers(through.as_slice());
-        if C == 2 { format!(" about {at}") } else { format!(" through {at}") }
+    fn point(self, through: &SVector<f64, 3>) -> String {
+        let what = if self.space::<3>() == Space::Planar { "about" } else { "through" };
+        format!(" {what} {}", self.vector(through))
     }
 }

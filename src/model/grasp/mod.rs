@@ -76,8 +76,6 @@ pub use motion::Motion;
 pub use payload::{ArmMotion, Payload};
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
-#[cfg(feature = "serde")]
-pub(crate) use rotation::of_the_object;
 pub(crate) use rotation::{assert_plane_or_space, of_axes};
 pub(crate) use scaled::PressOfPart;
 pub(crate) use site::{Site, size_of};

@@ -2,9 +2,10 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::rotation::of_the_object;
+use super::face::Face;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
+use crate::numerics::Space;
 
 /// Standard gravity, rounded, m/s².
 const GRAVITY: f64 = 9.81;
@@ -73,6 +74,16 @@ impl<const C: usize> Payload<C> {
     /// the moment of inertia is needed and was not given: where the arm has an angular acceleration, and in space where it turns at all.
     /// [`Error::Wrench`] for a load that overflows.
     pub fn load(&self, arm: &ArmMotion<C>) -> Result<Wrench<C>, Error> {
+        let Self { mass, centre, inertia } = *self;
+        let ArmMotion { gravity, acceleration, about, angular_velocity, angular_acceleration } = *arm;
+        let arm = ArmMotion { gravity, acceleration, about, angular_velocity, angular_acceleration };
+        Payload { mass, centre, inertia }.load_in(Space::of::<C>(), &arm).map(Wrench::leave)
+    }
+}
+
+impl Payload<3> {
+    /// [`Payload::load`] in the plane or in space.
+    pub(crate) fn load_in(&self, space: Space, arm: &ArmMotion<3>) -> Result<Wrench<3>, Error> {
         arm.check()?;
         if !(self.mass >= 0.0 && is_moderate(self.mass)) {
             return Err(Error::Argument {
@@ -95,17 +106,18 @@ impl<const C: usize> Payload<C> {
         let spin = match self.inertia {
             Some(inertia) => inertia * alpha + omega.cross(&(inertia * omega)),
             // Rotation in the plane has one fixed axis, and so no gyroscopic moment.
-            None if *alpha == Vector3::zeros() && (C == 2 || *omega == Vector3::zeros()) => Vector3::zeros(),
+            None if *alpha == Vector3::zeros() && (space == Space::Planar || *omega == Vector3::zeros()) => {
+                Vector3::zeros()
+            }
             None => {
                 let fault = "is missing, must be given where the arm turns: about the centre of mass, kg m², zero for a body that is small beside its arm";
                 return Err(Error::Question { question: "payload", field: "inertia", fault });
             }
         };
         let moment = self.centre.cross(&force) - spin;
-        let planes = of_the_object::<C>() - C;
-        let components = [&force.as_slice()[..C], &moment.as_slice()[3 - planes..]].concat();
-        let load = Wrench::from_components(&components);
-        load.check("load of the payload").map(|()| load)
+        let all = Wrench::<3>::from_components(&[force.as_slice(), moment.as_slice()].concat());
+        let load = Wrench::among(space, &all.coordinates(space));
+        load.check_in(space, "load of the payload").map(|()| load)
     }
 }
 
@@ -152,9 +164,14 @@ impl<const C: usize> ArmMotion<C> {
     /// An arm that stands still. Gravity is 9.81 m/s² down the last axis.
     #[must_use]
     pub fn still() -> Self {
+        Self::still_in(Space::of::<C>())
+    }
+
+    /// [`Self::still`] in the plane or in space.
+    pub(crate) fn still_in(space: Space) -> Self {
         let zeros = Vector3::zeros();
         let mut gravity = zeros;
-        gravity[C - 1] = -GRAVITY;
+        gravity[space.axes() - 1] = -GRAVITY;
         Self {
             gravity,
             acceleration: zeros,

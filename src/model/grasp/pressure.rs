@@ -1,5 +1,6 @@
 //! Pressure over a soft fingertip, and the few distances from its centre at which points represent it.
 
+use crate::numerics::Space;
 use crate::prelude::*;
 
 /// Pressure over a disc of radius R, or over a line of half-width R in the plane, at the distance r
@@ -46,20 +47,21 @@ impl Pressure {
     /// ```
     ///
     /// Hence the load, ⟨r⟩, ⟨r²⟩ and the rim agree with the continuum for any number of bands.
-    pub(super) fn layers<const C: usize>(self, bands: usize) -> Vec<Layer> {
-        let around = i32::from(C == 3);
+    pub(super) fn layers(self, space: Space, bands: usize) -> Vec<Layer> {
+        let around = i32::from(space == Space::Spatial);
         let moment = |k, a, b| self.integral(k + around, b) - self.integral(k + around, a);
         let total = moment(0, 0.0, 1.0);
         let edge = |j: usize| j as f64 / bands as f64;
-        (0..bands)
-            .flat_map(|j| {
-                let (a, b) = (edge(j), edge(j + 1));
-                let [m0, m1, m2] = [0, 1, 2].map(|k| moment(k, a, b) / total);
-                let x = (b * m1 - m2) / (b * m0 - m1);
-                let inner = (b * m0 - m1) / (b - x);
-                [Layer { distance: x, share: inner }, Layer { distance: b, share: m0 - inner }]
-            })
-            .collect()
+        let mut layers = Vec::with_capacity(2 * bands);
+        for j in 0..bands {
+            let (a, b) = (edge(j), edge(j + 1));
+            let [m0, m1, m2] = [0, 1, 2].map(|k| moment(k, a, b) / total);
+            let x = (b * m1 - m2) / (b * m0 - m1);
+            let inner = (b * m0 - m1) / (b - x);
+            layers.push(Layer { distance: x, share: inner });
+            layers.push(Layer { distance: b, share: m0 - inner });
+        }
+        layers
     }
 
     /// An antiderivative of `ρ^power p(ρ)` at `rho`, for powers 0 to 3.
@@ -86,9 +88,9 @@ mod tests {
     use super::*;
 
     /// Against the midpoint rule on the density itself, band by band, in the plane and in space.
-    fn layers_carry_the_moments_of_their_band<const C: usize>() {
+    fn layers_carry_the_moments_of_their_band(space: Space) {
         let density = |pressure: Pressure, r: f64| {
-            (if C == 3 { r } else { 1.0 })
+            (if space == Space::Spatial { r } else { 1.0 })
                 * match pressure {
                     Pressure::Uniform => 1.0,
                     Pressure::Parabolic => 1.0 - r * r,
@@ -103,7 +105,7 @@ mod tests {
                     .map(|r| (r, density(pressure, r)))
                     .collect();
                 let total: f64 = samples.iter().map(|(_, p)| p).sum();
-                let layers = pressure.layers::<C>(bands);
+                let layers = pressure.layers(space, bands);
                 for (band, samples) in layers.chunks(2).zip(samples.chunks(steps as usize / bands)) {
                     for k in 0..=2 {
                         let from_layers: f64 = band.iter().map(|l| l.share * l.distance.powi(k)).sum();
@@ -117,12 +119,12 @@ mod tests {
 
     #[test]
     fn layers_carry_the_moments_of_a_disc() {
-        layers_carry_the_moments_of_their_band::<3>();
+        layers_carry_the_moments_of_their_band(Space::Spatial);
     }
 
     #[test]
     fn layers_carry_the_moments_of_a_line() {
-        layers_carry_the_moments_of_their_band::<2>();
+        layers_carry_the_moments_of_their_band(Space::Planar);
     }
 
     /// Thin bands lose digits to cancellation; the layers still lie in their bands, in order, with positive shares.
@@ -130,7 +132,7 @@ mod tests {
     fn layers_lie_in_their_bands() {
         for pressure in [Pressure::Uniform, Pressure::Parabolic, Pressure::Hertz] {
             for bands in [1, 7, 64, 1024] {
-                for layers in [pressure.layers::<2>(bands), pressure.layers::<3>(bands)] {
+                for layers in [Space::Planar, Space::Spatial].map(|space| pressure.layers(space, bands)) {
                     for (j, band) in layers.chunks(2).enumerate() {
                         let (a, b) = (j as f64 / bands as f64, (j + 1) as f64 / bands as f64);
                         assert!(a < band[0].distance && band[0].distance < b && band[1].distance == b);

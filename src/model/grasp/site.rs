@@ -122,7 +122,7 @@ impl Site {
             let k = object + coordinate;
             for a in 0..axes {
                 // A motion of the finger stretches the springs like a motion of the object in the opposite direction, hence the sign.
-                let entry = -self.frame.column(a).dot(motion) / lengths[k];
+                let entry = -self.frame.column(a).into_owned().dot(motion) / lengths[k];
                 let mut rest = DoubleDouble::new(-entry * lengths[k]);
                 for b in 0..axes {
                     rest.add_product(-self.frame[(b, a)], motion[b]);

@@ -107,11 +107,6 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         mapped(&self.ranges, &mean)
     }
 
-    /// Value at the first point of each part.
-    pub(crate) fn first<T>(&self, of: impl Fn(usize) -> T) -> Vec<T> {
-        mapped(&self.ranges, &|range| of(range.start))
-    }
-
     /// Sum of a number over the points of each part.
     pub(crate) fn sum(&self, of: &dyn Fn(usize) -> f64) -> Vec<f64> {
         mapped(&self.ranges, &|range| range.clone().map(of).sum())

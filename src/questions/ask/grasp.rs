@@ -15,7 +15,7 @@ use crate::grasp::{
 };
 use crate::hold::Verdict;
 use crate::load_path::Ramp;
-use crate::numerics::{Once, mapped, numbered};
+use crate::numerics::{Once, Space, mapped, numbered};
 use crate::prelude::*;
 
 /// An object held by elastic fingers: a checked list of contacts, and the joints behind them if a [`Hand`] holds it.
@@ -64,12 +64,13 @@ struct Door<const C: usize> {
 /// Inside the engine a grasp of the plane answers questions with vectors of three components.
 impl<const C: usize> Face for Grasp<C> {
     type Inside = Grasp<3>;
+    const SAME: bool = C == 3;
 
-    fn enter(self) -> Grasp<3> {
-        Grasp { engine: self.engine, settings: self.settings, door: Once::new() }
+    fn widen(&self) -> Grasp<3> {
+        Grasp { engine: Arc::clone(&self.engine), settings: self.settings, door: Once::new() }
     }
 
-    fn leave(inside: Grasp<3>) -> Self {
+    fn narrow(inside: Grasp<3>) -> Self {
         Self { engine: inside.engine, settings: inside.settings, door: Once::new() }
     }
 }
@@ -232,6 +233,11 @@ impl<const C: usize> Grasp<C> {
     /// Refuses a question if there are joints or several bodies.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         self.engine.refuse_hands(question)
+    }
+
+    /// Whether it is a grasp of the plane or of space.
+    pub(crate) fn space(&self) -> Space {
+        self.engine.space()
     }
 
     /// Whether anything presses at rest.

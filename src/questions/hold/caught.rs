@@ -112,7 +112,7 @@ impl Caught {
         is_held: bool,
         f: &mut fmt::Formatter<'_>,
     ) -> fmt::Result {
-        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
         let Some(last) = all.last() else { return Ok(()) };
         let amount = amount_of(size, last.factor, words);
         let at = if last.factor <= NEGLIGIBLE { "at once".to_owned() } else { format!("at {amount}") };

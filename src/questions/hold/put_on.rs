@@ -17,8 +17,8 @@ use crate::search::{Doubt, Settings};
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::WayOut;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
 impl Engine {
@@ -236,8 +236,8 @@ impl Engine {
         let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;
-        let lengths = self.bodies().into_iter().flat_map(|bodies| self.rotation_lengths(bodies));
-        let longest = lengths.fold(self.length(), f64::max);
+        let lengths = self.bodies().map_or_else(Vec::new, |bodies| self.rotation_lengths(bodies));
+        let longest = self.length().max(largest(&lengths, &|length| *length));
         Some(NothingNear { translation: radius, rotation: radius / longest })
     }
 }

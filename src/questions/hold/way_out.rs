@@ -3,10 +3,11 @@
 use nalgebra::SVector;
 
 use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts};
-use crate::numerics::{largest, mapped};
+use crate::numerics::{chosen, largest, mapped, summed};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
+use crate::words::Words;
 
 /// Speed, relative to the fastest contact, below which a contact stays and a rotation counts as none. It only chooses the name of a motion: a larger
 /// fraction calls slow contacts fixed, a smaller one finds no contact to tip over.
@@ -167,19 +168,21 @@ fn seen_from(
     let touching = parts.with(&touches);
     let places = parts.mean(&|i| contacts[i].point);
     let moves: Vec<_> = mapped(&places, &velocity);
-    let part_holds = parts.first(|i| contacts[i].hold);
     let normals = parts.mean(&|i| contacts[i].normal.normalize() * sign(i));
     let count = touching.len().max(1) as f64;
-    let centre = touching.iter().fold(SVector::zeros(), |sum, part| sum + places[part.contact] / count);
+    let mut centre = SVector::zeros();
+    for part in &touching {
+        centre += places[part.contact] / count;
+    }
     let along = velocity(&centre);
     let reach = largest(contacts, &|contact| (contact.point - centre).norm());
-    let spin = twist.components().iter().skip(3).map(|x| x * x).sum::<f64>().sqrt() * reach;
-    let fastest = touching.iter().map(|part| moves[part.contact].norm()).fold(spin, f64::max);
+    let spin = summed(&twist.components()[3..], &|x| x * x).sqrt() * reach;
+    let fastest = spin.max(largest(&touching, &|part| moves[part.contact].norm()));
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STANDS * fastest;
     // A velocity v leads away from the finger if it is more than 45° above its surface.
     let goes_away = |v: &SVector<f64, 3>, n: &SVector<f64, 3>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
     let opens = |part: &WholeContact| {
-        let may_open = part_holds[part.contact] == Hold::Unilateral;
+        let may_open = contacts[parts.ranges()[part.contact].start].hold == Hold::Unilateral;
         may_open && !stays(part) && goes_away(&moves[part.contact], &normals[part.contact])
     };
     let point_stays = |i: usize| velocity(&contacts[i].point).norm() <= STANDS * fastest;
@@ -187,18 +190,19 @@ fn seen_from(
         let (v, normal) = (velocity(&contacts[i].point), contacts[i].normal * sign(i));
         contacts[i].hold == Hold::Unilateral && !point_stays(i) && goes_away(&v, &normal)
     };
-    let mut points = (0..contacts.len()).filter(|i| touches(*i)).peekable();
-    if points.peek().is_some() && points.all(point_opens) {
+    let points = chosen(contacts.len(), &|i| touches(*i));
+    if !points.is_empty() && points.iter().all(|i| point_opens(*i)) {
         return WayOut::LiftsOff { direction: along.try_normalize(0.0).unwrap_or_else(SVector::zeros) };
     }
     if let Some(way) = slides_out(&along, spin) {
         return way;
     }
-    let about: Vec<_> = touching.into_iter().filter(stays).collect();
+    let mut about = touching;
+    about.retain(stays);
     if about.is_empty() {
         // An object on a soft fingertip tips over about points of that tip, while all others open.
         let about = parts.with(&|i| touches(i) && point_stays(i));
-        let either = (0..contacts.len()).filter(|i| touches(*i)).all(|i| point_stays(i) || point_opens(i));
+        let either = points.iter().all(|i| point_stays(*i) || point_opens(*i));
         if either && !about.is_empty() {
             let opens = parts.with(&|i| sign(i) != 0.0 && point_opens(i));
             return WayOut::TipsOver { about, opens };
@@ -206,7 +210,9 @@ fn seen_from(
         return turns(twist, &centre, &along);
     }
     // Contacts that were open before count as opening, too.
-    let opens: Vec<_> = parts.with(&|i| sign(i) != 0.0).into_iter().filter(opens).collect();
+    let mut opening = parts.with(&|i| sign(i) != 0.0);
+    opening.retain(opens);
+    let opens = opening;
     // Only an opening contact makes a motion tip: a door whose cable goes slack turns about its hinge.
     let tips = opens.iter().any(|part| part.link.is_none());
     if tips { WayOut::TipsOver { about, opens } } else { WayOut::TurnsAbout { about } }
@@ -222,9 +228,9 @@ fn turns(twist: &Twist<3>, near: &SVector<f64, 3>, moves: &SVector<f64, 3>) -> W
 
 impl<const C: usize> WayOut<C> {
     /// Whether the object falls: it moves down, against the last axis, and no contact with friction holds it back.
-    pub(super) fn falls(&self, slide: &[WholeContact]) -> bool {
+    pub(super) fn falls(&self, slide: &[WholeContact], words: Words) -> bool {
         let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
         // Within 25 degrees of the vertical a colleague would say that it falls.
-        slide.is_empty() && direction[C - 1] < -0.9
+        slide.is_empty() && direction[words.space::<C>().axes() - 1] < -0.9
     }
 }

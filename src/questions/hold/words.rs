@@ -8,14 +8,14 @@ use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
 use crate::equilibrium::TooFar;
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Space, mapped};
 use crate::prelude::*;
 use crate::words::{Words, listed, open, opens, printable};
 
 impl<const C: usize> fmt::Display for Verdict<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
@@ -94,16 +94,16 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 impl<const C: usize> Verdict<C> {
     /// The sentence of a load that is lost: the load at the loss and the motion.
     fn told_lost(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
         let Some(lost) = &self.lost else { return f.write_str("LOST") };
         if let Some(far) = &lost.too_far {
             return self.told_too_far(lost, far, f);
         }
         if lost.factor <= NEGLIGIBLE {
             let whole = self.whole(words);
-            return write!(f, "{} at once, under any part of {whole}: {lost:.digits$}", lost.verb());
+            return write!(f, "{} at once, under any part of {whole}: {lost:.digits$}", lost.verb(words));
         }
-        write!(f, "{} at {}", lost.verb(), self.part(lost.factor, words))?;
+        write!(f, "{} at {}", lost.verb(words), self.part(lost.factor, words))?;
         if lost.falls_at_once {
             f.write_str(", falls at the first slip")?;
         }
@@ -214,11 +214,11 @@ pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) ->
 impl FirstSlip {
     /// The parts that leave, with a verb unless they slide: "left", "thumb opens".
     fn who(&self) -> String {
-        let opens = self.open.iter().map(|part| format!("{} {}", part.text(), opens(part.link)));
-        let pulls = self.would_pull.iter().map(|part| format!("{} would have to pull", part.text()));
-        let names = self.slide.iter().map(|part| part.text().into_owned()).chain(opens).chain(pulls);
-        let give_way = self.give_way.iter().map(|name| format!("{} gives way", printable(name)));
-        listed(&names.chain(give_way).collect::<Vec<_>>())
+        let mut names = mapped(&self.slide, &|part| part.text().into_owned());
+        names.extend(mapped(&self.open, &|part| format!("{} {}", part.text(), opens(part.link))));
+        names.extend(mapped(&self.would_pull, &|part| format!("{} would have to pull", part.text())));
+        names.extend(mapped(&self.give_way, &|name| format!("{} gives way", printable(name))));
+        listed(&names)
     }
 }
 
@@ -227,14 +227,20 @@ impl fmt::Display for FirstSlip {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let give_way: Vec<_> = mapped(&self.give_way, &|name| printable(name));
         let gives = if give_way.len() == 1 { "gives way" } else { "give way" };
-        let all = [
-            (!self.slide.is_empty()).then(|| does(&self.slide, "slides", "slide")),
-            (!self.open.is_empty()).then(|| they_open(&self.open)),
-            (!self.would_pull.is_empty())
-                .then(|| does(&self.would_pull, "would have to pull", "would have to pull")),
-            (!give_way.is_empty()).then(|| format!("{} {gives}", listed(&give_way))),
-        ];
-        f.write_str(&all.into_iter().flatten().collect::<Vec<_>>().join(", "))
+        let mut all = Vec::new();
+        if !self.slide.is_empty() {
+            all.push(does(&self.slide, "slides", "slide"));
+        }
+        if !self.open.is_empty() {
+            all.push(they_open(&self.open));
+        }
+        if !self.would_pull.is_empty() {
+            all.push(does(&self.would_pull, "would have to pull", "would have to pull"));
+        }
+        if !give_way.is_empty() {
+            all.push(format!("{} {gives}", listed(&give_way)));
+        }
+        f.write_str(&all.join(", "))
     }
 }
 
@@ -247,9 +253,9 @@ impl<const C: usize> Lost<C> {
         }
     }
 
-    pub(crate) fn verb(&self) -> &'static str {
+    pub(crate) fn verb(&self, words: Words) -> &'static str {
         match &self.way_out {
-            way if way.falls(&self.slide) => "DROPS",
+            way if way.falls(&self.slide, words) => "DROPS",
             WayOut::LiftsOff { .. } => "LIFTS OFF",
             WayOut::SlidesOut { .. } => "SLIPS OUT",
             WayOut::TipsOver { .. } => "TIPS OVER",
@@ -273,7 +279,7 @@ impl<const C: usize> Lost<C> {
 /// The motion of the loss, and the radius of the proof that nothing near it holds.
 impl<const C: usize> fmt::Display for Lost<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let digits = Words::of(f).digits();
+        let digits = Words::of(f).precision();
         write!(f, "{:.digits$}", self.way_out)?;
         if !self.slide.is_empty() {
             let apart = if matches!(self.way_out, WayOut::Apart { .. }) { ";" } else { "," };
@@ -312,13 +318,13 @@ impl<const C: usize> fmt::Display for WayOut<C> {
         let words = Words::of(f);
         match self {
             Self::LiftsOff { direction } => {
-                let goes = if self.falls(&[]) { "falls" } else { "lifts" };
+                let goes = if self.falls(&[], words) { "falls" } else { "lifts" };
                 write!(f, "the object {goes} off along {}", words.along(direction))
             }
             Self::SlidesOut { .. } | Self::Turns { .. } | Self::TipsOver { .. } => {
                 write!(f, "the object {}", self.goes(words, false))
             }
-            Self::TurnsAbout { about } if C == 3 && about.len() == 2 => {
+            Self::TurnsAbout { about } if words.space::<C>() == Space::Spatial && about.len() == 2 => {
                 write!(f, "the object spins about the line {}–{}", about[0].text(), about[1].text())
             }
             Self::TurnsAbout { about } => write!(f, "the object turns about {}", listed(about)),
@@ -356,8 +362,11 @@ impl<const C: usize> WayOut<C> {
         match self {
             Self::SlidesOut { direction } => format!("move{ending} along {}", words.along(direction)),
             Self::Turns { centre, axis } => {
-                let axis = if C == 3 { format!("{} through ", words.along(axis)) } else { String::new() };
-                format!("turn{ending} about {axis}{} m", words.numbers(centre.as_slice()))
+                let axis = match words.space::<C>() {
+                    Space::Planar => String::new(),
+                    Space::Spatial => format!("{} through ", words.along(axis)),
+                };
+                format!("turn{ending} about {axis}{} m", words.vector(centre))
             }
             Self::TipsOver { about, opens } => {
                 let edge = |part: &WholeContact| {

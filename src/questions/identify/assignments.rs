@@ -56,7 +56,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let mut as_good: Vec<&Fitted> = vec![&best[0]];
     as_good.extend(others.iter().filter(|other| !fits_better(model, &best[0], other)));
     // A fit from which two contacts slip at once stands on the kink between two assignments.
-    let is_on_a_kink = |fit: &Fitted| pairs_of(model).any(|(i, j)| is_on_the_kink(fit, i, j));
+    let is_on_a_kink = |fit: &Fitted| pairs_of(model).iter().any(|(i, j)| is_on_the_kink(fit, *i, *j));
     let beside: Vec<&Fitted> = as_good.iter().copied().filter(|fit| !is_on_a_kink(fit)).collect();
     if beside.len() > 1 {
         as_good = beside;
@@ -84,10 +84,17 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
 }
 
 /// All pairs of unknowns of one kind.
-fn pairs_of<'m>(model: &'m Model<'_>) -> impl Iterator<Item = (usize, usize)> + use<'m> {
+fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     let unknowns = &model.asked.unknowns;
-    let all = (0..unknowns.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
-    all.filter(|(i, j)| unknowns[*i].kind == unknowns[*j].kind)
+    let mut pairs = Vec::new();
+    for j in 0..unknowns.len() {
+        for i in 0..j {
+            if unknowns[i].kind == unknowns[j].kind {
+                pairs.push((i, j));
+            }
+        }
+    }
+    pairs
 }
 
 /// Pairs of which a slip depends on one, and none on both; or between which the fit ended on a kink. Slips that depend on both tell them apart on either side.
@@ -102,7 +109,10 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Vec<(usize, usize)> {
         let most = (0..model.asked.slips.len()).map(|row| count(i, j, row)).max();
         most == Some(1)
     };
-    pairs_of(model).filter(|(i, j)| of_one(*i, *j) || is_on_the_kink(fit, *i, *j)).take(MOST_PAIRS).collect()
+    let mut pairs = pairs_of(model);
+    pairs.retain(|(i, j)| of_one(*i, *j) || is_on_the_kink(fit, *i, *j));
+    pairs.truncate(MOST_PAIRS);
+    pairs
 }
 
 /// Whether two unknowns are equal, and a slip depends on both, as on the mean of two sides of a kink.

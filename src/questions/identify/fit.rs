@@ -218,7 +218,7 @@ impl Steps {
     /// The decrease of the quadratic model of the loss by a step.
     fn promise(&self, step: &DVector<f64>) -> f64 {
         let part = |(k, value): (usize, &f64)| {
-            let gone = value * self.directions.column(k).dot(step);
+            let gone = value * self.directions.column(k).dot(&step.column(0));
             gone * self.along[k] - 0.5 * gone * gone
         };
         self.values.iter().enumerate().map(part).sum()

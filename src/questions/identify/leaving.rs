@@ -233,7 +233,7 @@ impl Equations {
         }
         let inverse = matrix.clone().svd(true, true).pseudo_inverse(NEGLIGIBLE).ok()?;
         let last = columns.len() - 1;
-        let told = matrix.column(last).dot(&inverse.row(last).transpose());
+        let told = matrix.column(last).dot(&inverse.row(last).transpose().column(0));
         ((told - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, inverse })
     }
 

@@ -140,7 +140,7 @@ impl Spread {
     }
 
     fn fixes(&self, unknown: usize) -> bool {
-        self.free().row(unknown).norm_squared() <= INDISTINCT
+        self.free().row(unknown).iter().map(|x| x * x).sum::<f64>() <= INDISTINCT
     }
 
     /// The standard error of a logarithm, and the degrees of freedom of Student's interval. `None` if the slips do not determine it,

@@ -101,7 +101,7 @@ impl StickingForces {
                     if axis > 0 {
                         data.push((
                             Parameter::Normal { contact, axis },
-                            bend * along.dot(&frame.column(axis)),
+                            bend * along.dot(&frame.column(axis).into_owned()),
                         ));
                     }
                 }

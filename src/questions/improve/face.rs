@@ -16,12 +16,13 @@ same_on_both_sides! { ImproveGoal, InTheWay, SearchEnd, u64 }
 
 impl<const C: usize> Face for Surface<C> {
     type Inside = Surface<3>;
+    const SAME: bool = C == 3;
 
-    fn enter(self) -> Surface<3> {
-        Surface(self.0)
+    fn widen(&self) -> Surface<3> {
+        Surface(self.0.clone())
     }
 
-    fn leave(inside: Surface<3>) -> Self {
+    fn narrow(inside: Surface<3>) -> Self {
         Self(inside.0)
     }
 }

@@ -6,6 +6,7 @@ use super::question::Need;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::error::Error;
+use crate::grasp::{inside, outside};
 use crate::load_path::{Leg, Ramp};
 use crate::numerics::tried;
 use crate::prelude::*;
@@ -33,12 +34,19 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// As for [`Self::need`].
     pub fn with_amount(&self, need: &Need<C>, amount: f64) -> Result<Option<(Self, Equilibrium<C>)>, Error> {
-        let grown = need.growing(self)?;
-        let posed = need.posed()?.on(&grown)?;
+        inside(need).set_on(&inside(self), amount).map(|set| set.map(outside))
+    }
+}
+
+impl Need<3> {
+    /// A grasp of the plane or of space with the amount set, and the equilibrium with the least friction in reserve.
+    fn set_on(&self, given: &Grasp<3>, amount: f64) -> Result<Option<(Grasp<3>, Equilibrium<3>)>, Error> {
+        let grown = self.growing(given)?;
+        let posed = self.posed(given.space())?.on(&grown)?;
         let loading = Loading::of(&grown, &posed, amount, Safety::NONE)?;
         let Loading { loads, times, grasp, base: besides, .. } = &loading;
-        let put_on = |ramp: Ramp<C>| Ok::<_, Error>(grasp.hold(ramp)?.state.map(|state| *state));
-        let states: Vec<Option<Equilibrium<C>>> = match loads {
+        let put_on = |ramp: Ramp<3>| Ok::<_, Error>(grasp.hold(ramp)?.state.map(|state| *state));
+        let states: Vec<Option<Equilibrium<3>>> = match loads {
             Loads::Each(list) => tried(list, &|load| put_on(Ramp::load(*besides, *load * *times)))?,
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
@@ -48,7 +56,7 @@ impl<const C: usize> Grasp<C> {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {
                         (load - base) * part(most)
                     }
-                    _ => force_at([0.0; C], *point),
+                    _ => force_at([0.0; 3], *point),
                 };
                 vec![put_on(Ramp::load(base, load))?]
             }
@@ -58,7 +66,7 @@ impl<const C: usize> Grasp<C> {
                 path.run();
                 // A sought angle is the end of the turn.
                 if matches!(posed.sought, Sought::Angle { .. }) {
-                    return Ok(path.state().map(|state| (grasp.with(self.settings()), state)));
+                    return Ok(path.state().map(|state| (grasp.with(given.settings()), state)));
                 }
                 // Fewer parts of a turn can miss the angle that uses most friction; each costs an
                 // equilibrium.
@@ -67,12 +75,12 @@ impl<const C: usize> Grasp<C> {
             }
         };
         let fullest = states.into_iter().flatten().max_by(|a, b| used(a).total_cmp(&used(b)));
-        Ok(fullest.map(|state| (grasp.with(self.settings()), state)))
+        Ok(fullest.map(|state| (grasp.with(given.settings()), state)))
     }
 }
 
 /// The largest fraction of its friction that a closed contact uses: `|f_t| / (|f_t| + margin)`.
-fn used<const C: usize>(state: &Equilibrium<C>) -> f64 {
+fn used(state: &Equilibrium<3>) -> f64 {
     let rubs = state.contacts.iter().filter(|answer| answer.state != ContactState::Separated);
     let part = rubs.map(|answer| {
         let (friction, left) = (answer.friction_force(), answer.margin.max(0.0));

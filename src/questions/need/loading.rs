@@ -13,17 +13,17 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{Holding, Verdict};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
-use crate::numerics::{mapped, numbered};
+use crate::numerics::{Space, mapped, numbered};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 use crate::words::Words;
 
 /// A grasp with an amount set, and its loads with their factor.
-pub(super) struct Loading<const C: usize> {
-    pub(super) grasp: Grasp<C>,
-    pub(super) loads: Loads<C>,
+pub(super) struct Loading {
+    pub(super) grasp: Grasp<3>,
+    pub(super) loads: Loads<3>,
     /// The load at rest, to which `times` does not apply.
-    pub(super) base: Wrench<C>,
+    pub(super) base: Wrench<3>,
     /// Factor on `loads`.
     pub(super) times: f64,
     words: Words,
@@ -33,9 +33,9 @@ pub(super) struct Loading<const C: usize> {
     is_quick: bool,
 }
 
-impl<const C: usize> Loading<C> {
+impl Loading {
     /// The grasp and its loads with an amount of the sought quantity, friction and squeeze reduced and loads enlarged by `safety`.
-    pub(super) fn of(grasp: &Grasp<C>, need: &Posed<C>, amount: f64, safety: Safety) -> Result<Self, Error> {
+    pub(super) fn of(grasp: &Grasp<3>, need: &Posed, amount: f64, safety: Safety) -> Result<Self, Error> {
         let (friction, squeeze) = (1.0 - safety.lower[0], 1.0 - safety.lower[1]);
         let (mut times, mut base, mut loads) = (safety.load, need.base, need.loads.clone());
         let squeeze = if need.sought == Sought::Squeeze { squeeze * amount } else { squeeze };
@@ -64,13 +64,13 @@ impl<const C: usize> Loading<C> {
 
     /// Loads that contact forces must balance for the amount to suffice: the load at rest, and its sum with each load. A force of any direction
     /// counts along both senses of each axis, a turn at nine angles.
-    pub(super) fn to_balance(&self) -> Vec<Wrench<C>> {
+    pub(super) fn to_balance(&self) -> Vec<Wrench<3>> {
         let mut list = vec![self.base];
         match &self.loads {
             Loads::Each(loads) => list.extend(mapped(loads, &|load| self.base + *load * self.times)),
             Loads::AnyForce { base, size, point } => {
-                for k in 0..2 * C {
-                    let mut force = [0.0; C];
+                for k in 0..2 * self.grasp.space().axes() {
+                    let mut force = [0.0; 3];
                     force[k / 2] = if k.is_multiple_of(2) { size * self.times } else { -size * self.times };
                     list.push(self.base + *base * self.times + force_at(force, *point));
                 }
@@ -117,10 +117,10 @@ impl<const C: usize> Loading<C> {
                     }
                     _ => {
                         // The constant load beside the force is put on first, on top of the load at rest.
-                        let force = |d: [f64; C]| force_at(d.map(|x| x * *size * times), *point);
+                        let force = |d: [f64; 3]| force_at(d.map(|x| x * *size * times), *point);
                         let loaded = besides + *base * times;
                         let mut ramps = vec![Ramp::load(besides, *base * times)];
-                        for d in directions::<C>() {
+                        for d in directions(self.grasp.space()) {
                             ramps.push(Ramp::load(loaded, force(d)));
                         }
                         Trials { sticks: None, ..self.all(&ramps, demand, first)? }
@@ -132,13 +132,13 @@ impl<const C: usize> Loading<C> {
     }
 
     /// The turn with its loads multiplied by `times`, plus the load at rest.
-    pub(super) fn so_many(&self, turn: &Turn<C>) -> Turn<C> {
+    pub(super) fn so_many(&self, turn: &Turn<3>) -> Turn<3> {
         let ([constant, cosine, sine], times) = (turn.parts(), self.times);
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
     /// The trials of these ramps, up to the first that is not carried.
-    fn all(&self, ramps: &[Ramp<C>], demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
+    fn all(&self, ramps: &[Ramp<3>], demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
         let (mut held, mut sticks) = (Trial::always(), Trial::always());
         for k in 0..ramps.len() {
             let which = (first.get() + k) % ramps.len();
@@ -167,7 +167,7 @@ impl<const C: usize> Loading<C> {
     }
 
     /// Whether everything sticks under a ramp, by its onset alone.
-    fn first_slip(&self, ramp: &Ramp<C>) -> Result<Trial, Error> {
+    fn first_slip(&self, ramp: &Ramp<3>) -> Result<Trial, Error> {
         let factor = match self.grasp.onset(ramp)? {
             Onset::At(event) => event.factor,
             Onset::GivesWay { factor, .. } => factor,
@@ -188,9 +188,9 @@ impl<const C: usize> Loading<C> {
     /// demand allows it.
     fn any_force(
         &self,
-        load: Wrench<C>,
+        load: Wrench<3>,
         size: f64,
-        point: [f64; C],
+        point: [f64; 3],
         demand: Demand,
     ) -> Result<Option<Trial>, Error> {
         let base = &(self.base + load);
@@ -227,12 +227,12 @@ impl<const C: usize> Loading<C> {
     }
 
     pub(super) fn said(&self, what: &impl fmt::Display) -> String {
-        let digits = self.words.digits();
+        let digits = self.words.precision();
         format!("{what:.digits$}")
     }
 
     /// A trial from its verdict and another margin: that of small motions for holding, that at rest for sticking.
-    fn judged(&self, (verdict, other): (&Verdict<C>, f64), demand: Demand) -> Trial {
+    fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
         let does = match demand {
             Demand::Sticks => verdict.sticks(),
             _ => verdict.holds(),
@@ -265,7 +265,7 @@ impl<const C: usize> Loading<C> {
         }
     }
 
-    fn turn(&self, turn: &Turn<C>, demand: Demand) -> Result<Trial, Error> {
+    fn turn(&self, turn: &Turn<3>, demand: Demand) -> Result<Trial, Error> {
         let degrees = |angle: f64| self.words.angle(angle);
         let part_of_it = |says: String, angle: f64| Trial::does_not(says, angle / turn.angle());
         if demand == Demand::Sticks {
@@ -302,20 +302,23 @@ impl<const C: usize> Loading<C> {
 }
 
 /// The wrench of a force (N) at a point (m), with its moment about the origin.
-pub(super) fn force_at<const C: usize>(force: [f64; C], point: [f64; C]) -> Wrench<C> {
+pub(super) fn force_at(force: [f64; 3], point: [f64; 3]) -> Wrench<3> {
     Wrench::force_through(&point.into(), &force.into())
 }
 
 /// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
-fn directions<const C: usize>() -> Vec<[f64; C]> {
+fn directions(space: Space) -> Vec<[f64; 3]> {
     // A loss has no closed form over directions, and fewer of them can pass over the weakest.
-    let count = if C == 2 { 72 } else { 200 };
+    let count = if space == Space::Planar { 72 } else { 200 };
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let direction = |k: usize| {
         let z = 1.0 - (2 * k + 1) as f64 / count as f64;
-        let (radius, angle) = if C == 2 { (1.0, TAU / count as f64) } else { ((1.0 - z * z).sqrt(), golden) };
+        let (radius, angle, z) = match space {
+            Space::Planar => (1.0, TAU / count as f64, 0.0),
+            Space::Spatial => ((1.0 - z * z).sqrt(), golden, z),
+        };
         let (sin, cos) = (angle * k as f64).sin_cos();
-        core::array::from_fn(|a| [radius * cos, radius * sin, z][a])
+        [radius * cos, radius * sin, z]
     };
     numbered(count, &direction)
 }

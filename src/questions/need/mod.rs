@@ -34,7 +34,6 @@ mod answer;
 mod around;
 mod at_amount;
 mod between;
-#[cfg(feature = "serde")]
 mod face;
 mod loading;
 mod needed;

@@ -13,7 +13,7 @@ use super::tried::{Look, Tried};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
-use crate::grasp::{WholeContacts, Wrench};
+use crate::grasp::{WholeContacts, Wrench, inside};
 use crate::numerics::largest;
 use crate::prelude::*;
 
@@ -40,8 +40,15 @@ impl<const C: usize> Grasp<C> {
     #[doc(alias = "grip force")]
     #[doc(alias = "required")]
     pub fn need(&self, need: &Need<C>) -> Result<Needed, Error> {
-        let grasp = &need.growing(self)?;
-        let posed = need.posed()?;
+        inside(need).answered_by(&inside(self))
+    }
+}
+
+impl Need<3> {
+    /// The amount that a grasp of the plane or of space needs.
+    fn answered_by(&self, grasp: &Grasp<3>) -> Result<Needed, Error> {
+        let grasp = &self.growing(grasp)?;
+        let posed = self.posed(grasp.space())?;
         let quantity = posed.quantity();
         let asked = posed.on(grasp)?;
         let is_squeezed = grasp.is_squeezed();
@@ -80,7 +87,7 @@ impl<const C: usize> Grasp<C> {
 
 /// The first amount of a search. Multiples begin at 1, friction at the largest coefficient given (0.5 without one). An arm begins at the largest
 /// distance of a contact from the first one (1 m without one), an angle at the whole turn.
-fn start<const C: usize>(grasp: &Grasp<C>, need: &Posed<C>) -> f64 {
+fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
         Sought::Squeeze | Sought::Load | Sought::Force { .. } => 1.0,
@@ -92,7 +99,7 @@ fn start<const C: usize>(grasp: &Grasp<C>, need: &Posed<C>) -> f64 {
         }
         Sought::Arm { .. } => {
             let first = contacts.first().map(crate::grasp::Contact::point);
-            let away = |contact: &crate::grasp::Contact<C>| {
+            let away = |contact: &crate::grasp::Contact<3>| {
                 (contact.point() - first.unwrap_or(contact.point())).norm()
             };
             let width = largest(contacts, &away);
@@ -102,7 +109,7 @@ fn start<const C: usize>(grasp: &Grasp<C>, need: &Posed<C>) -> f64 {
     }
 }
 
-fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> Result<Amount, Error> {
+fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error> {
     let (grasp, need) = (tried.grasp, tried.need);
     let (whole, quick) = (
         |amount: f64| tried.at(amount, demand),
@@ -205,7 +212,7 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
 }
 
 /// The normal force of each contact at rest with its squeeze multiplied by `squeeze`, N, and the joints and tendons whose drives are at their limit.
-fn presses<const C: usize>(grasp: &Grasp<C>, squeeze: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
+fn presses(grasp: &Grasp<3>, squeeze: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
     let squeezed = grasp.squeezed(squeeze)?;
     let Outcome::Equilibrium(state) = squeezed.solve(Wrench::ZERO)? else { return Ok(Default::default()) };
     let parts = WholeContacts::of(grasp.contacts());

@@ -8,18 +8,19 @@ use crate::ask::check_contact;
 use crate::error::{Error, is_moderate};
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
+use crate::numerics::Space;
 use crate::prelude::*;
 use crate::squeeze::Loads;
 use crate::words::Words;
 
 /// A [`Need`] after its check.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Posed<const C: usize> {
-    pub(super) sought: Sought<C>,
+pub(super) struct Posed {
+    pub(super) sought: Sought,
     /// The loads; for an arm that at displacement 0, for an angle the whole turn.
-    pub(super) loads: Loads<C>,
+    pub(super) loads: Loads<3>,
     /// The load at rest; constant unless its own multiple is sought.
-    pub(super) base: Wrench<C>,
+    pub(super) base: Wrench<3>,
     pub(super) demand: Demand,
     /// Deviations from the data that the safe amount covers.
     pub(super) safety: Safety,
@@ -31,7 +32,7 @@ pub(super) struct Posed<const C: usize> {
 
 /// The sought quantity with the data of its own.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Sought<const C: usize> {
+pub(super) enum Sought {
     Squeeze,
     /// Points of the contacts; `None` for all with friction.
     Friction {
@@ -39,11 +40,11 @@ pub(super) enum Sought<const C: usize> {
     },
     Load,
     Arm {
-        at: Wrench<C>,
-        per_metre: Wrench<C>,
+        at: Wrench<3>,
+        per_metre: Wrench<3>,
     },
     Angle {
-        turn: Turn<C>,
+        turn: Turn<3>,
     },
     /// The force of the part `of`, or the load at rest if that is `None`.
     Force {
@@ -65,10 +66,10 @@ impl Safety {
     pub(super) const NONE: Self = Self { lower: [0.0; 2], load: 1.0 };
 }
 
-impl<const C: usize> Posed<C> {
+impl Posed {
     /// Refuses numbers out of range, and loads that do not suit the demand, whatever the grasp.
     pub(super) fn check(&self) -> Result<(), Error> {
-        self.base.check("base load")?;
+        self.base.check_in(self.words.space::<3>(), "base load")?;
         check_part("part by which friction is less", self.safety.lower[0])?;
         check_part("part by which the squeeze is less", self.safety.lower[1])?;
         if !(self.safety.load > 0.0 && is_moderate(self.safety.load)) {
@@ -91,7 +92,7 @@ impl<const C: usize> Posed<C> {
 
     /// The question as this grasp answers it. Friction of a soft fingertip is that of all its points. Where no command presses, a force is sought in
     /// place of a squeeze: the load of the only loaded body, or the load at rest where no body is loaded.
-    pub(super) fn on(mut self, grasp: &Grasp<C>) -> Result<Self, Error> {
+    pub(super) fn on(mut self, grasp: &Grasp<3>) -> Result<Self, Error> {
         match &mut self.sought {
             Sought::Friction { contacts: Some(contacts) } => *contacts = grasp.points_of(contacts)?,
             Sought::Squeeze if !grasp.is_squeezed() => {
@@ -117,7 +118,7 @@ impl<const C: usize> Posed<C> {
     }
 
     /// The part whose force is sought, with its size; `None` for other quantities.
-    pub(super) fn pressed_by(&self, grasp: &Grasp<C>) -> Result<Option<PressedBy>, Error> {
+    pub(super) fn pressed_by(&self, grasp: &Grasp<3>) -> Result<Option<PressedBy>, Error> {
         let Sought::Force { of } = &self.sought else { return Ok(None) };
         let (part, is_body, size) = match of {
             Some(part) => {
@@ -143,11 +144,11 @@ impl<const C: usize> Posed<C> {
     }
 }
 
-impl<const C: usize> Need<C> {
+impl Need<3> {
     /// Refuses fields that are missing or belong to another quantity, numbers out of range, and contacts beyond this number of them.
     #[cfg(feature = "serde")]
-    pub(crate) fn check(&self, contacts: usize) -> Result<(), Error> {
-        match self.posed()?.sought {
+    pub(crate) fn check(&self, space: Space, contacts: usize) -> Result<(), Error> {
+        match self.posed(space)?.sought {
             Sought::Friction { contacts: Some(list) } => {
                 list.iter().try_for_each(|contact| check_contact(*contact, contacts))
             }
@@ -156,7 +157,7 @@ impl<const C: usize> Need<C> {
     }
 
     /// The checked question as a search poses it.
-    pub(super) fn posed(&self) -> Result<Posed<C>, Error> {
+    pub(super) fn posed(&self, space: Space) -> Result<Posed, Error> {
         let of_its_own = [
             (
                 self.per_metre.is_some(),
@@ -220,7 +221,7 @@ impl<const C: usize> Need<C> {
             demand: self.demand,
             safety,
             scan: self.scan,
-            words: self.words,
+            words: self.words.in_space(space),
         };
         posed.check()?;
         Ok(posed)
@@ -238,7 +239,7 @@ impl<const C: usize> Need<C> {
     }
 
     /// The loads, or an error unless they are given in exactly one way.
-    fn given_loads(&self) -> Result<Loads<C>, Error> {
+    fn given_loads(&self) -> Result<Loads<3>, Error> {
         let others = self.load.is_some() || !self.loads.is_empty() || self.any_force.is_some();
         match self.turn {
             Some(turn) if !others => Ok(Loads::Turn(turn)),

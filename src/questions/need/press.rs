@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::grasp::{Contact, WholeContact};
-use crate::numerics::mapped;
+use crate::numerics::{Space, mapped};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
@@ -23,13 +23,13 @@ pub struct Press {
 }
 
 /// The pressure of the vacuum within a ring of points in space, Pa, if they are the lip of a cup. In the plane suction is a force without an area.
-pub(super) fn pressure_of_cup<const C: usize>(points: &[Contact<C>]) -> Option<f64> {
+pub(super) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
     let count = points.len() as f64;
     let vacuum: f64 = points.iter().map(|point| point.suction).sum();
-    let middle = points.iter().fold(SVector::<f64, C>::zeros(), |sum, point| sum + point.point / count);
-    let radius = |point: &Contact<C>| (point.point - middle).norm();
+    let middle = points.iter().fold(SVector::<f64, 3>::zeros(), |sum, point| sum + point.point / count);
+    let radius = |point: &Contact<3>| (point.point - middle).norm();
     let size = points.iter().map(radius).fold(0.0, f64::max);
-    let is_ring = C == 3
+    let is_ring = points.iter().all(|point| point.space == Space::Spatial)
         && points.len() > 2
         && points.iter().all(|point| size - radius(point) <= ALIKE_IN_WORDS * size);
     (vacuum > 0.0 && size > 0.0 && is_ring).then(|| vacuum / (core::f64::consts::PI * size * size))

@@ -24,9 +24,9 @@ pub(super) struct Range {
 
 impl Range {
     /// The range between the least and the greatest amount that the search would try.
-    pub(super) fn of<const C: usize>(
-        grasp: &Grasp<C>,
-        need: &Posed<C>,
+    pub(super) fn of(
+        grasp: &Grasp<3>,
+        need: &Posed,
         safety: Safety,
         [least, most]: [f64; 2],
     ) -> Result<Self, Error> {
@@ -49,9 +49,9 @@ impl Range {
     }
 
     /// Moves one end inwards, the lower one if `up`, as far as proofs for the load of index `which` allow.
-    fn cut<const C: usize>(
+    fn cut(
         &mut self,
-        loading: &dyn Fn(f64) -> Result<Loading<C>, Error>,
+        loading: &dyn Fn(f64) -> Result<Loading, Error>,
         which: usize,
         up: bool,
         [least, most]: [f64; 2],
@@ -65,7 +65,7 @@ impl Range {
             let load = here.to_balance()[which];
             let Some(motion) = here.grasp.unbalanced_along(&load)? else { break };
             let there = loading(end)?;
-            let works = |of: &Loading<C>| of.grasp.work_along(&of.to_balance()[which], &motion);
+            let works = |of: &Loading| of.grasp.work_along(&of.to_balance()[which], &motion);
             let (work, beyond) = (works(&here)?, works(&there)?);
             // The load does positive work along the motion at both ends, so that no forces balance it between them.
             if beyond >= 0.0 || at == end {
@@ -84,9 +84,9 @@ impl Range {
     }
 
     /// The least coefficient with which forces balance all loads. The work left over vanishes there, and its secants come closer than proofs do.
-    fn least_friction<const C: usize>(
+    fn least_friction(
         &mut self,
-        loading: &dyn Fn(f64) -> Result<Loading<C>, Error>,
+        loading: &dyn Fn(f64) -> Result<Loading, Error>,
         [least, most]: [f64; 2],
     ) -> Result<(), Error> {
         // Work of the first unbalanced load along the motion that proves it unbalanced; `None` where all loads have no such proof.

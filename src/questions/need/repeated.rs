@@ -14,7 +14,7 @@ use crate::prelude::*;
 use crate::shake::{Repeats, Shaken};
 use crate::squeeze::Loads;
 
-impl<const C: usize> Loading<C> {
+impl Loading {
     /// Whether the object comes to rest, or does not walk, while the loads are put on and taken off in turn for ever.
     pub(super) fn again_and_again(&self, demand: Demand) -> Result<Trial, Error> {
         let Some((base, legs)) = self.cycle() else {
@@ -31,7 +31,7 @@ impl<const C: usize> Loading<C> {
 
     /// The load at rest and the legs of one cycle; `None` for a force of any direction. Each load is put on and taken off; a turn is followed back
     /// unless it is full.
-    fn cycle(&self) -> Option<(Wrench<C>, Vec<Leg<C>>)> {
+    fn cycle(&self) -> Option<(Wrench<3>, Vec<Leg<3>>)> {
         match &self.loads {
             Loads::Each(loads) => {
                 let mut legs = Vec::new();
@@ -56,7 +56,7 @@ impl<const C: usize> Loading<C> {
 }
 
 /// The carried part of an insufficient amount, below 1: it rises with the cycle of a loss, and as the motion per period falls.
-fn carried<const C: usize>(shaken: &Shaken<C>, legs: usize) -> f64 {
+fn carried(shaken: &Shaken<3>, legs: usize) -> f64 {
     // That of a loss is below one half, that of walking and rubbing above it, so that a search proceeds towards rest.
     let held = 0.5;
     match &shaken.repeats {
@@ -66,7 +66,7 @@ fn carried<const C: usize>(shaken: &Shaken<C>, legs: usize) -> f64 {
             held * gone / (1.0 + gone)
         }
         Repeats::Walks { by, .. } => {
-            let part = |motion: &BodyMotion<C>| motion.speed() / motion.reach.max(f64::MIN_POSITIVE);
+            let part = |motion: &BodyMotion<3>| motion.speed() / motion.reach.max(f64::MIN_POSITIVE);
             held + (1.0 - held) / (2.0 + largest(by, &part))
         }
         _ => held + 0.5 * (1.0 - held),

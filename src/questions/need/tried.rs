@@ -28,9 +28,9 @@ pub(super) enum Look {
 }
 
 /// The amounts tried, each once, with their trials.
-pub(super) struct Tried<'q, const C: usize> {
-    pub(super) grasp: &'q Grasp<C>,
-    pub(super) need: &'q Posed<C>,
+pub(super) struct Tried<'q> {
+    pub(super) grasp: &'q Grasp<3>,
+    pub(super) need: &'q Posed,
     safety: Safety,
     /// The first amount.
     pub(super) start: f64,
@@ -41,8 +41,8 @@ pub(super) struct Tried<'q, const C: usize> {
     first: Cell<usize>,
 }
 
-impl<'q, const C: usize> Tried<'q, C> {
-    pub(super) const fn new(grasp: &'q Grasp<C>, need: &'q Posed<C>, safety: Safety, start: f64) -> Self {
+impl<'q> Tried<'q> {
+    pub(super) const fn new(grasp: &'q Grasp<3>, need: &'q Posed, safety: Safety, start: f64) -> Self {
         Self {
             grasp,
             need,
@@ -73,7 +73,7 @@ impl<'q, const C: usize> Tried<'q, C> {
 
     fn put_on(
         &self,
-        loading: &Loading<C>,
+        loading: &Loading,
         (amount, demand): (f64, Demand),
         list: &RefCell<Vec<(f64, Trials)>>,
     ) -> Result<Trial, Error> {

@@ -31,7 +31,7 @@ impl<const C: usize> fmt::Display for Shaken<C> {
 
 impl<const C: usize> Shaken<C> {
     fn write_verdict(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
         match &self.repeats {
             Repeats::Rests { after: 0, .. } => f.write_str("RESTS: nothing ever slides"),
             Repeats::Rests { after, slid } => {
@@ -69,7 +69,7 @@ impl<const C: usize> Shaken<C> {
             }
             Repeats::Lost { cycle, lost, load, .. } => {
                 let load = words.load(load);
-                write!(f, "{} in cycle {cycle} under {load}: {lost:.digits$}", lost.verb())
+                write!(f, "{} in cycle {cycle} under {load}: {lost:.digits$}", lost.verb(words))
             }
             Repeats::NoRest { rest } => write!(f, "{rest:.digits$}"),
             Repeats::Undecided { doubt: Some(doubt) } => {

@@ -97,19 +97,25 @@ impl WrenchSet {
 
     /// The forces of the support point in a direction.
     pub(super) fn forces(&self, v: &Vector) -> Vec<SVector<f64, 3>> {
-        let most = self.contacts.iter().map(|contact| contact.most(v));
-        let within = |bound: f64| {
-            move |(force, work): (SVector<f64, 3>, f64)| force * if work > 0.0 { bound } else { 0.0 }
-        };
-        match self.budget {
-            Budget::Each(bound) => most.map(within(bound)).collect(),
-            Budget::Total(bound) => {
-                let all: Vec<_> = most.collect();
-                let best = all.iter().enumerate().max_by(|a, b| a.1.1.total_cmp(&b.1.1)).map(|(i, _)| i);
-                let force = |(i, most)| if Some(i) == best { within(bound)(most) } else { SVector::zeros() };
-                all.into_iter().enumerate().map(force).collect()
+        let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
+        let mut forces = Vec::with_capacity(self.contacts.len());
+        // The last of the contacts that do most work.
+        let mut best = (0, f64::NEG_INFINITY);
+        for (i, contact) in self.contacts.iter().enumerate() {
+            let (force, work) = contact.most(v);
+            forces.push(force * if work > 0.0 { bound } else { 0.0 });
+            if work.total_cmp(&best.1).is_ge() {
+                best = (i, work);
             }
         }
+        if let Budget::Total(_) = self.budget {
+            for (i, force) in forces.iter_mut().enumerate() {
+                if i != best.0 {
+                    *force = SVector::zeros();
+                }
+            }
+        }
+        forces
     }
 
     /// The support point in a direction.

@@ -5,6 +5,7 @@ mod names;
 use nalgebra::{Matrix2, Vector2};
 use plotters::style::{Color, RGBColor};
 
+use crate::grasp::{inside, outside};
 use crate::numerics::{mapped, moved, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
@@ -50,7 +51,7 @@ const OF_A_PAGE: Paper = Paper {
 
 pub(super) struct Picture<'a> {
     of: &'a PlanarPicture<'a>,
-    actuators: Actuators<2>,
+    actuators: Actuators,
     tips: Vec<Tip>,
     load: Option<PlanarLoad>,
     way_out: Option<MovedOutlines>,
@@ -97,12 +98,16 @@ impl<'a> Picture<'a> {
         let load = load.map(|load| PlanarLoad::new(&load, low / 2.0 + high / 2.0, size((low, high))));
         let span = size(bounds([held, grasp.links().concat()].concat()));
         let frames: Vec<_> = grasp.frames().copied().collect();
+        let (grasp_inside, answer) = (inside(*grasp), state.map(inside));
+        let does = |tip: &ContactGroup| {
+            answer.as_ref().map(|answer| outside(tip.resultant(grasp_inside.contacts(), answer)))
+        };
         let tip = |tip: ContactGroup| Tip {
             middle: tip.middle(contacts),
             frame: frames[tip.contacts.start],
             slope: slope(&contacts[tip.contacts.start]),
             link: PlanarLink::of(&tip, contacts),
-            does: state.map(|state| tip.resultant(contacts, state)),
+            does: does(&tip),
             of: tip,
         };
         let tips: Vec<_> = moved(fingertips(contacts), &tip);
@@ -117,7 +122,7 @@ impl<'a> Picture<'a> {
         let way_out = of
             .leaving
             .and_then(|motion| MovedOutlines::new(motion, outlines, points.into_iter(), size((low, high))));
-        Self { of, actuators: Actuators::of(grasp), tips, load, way_out, span, scale }
+        Self { of, actuators: Actuators::of(&grasp_inside), tips, load, way_out, span, scale }
     }
 
     pub(super) fn draw(&self) -> Result<String, PictureError> {
@@ -202,13 +207,13 @@ impl<'a> Picture<'a> {
         }
         for (_, at) in &self.actuators.joints {
             if let Some(at) = at {
-                painting.dot(flat(place(at)), 5.0, GREY, false);
+                painting.dot(flat(place(&at.xy())), 5.0, GREY, false);
             }
         }
         if let Some(state) = self.of.state {
             for (_, at) in self.actuators.that_yield(state) {
                 if let Some(at) = at {
-                    painting.dot(flat(place(&at)), 8.0, VERMILION, false);
+                    painting.dot(flat(place(&at.xy())), 8.0, VERMILION, false);
                 }
             }
         }

@@ -27,7 +27,7 @@ impl Picture<'_> {
         if let Some(state) = self.of.state {
             for (name, at) in self.actuators.that_yield(state) {
                 match at {
-                    Some(at) => placed.push((name, at)),
+                    Some(at) => placed.push((name, at.xy())),
                     None => names.push(name),
                 }
             }

@@ -2,7 +2,7 @@
 
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
-use crate::grasp::{Contact, Motion, Wrench};
+use crate::grasp::{Contact, Face, Motion, Wrench};
 use crate::numerics::mapped;
 use crate::picture::contact_look::STEEPEST_CONE;
 
@@ -50,6 +50,19 @@ impl<const C: usize> Frame<C> {
     /// The slope of the cone of a contact in pictures.
     pub(super) fn slope(&self, contact: usize, given: f64) -> f64 {
         self.friction(contact, given).min(STEEPEST_CONE)
+    }
+}
+
+impl Frame<2> {
+    /// What tables show of the answer, with three components a vector.
+    pub(super) fn widened(&self) -> Frame<3> {
+        let shown = match &self.shown {
+            Ok(state) => Ok(state.entered()),
+            Err(why) => Err(why.clone()),
+        };
+        let mut frame = Frame::new(self.label.clone(), shown);
+        (frame.says, frame.friction) = (self.says.clone(), self.friction.clone());
+        frame
     }
 }
 

@@ -88,7 +88,7 @@ pub(super) fn closed(page: &mut String, script: &str) {
 }
 
 /// Writes buttons for the answers, and a slider for more than two answers.
-pub(super) fn write_choice<const C: usize>(page: &mut String, frames: &[Frame<C>]) {
+pub(super) fn write_choice(page: &mut String, frames: &[Frame<3>]) {
     if frames.len() < 2 {
         return;
     }

@@ -5,7 +5,8 @@ use std::fmt::Write;
 use super::frame::{Frame, change_last};
 use super::html::{ANSWERS_SCRIPT, closed, opened, write_choice};
 use super::table;
-use crate::grasp::Motion;
+use crate::grasp::{Motion, inside};
+use crate::numerics::mapped;
 use crate::picture::actuators::Actuators;
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, fingertips};
@@ -103,8 +104,9 @@ impl PlanarPage {
     /// As for [`PlanarPicture::to_svg`], or if a number of an answer is NaN.
     pub fn to_html(&self) -> Result<String, PictureError> {
         let mut page = opened(&self.title);
-        table::write_says(&mut page, &self.frames);
-        write_choice(&mut page, &self.frames);
+        let (grasp, frames) = (inside(&self.grasp), mapped(&self.frames, &Frame::widened));
+        table::write_says(&mut page, &frames);
+        write_choice(&mut page, &frames);
         let tips = fingertips(self.grasp.contacts());
         if tips.iter().any(ContactGroup::is_soft) {
             page.push_str(super::html::POINTS_CHOICE);
@@ -118,7 +120,7 @@ impl PlanarPage {
             let _ =
                 writeln!(page, "<section class=\"still\" data-frame=\"{k}\"{hidden}>\n{picture}</section>");
         }
-        table::write(&mut page, &self.grasp, &tips, &Actuators::of(&self.grasp), &self.frames)?;
+        table::write(&mut page, &grasp, &tips, &Actuators::of(&grasp), &frames)?;
         closed(&mut page, &format!("{ANSWERS_SCRIPT}onChoice(choose);\n"));
         Ok(page)
     }

@@ -58,7 +58,7 @@ pub struct SpatialPage {
     pub(super) outlines: Vec<MovingLine>,
     pub(super) fixtures: Vec<Vec<[f64; 3]>>,
     pub(super) frames: Vec<Frame<3>>,
-    pub(super) actuators: Actuators<3>,
+    pub(super) actuators: Actuators,
 }
 
 /// A closed line on the object, or on one of several bodies.

@@ -7,7 +7,7 @@ use super::frame::Frame;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Equilibrium, WholeAnswer};
 use crate::grasp::{Contact, Hold};
-use crate::numerics::mapped;
+use crate::numerics::{Space, mapped};
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::word;
 use crate::picture::error::PictureError;
@@ -29,7 +29,7 @@ const TABLE_COLUMNS: [(&str, &str); 9] = [
 ];
 
 /// Writes the sentences of each answer, at the top of the page.
-pub(super) fn write_says<const C: usize>(page: &mut String, frames: &[Frame<C>]) {
+pub(super) fn write_says(page: &mut String, frames: &[Frame<3>]) {
     for (k, frame) in frames.iter().enumerate() {
         open(page, k);
         for sentence in &frame.says {
@@ -55,18 +55,18 @@ fn open(page: &mut String, frame: usize) {
     let _ = writeln!(page, "<section data-frame=\"{frame}\"{hidden}>");
 }
 
-pub(super) fn write<const C: usize>(
+pub(super) fn write(
     page: &mut String,
-    grasp: &Grasp<C>,
+    grasp: &Grasp<3>,
     tips: &[ContactGroup],
-    actuators: &Actuators<C>,
-    frames: &[Frame<C>],
+    actuators: &Actuators,
+    frames: &[Frame<3>],
 ) -> Result<(), PictureError> {
     for (k, frame) in frames.iter().enumerate() {
         open(page, k);
         let _ = writeln!(page, "<h2>{}</h2>", escaped(&frame.label));
         if let Ok(state) = &frame.shown {
-            write_words(page, actuators, state, &frame.says);
+            write_words(page, grasp.space(), actuators, state, &frame.says);
             write_rows(page, grasp, tips, frame, state)?;
         }
         page.push_str("</section>\n");
@@ -74,13 +74,14 @@ pub(super) fn write<const C: usize>(
     Ok(())
 }
 
-fn write_words<const C: usize>(
+fn write_words(
     page: &mut String,
-    actuators: &Actuators<C>,
-    state: &Equilibrium<C>,
+    space: Space,
+    actuators: &Actuators,
+    state: &Equilibrium<3>,
     says: &[String],
 ) {
-    let words = Words::default();
+    let words = Words::default().in_space(space);
     let _ = writeln!(
         page,
         "<p>Under {} {}; residual {}.</p>",
@@ -102,12 +103,12 @@ fn write_words<const C: usize>(
 }
 
 /// Writes a row for each contact. A soft fingertip has a row for its sums, and a row for each of its points, shown on request.
-fn write_rows<const C: usize>(
+fn write_rows(
     page: &mut String,
-    grasp: &Grasp<C>,
+    grasp: &Grasp<3>,
     tips: &[ContactGroup],
-    frame: &Frame<C>,
-    state: &Equilibrium<C>,
+    frame: &Frame<3>,
+    state: &Equilibrium<3>,
 ) -> Result<(), PictureError> {
     // A table wider than a narrow screen scrolls by itself instead of the page.
     page.push_str("<div class=\"scrolls\">\n<table>\n<thead><tr>");
@@ -118,7 +119,7 @@ fn write_rows<const C: usize>(
     for ((number, tip), whole) in tips.iter().enumerate().zip(state.whole_contacts()) {
         let resultant = tip.resultant(grasp.contacts(), state);
         let mut row =
-            |class: &str, name: &str, points: Range<usize>, answer: WholeAnswer<'_, C>, look, moves: f64| {
+            |class: &str, name: &str, points: Range<usize>, answer: WholeAnswer<'_, 3>, look, moves: f64| {
                 let contact = &grasp.contacts()[points.start];
                 let friction = frame.friction(points.start, contact.friction_coefficient());
                 let numbers = numbers(answer, &state.contacts[points], friction, moves, state);
@@ -138,12 +139,12 @@ fn write_rows<const C: usize>(
 }
 
 /// The numbers of a row in the order of the columns. The gap or slip is the largest of its points.
-fn numbers<const C: usize>(
-    answer: WholeAnswer<'_, C>,
-    points: &[ContactAnswer<C>],
+fn numbers(
+    answer: WholeAnswer<'_, 3>,
+    points: &[ContactAnswer<3>],
     friction: f64,
     moves: f64,
-    state: &Equilibrium<C>,
+    state: &Equilibrium<3>,
 ) -> [f64; 7] {
     let force = |newtons| without_rounding(newtons, state);
     let (pushes, rubs) = (force(answer.force()[0]), force(answer.friction_force()));
@@ -153,10 +154,10 @@ fn numbers<const C: usize>(
 }
 
 /// Writes the state of a contact, in the colour of `look`, and its numbers.
-fn write_row<const C: usize>(
+fn write_row(
     page: &mut String,
-    contact: &Contact<C>,
-    answer: WholeAnswer<'_, C>,
+    contact: &Contact<3>,
+    answer: WholeAnswer<'_, 3>,
     look: &str,
     numbers: [f64; 7],
 ) -> Result<(), &'static str> {

@@ -78,9 +78,9 @@ pub struct BodyMotion<const C: usize> {
     pub reach: f64,
 }
 
-impl<const C: usize> BodyMotion<C> {
+impl BodyMotion<3> {
     /// Displacement of the centroid of its contact points, m.
-    pub(crate) fn middle_moves(&self) -> SVector<f64, C> {
+    pub(crate) fn middle_moves(&self) -> SVector<f64, 3> {
         self.twist.moves(&self.centre)
     }
 

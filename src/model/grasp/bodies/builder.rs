@@ -128,6 +128,7 @@ impl<const C: usize> Bodies<C> {
             let points = link.contacts_called(&link.called(number))?;
             hand = points.into_iter().map(Finger::fixed).fold(hand, Hand::finger);
         }
+        let space = hand.space();
         let names: Vec<Arc<str>> = mapped(&bodies, &|body| body.name.clone());
         let refuse = |name: &Arc<str>, fault: String| Err(Error::Body { name: name.to_string(), fault });
         if names.is_empty() {
@@ -143,7 +144,7 @@ impl<const C: usize> Bodies<C> {
             if let Some(x) = body.centre.iter().find(|x| !is_moderate(**x)) {
                 return refuse(&body.name, format!("has its centre of mass at {x}, must be {MODERATE}"));
             }
-            body.load.check("load of a body")?;
+            body.load.check_in(space, "load of a body")?;
         }
         if let Some(&value) = gravity.iter().find(|x| !is_moderate(**x)) {
             return Err(Error::Argument { what: "gravity", value, allowed: MODERATE });

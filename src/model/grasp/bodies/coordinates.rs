@@ -153,9 +153,15 @@ impl Engine {
     /// Lengths that scale the rotations of all bodies other than the object.
     pub(crate) fn rotation_lengths(&self, bodies: &PlacedBodies) -> Vec<f64> {
         let Some(linkage) = self.linkage() else { return Vec::new() };
-        let angular = self.space.axes()..self.space.of_the_object();
-        let others = bodies.places.iter().enumerate().filter(|(body, _)| *body != bodies.object);
-        others.flat_map(|(_, place)| angular.clone().map(|k| linkage.lengths[place.first + k])).collect()
+        let mut lengths = Vec::new();
+        for (body, place) in bodies.places.iter().enumerate() {
+            if body != bodies.object {
+                for k in self.space.axes()..self.space.of_the_object() {
+                    lengths.push(linkage.lengths[place.first + k]);
+                }
+            }
+        }
+        lengths
     }
 
     /// The coordinates of the body that a contact's normal points into; all others are set to zero.

@@ -37,7 +37,7 @@ impl<const C: usize> Link<C> {
 
 impl Link<3> {
     /// The contacts in the plane or in space, named after `name`.
-    fn contacts_in(&self, space: Space, name: &str) -> Result<Vec<Contact<3>>, Error> {
+    pub(crate) fn contacts_in(&self, space: Space, name: &str) -> Result<Vec<Contact<3>>, Error> {
         self.check().map_err(|(field, value, allowed)| Error::Link {
             kind: self.kind().name(),
             name: name.to_owned(),

@@ -11,7 +11,6 @@ use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::bodies::{PlacedBodies, refuse_sides};
 use crate::grasp::engine::Engine;
-use crate::numerics::Space;
 use crate::numerics::{Size, Vector, mapped};
 use crate::prelude::*;
 use crate::words::printable;
@@ -25,8 +24,7 @@ impl Hand<3> {
     /// as for [`Grasp::new`](crate::ask::Grasp::new).
     pub(crate) fn engine(self, mut bodies: Option<PlacedBodies>) -> Result<Engine, Error> {
         let others = bodies.as_ref().map_or(0, |bodies| bodies.names.len() - 1);
-        let contacts = self.fingers.iter().flat_map(|finger| &finger.contacts);
-        let space = contacts.map(|carried| carried.contact.space).next().unwrap_or(Space::Spatial);
+        let space = self.space();
         let most = Size::of(self.coordinates_in(space) + others * space.of_the_object());
         let used = self.joints();
         let Self { fingers, tendons } = self;

@@ -19,19 +19,20 @@ face_of_struct! {
 
 impl<const C: usize> Face for JointMotion<C> {
     type Inside = JointMotion<3>;
+    const SAME: bool = C == 3;
 
-    fn enter(self) -> JointMotion<3> {
+    fn widen(&self) -> JointMotion<3> {
         match self {
-            Self::Revolute { point, axis } => {
-                let axis = if C == 2 { SVector::from([0.0, 0.0, 1.0]) } else { axis.enter() };
-                JointMotion::Revolute { point: point.enter(), axis }
+            Self::Revolute { point, .. } => {
+                // A joint of the plane has no axis of its own.
+                JointMotion::Revolute { point: point.entered(), axis: SVector::from([0.0, 0.0, 1.0]) }
             }
-            Self::Prismatic { direction } => JointMotion::Prismatic { direction: direction.enter() },
+            Self::Prismatic { direction } => JointMotion::Prismatic { direction: direction.entered() },
             Self::Given => JointMotion::Given,
         }
     }
 
-    fn leave(inside: JointMotion<3>) -> Self {
+    fn narrow(inside: JointMotion<3>) -> Self {
         match inside {
             JointMotion::Revolute { point, axis } => {
                 Self::Revolute { point: Face::leave(point), axis: Face::leave(axis) }

@@ -1,6 +1,7 @@
 //! A hand: fingers, and tendons over their joints.
 
 use super::finger::Finger;
+use super::joint::Limit;
 use super::tendon::Tendon;
 use crate::numerics::Space;
 use crate::prelude::*;
@@ -60,15 +61,32 @@ impl<const C: usize> Hand<C> {
         self.coordinates_in(Space::of::<C>())
     }
 
+    /// Whether it holds objects of the plane or of space.
+    pub(crate) fn space(&self) -> Space {
+        for finger in &self.fingers {
+            if let Some(carried) = finger.contacts.first() {
+                return carried.contact.space;
+            }
+        }
+        Space::of::<C>()
+    }
+
     /// [`Self::coordinates`] in the plane or in space.
     pub(super) fn coordinates_in(&self, space: Space) -> usize {
-        let joints = self.fingers.iter().flat_map(|finger| &finger.joints);
-        let limits = joints.map(|joint| joint.limit).chain(self.tendons.iter().map(|tendon| tendon.limit));
-        let saturating =
-            limits.flatten().filter(|limit| matches!(limit, super::joint::Limit::Saturates(_))).count();
-        let compliant = self.fingers.iter().filter(|finger| finger.compliance.is_some());
-        let axes: usize = compliant.map(|finger| space.axes() * finger.contacts.len()).sum();
-        space.of_the_object() + self.joints() + saturating + axes
+        let saturates = |limit: Option<Limit>| usize::from(matches!(limit, Some(Limit::Saturates(_))));
+        let mut all = space.of_the_object() + self.joints();
+        for finger in &self.fingers {
+            for joint in &finger.joints {
+                all += saturates(joint.limit);
+            }
+            if finger.compliance.is_some() {
+                all += space.axes() * finger.contacts.len();
+            }
+        }
+        for tendon in &self.tendons {
+            all += saturates(tendon.limit);
+        }
+        all
     }
 
     /// Number of joints. Slides of contacts that are [held by a force](crate::grasp::Contact::force) are included, after all others.
