@@ -1,5 +1,6 @@
 //! Many questions at once.
 
+mod point_batch;
 mod reserve;
 mod robust_onset;
 mod screened_scenes;
@@ -13,3 +14,4 @@ mod screening_turns;
 mod screening_watch;
 mod sweep;
 mod thread_count;
+mod verdict_batch;

@@ -61,11 +61,11 @@ const fn one_each() -> [usize; 2] {
 }
 
 impl Tip {
-    /// The patch for the grasp.
+    /// The patch of points that takes the place of a contact.
     ///
     /// # Errors
     /// [`Error::Fingertip`] for a number out of range, and for a patch of the plane in space or the reverse.
-    pub(super) fn spread<const C: usize>(&self) -> Result<SoftFingertip<C>, Error> {
+    pub fn spread<const C: usize>(&self) -> Result<SoftFingertip<C>, Error> {
         let patch = match *self {
             Self::Ring { radius, points } => SoftFingertip::ring(radius, points)?.of_axes(),
             Self::Disc { radius, annuli, points, pressure } => {
