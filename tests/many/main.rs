@@ -1,5 +1,6 @@
 //! Many questions at once.
 
+mod amount_batch;
 mod point_batch;
 mod reserve;
 mod robust_onset;

@@ -29,6 +29,7 @@ pub(crate) use grasp::check_contact;
 #[cfg(feature = "serde")]
 pub(crate) use growing::check_growing;
 pub use rows::RowOf;
+pub(crate) use rows::{answers_of_rows, while_sticking};
 pub use sensitivity::Sensitivity;
 pub use statics::Statics;
 pub use workspace::{OnsetWorkspace, Workspace};
