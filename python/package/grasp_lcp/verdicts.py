@@ -161,7 +161,7 @@ def hold_batch(
 ) -> Verdicts:
     """Whether each of many grasps holds a load that is put on from rest; see :meth:`Grasp.hold`.
 
-    Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows under which everything sticks take well below a microsecond;
+    Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows under which everything sticks take a few microseconds;
     any other row is followed as by :meth:`Grasp.hold`, which takes some 50 µs to a few milliseconds. The verdict of each row is that of
     :meth:`Grasp.hold`, the first slip of the quick rows up to rounding. Their bits do not depend on the number of threads.
 
@@ -208,7 +208,7 @@ def need_batch(
 ) -> Amounts:
     """The least multiple of the squeeze with which each of many grasps holds its load, or the greatest multiple of the load; see :meth:`Grasp.need`.
 
-    With ``sticks`` everything must stick, and a row takes about a microsecond. Otherwise contacts may slide, and a row takes one path of its load
+    With ``sticks`` everything must stick, and a row takes a few microseconds. Otherwise contacts may slide, and a row takes one path of its load
     up to the loss. Rows in which a base load, a clearance or a limit of small motions counts are searched as by :meth:`Grasp.need`.
 
     :param quantity: ``"squeeze"`` or ``"load"``.

@@ -20,7 +20,7 @@ impl<const C: usize> Grasp<C> {
     /// The verdicts on many loads, each put on a grasp of its own, on all cores: those of [`Self::hold`], without sentences, lists and states.
     ///
     /// With [`Settings::most_load`] at 1, where nothing is followed beyond the whole load, verdicts on grasps of two to 64 points under which
-    /// everything sticks take well below a microsecond; see [`screening`](crate::screening) for the contacts. Such a verdict has the factor of the
+    /// everything sticks take a few microseconds; see [`screening`](crate::screening) for the contacts. Such a verdict has the factor of the
     /// first slip from there, equal to that of [`Self::hold`] but for rounding. Any other verdict takes as long as [`Self::hold`].
     ///
     /// The verdicts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.

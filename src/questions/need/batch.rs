@@ -58,7 +58,7 @@ impl<const C: usize> Grasp<C> {
     /// [`Self::need`], without sentences, windows and safe amounts.
     ///
     /// The quantity is [`Quantity::Squeeze`] or [`Quantity::Load`], the demand that everything [sticks](Demand::Sticks) or that the object is
-    /// [held](Demand::Held). Amounts with which everything sticks take about a microsecond, amounts with which the object is held a path up to its
+    /// [held](Demand::Held). Amounts with which everything sticks take a few microseconds, amounts with which the object is held a path up to its
     /// loss, and all others as long as [`Self::need`]. The amounts agree with those of [`Self::need`] to the error of steps along arcs.
     ///
     /// The amounts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
