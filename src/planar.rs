@@ -14,6 +14,8 @@ macro_rules! names {
         pub type SoftFingertip = crate::grasp::SoftFingertip<$axes>;
         /// A grasp; see [`crate::ask::Grasp`].
         pub type Grasp = crate::ask::Grasp<$axes>;
+        /// Many grasps of any number of contact points, to be screened; see [`crate::screening::PointBatch`].
+        pub type PointBatch = crate::screening::PointBatch<$axes>;
         /// Force and moment; in the plane the moment is one number, from x to y; see [`crate::grasp::Wrench`].
         pub type Wrench = crate::grasp::Wrench<$axes>;
         /// Translation and rotation; in the plane the rotation is one number, from x to y; see [`crate::grasp::Twist`].

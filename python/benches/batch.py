@@ -3,7 +3,8 @@
     cargo run --release --package grasp-lcp-python --example rust_batch
     python python/benches/batch.py
 
-prints the same lines: the same factors to the last bit, and how long each takes.
+prints the same two lines: the same factors to the last bit, and how long each takes. Verdicts, pads and amounts follow;
+`cargo run --release -p reports --bin verdict_batch` compares them with single grasps.
 """
 
 import time
@@ -11,7 +12,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from grasp_lcp import Onsets, OnsetStatus, onsets
+from grasp_lcp import Onsets, OnsetStatus, hold_batch, need_batch, onsets
 
 GRASPS = 1_000_000
 REPEATS = 5
@@ -58,3 +59,30 @@ report(
     "spatial triples",
     lambda: onsets(triples, towards, [0.1, 0.2, -1.0], friction=friction, series_stiffness=[9e2, 6e2], command=[0.006, 0.0, 0.0]),
 )
+
+
+def paced(name: str, rows: int, run: Callable[[], object]) -> None:
+    """The best pace, and the answer in a line."""
+    best, found = float("inf"), None
+    for _ in range(REPEATS):
+        start = time.perf_counter()
+        found = run()
+        best = min(best, time.perf_counter() - start)
+    print(f"{name:24} {rows / best:10.0f} a second  {found}")
+
+
+springs = {"friction": friction, "series_stiffness": [9e2, 6e2], "command": [0.006, 0.0, 0.0]}
+paced("verdicts, triples", GRASPS, lambda: hold_batch(triples, towards, [0.1, 0.2, -1.0], **springs))
+paced("squeezes that stick", GRASPS, lambda: need_batch(triples, towards, [0.1, 0.2, -1.0], sticks=True, **springs))
+few = GRASPS // 500
+held = springs | {"friction": friction[:few]}
+paced("squeezes that hold", few, lambda: need_batch(triples[:few], towards[:few], [0.1, 0.2, -1.0], **held))
+
+some = GRASPS // 20
+jaws = np.broadcast_to([[-0.03, 0.0, 0.0], [0.03, 0.0, 0.0]], (some, 2, 3))
+padded = {
+    "friction": friction[:some], "series_stiffness": [2e4, 1e4], "pressed_with": 10.0,
+    "soft": {"disc": {"radius": 0.006, "annuli": 1, "points": 8}},
+}  # fmt: skip
+paced("onsets, pads of 16", some, lambda: onsets(jaws, -jaws, [0.0, 0.0, -4.0], **padded))
+paced("verdicts, pads of 16", some, lambda: hold_batch(jaws, -jaws, [0.0, 0.0, -4.0], **padded))

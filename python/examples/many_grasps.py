@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from grasp_lcp import OnsetStatus, onsets
+from grasp_lcp import OnsetStatus, hold_batch, onsets
 
 Array = NDArray[np.float64]
 
@@ -15,8 +15,8 @@ FINGERS = 3
 DOWN = [0.0, 0.0, -1.0]
 """One newton of load, so that factors are newtons."""
 
-ANSWER = np.dtype([("id", "<i8"), ("factor", "<f8"), ("status", "u1"), ("leaving", "u1")])
-"""A row of the answers; bit i of ``leaving`` says that contact i leaves."""
+ANSWER = np.dtype([("id", "<i8"), ("factor", "<f8"), ("status", "u1"), ("leaving", "u1"), ("verdict", "u1")])
+"""A row of the answers; bit i of ``leaving`` says that contact i leaves, ``verdict`` whether half a newton is held."""
 Answers = NDArray[np.void]
 
 
@@ -41,13 +41,15 @@ class ManyGrasps:
 
 
 def answered(id: NDArray[np.int64], points: Array, normals: Array, friction: Array, squeeze: Array) -> Answers:
-    """Which load straight down each grasp holds until its first contact slides, row by row."""
-    found = onsets(
-        points, normals, DOWN, friction=friction[:, None], pressed_with=squeeze[:, None],
-        body_stiffness=[5e4, 3e4], finger_stiffness=[2e3, 1.5e3],
-    )  # fmt: skip
+    """Which load straight down each grasp holds until its first contact slides, and whether it holds half a newton, row by row."""
+    given = {
+        "friction": friction[:, None], "pressed_with": squeeze[:, None], "body_stiffness": [5e4, 3e4], "finger_stiffness": [2e3, 1.5e3],
+    }  # fmt: skip
+    found = onsets(points, normals, DOWN, **given)
+    verdicts = hold_batch(points, normals, np.multiply(0.5, DOWN), **given)
     answers = np.empty(len(id), dtype=ANSWER)
     answers["id"], answers["factor"], answers["status"] = id, found.factor, found.status
+    answers["verdict"] = verdicts.status
     answers["leaving"] = np.packbits(found.leaving, axis=1, bitorder="little")[:, 0]
     return answers
 

@@ -31,7 +31,7 @@ import pyarrow.parquet as pq  # type: ignore[import-untyped]
 from many_grasps import ANSWER, FINGERS, Answers, Array, ManyGrasps, at_random, compared, paced
 from pyspark.sql import DataFrame, SparkSession
 
-SCHEMA = "id long, factor double, status tinyint, leaving tinyint"
+SCHEMA = "id long, factor double, status tinyint, leaving tinyint, verdict tinyint"
 
 SPLIT = 16 << 20
 """Bytes of the table that one task reads: small enough that no core waits long for the last task."""
@@ -72,7 +72,7 @@ def grasps_of(batch: Any) -> ManyGrasps:
 def batch_of(answers: Answers) -> Any:
     """Answers as an Arrow batch of SCHEMA. Spark has no unsigned numbers, and codes and three bits need none."""
     columns = {name: np.ascontiguousarray(answers[name]) for name in ("id", "factor")}
-    columns |= {name: answers[name].astype(np.int8) for name in ("status", "leaving")}
+    columns |= {name: answers[name].astype(np.int8) for name in ("status", "leaving", "verdict")}
     return pa.RecordBatch.from_pydict(columns)
 
 

@@ -1,9 +1,12 @@
 //! Contacts of many grasps as arrays: one array for each datum, of shape (grasps, contacts) or (grasps, contacts, axes).
 
-use grasp_lcp::grasp::{Contact, Hold};
+use grasp_lcp::grasp::{Contact, Hold, SoftFingertip};
+use grasp_lcp::scene::Tip;
 use numpy::ndarray::{ArrayView1, ArrayView2, ArrayView3};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::prelude::*;
+
+use crate::errors::{of_json, wrong};
 
 /// Arrays from Python. All have the same number B of grasps and n of contacts; broadcast axes have strides of zero. Absent data are `None`.
 #[derive(FromPyObject)]
@@ -30,6 +33,11 @@ pub(crate) struct GivenColumns<'py> {
     pressed_with: Option<PyReadonlyArray2<'py, f64>>,
     #[pyo3(item)]
     clearance: Option<PyReadonlyArray2<'py, f64>>,
+    #[pyo3(item("kinetic_friction"), default)]
+    kinetic: Option<PyReadonlyArray2<'py, f64>>,
+    /// The pad of each contact in JSON, as in scenes; `null` for a point.
+    #[pyo3(item, default)]
+    soft: Option<String>,
     /// Code of each contact, shape (n,): 0 unilateral, 1 kept closed, 2 bonded.
     #[pyo3(item)]
     hold: Option<PyReadonlyArray1<'py, u8>>,
@@ -48,6 +56,8 @@ pub(crate) struct Columns<'a> {
     command_world: Option<ArrayView3<'a, f64>>,
     pressed_with: Option<ArrayView2<'a, f64>>,
     clearance: Option<ArrayView2<'a, f64>>,
+    kinetic: Option<ArrayView2<'a, f64>>,
+    soft: Option<&'a str>,
     hold: Option<ArrayView1<'a, u8>>,
 }
 
@@ -71,6 +81,8 @@ impl GivenColumns<'_> {
             command_world: three(self.command_world.as_ref()),
             pressed_with: two(self.pressed_with.as_ref()),
             clearance: two(self.clearance.as_ref()),
+            kinetic: two(self.kinetic.as_ref()),
+            soft: self.soft.as_deref(),
             hold: self.hold.as_ref().map(|array| array.as_array()),
         }
     }
@@ -90,6 +102,32 @@ impl Columns<'_> {
     /// Number of contacts of each grasp.
     pub(crate) fn contacts(&self) -> usize {
         self.points.shape()[1]
+    }
+
+    /// The pads of all contacts; `None` for a point.
+    ///
+    /// # Errors
+    /// A text that is no list of pads; a pad that is out of range, or belongs to the other space.
+    pub(crate) fn pads<const C: usize>(&self) -> PyResult<Pads<C>> {
+        let mut pads = Vec::new();
+        let tips = self.soft.map_or_else(|| Ok(Vec::new()), serde_json::from_str::<Vec<Option<Tip>>>);
+        for (index, tip) in tips.map_err(|error| of_json("soft", &error))?.iter().enumerate() {
+            let pad = tip.as_ref().map(Tip::spread::<C>).transpose();
+            pads.push(pad.map_err(|error| wrong(format_args!("soft[{index}]: {error}")))?);
+        }
+        pads.resize_with(self.contacts(), || None);
+        Ok(Pads(pads))
+    }
+
+    /// Appends the points of all contacts of a row to a list. A contact that is malformed stays one point, which the grasp then refuses.
+    pub(crate) fn fill<const C: usize>(&self, pads: &Pads<C>, row: usize, points: &mut Vec<Contact<C>>) {
+        for (i, pad) in pads.0.iter().enumerate() {
+            let contact = self.contact(row, i);
+            match pad.as_ref().and_then(|pad| pad.contacts(&contact).ok()) {
+                Some(spread) => points.extend(spread),
+                None => points.push(contact),
+            }
+        }
     }
 
     /// Contact `i` of the grasp in row `row`, not validated.
@@ -122,11 +160,24 @@ impl Columns<'_> {
         if let Some(gap) = &self.clearance {
             contact = contact.clearance(gap[[row, i]]);
         }
+        if let Some(kinetic) = &self.kinetic {
+            contact = contact.kinetic(kinetic[[row, i]]);
+        }
         match self.hold.as_ref().and_then(|hold| hold_of(hold[i])) {
             Some(Hold::KeptClosed) => contact.kept_closed(),
             Some(Hold::Bonded) => contact.bonded(),
             _ => contact,
         }
+    }
+}
+
+/// The pad of each contact, or a point.
+pub(crate) struct Pads<const C: usize>(Vec<Option<SoftFingertip<C>>>);
+
+impl<const C: usize> Pads<C> {
+    /// The number of points of each contact.
+    pub(crate) fn counts(&self) -> Vec<usize> {
+        self.0.iter().map(|pad| pad.as_ref().map_or(1, |pad| pad.points().len())).collect()
     }
 }
 

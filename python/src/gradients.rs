@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use crate::columns::GivenColumns;
 use crate::errors::wrong;
 use crate::onsets::ended;
-use crate::rows::{Asked, Rows, Status, by_size, status_of};
+use crate::rows::{Rows, Status, status_of};
 
 /// Rows of numbers in the layout of `ScreenedGradients`, with the factor in place of its code, and the status of each row.
 struct Slopes {
@@ -30,29 +30,35 @@ pub(crate) fn onset_gradients_of_rows<'py>(
     direction: PyReadonlyArray2<'py, f64>,
     own: bool,
 ) -> PyResult<Arrays<'py>> {
-    let (columns, base, direction) = (columns.view(), base.as_array(), direction.as_array());
-    let found = py.detach(|| by_size::<Gradients>(&columns, (&base, &direction), own, false));
+    let (columns, loads) = (columns.view(), (&base.as_array(), &direction.as_array()));
+    let found = match columns.axes() {
+        2 => {
+            let rows = Rows::<2>::new(&columns, loads, own, false)?;
+            py.detach(|| rows.of_size())
+        }
+        3 => {
+            let rows = Rows::<3>::new(&columns, loads, own, false)?;
+            py.detach(|| rows.of_size())
+        }
+        _ => None,
+    };
     let Slopes { numbers, status } =
         found.ok_or_else(|| wrong("points: gradients are of grasps of 2 to 5 contacts"))?;
     Ok((numbers.into_pyarray(py), status.into_pyarray(py)))
 }
 
-/// The question for gradients of the first slip.
-struct Gradients;
-
-impl Asked for Gradients {
-    type Answer = Slopes;
-
-    fn screened<const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Slopes {
-        rows.slopes::<N>()
-    }
-
-    fn whole<const C: usize>(_: &Rows<'_, C>) -> Option<Slopes> {
-        None
-    }
-}
-
 impl<const C: usize> Rows<'_, C> {
+    /// Gradients by the number of contacts; `None` where screening has none.
+    fn of_size(&self) -> Option<Slopes> {
+        Some(match self.columns.contacts() {
+            2 => self.slopes::<2>(),
+            3 => self.slopes::<3>(),
+            4 => self.slopes::<4>(),
+            5 => self.slopes::<5>(),
+            _ => return None,
+        })
+    }
+
     fn slopes<const N: usize>(&self) -> Slopes {
         let mut parts = self.in_chunks(|rows| self.differentiate::<N>(rows)).into_iter();
         let Some(mut all) = parts.next() else { return Slopes { numbers: Vec::new(), status: Vec::new() } };

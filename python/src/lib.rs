@@ -19,6 +19,7 @@ mod onsets;
 mod pictures;
 mod quality;
 mod rows;
+mod verdicts;
 mod watch;
 mod words;
 
@@ -49,6 +50,8 @@ mod _grasp_lcp {
     use super::loads::load_numbers;
     #[pymodule_export]
     use super::onsets::onsets_of_rows;
+    #[pymodule_export]
+    use super::verdicts::{amounts_of_rows, verdicts_of_rows};
     #[pymodule_export]
     use super::watch::Watch;
     #[pymodule_export]

@@ -3,15 +3,14 @@
 use std::ops::Range;
 
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::grasp::Contact;
 use grasp_lcp::load_path::{Onset, Ramp};
-use grasp_lcp::screening::{Batch, Fingers, Pull, Screened, ScreeningVerdict};
+use grasp_lcp::screening::{PointBatch, Pull, Screened, ScreeningVerdict};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use crate::columns::GivenColumns;
 use crate::errors::wrong;
-use crate::rows::{Asked, CHUNK, Rows, Status, by_size, status_of};
+use crate::rows::{Rows, Status, status_of};
 
 /// Flat arrays of answers for some rows, load by load within each row.
 struct Found {
@@ -32,38 +31,31 @@ pub(crate) fn onsets_of_rows<'py>(
     own: bool,
     complete: bool,
 ) -> PyResult<Arrays<'py>> {
-    let (columns, base, direction) = (columns.view(), base.as_array(), direction.as_array());
-    let found = py.detach(|| by_size::<Onsets>(&columns, (&base, &direction), own, complete));
-    let Found { factor, status, leaving } =
-        found.ok_or_else(|| wrong("points: must have 2 or 3 coordinates"))?;
+    let (columns, loads) = (columns.view(), (&base.as_array(), &direction.as_array()));
+    let found = match columns.axes() {
+        2 => {
+            let rows = Rows::<2>::new(&columns, loads, own, complete)?;
+            py.detach(|| rows.onsets())
+        }
+        3 => {
+            let rows = Rows::<3>::new(&columns, loads, own, complete)?;
+            py.detach(|| rows.onsets())
+        }
+        _ => return Err(wrong("points: must have 2 or 3 coordinates")),
+    };
+    let Found { factor, status, leaving } = found;
     Ok((factor.into_pyarray(py), status.into_pyarray(py), leaving.into_pyarray(py)))
 }
 
-/// The question for factors of the first slip.
-struct Onsets;
-
-impl Asked for Onsets {
-    type Answer = Found;
-
-    fn screened<const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Found {
-        rows.screened::<N>()
-    }
-
-    fn whole<const C: usize>(rows: &Rows<'_, C>) -> Option<Found> {
-        Some(rows.whole())
-    }
-}
-
 impl<const C: usize> Rows<'_, C> {
-    /// Answers of all rows, with `answer` applied to chunks of rows in parallel.
-    fn each(&self, answer: impl Fn(Range<usize>) -> Found + Sync + Send) -> Found {
-        let rows = self.columns.rows();
-        let mut parts = self.in_chunks(answer).into_iter();
-        let Some(mut all) = parts.next() else { return Found::unclear(0, 0) };
-        let more = rows.div_ceil(CHUNK).saturating_sub(1) * all.factor.len();
-        all.factor.reserve(more);
-        all.status.reserve(more);
-        all.leaving.reserve(more * self.columns.contacts());
+    /// Answers of all rows, in parallel.
+    fn onsets(&self) -> Found {
+        let parts = self.in_chunks(|rows| self.screen(rows));
+        let mut all = Found::unclear(0, 0);
+        let answers = parts.iter().map(|part| part.factor.len()).sum();
+        all.factor.reserve(answers);
+        all.status.reserve(answers);
+        all.leaving.reserve(answers * self.columns.contacts());
         for part in parts {
             all.factor.extend(part.factor);
             all.status.extend(part.status);
@@ -72,54 +64,45 @@ impl<const C: usize> Rows<'_, C> {
         all
     }
 
-    fn found(&self, rows: usize) -> Found {
+    fn screen(&self, rows: Range<usize>) -> Found {
         let each = if self.own { 1 } else { self.loads.len() };
-        Found::unclear(rows * each, self.columns.contacts())
-    }
-
-    /// Screens all rows, as grasps of `N` contacts.
-    fn screened<const N: usize>(&self) -> Found {
-        self.each(|rows| self.screen::<N>(rows))
-    }
-
-    /// Answers all rows by the full method, one grasp after the other, for any number of contacts.
-    fn whole(&self) -> Found {
-        self.each(|rows| {
-            let mut found = self.found(rows.len());
-            let first = rows.start;
-            for row in rows {
-                self.ask_whole(row, &mut found, (row - first) * self.of_row(row).len(), |_| true);
-            }
-            found
-        })
-    }
-
-    fn screen<const N: usize>(&self, rows: Range<usize>) -> Found {
-        let mut found = self.found(rows.len());
-        let each = found.factor.len() / rows.len().max(1);
-        let asked: Vec<Pull<C>> =
+        let contacts = self.columns.contacts();
+        let mut found = Found::unclear(rows.len() * each, contacts);
+        let mut asked: Vec<Pull<C>> =
             if self.own { Vec::new() } else { self.pulls.iter().flatten().copied().collect() };
-        let mut batch = Batch::<C, N>::with_capacity(if self.own { 0 } else { rows.len() });
-        let mut screened = Vec::with_capacity(rows.len());
-        let mut left = Vec::new();
+        let mut batch = PointBatch::with_capacity(self.pads.counts().iter().sum(), rows.len());
+        let (mut screened, mut left, mut points) = (Vec::with_capacity(rows.len()), Vec::new(), Vec::new());
         let first = rows.start;
         for row in rows {
-            let contacts: [Contact<C>; N] = std::array::from_fn(|i| self.columns.contact(row, i));
-            match (Fingers::new(&contacts), self.own) {
-                (Ok(fingers), false) => {
-                    batch.push(&fingers);
+            self.fill(row, &mut points);
+            match (self.own, self.pulls.get(row)) {
+                (true, Some(Err(status))) => found.status[row - first] = *status as u8,
+                (true, Some(Ok(pull))) if batch.push(&points) => {
+                    asked.push(*pull);
                     screened.push(row - first);
                 }
-                (Ok(fingers), true) => match &self.pulls[row] {
-                    Ok(pull) => found.set(row - first, &fingers.onset(pull), N),
-                    Err(status) => found.status[row - first] = *status as u8,
-                },
-                (Err(_), _) => left.push(row),
+                (false, _) if batch.push(&points) => screened.push(row - first),
+                _ => left.push(row),
             }
         }
-        self.scatter(&batch, &asked, &screened, &mut found);
+        let mut answers = Vec::with_capacity(screened.len() * each);
+        if self.own {
+            answers = batch.own_onsets(asked);
+        } else {
+            batch.onsets_into(&asked, &mut answers);
+        }
+        let mut answers = answers.iter();
+        for row in screened {
+            let pulls = if self.own { &self.pulls[first + row..=first + row] } else { &self.pulls[..] };
+            for (place, pull) in (row * each..).zip(pulls) {
+                match pull {
+                    Ok(_) => answers.by_ref().take(1).for_each(|answer| found.set(place, answer, contacts)),
+                    Err(status) => found.status[place] = *status as u8,
+                }
+            }
+        }
         for row in left {
-            // Malformed contacts, or springs that screening does not support: the full method answers or names the fault.
+            // Malformed contacts, or numbers of points and springs that screening does not support: the full method answers or names the fault.
             self.ask_whole(row, &mut found, (row - first) * each, |_| true);
         }
         if self.complete {
@@ -133,35 +116,11 @@ impl<const C: usize> Rows<'_, C> {
         found
     }
 
-    /// Copies the answers of a batch to the places of their rows and loads. `screened` has the row of each grasp in the batch.
-    fn scatter<const N: usize>(
-        &self,
-        batch: &Batch<C, N>,
-        asked: &[Pull<C>],
-        screened: &[usize],
-        found: &mut Found,
-    ) {
-        if self.own {
-            return;
-        }
-        let mut answers = Vec::with_capacity(screened.len() * asked.len());
-        batch.onsets_into(asked, &mut answers);
-        let mut answers = answers.iter();
-        for row in screened {
-            for (p, pull) in self.pulls.iter().enumerate() {
-                let place = row * self.pulls.len() + p;
-                match pull {
-                    Ok(_) => answers.by_ref().take(1).for_each(|answer| found.set(place, answer, N)),
-                    Err(status) => found.status[place] = *status as u8,
-                }
-            }
-        }
-    }
-
     /// Answers the loads of one row by the full method where `wanted` accepts the present status. The answers begin at `place`.
     fn ask_whole(&self, row: usize, found: &mut Found, place: usize, wanted: impl Fn(u8) -> bool) {
-        let contacts = (0..self.columns.contacts()).map(|i| self.columns.contact::<C>(row, i));
-        let grasp = Grasp::<C>::new(contacts);
+        let mut points = Vec::new();
+        self.fill(row, &mut points);
+        let grasp = Grasp::<C>::new(points);
         for (place, load) in (place..).zip(self.of_row(row)) {
             if !wanted(found.status[place]) {
                 continue;
@@ -175,7 +134,7 @@ impl<const C: usize> Rows<'_, C> {
                 grasp.onset(Ramp::load(base, direction)).map_err(|error| status_of(&error))
             });
             match onset {
-                Ok(onset) => found.set_whole(place, &onset, self.columns.contacts()),
+                Ok(onset) => found.set_whole(place, &onset, &self.pads.counts()),
                 Err(status) => found.status[place] = status as u8,
             }
         }
@@ -200,11 +159,15 @@ impl Found {
         }
     }
 
-    fn set_whole<const C: usize>(&mut self, place: usize, onset: &Onset<C>, contacts: usize) {
+    /// An answer of the full method, for contacts of so many points each.
+    fn set_whole<const C: usize>(&mut self, place: usize, onset: &Onset<C>, counts: &[usize]) {
         let (status, factor) = match onset {
             Onset::At(event) => {
-                for leaving in &event.leaving {
-                    self.leaving[place * contacts + leaving.contact.index] = true;
+                let (leaving, mut end) = (&mut self.leaving[place * counts.len()..], 0);
+                for (leaves, count) in leaving.iter_mut().zip(counts) {
+                    let points = end..end + count;
+                    *leaves = event.leaving.iter().any(|leaving| points.contains(&leaving.contact.index));
+                    end = points.end;
                 }
                 (Status::Leaves, event.factor)
             }

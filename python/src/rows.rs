@@ -3,16 +3,17 @@
 use std::ops::Range;
 
 use grasp_lcp::Error;
-use grasp_lcp::grasp::Wrench;
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::screening::Pull;
 use grasp_lcp::sweep::map_in_order;
 use numpy::ndarray::ArrayView2;
+use pyo3::PyResult;
 
-use crate::columns::Columns;
+use crate::columns::{Columns, Pads};
 use crate::errors::has_nan;
 
-/// Grasps in one task of a thread. This number stays in the cache of a core from reading to screening.
-pub(crate) const CHUNK: usize = 2048;
+/// Contact points in one task of a thread. This number stays in the cache of a core from reading to screening.
+const POINTS: usize = 6144;
 
 /// Outcome of a row, numbered as in `grasp_lcp.OnsetStatus`.
 #[derive(Clone, Copy, PartialEq)]
@@ -29,44 +30,10 @@ pub(crate) enum Status {
     Malformed,
 }
 
-/// A question about rows, compiled for each size that screening supports.
-pub(crate) trait Asked {
-    type Answer;
-
-    /// Answers for grasps of `N` contacts.
-    fn screened<const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Self::Answer;
-
-    /// Answers for grasps of any other number of contacts; `None` if the question does not support them.
-    fn whole<const C: usize>(rows: &Rows<'_, C>) -> Option<Self::Answer>;
-}
-
-/// Dispatches question `A` on axes and number of contacts. `None` if it supports no grasps of this size.
-pub(crate) fn by_size<'a, A: Asked>(
-    columns: &'a Columns<'a>,
-    loads: (&ArrayView2<'_, f64>, &ArrayView2<'_, f64>),
-    own: bool,
-    complete: bool,
-) -> Option<A::Answer> {
-    let in_plane = || Rows::<2>::new(columns, loads, own, complete);
-    let in_space = || Rows::<3>::new(columns, loads, own, complete);
-    match (columns.axes(), columns.contacts()) {
-        (2, 2) => Some(A::screened::<2, 2>(&in_plane())),
-        (2, 3) => Some(A::screened::<2, 3>(&in_plane())),
-        (2, 4) => Some(A::screened::<2, 4>(&in_plane())),
-        (2, 5) => Some(A::screened::<2, 5>(&in_plane())),
-        (2, _) => A::whole(&in_plane()),
-        (3, 2) => Some(A::screened::<3, 2>(&in_space())),
-        (3, 3) => Some(A::screened::<3, 3>(&in_space())),
-        (3, 4) => Some(A::screened::<3, 4>(&in_space())),
-        (3, 5) => Some(A::screened::<3, 5>(&in_space())),
-        (3, _) => A::whole(&in_space()),
-        _ => None,
-    }
-}
-
 /// Rows of grasps with their loads.
 pub(crate) struct Rows<'a, const C: usize> {
     pub(crate) columns: &'a Columns<'a>,
+    pub(crate) pads: Pads<C>,
     pub(crate) loads: Vec<[Wrench<C>; 2]>,
     pub(crate) pulls: Vec<Result<Pull<C>, Status>>,
     /// Whether row k has load k alone, in place of all loads.
@@ -76,12 +43,16 @@ pub(crate) struct Rows<'a, const C: usize> {
 }
 
 impl<'a, const C: usize> Rows<'a, C> {
-    fn new(
+    /// Rows with their base loads and directions.
+    ///
+    /// # Errors
+    /// Pads that are malformed.
+    pub(crate) fn new(
         columns: &'a Columns<'a>,
         (base, direction): (&ArrayView2<'_, f64>, &ArrayView2<'_, f64>),
         own: bool,
         complete: bool,
-    ) -> Self {
+    ) -> PyResult<Self> {
         let load = |of: &ArrayView2<'_, f64>, p: usize| Wrench::from_components(&of.row(p).to_vec());
         let loads: Vec<_> = (0..direction.nrows()).map(|p| [load(base, p), load(direction, p)]).collect();
         let pull = |[base, direction]: &[_; 2]| match Pull::new(base, direction) {
@@ -89,7 +60,13 @@ impl<'a, const C: usize> Rows<'a, C> {
             pull => pull.map_err(|error| status_of(&error)),
         };
         let pulls = loads.iter().map(pull).collect();
-        Self { columns, loads, pulls, own, complete }
+        Ok(Self { columns, pads: columns.pads()?, loads, pulls, own, complete })
+    }
+
+    /// The points of all contacts of a row, in memory that is reused.
+    pub(crate) fn fill(&self, row: usize, points: &mut Vec<Contact<C>>) {
+        points.clear();
+        self.columns.fill(&self.pads, row, points);
     }
 
     /// Indices of the loads of a row.
@@ -99,8 +76,9 @@ impl<'a, const C: usize> Rows<'a, C> {
 
     /// Applies `answer` to chunks of rows in parallel, and returns the results in order.
     pub(crate) fn in_chunks<T: Send>(&self, answer: impl Fn(Range<usize>) -> T + Sync + Send) -> Vec<T> {
-        let rows = self.columns.rows();
-        let chunks: Vec<_> = (0..rows).step_by(CHUNK).map(|first| first..rows.min(first + CHUNK)).collect();
+        let (rows, points) = (self.columns.rows(), self.pads.counts().iter().sum::<usize>());
+        let chunk = (POINTS / points.max(1)).max(1);
+        let chunks: Vec<_> = (0..rows).step_by(chunk).map(|first| first..rows.min(first + chunk)).collect();
         map_in_order(&chunks, |chunk| answer(chunk.clone()))
     }
 }

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from grasp_lcp import Grasp, OnsetStatus
+from grasp_lcp import Grasp, OnsetStatus, VerdictStatus
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 sys.path.insert(0, str(EXAMPLES))
@@ -47,6 +47,11 @@ def test_answers_are_those_of_single_grasps() -> None:
             assert answers["factor"][row] == pytest.approx(onset.factor, rel=1e-10)
             assert answers["leaving"][row] == sum(1 << leaving.contact for leaving in onset.leaving)
             leave += 1
+        verdict = Grasp.spatial(
+            grasps.points[row], grasps.normals[row], friction=grasps.friction[row], pressed_with=grasps.squeeze[row],
+            body_stiffness=[5e4, 3e4], finger_stiffness=[2e3, 1.5e3],
+        ).hold([0, 0, -0.5])  # fmt: skip
+        assert VerdictStatus(answers["verdict"][row]).name.lower() == verdict.outcome
     print(f"{leave} of {len(asked)} leave")
     assert leave > 50
 

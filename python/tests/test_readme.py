@@ -31,6 +31,8 @@ def test_every_block_runs(page: str) -> None:
         "mu": 0.5,
         "onsets": grasp_lcp.onsets,
         "onset_gradients": grasp_lcp.onset_gradients,
+        "hold_batch": grasp_lcp.hold_batch,
+        "need_batch": grasp_lcp.need_batch,
     }
     text = (Path(__file__).parents[2] / page).read_text()
     blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
@@ -42,4 +44,6 @@ def test_every_block_runs(page: str) -> None:
     else:
         # Two jaws slide at 2 μ N, wherever they are level: N = 10 N by a command of 10 mm on 1000 N/m.
         assert given["found"].factor == pytest.approx(np.full(count, 10.0))  # type: ignore[attr-defined]
+        assert given["verdicts"].holds.all()  # type: ignore[attr-defined]
+        assert given["needed"].amount == pytest.approx(np.full(count, 0.1))  # type: ignore[attr-defined]
         assert given["slopes"].friction.sum(axis=-1) == pytest.approx(np.full(count, 20.0))  # type: ignore[attr-defined]

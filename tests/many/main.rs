@@ -1,5 +1,7 @@
 //! Many questions at once.
 
+mod amount_batch;
+mod point_batch;
 mod reserve;
 mod robust_onset;
 mod screened_scenes;
@@ -13,3 +15,4 @@ mod screening_turns;
 mod screening_watch;
 mod sweep;
 mod thread_count;
+mod verdict_batch;

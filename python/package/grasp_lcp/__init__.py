@@ -7,11 +7,14 @@
     >>> grasp.onset([0, -4.905])
     <Onset at factor 1.63099: contact 0 slides over the object along +y, contact 1 slides over the object along +y>
 
-One grasp: :class:`Grasp`. Batches of grasps: :func:`onsets`, :func:`onset_gradients`, :func:`solve_batch`. Differentiable layers:
+One grasp: :class:`Grasp`. Batches of grasps: :func:`onsets`, :func:`onset_gradients`, :func:`hold_batch`,
+:func:`need_batch`, :func:`solve_batch`. Differentiable layers:
 :mod:`grasp_lcp.torch` and :mod:`grasp_lcp.jax`, which the package imports only on request. Complementarity and frictional contact problems
 without a grasp: :mod:`grasp_lcp.lcp`, :mod:`grasp_lcp.friction`. "No equilibrium exists" is an answer, never an exception; malformed input
 is a ``ValueError`` or a ``TypeError`` that names the argument.
 """
+
+from typing import TYPE_CHECKING, Any
 
 from . import friction, lcp
 from ._grasp_lcp import VERSION as __version__
@@ -40,13 +43,19 @@ from .grasp import Grasp, Leg, Settings, answers, wrench
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 from .watch import Watch, Watched
 
+if TYPE_CHECKING:
+    from .verdicts import Amounts, AmountStatus, Doubt, LossMotion, Verdicts, VerdictStatus, hold_batch, need_batch
+
 __all__ = [
+    "AmountStatus",
+    "Amounts",
     "Answer",
     "Beyond",
     "Closure",
     "Comparison",
     "Contact",
     "ContactState",
+    "Doubt",
     "Drive",
     "Equilibria",
     "Equilibrium",
@@ -58,6 +67,7 @@ __all__ = [
     "Leaving",
     "Leg",
     "LoadLimit",
+    "LossMotion",
     "Needed",
     "Onset",
     "OnsetGradients",
@@ -74,6 +84,8 @@ __all__ = [
     "SolveStatus",
     "TurnOnset",
     "Verdict",
+    "VerdictStatus",
+    "Verdicts",
     "Watch",
     "Watched",
     "WeakestDirection",
@@ -81,9 +93,20 @@ __all__ = [
     "__version__",
     "answers",
     "friction",
+    "hold_batch",
     "lcp",
+    "need_batch",
     "onset_gradients",
     "onsets",
     "solve_batch",
     "wrench",
 ]  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    """Names of verdicts and amounts in batches, which are imported when they are first used."""
+    if name in __all__:
+        from . import verdicts
+
+        return getattr(verdicts, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -96,6 +96,7 @@ def columns(
     normals: ArrayLike,
     friction: ArrayLike,
     hold: str | Sequence[str],
+    soft: Any = None,
     **others: ArrayLike | None,
 ) -> tuple[tuple[int, ...], dict[str, Any]]:
     """The batch shape of the grasps, and all columns broadcast to it.
@@ -123,7 +124,7 @@ def columns(
     if given["command"] is not None and given["command_world"] is not None:
         raise ValueError("command_world: given beside command, must be alone")
     scalars = {"friction": floats("friction", friction)}
-    for name in ("pressed_with", "clearance"):
+    for name in ("pressed_with", "clearance", "kinetic_friction"):
         value = others.get(name)
         if value is not None:
             scalars[name] = floats(name, value)
@@ -144,9 +145,13 @@ def columns(
         name: None if found is None else np.broadcast_to(found, (*shape, axes)).reshape(rows, contacts, axes)
         for name, found in given.items()
     }
-    for name in ("friction", "pressed_with", "clearance"):
+    for name in ("friction", "pressed_with", "clearance", "kinetic_friction"):
         made[name] = np.broadcast_to(scalars[name], shape).reshape(rows, contacts) if name in scalars else None
     made["hold"] = None if hold == "unilateral" else np.array([HOLDS[word] for word in words_of_holds(hold, contacts)], dtype=np.uint8)
+    made["soft"] = None
+    if soft is not None:
+        pads = one_each("soft", soft, contacts)
+        made["soft"] = dumped([None if pad is None else as_written(f"soft[{index}]", pad) for index, pad in enumerate(pads)])
     return leading, made
 
 

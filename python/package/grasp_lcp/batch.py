@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
@@ -13,6 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from . import _grasp_lcp
 from ._columns import columns, floats
 from ._views import Array
+
+Soft = Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None
+"""Pads as in scenes: one for all contacts, or a list with one or None a contact."""
 
 
 class OnsetStatus(IntEnum):
@@ -168,7 +171,7 @@ def _paired(grasps: tuple[int, ...], made: dict[str, Any], loads: Array) -> tupl
         return shape, made, np.ascontiguousarray(loads.reshape(-1, loads.shape[-1])), False
     rows = int(np.prod(shape, dtype=np.int64))
     for name, column in made.items():
-        if column is not None and name != "hold":
+        if column is not None and name not in ("hold", "soft"):
             behind = column.shape[1:]
             made[name] = np.broadcast_to(column.reshape(*own, *behind), (*shape, *behind)).reshape(rows, *behind)
     spread = np.broadcast_to(loads, (*shape, loads.shape[-1])).reshape(rows, -1)
@@ -182,17 +185,20 @@ def asked(
     base: ArrayLike | None,
     friction: ArrayLike,
     hold: str | Sequence[str],
+    soft: Soft = None,
+    *,
+    name: str = "direction",
     **others: ArrayLike | None,
 ) -> tuple[tuple[int, ...], dict[str, Any], Array, Array, bool]:
     """The shape of a batch of onsets, its columns, base loads and directions, and whether each grasp has its own load."""
     axes = _axes(points)
-    leading, made = columns(axes, points, normals, friction, hold, **others)
-    along = _loads("direction", direction, axes)
+    leading, made = columns(axes, points, normals, friction, hold, soft, **others)
+    along = _loads(name, direction, axes)
     start = np.zeros_like(along) if base is None else _loads("base", base, axes)
     try:
         both = np.concatenate(np.broadcast_arrays(start, along), axis=-1)
     except ValueError:
-        raise ValueError(f"base: shape {start.shape} given for direction of shape {along.shape}, must broadcast to it") from None
+        raise ValueError(f"base: shape {start.shape} given for {name} of shape {along.shape}, must broadcast to it") from None
     shape, made, both, own = _paired(leading, made, both)
     first, second = np.split(both, 2, axis=-1)
     return shape, made, first, second, own
@@ -214,6 +220,7 @@ def onsets(
     clearance: ArrayLike | None = None,
     tangents: ArrayLike | None = None,
     hold: str | Sequence[str] = "unilateral",
+    soft: Soft = None,
     complete: bool = False,
 ) -> Onsets:
     """The factor of a direction at which the first contact of each of many grasps stops sticking; see :meth:`Grasp.onset`.
@@ -222,18 +229,20 @@ def onsets(
     Points of shape (B, n, c) and a direction of shape (c,) make B questions; directions of shape (B, c) give each grasp its own. Points of
     shape (B, 1, n, c) and directions of shape (S, c) make B S questions, all directions for each grasp; this is the fastest layout.
 
-    Grasps of two to five contacts are screened, several in each vector register. Each answer has the bits of the crate's batch, for any number
-    of threads. A malformed row, or a row with NaN, reports this in its status and does not affect other rows.
+    Grasps of two to 52 contacts, with at most 64 points of pads, are screened, several in each vector register; the method of
+    :meth:`Grasp.onset` answers all others. Each answer has the bits of the crate's batch, for any number of threads. A malformed row, or a row
+    with NaN, reports this in its status and does not affect other rows.
 
     :param points: contact points, m, shape (..., n, 2) or (..., n, 3).
     :param direction: load per unit of the factor, N and N m, shape (..., c) or (..., d).
     :param base: load at factor 0, shape (..., c) or (..., d); zero unless given.
+    :param soft: pads in place of the points, as in :meth:`Grasp.spatial`, the same for all grasps. A finger leaves where its first point does.
     :param complete: let the method of :meth:`Grasp.onset` answer rows that screening leaves open, at some 10 µs for each such row.
 
     All other parameters are as in :meth:`Grasp.planar`, with axes of the batch in front.
     """
     shape, made, first, second, own = asked(
-        points, normals, direction, base, friction, hold, series_stiffness=series_stiffness, body_stiffness=body_stiffness,
+        points, normals, direction, base, friction, hold, soft, series_stiffness=series_stiffness, body_stiffness=body_stiffness,
         finger_stiffness=finger_stiffness, command=command, command_world=command_world, pressed_with=pressed_with,
         clearance=clearance, tangents=tangents,
     )  # fmt: skip

@@ -124,7 +124,7 @@ impl Fingertip<3> {
             return Ok(Some((cup.lip().clone(), cup.force())));
         }
         let Some(soft) = &self.soft else { return Ok(None) };
-        Ok(Some((soft.spread(space)?, self.contact.suction)))
+        Ok(Some((soft.spread_inside(space)?, self.contact.suction)))
     }
 
     /// Whether the contact is spread over a patch.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
-use crate::grasp::{Pressure, SoftFingertip, Space};
+use crate::grasp::{Face, Pressure, SoftFingertip, Space};
 
 /// The patch of a [`SoftFingertip`]: rings, discs and rectangles in space, pairs and pads in the plane. It is written as
 /// `{"disc": {"radius": 0.006, …}}`. The functions named below state the allowed numbers.
@@ -61,11 +61,16 @@ const fn one_each() -> [usize; 2] {
 }
 
 impl Tip {
-    /// The patch for the grasp.
+    /// The patch of points that takes the place of a contact.
     ///
     /// # Errors
     /// [`Error::Fingertip`] for a number out of range, and for a patch of the plane in space or the reverse.
-    pub(super) fn spread(&self, space: Space) -> Result<SoftFingertip<3>, Error> {
+    pub fn spread<const C: usize>(&self) -> Result<SoftFingertip<C>, Error> {
+        self.spread_inside(if C == 2 { Space::Planar } else { Space::Spatial }).map(Face::leave)
+    }
+
+    /// [`Self::spread`] with three components a vector.
+    pub(super) fn spread_inside(&self, space: Space) -> Result<SoftFingertip<3>, Error> {
         let (patch, of) = match *self {
             Self::Ring { radius, points } => (SoftFingertip::ring(radius, points)?, Space::Spatial),
             Self::Disc { radius, annuli, points, pressure } => {

@@ -28,11 +28,13 @@ mod face;
 mod left_out;
 mod loss;
 mod put_on;
+mod short;
 mod verdict;
 mod way_out;
 mod words;
 
 pub use caught::{Caught, MovesTo, SlippedBy};
+pub use short::{How, LossVerb, ShortVerdict};
 pub use verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 pub use way_out::WayOut;
 pub(crate) use words::does;

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts};
+use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{chosen, largest, mapped, summed};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -88,7 +89,7 @@ impl BodyWay<3> {
     fn of(motion: &BodyMotion<3>) -> Self {
         let middle = motion.middle_moves();
         let way = slides_out(&middle, motion.turning_moves())
-            .unwrap_or_else(|| turns(&motion.twist, &motion.centre, &middle));
+            .unwrap_or_else(|| turns(&motion.twist, (&motion.centre, &middle), 0.0));
         Self { body: motion.body.to_string(), way }
     }
 }
@@ -207,7 +208,7 @@ fn seen_from(
             let opens = parts.with(&|i| sign(i) != 0.0 && point_opens(i));
             return WayOut::TipsOver { about, opens };
         }
-        return turns(twist, &centre, &along);
+        return turns(twist, (&centre, &along), reach);
     }
     // Contacts that were open before count as opening, too.
     let mut opening = parts.with(&|i| sign(i) != 0.0);
@@ -218,10 +219,13 @@ fn seen_from(
     if tips { WayOut::TipsOver { about, opens } } else { WayOut::TurnsAbout { about } }
 }
 
-/// The rotation of a twist, with the point of its axis nearest to the point `near`, which has the displacement `moves`.
-fn turns(twist: &Twist<3>, near: &SVector<f64, 3>, moves: &SVector<f64, 3>) -> WayOut<3> {
+/// The rotation of a twist, with the point of its axis nearest to the point `near`, which has the displacement `moves`. Coordinates that are rounding
+/// beside the `reach` of the contacts are zero.
+fn turns(twist: &Twist<3>, (near, moves): (&SVector<f64, 3>, &SVector<f64, 3>), reach: f64) -> WayOut<3> {
     let (_, rotation) = twist.parts();
-    let (centre, axis) = (near + rotation.way_to_axis(moves), rotation.axis());
+    let rounding = SOLVED_ROUNDING * (reach + near.norm());
+    let centre = (near + rotation.way_to_axis(moves)).map(|x| if x.abs() <= rounding { 0.0 } else { x });
+    let axis = rotation.axis();
     let is_there = centre.iter().chain(axis.iter()).all(|x: &f64| x.is_finite());
     if is_there { WayOut::Turns { centre, axis } } else { WayOut::NotKnown }
 }

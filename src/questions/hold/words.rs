@@ -252,28 +252,6 @@ impl<const C: usize> Lost<C> {
             _ => "it is lost".into(),
         }
     }
-
-    pub(crate) fn verb(&self, words: Words) -> &'static str {
-        match &self.way_out {
-            way if way.falls(&self.slide, words) => "DROPS",
-            WayOut::LiftsOff { .. } => "LIFTS OFF",
-            WayOut::SlidesOut { .. } => "SLIPS OUT",
-            WayOut::TipsOver { .. } => "TIPS OVER",
-            WayOut::TurnsAbout { .. } | WayOut::Turns { .. } => "TURNS OUT",
-            WayOut::LetsGo { .. } => "LETS GO",
-            WayOut::Apart { bodies }
-                if bodies.iter().all(|body| matches!(body.way, WayOut::SlidesOut { .. })) =>
-            {
-                "SLIPS OUT"
-            }
-            WayOut::Apart { bodies }
-                if bodies.iter().all(|body| matches!(body.way, WayOut::TipsOver { .. })) =>
-            {
-                "TIPS OVER"
-            }
-            WayOut::Apart { .. } | WayOut::NotKnown => "GIVES WAY",
-        }
-    }
 }
 
 /// The motion of the loss, and the radius of the proof that nothing near it holds.

@@ -33,6 +33,7 @@
 mod answer;
 mod around;
 mod at_amount;
+mod batch;
 mod between;
 mod face;
 mod loading;
@@ -50,5 +51,6 @@ mod tried;
 mod words;
 
 pub use answer::{Amount, AmountWindow, FarEnd, Needed, PressedBy, Quantity, TriedAmounts};
+pub use batch::ShortAmount;
 pub use press::Press;
 pub use question::{Demand, Need};

@@ -53,7 +53,7 @@ impl Needed {
                 let much = self.much(words, *does, presses);
                 match until {
                     _ if is_least => write!(f, "NEEDS {much} so that {aim}")?,
-                    Some(end) => write!(f, "TAKES {} and {aim}", self.from_to(words, end.does, *does))?,
+                    Some(end) => write!(f, "TAKES {} and {aim}", self.between_ends(words, end.does, *does))?,
                     None => write!(f, "TAKES {much} and {aim}")?,
                 }
                 let is_one_amount = self.beside(f, *does)?;
@@ -272,7 +272,7 @@ impl Needed {
     }
 
     /// "an arm of 0.25 m to 10.8 m", from one end of the sufficient amounts to the other.
-    fn from_to(&self, words: Words, from: f64, to: f64) -> String {
+    fn between_ends(&self, words: Words, from: f64, to: f64) -> String {
         let range = self.range(words, from, to);
         if self.quantity == Quantity::Arm { format!("an arm of {range}") } else { range }
     }

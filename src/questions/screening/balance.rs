@@ -2,7 +2,7 @@
 //!
 //! With one tangential stiffness per contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
-use super::block::{Block, Layout, MOST_SCREENED, count};
+use super::block::{Block, Layout, count};
 use super::factors::LaneFactors;
 use super::finger::{Force, LaneFinger, moment, world};
 use super::lanes::{Packed, dot};
@@ -10,8 +10,6 @@ use super::lanes::{Packed, dot};
 /// Factorised stiffness of the object about the centroid of its contacts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RigidBody<const C: usize, X: Packed> {
-    contacts: usize,
-    fingers: [LaneFinger<C, X>; MOST_SCREENED],
     centre: [X; C],
     /// Largest coordinate of an arm, m.
     pub(super) reach: X,
@@ -21,23 +19,16 @@ pub(super) struct RigidBody<const C: usize, X: Packed> {
 impl<const C: usize, X: Packed> RigidBody<C, X> {
     /// An empty value that [`Self::ready`] fills.
     pub(super) fn none() -> Self {
-        let none = [X::all(0.0); C];
-        Self {
-            contacts: 0,
-            fingers: [LaneFinger { normal: none, springs: [X::all(0.0); 2], arm: none }; MOST_SCREENED],
-            centre: none,
-            reach: X::all(0.0),
-            factors: LaneFactors::none(),
-        }
+        let zero = X::all(0.0);
+        Self { centre: [zero; C], reach: zero, factors: LaneFactors::none() }
     }
 
-    /// Computes arms and factors from the contacts of a block.
+    /// Computes the centroid and factors from the contacts of a block.
     #[inline(always)]
     pub(super) fn ready(&mut self, block: &Block<'_, C, X>) {
         let contacts = count(block.contacts);
-        self.contacts = contacts;
         let share = X::all(1.0 / contacts as f64);
-        let (points, normals, springs) = (block.points(), block.normals(), block.springs());
+        let points = block.points();
         self.reach = X::all(0.0);
         for axis in 0..C {
             let mut centre = X::all(0.0);
@@ -45,24 +36,30 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
                 centre += points[axis][i] * share;
             }
             for i in 0..contacts {
-                let arm = points[axis][i] - centre;
-                self.reach = self.reach.max(arm.abs());
-                self.fingers[i].arm[axis] = arm;
-                self.fingers[i].normal[axis] = normals[axis][i];
+                self.reach = self.reach.max((points[axis][i] - centre).abs());
             }
             self.centre[axis] = centre;
         }
         self.factors.entries = [[X::all(0.0); 6]; 6];
         for i in 0..contacts {
-            self.fingers[i].springs = springs.map(|row| row[i]);
-            add(&mut self.factors.entries, &self.fingers[i]);
+            let finger = self.finger(block, i);
+            add(&mut self.factors.entries, &finger);
         }
         self.factors.factorize(Layout::<C>::COORDINATES);
     }
 
+    /// A contact of the block, with its arm about the centroid.
     #[inline(always)]
-    pub(super) fn fingers(&self) -> &[LaneFinger<C, X>] {
-        &self.fingers[..count(self.contacts)]
+    pub(super) fn finger(&self, block: &Block<'_, C, X>, i: usize) -> LaneFinger<C, X> {
+        let mut arm = block.points().map(|row| row[i]);
+        for axis in 0..C {
+            arm[axis] -= self.centre[axis];
+        }
+        LaneFinger {
+            normal: block.normals().map(|row| row[i]),
+            springs: block.springs().map(|row| row[i]),
+            arm,
+        }
     }
 
     /// Positive if some motion of the object stretches no spring.
@@ -92,13 +89,19 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
 
     /// The residual of the balance, and its size relative to the forces and moments.
     #[inline(always)]
-    pub(super) fn unbalanced(&self, forces: &[Force<C, X>], load: &[X; 6]) -> ([X; 6], X) {
+    pub(super) fn unbalanced(
+        &self,
+        block: &Block<'_, C, X>,
+        forces: &[Force<C, X>],
+        load: &[X; 6],
+    ) -> ([X; 6], X) {
         let mut left = *load;
         let mut size = X::all(0.0);
         for axis in 0..C {
             size += load[axis].abs();
         }
-        for (finger, force) in self.fingers().iter().zip(forces) {
+        for (i, force) in forces.iter().enumerate().take(count(block.contacts)) {
+            let finger = self.finger(block, i);
             let force = world(&finger.normal, force);
             let turning = moment(&finger.arm, &force);
             for k in 0..Layout::<C>::COORDINATES {

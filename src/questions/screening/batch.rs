@@ -1,12 +1,12 @@
 //! Many grasps of equally many contacts, laid out so that several are screened at once.
 
-use super::batch_part::BatchPart;
-use super::block::Layout;
+use super::block::AnyScene;
+
 use super::fingers::Fingers;
 use super::gradient::GradientOf;
 use super::kernels::{Kernel, Kernels};
-use super::lanes::{LANES, Lanes, Packed};
 use super::load_cases::LoadCases;
+use super::point_batch::PointBatch;
 use super::pull::Pull;
 use super::question::ScreeningQuestion;
 use super::screened::{Screened, ScreenedTurn};
@@ -38,66 +38,41 @@ use crate::prelude::*;
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct Batch<const C: usize, const N: usize> {
-    /// The numbers of all blocks in order, laid out as in [`Block`](super::block::Block).
-    numbers: Vec<Lanes>,
-    parted: Vec<Lanes>,
-    len: usize,
-}
+pub struct Batch<const C: usize, const N: usize>(PointBatch<C>);
 
 impl<const C: usize, const N: usize> Default for Batch<C, N> {
     fn default() -> Self {
-        Self { numbers: Vec::new(), parted: Vec::new(), len: 0 }
+        Self::with_capacity(0)
     }
 }
 
 impl<const C: usize, const N: usize> Batch<C, N> {
-    /// Lengths of `numbers` and `parted` of one block.
-    const SIZES: [usize; 2] = [Layout::<C>::numbers(N), 2 * N];
-
     /// An empty batch with room for `grasps` grasps.
     #[must_use]
     pub fn with_capacity(grasps: usize) -> Self {
-        let blocks = grasps.div_ceil(LANES);
-        let [numbers, parted] = Self::SIZES.map(|size| Vec::with_capacity(blocks * size));
-        Self { numbers, parted, len: 0 }
+        Self(PointBatch::with_capacity(N, grasps))
     }
 
     /// Appends a grasp. Its answers have the index at which it was appended.
     pub fn push(&mut self, fingers: &Fingers<C, N>) {
-        let lane = self.len % LANES;
-        let scene = fingers.grasp.scene.block();
-        let both = [(&mut self.numbers, scene.numbers), (&mut self.parted, scene.parted)];
-        for (numbers, of_scene) in both {
-            if lane == 0 {
-                numbers.resize(numbers.len() + of_scene.len(), Lanes::all(0.0));
-            }
-            // Unused lanes of the last block repeat the last scene.
-            let block = numbers.len() - of_scene.len();
-            for (number, of_scene) in numbers[block..].iter_mut().zip(of_scene) {
-                number.fill(lane, *of_scene);
-            }
-        }
-        self.len += 1;
+        self.0.push_scene(&AnyScene::block(&fingers.grasp.scene));
     }
 
     /// The number of grasps.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.len
+        self.0.len()
     }
 
     /// Whether the batch has no grasps.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.len == 0
+        self.0.len() == 0
     }
 
     /// Removes all grasps and keeps the memory.
     pub fn clear(&mut self) {
-        self.numbers.clear();
-        self.parted.clear();
-        self.len = 0;
+        self.0.clear();
     }
 
     /// Onsets of every grasp under each of the growing loads, on one thread; [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) uses all
@@ -159,7 +134,7 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         questions: &[Q],
         answers: &mut Vec<Q::Answer>,
     ) {
-        self.parts(questions, self.len, answers).for_each(kernel.many);
+        self.0.parts(questions, self.len(), answers).for_each(kernel.many);
     }
 
     pub(crate) fn onsets_on_all_cores(&self, pulls: &[Pull<C>], answers: &mut Vec<Screened>) {
@@ -195,29 +170,7 @@ impl<const C: usize, const N: usize> Batch<C, N> {
     ) {
         // A task of many blocks is far larger than the cost of handing it out, and leaves every core a share
         // of a batch of ten thousand.
-        each_taken(self.parts(questions, 256, answers), &kernel.many);
-    }
-
-    /// Parts of at most `blocks` blocks of the batch, each with the slots for its answers.
-    fn parts<'a, Q: ScreeningQuestion<C>>(
-        &'a self,
-        questions: &'a [Q],
-        blocks: usize,
-        answers: &'a mut Vec<Q::Answer>,
-    ) -> impl Iterator<Item = BatchPart<'a, C, Q>> {
-        // Every slot is written later, so that old answers need not be wiped.
-        let of_grasp = questions.len() * Q::answers(N);
-        answers.resize(self.len * of_grasp, Q::UNKNOWN);
-        let (blocks, [numbers, parted]) = (blocks.max(1), Self::SIZES);
-        let places = answers.chunks_mut((blocks * LANES * of_grasp).max(1));
-        let parts = self.numbers.chunks(blocks * numbers).zip(self.parted.chunks(blocks * parted));
-        parts.zip(places).map(move |((numbers, parted), answers)| BatchPart {
-            contacts: N,
-            numbers,
-            parted,
-            questions,
-            answers,
-        })
+        each_taken(self.0.parts(questions, 256, answers), &kernel.many);
     }
 }
 

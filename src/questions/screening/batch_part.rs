@@ -1,17 +1,26 @@
 //! Screening of a part of a batch on one thread.
 
 use super::answer_slots::AnswerSlots;
-use super::block::{Block, Layout};
-use super::forces::Forces;
+use super::block::{Block, Layout, MOST_POINTS, MOST_SCREENED};
+use super::finger::Force;
+use super::forces::{AnyForces, Forces};
 use super::lanes::{LANES, Lanes};
 use super::method::Method;
 use super::question::{Scenes, ScreeningQuestion};
 use super::springs::StickingSprings;
 use crate::numerics::{OnVectors, Vectors, on_the_widest};
+use crate::prelude::*;
+
+/// The forces of as many contacts as a batch may have.
+type WideForces<const C: usize> = Forces<C, Lanes, [Force<C, Lanes>; MOST_POINTS]>;
 
 /// Scenes, the questions about them, and the slots for their answers.
 pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) contacts: usize,
+    /// Bit i is one if contact i is the last point of its finger.
+    pub(super) ends: u64,
+    /// Index of the first scene of the part in the batch.
+    pub(super) first: usize,
     /// Laid out as in [`Block`], block after block.
     pub(super) numbers: &'a [Lanes],
     pub(super) parted: &'a [Lanes],
@@ -29,26 +38,45 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> 
     type Output = ();
     #[inline(always)]
     fn on<V: Vectors>(self, vectors: V) {
-        let contacts = self.contacts;
+        if self.contacts <= MOST_SCREENED {
+            let [mut a, mut b, mut c, mut d] = [Forces::<C, Lanes>::none(); 4];
+            self.screen(vectors, [&mut a, &mut b, &mut c, &mut d]);
+        } else {
+            // On the heap: batches of few contacts have no use for so large a frame.
+            let mut rooms = Vec::new();
+            rooms.resize(4, WideForces::<C>::none());
+            if let [a, b, c, d] = &mut rooms[..] {
+                self.screen(vectors, [a, b, c, d]);
+            }
+        }
+    }
+}
+
+impl<const C: usize, Q: ScreeningQuestion<C>> BatchPart<'_, C, Q> {
+    /// Answers the questions in memory for the forces of all contacts.
+    #[inline(always)]
+    fn screen<V: Vectors>(self, vectors: V, [squeezed, a, b, c]: [&mut AnyForces<C, Lanes>; 4]) {
+        let (contacts, ends) = (self.contacts, self.ends);
         let numbers = self.numbers.chunks_exact(Layout::<C>::numbers(contacts));
         let blocks = numbers.zip(self.parted.chunks_exact(2 * contacts));
         let of_block = LANES * self.questions.len() * Q::answers(contacts);
         let mut methods = [Method::Edges, Method::Motions].map(StickingSprings::none);
-        let (mut squeezed, mut room) = (Forces::none(), [Forces::none(); 3]);
-        for ((numbers, parted), answers) in blocks.zip(self.answers.chunks_mut(of_block)) {
-            let block = Block { contacts, numbers, parted };
+        let all = blocks.zip(self.answers.chunks_mut(of_block)).enumerate();
+        for (k, ((numbers, parted), answers)) in all {
+            let block = Block { contacts, ends, numbers, parted };
+            let first = self.first + k * LANES;
             for ready in &mut methods {
                 let these = ready.method().of(&block);
                 if these == [false; LANES] {
                     continue;
                 }
                 ready.prepare(vectors, &block);
-                ready.squeeze(vectors, &block, None, &mut squeezed);
-                let scenes = Scenes { vectors, block, ready, squeezed: &squeezed };
+                ready.squeeze(vectors, &block, None, squeezed);
+                let scenes = Scenes { vectors, block, ready, first, squeezed };
                 for (k, question) in self.questions.iter().enumerate() {
                     let place = [k, self.questions.len()];
                     let mut told = AnswerSlots::new(answers, these, place, Q::answers(contacts));
-                    question.ask(&scenes, room.each_mut(), &mut told);
+                    question.ask(&scenes, [&mut *a, &mut *b, &mut *c], &mut told);
                 }
             }
         }

@@ -2,12 +2,14 @@
 
 use super::lanes::Packed;
 
-/// Upper limit of the number of contacts of a grasp.
+/// Upper limit of the number of contacts of a grasp that is asked alone.
 pub(super) const MOST_SCREENED: usize = 5;
+/// Upper limit of the number of contact points of a grasp in a batch.
+pub(super) const MOST_POINTS: usize = 64;
 /// The number of contacts, which arrays have room for.
 #[inline(always)]
 pub(super) fn count(contacts: usize) -> usize {
-    contacts.min(MOST_SCREENED)
+    contacts.min(MOST_POINTS)
 }
 
 /// Scenes of equally many contacts, one in each lane: rows of one number per contact, then three sizes. The number of contacts is known at run time
@@ -15,6 +17,8 @@ pub(super) fn count(contacts: usize) -> usize {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
+    /// Bit i is one if contact i is the last point of its finger.
+    pub(super) ends: u64,
     pub(super) numbers: &'a [X],
     /// Commands along the normals, then clearances; `numbers` holds their difference. Only questions that change the commands need both.
     pub(super) parted: &'a [X],
@@ -57,6 +61,11 @@ impl<const C: usize> Layout<C> {
     /// The count of numbers of one scene.
     pub(super) const fn numbers(contacts: usize) -> usize {
         Self::OF_A_CONTACT * contacts + 3
+    }
+
+    /// The count of these numbers, with the commands and clearances that questions may need apart.
+    const fn with_parts(contacts: usize) -> usize {
+        Self::numbers(contacts) + 2 * contacts
     }
 }
 
@@ -116,25 +125,39 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
     }
 }
 
-/// The data of one scene, row by row, before it becomes a [`Block`].
+/// The data of one scene, row by row, before it becomes a [`Block`]. The array `A` has room for the rows of [`Block`], and then for its commands and
+/// clearances.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct OneScene<const C: usize> {
+pub(super) struct OneScene<const C: usize, A: ?Sized = [f64; Layout::<3>::with_parts(MOST_SCREENED)]> {
     contacts: usize,
-    /// With room for the rows of most contacts in space.
-    numbers: [f64; Layout::<3>::numbers(MOST_SCREENED)],
-    parted: [f64; 2 * MOST_SCREENED],
+    /// Bit i is one if contact i is the last point of its finger.
+    ends: u64,
+    numbers: A,
 }
 
-impl<const C: usize> OneScene<C> {
-    /// A scene of `contacts` contacts, at most five, with all numbers zero.
+/// The data of one scene of any number of contacts.
+pub(super) type AnyScene<const C: usize> = OneScene<C, [f64]>;
+/// The data of one scene of as many contacts as a batch may have.
+pub(super) type WideScene<const C: usize> = OneScene<C, [f64; Layout::<3>::with_parts(MOST_POINTS)]>;
+
+impl<const C: usize, const R: usize> OneScene<C, [f64; R]> {
+    /// A scene of `contacts` contacts, which must not be more than the array has room for, with all numbers zero.
     pub(super) fn new(contacts: usize) -> Self {
-        let numbers = [0.0; Layout::<3>::numbers(MOST_SCREENED)];
-        Self { contacts: count(contacts), numbers, parted: [0.0; 2 * MOST_SCREENED] }
+        Self { contacts: count(contacts), ends: u64::MAX, numbers: [0.0; R] }
+    }
+}
+
+impl<const C: usize> AnyScene<C> {
+    /// Begins a scene of this many contacts; what belongs to a contact is written later.
+    pub(super) fn begin(&mut self, contacts: usize) {
+        (self.contacts, self.ends) = (count(contacts), u64::MAX);
+        self.measure(&Sizes { commands: 0.0, moment: 0.0, force: 0.0 });
     }
 
     pub(super) fn block(&self) -> Block<'_, C, f64> {
-        let numbers = &self.numbers[..Layout::<C>::numbers(self.contacts)];
-        Block { contacts: self.contacts, numbers, parted: &self.parted[..2 * self.contacts] }
+        let rows = Layout::<C>::numbers(self.contacts);
+        let (numbers, parted) = self.numbers[..rows + 2 * self.contacts].split_at(rows);
+        Block { contacts: self.contacts, ends: self.ends, numbers, parted }
     }
 
     /// The number of one contact in a row.
@@ -144,12 +167,18 @@ impl<const C: usize> OneScene<C> {
 
     /// Sets the command along the normal and the clearance of a contact, m.
     pub(super) fn part(&mut self, contact: usize, [command, clearance]: [f64; 2]) {
-        self.parted[contact] = command;
-        self.parted[self.contacts + contact] = clearance;
+        let first = Layout::<C>::numbers(self.contacts) + contact;
+        self.numbers[first] = command;
+        self.numbers[first + self.contacts] = clearance;
     }
 
     pub(super) fn measure(&mut self, sizes: &Sizes<f64>) {
         let first = Layout::<C>::OF_A_CONTACT * self.contacts;
         self.numbers[first..first + 3].copy_from_slice(&[sizes.commands, sizes.moment, sizes.force]);
+    }
+
+    /// Makes this contact a point of the same finger as the next one.
+    pub(super) fn join_to_next(&mut self, contact: usize) {
+        self.ends &= !(1 << contact);
     }
 }

@@ -7,7 +7,7 @@
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout, MOST_SCREENED};
 use super::finger::{Force, displacement, stretched};
-use super::forces::Forces;
+use super::forces::AnyForces;
 use super::lanes::Packed;
 use super::moved::ObjectMotion;
 use super::springs::Cause;
@@ -29,21 +29,28 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
     pub(super) fn sticking<V: Vectors>(
         &self,
         v: V,
+        block: &Block<'_, C, X>,
         commands: Option<&Commanded<'_, C, X>>,
-        load: &[f64],
-        forces: &mut Forces<C, X>,
+        load: &[X; 6],
+        forces: &mut AnyForces<C, X>,
     ) {
         v.run(
             #[inline(always)]
-            || stretch(self, commands, load, forces),
+            || stretch(self, block, commands, load, forces),
         );
     }
 
     #[inline(never)]
-    pub(super) fn moved<V: Vectors>(&self, v: V, cause: &Cause<'_, C, X>, moved: &mut ObjectMotion<C, X>) {
+    pub(super) fn moved<V: Vectors>(
+        &self,
+        v: V,
+        block: &Block<'_, C, X>,
+        cause: &Cause<'_, C, X>,
+        moved: &mut ObjectMotion<C, X>,
+    ) {
         v.run(
             #[inline(always)]
-            || move_object(self, cause, moved),
+            || move_object(self, block, cause, moved),
         );
     }
 }
@@ -51,36 +58,34 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
 #[inline(always)]
 fn stretch<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
+    block: &Block<'_, C, X>,
     commands: Option<&Commanded<'_, C, X>>,
-    load: &[f64],
-    forces: &mut Forces<C, X>,
+    load: &[X; 6],
+    forces: &mut AnyForces<C, X>,
 ) {
-    let zero = X::all(0.0);
-    let mut lanes = [zero; 6];
-    for k in 0..Layout::<C>::COORDINATES {
-        lanes[k] = X::all(load[k]);
-    }
-    let load = if commands.is_none() { body.carried(&lanes) } else { lanes };
-    let (moved, part) = let_go(body, commands, &load, &mut forces.of);
-    bound_rounding(body, commands, &load, &moved, forces);
+    let load = if commands.is_none() { body.carried(load) } else { *load };
+    let (moved, part) = let_go(body, block, commands, &load, &mut forces.of);
+    bound_rounding(body, block, commands, &load, &moved, forces);
+    forces.motion = moved;
     forces.unbalanced = part;
-    forces.free = part.above(X::all(WORKS_ON_FREE_MOTION), body.free(), zero);
+    forces.free = part.above(X::all(WORKS_ON_FREE_MOTION), body.free(), X::all(0.0));
 }
 
 /// The equilibrium under commands and a load about the centroid: forces, the motion of the object, and the unbalanced part of the load.
 #[inline(always)]
 fn let_go<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
+    block: &Block<'_, C, X>,
     commands: Option<&Commanded<'_, C, X>>,
     load: &[X; 6],
-    contacts: &mut [Force<C, X>; MOST_SCREENED],
+    contacts: &mut [Force<C, X>],
 ) -> ([X; 6], X) {
     let zero = X::all(0.0);
-    let fingers = body.fingers();
-    for (i, (finger, force)) in fingers.iter().zip(&mut *contacts).enumerate() {
-        *force = Force { normal: zero, tangential: [zero; C] };
+    let contacts = &mut contacts[..block.contacts];
+    for (i, force) in contacts.iter_mut().enumerate() {
+        *force = Force::none();
         if let Some(commands) = commands {
-            let [normal, tangential] = finger.springs;
+            let [normal, tangential] = block.springs().map(|row| row[i]);
             force.normal = normal * commands.pressed[i];
             for axis in 0..C {
                 force.tangential[axis] = tangential * commands.sheared[axis][i];
@@ -88,7 +93,7 @@ fn let_go<const C: usize, X: Packed>(
         }
     }
     let (mut left, mut part) =
-        if commands.is_some() { body.unbalanced(&*contacts, load) } else { (*load, zero) };
+        if commands.is_some() { body.unbalanced(block, contacts, load) } else { (*load, zero) };
     let mut moved = [zero; 6];
     // One refinement suffices unless stiffnesses differ very much; forces that are still unbalanced after
     // three are called unclear.
@@ -98,15 +103,16 @@ fn let_go<const C: usize, X: Packed>(
         for k in 0..Layout::<C>::COORDINATES {
             moved[k] += q[k];
         }
-        for (finger, force) in fingers.iter().zip(&mut *contacts) {
+        for (i, force) in contacts.iter_mut().enumerate() {
+            let finger = body.finger(block, i);
             let u = displacement(&finger.arm, &q);
-            let less = stretched(finger, &u);
+            let less = stretched(&finger, &u);
             force.normal -= less.normal;
             for axis in 0..C {
                 force.tangential[axis] -= less.tangential[axis];
             }
         }
-        (left, part) = body.unbalanced(&*contacts, load);
+        (left, part) = body.unbalanced(block, contacts, load);
         let improvable = part.above(X::all(IMPROVABLE), X::all(1.0), zero);
         if time == most_times || improvable.is_all(0.0) {
             break;
@@ -123,16 +129,18 @@ fn let_go<const C: usize, X: Packed>(
 #[inline(always)]
 fn move_object<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
+    block: &Block<'_, C, X>,
     cause: &Cause<'_, C, X>,
     moved: &mut ObjectMotion<C, X>,
 ) {
-    let mut forces = Forces::none();
-    let (mut motion, _) = let_go(body, Some(&cause.commands), &body.carried(&cause.load), &mut forces.of);
+    let mut forces = [Force::none(); MOST_SCREENED];
+    let load = body.carried(&cause.load);
+    let (mut motion, _) = let_go(body, block, Some(&cause.commands), &load, &mut forces);
     for entry in &mut motion {
         *entry = body.free().above(X::all(0.0), X::all(f64::NAN), *entry);
     }
-    for (at, finger) in moved.at.iter_mut().zip(body.fingers()) {
-        *at = displacement(&finger.arm, &motion);
+    for (i, at) in moved.at.iter_mut().enumerate().take(block.contacts) {
+        *at = displacement(&body.finger(block, i).arm, &motion);
     }
     let coordinates = Layout::<C>::COORDINATES;
     moved.turn[..coordinates - C].copy_from_slice(&motion[C..coordinates]);
@@ -144,13 +152,13 @@ fn move_object<const C: usize, X: Packed>(
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
+    block: &Block<'_, C, X>,
     commands: Option<&Commanded<'_, C, X>>,
     load: &[X; 6],
     moved: &[X; 6],
-    forces: &mut Forces<C, X>,
+    forces: &mut AnyForces<C, X>,
 ) {
     let zero = X::all(0.0);
-    let fingers = body.fingers();
     let (mut shift, mut turn, mut largest) = (zero, zero, zero);
     for k in 0..Layout::<C>::COORDINATES {
         if k < C {
@@ -161,13 +169,11 @@ fn bound_rounding<const C: usize, X: Packed>(
         }
     }
     let span = shift + turn * body.reach;
-    let mut sizes = [zero; MOST_SCREENED];
     let (mut most, mut second) = (zero, zero);
-    for (i, finger) in fingers.iter().enumerate() {
-        let [normal, tangential] = finger.springs;
+    for (i, force) in forces.of.iter_mut().enumerate().take(block.contacts) {
+        let [normal, tangential] = block.springs().map(|row| row[i]);
         let mut stretched = normal.max(tangential) * span;
-        let force = &forces.of[i];
-        sizes[i] = force.normal.abs();
+        let mut size = force.normal.abs();
         if let Some(commands) = commands {
             stretched += normal * commands.pressed[i].abs();
         }
@@ -175,16 +181,20 @@ fn bound_rounding<const C: usize, X: Packed>(
             if let Some(commands) = commands {
                 stretched += tangential * commands.sheared[axis][i].abs();
             }
-            sizes[i] += force.tangential[axis].abs();
+            size += force.tangential[axis].abs();
         }
-        largest += sizes[i];
+        largest += size;
         second = second.max(stretched.min(most));
         most = most.max(stretched);
-        forces.rounding[i] = stretched;
+        force.rounding = stretched;
     }
     largest += second;
     let rounding = X::all(if commands.is_some() { ON_THE_EDGE } else { ZERO_SLACK });
-    for (rounded, size) in forces.rounding.iter_mut().zip(sizes).take(fingers.len()) {
-        *rounded = rounding * (size + largest.min(*rounded));
+    for force in forces.of.iter_mut().take(block.contacts) {
+        let mut size = force.normal.abs();
+        for axis in 0..C {
+            size += force.tangential[axis].abs();
+        }
+        force.rounding = rounding * (size + largest.min(force.rounding));
     }
 }

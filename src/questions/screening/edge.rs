@@ -2,7 +2,7 @@
 
 use super::block::{Commanded, MOST_SCREENED, count};
 use super::cone::StickingCone;
-use super::forces::Forces;
+use super::forces::AnyForces;
 use super::lanes::{Packed, dot};
 use super::screened::Screened;
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -48,8 +48,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         &mut self,
         friction: &[X],
         (first, which): (X::Each<Screened>, Option<usize>),
-        rates: &Forces<C, X>,
-        forces: &mut Forces<C, X>,
+        rates: &AnyForces<C, X>,
+        forces: &mut AnyForces<C, X>,
     ) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
         let first = first.as_ref();

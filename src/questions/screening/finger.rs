@@ -17,6 +17,16 @@ pub(super) struct LaneFinger<const C: usize, X: Packed> {
 pub(super) struct Force<const C: usize, X: Packed> {
     pub(super) normal: X,
     pub(super) tangential: [X; C],
+    /// Bound of its rounding, N.
+    pub(super) rounding: X,
+}
+
+impl<const C: usize, X: Packed> Force<C, X> {
+    /// No force.
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        Self { normal: X::all(0.0), tangential: [X::all(0.0); C], rounding: X::all(0.0) }
+    }
 }
 
 /// The moment `arm × f`; in the plane its only component is the first entry.
@@ -79,5 +89,5 @@ pub(super) fn stretched<const C: usize, X: Packed>(finger: &LaneFinger<C, X>, s:
             across[axis] = tangential * (s[axis] - n[axis] * along);
         }
     }
-    Force { normal: normal * along, tangential: across }
+    Force { normal: normal * along, tangential: across, rounding: X::all(0.0) }
 }

@@ -1,9 +1,9 @@
 //! Where forces that grow in proportion to the load leave their friction cones.
 
-use super::block::{MOST_SCREENED, count};
+use super::block::{Block, MOST_POINTS, count};
 use super::cone::{Crossing, StickingCone};
 use super::first_slip::UNCLEAR;
-use super::forces::Forces;
+use super::forces::AnyForces;
 use super::lanes::Packed;
 use super::screened::Screened;
 use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, SHARP_MARGIN};
@@ -30,12 +30,12 @@ struct Exit<X: Packed> {
 fn exit<const C: usize, X: Packed>(
     cone: &StickingCone<X>,
     contact: usize,
-    base: &Forces<C, X>,
-    rates: &Forces<C, X>,
+    base: &AnyForces<C, X>,
+    rates: &AnyForces<C, X>,
 ) -> Exit<X> {
     let zero = X::all(0.0);
     let weight = cone.alpha + cone.beta;
-    let noise = weight * rates.rounding[contact];
+    let noise = weight * rates.of[contact].rounding;
     let (force, rate) = (&base.of[contact], &rates.of[contact]);
     let (n, dn) = (cone.alpha * force.normal, cone.alpha * rate.normal);
     let (factor, margin);
@@ -59,7 +59,7 @@ fn exit<const C: usize, X: Packed>(
             product.above(X::all(LEAST_PRODUCT), product.above(X::all(MOST_PRODUCT), all, zero), all);
         lost = line.closing.above(noise, squared, zero);
     }
-    Exit { factor, margin, sure: margin - weight * base.rounding[contact] + lost }
+    Exit { factor, margin, sure: margin - weight * base.of[contact].rounding + lost }
 }
 
 /// The factor, qualified by the rate at which the margin closes there. It is infinite if that rate is rounding, a code if it is close to rounding.
@@ -73,26 +73,26 @@ fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
 #[inline(never)]
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
     v: V,
-    friction: &[X],
-    base: &Forces<C, X>,
-    rates: &Forces<C, X>,
+    block: &Block<'_, C, X>,
+    base: &AnyForces<C, X>,
+    rates: &AnyForces<C, X>,
 ) -> X::Each<Screened> {
     v.run(
         #[inline(always)]
-        || judged(friction, base, rates),
+        || judged(block, base, rates),
     )
 }
 
 #[inline(always)]
 fn judged<const C: usize, X: Packed>(
-    friction: &[X],
-    base: &Forces<C, X>,
-    rates: &Forces<C, X>,
+    block: &Block<'_, C, X>,
+    base: &AnyForces<C, X>,
+    rates: &AnyForces<C, X>,
 ) -> X::Each<Screened> {
     let zero = X::all(0.0);
     let infinite = X::all(f64::INFINITY);
-    let contacts = count(friction.len());
-    let mut factors = [zero; MOST_SCREENED];
+    let (contacts, friction) = (count(block.contacts), block.friction());
+    let mut factors = [zero; MOST_POINTS];
     let (mut first, mut margin, mut sure) = (infinite, infinite, infinite);
     for i in 0..contacts {
         let exit = exit(&StickingCone::of(friction[i]), i, base, rates);
@@ -102,9 +102,14 @@ fn judged<const C: usize, X: Packed>(
         sure = sure.min(exit.sure);
     }
     let until = X::all(1.0 + SOLVED_ROUNDING) * first;
-    let mut leaving = zero;
+    // A finger of several points leaves where one of them does.
+    let (mut leaving, mut leaves, mut finger) = (zero, zero, X::all(1.0));
     for i in 0..contacts {
-        leaving += factors[i].above(until, zero, X::all(f64::from(1 << i)));
+        leaves = factors[i].above(until, leaves, finger);
+        if block.ends >> i & 1 == 1 {
+            leaving += leaves;
+            (leaves, finger) = (zero, finger + finger);
+        }
     }
     let unbalanced = base.unbalanced + rates.unbalanced;
     let start = Start { margin, sure, free: base.free };

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use super::block::MOST_POINTS;
 use crate::prelude::*;
 
 /// The first slip of one grasp encoded as numbers, so that kernels select it without a branch.
@@ -71,7 +72,12 @@ impl SlipCode {
 
     pub(super) fn leaving(self) -> impl Iterator<Item = usize> + use<> {
         let leaving = if self.verdict() == ScreeningVerdict::Leaves { self.leaving } else { 0.0 };
-        (0..5_u8).filter(move |&i| (leaving / f64::from(1 << i)).floor() % 2.0 == 1.0).map(usize::from)
+        let mut left = leaving;
+        (0..MOST_POINTS).filter(move |_| {
+            let is_one = left % 2.0 == 1.0;
+            left = (left / 2.0).floor();
+            is_one
+        })
     }
 
     pub(super) fn show(self, f: &mut fmt::Formatter<'_>, [name, place]: [&str; 2]) -> fmt::Result {

@@ -1,45 +1,70 @@
 //! The forces of all contacts, one scene in each lane.
 
-use super::block::{MOST_SCREENED, count};
+use super::block::{Layout, MOST_SCREENED};
 use super::finger::Force;
 use super::lanes::Packed;
 
-/// The forces of all contacts, or their rates, with room for five of them.
+/// The forces of all contacts, or their rates, with room for five contacts, or for as many as the array `A` holds.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Forces<const C: usize, X: Packed> {
-    pub(super) of: [Force<C, X>; MOST_SCREENED],
-    /// Bound of the rounding of each force, N.
-    pub(super) rounding: [X; MOST_SCREENED],
+pub(super) struct Forces<const C: usize, X: Packed, A: ?Sized = [Force<C, X>; MOST_SCREENED]> {
     /// The part of the load that the forces leave unbalanced; NaN if there are no such forces.
     pub(super) unbalanced: X,
     /// Positive if the load works on a motion that no contact resists.
     pub(super) free: X,
+    /// The motion of the object about the centroid of its contacts, where forces are found by motions.
+    pub(super) motion: [X; 6],
+    pub(super) of: A,
 }
 
-impl<const C: usize, X: Packed> Forces<C, X> {
+/// The forces of any number of contacts: kernels are compiled once for all of them.
+pub(super) type AnyForces<const C: usize, X> = Forces<C, X, [Force<C, X>]>;
+
+impl<const C: usize, X: Packed, const M: usize> Forces<C, X, [Force<C, X>; M]> {
     /// Zero forces without rounding.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
-        Self {
-            of: [Force { normal: zero, tangential: [zero; C] }; MOST_SCREENED],
-            rounding: [zero; MOST_SCREENED],
-            unbalanced: zero,
-            free: zero,
-        }
+        Self { unbalanced: zero, free: zero, motion: [zero; 6], of: [Force::none(); M] }
+    }
+}
+
+impl<const C: usize, X: Packed> AnyForces<C, X> {
+    /// Becomes the forces `others`.
+    #[inline(always)]
+    pub(super) fn copy_from(&mut self, others: &Self) {
+        (self.unbalanced, self.free, self.motion) = (others.unbalanced, others.free, others.motion);
+        self.of.copy_from_slice(&others.of);
+    }
+
+    /// Becomes zero.
+    #[inline(always)]
+    pub(super) fn clear(&mut self) {
+        let zero = X::all(0.0);
+        (self.unbalanced, self.free, self.motion) = (zero, zero, [zero; 6]);
+        self.of.fill(Force::none());
     }
 
     /// Adds the forces `others` of `contacts` contacts to these; the rounding of these is multiplied by `rounding` first.
     #[inline(always)]
     pub(super) fn add_to(&mut self, contacts: usize, others: &Self, rounding: f64) {
-        for i in 0..count(contacts) {
-            let (sum, other) = (&mut self.of[i], &others.of[i]);
+        for (sum, other) in self.of.iter_mut().zip(&others.of).take(contacts) {
             sum.normal = other.normal + sum.normal;
             for axis in 0..C {
                 sum.tangential[axis] = other.tangential[axis] + sum.tangential[axis];
             }
-            self.rounding[i] = others.rounding[i] + X::all(rounding) * self.rounding[i];
+            sum.rounding = other.rounding + X::all(rounding) * sum.rounding;
+        }
+        for k in 0..Layout::<C>::COORDINATES {
+            self.motion[k] += others.motion[k];
         }
         self.unbalanced = others.unbalanced + self.unbalanced;
         self.free = others.free + self.free;
+    }
+
+    /// Multiplies the rounding of all forces by a factor.
+    #[inline(always)]
+    pub(super) fn scale_rounding(&mut self, factor: f64) {
+        for force in &mut self.of {
+            force.rounding = X::all(factor) * force.rounding;
+        }
     }
 }

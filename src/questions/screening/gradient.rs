@@ -16,7 +16,7 @@ use super::answer_slots::AnswerSlots;
 use super::block::Block;
 use super::edge::LeavingEdge;
 use super::first_exit::judge;
-use super::forces::Forces;
+use super::forces::AnyForces;
 use super::gradient_row::{GradientRow, Slopes};
 use super::lanes::Packed;
 use super::moved::ObjectMotion;
@@ -55,9 +55,9 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
         if *loaded {
             scenes.squeezed_under(base, forces);
         } else {
-            *forces = *scenes.squeezed;
+            forces.copy_from(scenes.squeezed);
         }
-        let first = judge(v, block.friction(), forces, rates);
+        let first = judge(v, block, forces, rates);
         let mut edge = LeavingEdge::none();
         reach(v, &mut edge, block.friction(), (first, self.contact), [rates, forces]);
         let probe = edge.probe(block.contacts);
@@ -87,7 +87,7 @@ fn reach<V: Vectors, const C: usize, X: Packed>(
     edge: &mut LeavingEdge<C, X>,
     friction: &[X],
     first: (X::Each<Screened>, Option<usize>),
-    [rates, forces]: [&mut Forces<C, X>; 2],
+    [rates, forces]: [&mut AnyForces<C, X>; 2],
 ) {
     v.run(
         #[inline(always)]

@@ -4,7 +4,7 @@ use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count};
 use super::edge::LeavingEdge;
 use super::finger::world;
-use super::forces::Forces;
+use super::forces::AnyForces;
 use super::lanes::Packed;
 use super::method::Method;
 use super::moved::{ObjectMotion, worked};
@@ -48,7 +48,7 @@ pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, X>,
     /// F and P of [`super::gradient`].
-    pub(super) forces: [&'a Forces<C, X>; 2],
+    pub(super) forces: [&'a AnyForces<C, X>; 2],
     /// (u, ω) and (v, ω̄) of [`super::gradient`].
     pub(super) motions: [&'a ObjectMotion<C, X>; 2],
     pub(super) first: X::Each<Screened>,

@@ -10,6 +10,7 @@ use super::gradient::GradientOf;
 use super::load_cases::LoadCases;
 use super::one_grasp::OneGrasp;
 use super::pull::Pull;
+use super::put_on::PutOn;
 use super::question::ScreeningQuestion;
 use super::turning_pull::TurningPull;
 use super::watch::{Measured, Watched};
@@ -23,6 +24,7 @@ pub(super) struct Kernels<const C: usize> {
     pub(super) turning_pull: Kernel<C, TurningPull<C>>,
     pub(super) load_cases: Kernel<C, LoadCases<C>>,
     pub(super) gradient: Kernel<C, GradientOf<C>>,
+    pub(super) put_on: fn(BatchPart<'_, C, PutOn<C>>),
     pub(super) watch: fn(&OneGrasp<C>, &Measured<'_, C>) -> Watched,
 }
 
@@ -41,7 +43,7 @@ impl<const C: usize> Kernels<C> {
         let prepare = OneGrasp::new;
         let (pull, turning_pull) = (Kernel::new(), Kernel::new());
         let (load_cases, gradient) = (Kernel::new(), Kernel::new());
-        Self { prepare, pull, turning_pull, load_cases, gradient, watch: OneGrasp::watch }
+        Self { prepare, pull, turning_pull, load_cases, gradient, put_on: screen, watch: OneGrasp::watch }
     }
 
     /// The kernels for this number of axes.

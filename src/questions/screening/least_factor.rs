@@ -8,7 +8,7 @@
 use super::block::count;
 use super::cone::{Crossing, StickingCone};
 use super::first_slip::{GIVES_WAY, UNCLEAR};
-use super::forces::Forces;
+use super::forces::AnyForces;
 use super::lanes::{Packed, dot};
 use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, SHARP_MARGIN};
 use super::verdict::balanced;
@@ -149,7 +149,7 @@ impl<X: Packed> LeastFactor<X> {
         v: V,
         load: usize,
         friction: &[X],
-        forces: [&Forces<C, X>; 2],
+        forces: [&AnyForces<C, X>; 2],
     ) {
         v.run(
             #[inline(always)]
@@ -158,13 +158,18 @@ impl<X: Packed> LeastFactor<X> {
     }
 
     #[inline(always)]
-    fn add<const C: usize>(&mut self, load: usize, friction: &[X], [commands, others]: [&Forces<C, X>; 2]) {
+    fn add<const C: usize>(
+        &mut self,
+        load: usize,
+        friction: &[X],
+        [commands, others]: [&AnyForces<C, X>; 2],
+    ) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
         for i in 0..count(friction.len()) {
             let cone = StickingCone::of(friction[i]);
             let weight = cone.alpha + cone.beta;
-            let noise = weight * others.rounding[i];
-            let gain_noise = weight * commands.rounding[i];
+            let noise = weight * others.of[i].rounding;
+            let gain_noise = weight * commands.of[i].rounding;
             let (force, gain) = (&others.of[i], &commands.of[i]);
             let (n, dn) = (cone.alpha * force.normal, cone.alpha * gain.normal);
             let (t, dt) = (cone.friction(force), cone.friction(gain));

@@ -5,7 +5,7 @@
 //! So are contacts without friction, whose compliance is infinite. The choice is made once, when a grasp is prepared. Batches read it from their
 //! data, so that an answer does not depend on neighbouring lanes.
 
-use super::block::{Block, Layout, OneScene, Sizes};
+use super::block::{AnyScene, Block, Layout, Sizes};
 use super::lanes::Packed;
 use super::triangle::{self, N, Triangle, others};
 
@@ -44,23 +44,28 @@ pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) 
 }
 
 /// Replaces stiffnesses by compliances where forces are to be found along edges. Non-zero sizes mark this choice.
-pub(super) fn to_compliances<const C: usize>(scene: &mut OneScene<C>) {
-    let mut compliant = *scene;
+pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
+    let stiff = scene.block().springs().map(|row| [row[0], row[1], row[2]]);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
-    for axis in 0..2 {
-        for i in 0..triangle::N {
-            let compliance = compliant.at(Layout::<C>::SPRINGS + axis, i);
-            *compliance = 1.0 / *compliance;
-            least = least.min(*compliance);
-            most = most.max(*compliance);
+    for (axis, row) in stiff.iter().enumerate() {
+        for (i, stiffness) in row.iter().enumerate() {
+            let compliance = 1.0 / stiffness;
+            *scene.at(Layout::<C>::SPRINGS + axis, i) = compliance;
+            least = least.min(compliance);
+            most = most.max(compliance);
         }
     }
-    let sizes = sizes(&compliant.block());
-    compliant.measure(&sizes);
+    let sizes = sizes(&scene.block());
     // With a larger ratio the force of a soft contact would lose more than three digits; with a smaller one
     // more grasps would take twice the time.
     if most <= 1e3 * least && sizes.force > 0.0 {
-        *scene = compliant;
+        scene.measure(&sizes);
+        return;
+    }
+    for (axis, row) in stiff.into_iter().enumerate() {
+        for (i, stiffness) in row.into_iter().enumerate() {
+            *scene.at(Layout::<C>::SPRINGS + axis, i) = stiffness;
+        }
     }
 }
 
@@ -105,12 +110,13 @@ mod tests {
     use crate::contact::ZERO_SLACK;
     use crate::numerics::{Compiled, Draw};
 
-    type OneScene = super::OneScene<3>;
+    type OneScene = super::super::block::OneScene<3>;
     type Row = Layout<3>;
 
     /// Contacts around a triangle, narrower than an even one by the factor `narrow`, with stiffnesses spread over `decades` decades.
     fn scene(draw: &mut Draw, narrow: f64, decades: f64) -> OneScene {
-        let mut scene = OneScene::new(3);
+        let mut made = OneScene::new(3);
+        let scene: &mut AnyScene<3> = &mut made;
         for i in 0..3 {
             let inward = [0, 1, 2].map(|_| draw.normal());
             let length = inward.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -128,14 +134,14 @@ mod tests {
                 *scene.at(Row::SPRINGS + axis, i) = 10_f64.powf(0.3 * decades * draw.normal());
             }
         }
-        scene
+        made
     }
 
     /// The largest difference of two sets of forces, relative to the sum of the bounds of both.
     fn off(forces: &Forces<3, f64>, others: &Forces<3, f64>, part: f64) -> f64 {
         let mut off = 0.0_f64;
         for i in 0..3 {
-            let bound = part * (forces.rounding[i] + others.rounding[i]);
+            let bound = part * (forces.of[i].rounding + others.of[i].rounding);
             let (force, other) = (&forces.of[i], &others.of[i]);
             let pairs = core::iter::once((force.normal, other.normal));
             let across = (0..3).map(|axis| (force.tangential[axis], other.tangential[axis]));
@@ -145,8 +151,9 @@ mod tests {
     }
 
     /// Forces of a load, and of the commands.
-    fn forces(method: Method, scene: &Block<'_, 3, f64>, load: &[f64]) -> [Forces<3, f64>; 2] {
-        let (mut ready, [mut loaded, mut squeezed]) = (StickingSprings::none(method), [Forces::none(); 2]);
+    fn forces(method: Method, scene: &Block<'_, 3, f64>, load: &[f64; 6]) -> [Forces<3, f64>; 2] {
+        let (mut ready, [mut loaded, mut squeezed]) =
+            (StickingSprings::none(method), [Forces::<3, f64>::none(); 2]);
         ready.prepare(Compiled, scene);
         ready.load(Compiled, scene, load, &mut loaded);
         ready.squeeze(Compiled, scene, None, &mut squeezed);
@@ -162,7 +169,7 @@ mod tests {
             let mut compliant = stiff;
             to_compliances(&mut compliant);
             let load = [0; 6].map(|_| draw.normal());
-            let (stiff, compliant) = (stiff.block(), compliant.block());
+            let (stiff, compliant) = (AnyScene::block(&stiff), AnyScene::block(&compliant));
             if Method::Edges.of(&compliant) == [false] {
                 assert_eq!(compliant.springs(), stiff.springs());
                 continue;
@@ -190,11 +197,11 @@ mod tests {
     fn without_friction_by_motions() {
         let mut scene = scene(&mut Draw::new([0; 3]), 1.0, 0.0);
         for contacts in 1..=3 {
-            *scene.at(Row::SPRINGS + 1, contacts - 1) = 0.0;
+            *AnyScene::at(&mut scene, Row::SPRINGS + 1, contacts - 1) = 0.0;
             let mut asked = scene;
             to_compliances(&mut asked);
-            assert_eq!(Method::Motions.of(&asked.block()), [true]);
-            assert_eq!(asked.block().springs(), scene.block().springs());
+            assert_eq!(Method::Motions.of(&AnyScene::block(&asked)), [true]);
+            assert_eq!(AnyScene::block(&asked).springs(), AnyScene::block(&scene).springs());
         }
     }
 }

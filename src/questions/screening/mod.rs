@@ -24,7 +24,7 @@
 //! [`Grasp::onset`] and its siblings agree with screening wherever every contact sticks at the start and the numbers are not extreme. Elsewhere the
 //! verdict of screening says why it has no answer ([`ScreeningVerdict`], [`SqueezeVerdict`]). Screening does not follow the grasp beyond the onset.
 //!
-//! One grasp at a time: [`Fingers`]. Many under common loads: [`Batch`], and on all cores [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch),
+//! One grasp at a time: [`Fingers`]. Many under common loads: [`Batch`], with pads or more contacts [`PointBatch`], and on all cores [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch),
 //! [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
 //!
 //! [`Grasp::onset`]: crate::ask::Grasp::onset
@@ -56,7 +56,9 @@ mod method;
 mod moved;
 mod one_grasp;
 mod pair;
+mod point_batch;
 mod pull;
+mod put_on;
 mod question;
 mod screened;
 mod screened_gradient;
@@ -73,7 +75,9 @@ pub use batch::Batch;
 pub use fingers::Fingers;
 pub use first_slip::ScreeningVerdict;
 pub use load_cases::LoadCases;
+pub use point_batch::PointBatch;
 pub use pull::Pull;
+pub(crate) use put_on::{PutOn, WhileSticking};
 pub use screened::{Screened, ScreenedTurn};
 pub use screened_gradient::{ScreenedGradient, ScreenedGradients};
 pub use screened_squeeze::{ScreenedSqueeze, SqueezeVerdict};

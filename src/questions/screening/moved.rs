@@ -5,7 +5,7 @@
 
 use super::block::{Block, Commanded, MOST_SCREENED};
 use super::finger::{Force, world};
-use super::forces::Forces;
+use super::forces::AnyForces;
 use super::lanes::{Packed, cross, dot};
 use super::springs::Cause;
 use super::triangle::{self, Triangle, others};
@@ -35,7 +35,7 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
         v: V,
         block: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
-        forces: &Forces<C, X>,
+        forces: &AnyForces<C, X>,
     ) {
         v.run(
             #[inline(always)]
@@ -60,7 +60,7 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
         triangle: &Triangle<C, X>,
         block: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
-        forces: &Forces<C, X>,
+        forces: &AnyForces<C, X>,
     ) {
         v.run(
             #[inline(always)]

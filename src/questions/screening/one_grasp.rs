@@ -1,7 +1,9 @@
 //! One grasp prepared for screening.
 
+use nalgebra::SMatrix;
+
 use super::answer_slots::AnswerSlots;
-use super::block::{Layout, OneScene};
+use super::block::{AnyScene, Layout, OneScene};
 use super::cone::{OPENS_ONLY, STAYS};
 use super::forces::Forces;
 use super::method::{self, Method, is_a_pair, is_a_triangle};
@@ -27,15 +29,8 @@ impl<const C: usize> OneGrasp<C> {
         let (scene, ready) = (OneScene::new(contacts.len()), StickingSprings::none(Method::Edges));
         let mut grasp = Self { scene, ready, squeezed: Forces::none() };
         let Self { scene, ready, squeezed } = &mut grasp;
-        for (index, contact) in contacts.iter().enumerate() {
-            write(scene, index, contact)?;
-        }
-        if const { C == 2 } && is_a_pair(&scene.block()) {
-            pair::to_compliances(scene);
-        } else if const { C == 3 } && is_a_triangle(&scene.block()) {
-            method::to_compliances(scene);
-        }
-        let block = scene.block();
+        write_all(scene, contacts)?;
+        let block = AnyScene::block(scene);
         if Method::Motions.of(&block) == [true] {
             *ready = StickingSprings::none(Method::Motions);
         }
@@ -46,11 +41,12 @@ impl<const C: usize> OneGrasp<C> {
 
     /// Answers a question; `answers` has as many slots as the question has answers.
     pub(super) fn ask<Q: ScreeningQuestion<C>>(&self, question: &Q, answers: &mut [Q::Answer]) {
-        let (block, ready, squeezed) = (self.scene.block(), &self.ready, &self.squeezed);
+        let block = AnyScene::block(&self.scene);
+        let (ready, squeezed) = (&self.ready, &self.squeezed);
         // Forces that a question does not use are optimised away.
-        let (mut a, mut b, mut c) = (Forces::none(), Forces::none(), Forces::none());
+        let [mut a, mut b, mut c] = [Forces::<C, f64>::none(); 3];
         let mut told = AnswerSlots::new(answers, [true], [0, 1], Q::answers(block.contacts));
-        let scenes = Scenes { vectors: Compiled, block, ready, squeezed };
+        let scenes = Scenes { vectors: Compiled, block, ready, first: 0, squeezed };
         question.ask(&scenes, [&mut a, &mut b, &mut c], &mut told);
     }
 
@@ -62,9 +58,39 @@ impl<const C: usize> OneGrasp<C> {
     }
 }
 
-/// Checks a contact and stores its numbers.
-fn write<const C: usize>(scene: &mut OneScene<C>, index: usize, contact: &Contact<C>) -> Result<(), Error> {
-    contact.check(index)?;
+/// Checks contacts and stores their numbers, in compliances where forces are to be found along edges.
+pub(super) fn write_all<const C: usize>(
+    scene: &mut AnyScene<C>,
+    contacts: &[Contact<C>],
+) -> Result<(), Error> {
+    let mut before: Option<(&Contact<C>, SMatrix<f64, C, C>)> = None;
+    for (index, contact) in contacts.iter().enumerate() {
+        contact.check(index)?;
+        // The points of a pad share their frame.
+        let same =
+            before.filter(|(other, _)| other.normal == contact.normal && other.tangent == contact.tangent);
+        let frame = same.map_or_else(|| contact.frame(index), |(_, frame)| Ok(frame))?;
+        before = Some((contact, frame));
+        write(scene, index, contact, &frame)?;
+        if contact.point_of_pad.is_some_and(|point| point > 0) && index > 0 {
+            scene.join_to_next(index - 1);
+        }
+    }
+    if const { C == 2 } && is_a_pair(&scene.block()) {
+        pair::to_compliances(scene);
+    } else if const { C == 3 } && is_a_triangle(&scene.block()) {
+        method::to_compliances(scene);
+    }
+    Ok(())
+}
+
+/// Stores the numbers of a contact with this frame.
+fn write<const C: usize>(
+    scene: &mut AnyScene<C>,
+    index: usize,
+    contact: &Contact<C>,
+    frame: &SMatrix<f64, C, C>,
+) -> Result<(), Error> {
     let suction = Some(contact.suction).filter(|suction| *suction != 0.0);
     for (field, value) in [(Field::Force, contact.force), (Field::Suction, suction)] {
         if let Some(value) = value {
@@ -72,7 +98,6 @@ fn write<const C: usize>(scene: &mut OneScene<C>, index: usize, contact: &Contac
             return Err(Error::Contact { contact: contact.label(index), field, value, allowed });
         }
     }
-    let frame = contact.frame(index)?;
     let frictionless = contact.springs() == 1;
     let k = contact.series_stiffness_of_axes();
     let tangential = if frictionless { 0.0 } else { k[1] };

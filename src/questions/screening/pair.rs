@@ -16,8 +16,8 @@
 //!
 //! The coefficient of λ in it is a sum of positive terms. No stiffness cancels, whatever their ratios.
 
-use super::block::{Block, Commanded, Layout, OneScene, Sizes};
-use super::forces::Forces;
+use super::block::{AnyScene, Block, Commanded, Layout, Sizes};
+use super::forces::AnyForces;
 use super::lanes::Packed;
 use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
@@ -29,7 +29,7 @@ use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 /// A contact without friction has an infinite tangential compliance: the condition on λ reads `F_t = 0` there, and all its other terms vanish. Two
 /// such contacts hold nothing. Neither does one whose normal points along the line, because the object turns about the other contact. In these cases
 /// the compliances are NaN.
-pub(super) fn to_compliances<const C: usize>(scene: &mut OneScene<C>) {
+pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     let block = scene.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
     let slippery = [k_t[0], k_t[1]].map(|k| k == 0.0);
@@ -173,7 +173,7 @@ impl<X: Packed> Pair<X> {
     }
 
     #[inline(never)]
-    pub(super) fn load<V: Vectors, const C: usize>(&self, v: V, load: &[f64], forces: &mut Forces<C, X>) {
+    pub(super) fn load<V: Vectors, const C: usize>(&self, v: V, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         v.run(
             #[inline(always)]
             || self.loaded(load, forces),
@@ -186,7 +186,7 @@ impl<X: Packed> Pair<X> {
         v: V,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, X>,
+        forces: &mut AnyForces<C, X>,
     ) {
         v.run(
             #[inline(always)]
@@ -196,9 +196,8 @@ impl<X: Packed> Pair<X> {
 
     /// Forces of a load alone.
     #[inline(always)]
-    fn loaded<const C: usize>(&self, load: &[f64], forces: &mut Forces<C, X>) {
+    fn loaded<const C: usize>(&self, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         let zero = [X::all(0.0); 2];
-        let load = [0, 1, 2].map(|k| X::all(load[k]));
         let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
         // Half of the load, with the opposite sign.
         let (x, y) = (X::all(-0.5) * load[0], X::all(-0.5) * load[1]);
@@ -213,7 +212,7 @@ impl<X: Packed> Pair<X> {
         for i in 0..2 {
             forces.of[i].normal = lambda * self.n[i] + (s * self.t[i] + halves[0][i]);
             forces.of[i].tangential[0] = lambda * self.t[i] + (halves[1][i] - s * self.n[i]);
-            forces.rounding[i] = X::all(ZERO_SLACK) * size;
+            forces.of[i].rounding = X::all(ZERO_SLACK) * size;
         }
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
     }
@@ -224,7 +223,7 @@ impl<X: Packed> Pair<X> {
         &self,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, X>,
+        forces: &mut AnyForces<C, X>,
     ) {
         let (commanded, size) = others.map_or((self.commanded, self.sizes.commands), |others| {
             let points = block.points();
@@ -236,7 +235,7 @@ impl<X: Packed> Pair<X> {
         for i in 0..2 {
             forces.of[i].normal = lambda * self.n[i];
             forces.of[i].tangential[0] = lambda * self.t[i];
-            forces.rounding[i] = X::all(ON_THE_EDGE) * size;
+            forces.of[i].rounding = X::all(ON_THE_EDGE) * size;
         }
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
     }

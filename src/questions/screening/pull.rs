@@ -49,6 +49,6 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
             scenes.squeezed_under(&self.base, base);
             start = base;
         }
-        told.each(judge(scenes.vectors, scenes.block.friction(), start, rates));
+        told.each(judge(scenes.vectors, &scenes.block, start, rates));
     }
 }

@@ -1,8 +1,8 @@
 //! A question about the scenes of a block.
 
 use super::answer_slots::AnswerSlots;
-use super::block::{Block, Commanded, MOST_SCREENED, count};
-use super::forces::Forces;
+use super::block::{Block, Commanded, MOST_SCREENED};
+use super::forces::AnyForces;
 use super::lanes::Packed;
 use super::springs::StickingSprings;
 use super::tolerances::ON_THE_EDGE;
@@ -16,12 +16,14 @@ pub(crate) struct Scenes<'a, V, const C: usize, X: Packed> {
     pub(super) vectors: V,
     pub(super) block: Block<'a, C, X>,
     pub(super) ready: &'a StickingSprings<C, X>,
+    /// Index of the scene in the first lane.
+    pub(super) first: usize,
     /// Forces of the commands less the clearances, without load.
-    pub(super) squeezed: &'a Forces<C, X>,
+    pub(super) squeezed: &'a AnyForces<C, X>,
 }
 
 /// Working memory for the forces of a question, created once for all blocks.
-pub(crate) type Room<'a, const C: usize, X> = [&'a mut Forces<C, X>; 3];
+pub(crate) type Room<'a, const C: usize, X> = [&'a mut AnyForces<C, X>; 3];
 
 /// A question that every scene of a batch gets alike.
 pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
@@ -44,20 +46,30 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
 impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
     /// The forces of a load alone.
     #[inline(always)]
-    pub(super) fn under(&self, load: &Wrench<C>, forces: &mut Forces<C, X>) {
-        self.ready.load(self.vectors, &self.block, load.components(), forces);
+    pub(super) fn under(&self, load: &Wrench<C>, forces: &mut AnyForces<C, X>) {
+        let mut lanes = [X::all(0.0); 6];
+        for (lane, component) in lanes.iter_mut().zip(load.components()) {
+            *lane = X::all(*component);
+        }
+        self.under_lanes(&lanes, forces);
+    }
+
+    /// The forces of a load alone, which may differ from scene to scene.
+    #[inline(always)]
+    pub(super) fn under_lanes(&self, load: &[X; 6], forces: &mut AnyForces<C, X>) {
+        self.ready.load(self.vectors, &self.block, load, forces);
     }
 
     /// The forces of the commands and a load together.
     #[inline(always)]
-    pub(super) fn squeezed_under(&self, load: &Wrench<C>, forces: &mut Forces<C, X>) {
+    pub(super) fn squeezed_under(&self, load: &Wrench<C>, forces: &mut AnyForces<C, X>) {
         self.under(load, forces);
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
     /// The forces of the commands alone, and those of the clearances alone, both with the rounding of loads.
     #[inline(always)]
-    pub(super) fn apart(&self, [commands, clearances]: [&mut Forces<C, X>; 2]) {
+    pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.parted();
         let mut largest = X::all(0.0);
         let mut overlaps = [X::all(0.0); MOST_SCREENED];
@@ -66,11 +78,11 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
             *overlap = -*clearance;
         }
         // Without clearances the forces of the commands are those computed before, to the last bit.
-        *commands = *self.squeezed;
-        *clearances = Forces::none();
+        commands.copy_from(self.squeezed);
+        clearances.clear();
         if !largest.is_all(0.0) {
-            let contacts = count(self.block.contacts);
-            let squeeze = |pressed, sheared, forces: &mut Forces<C, X>| {
+            let contacts = self.block.contacts.min(MOST_SCREENED);
+            let squeeze = |pressed, sheared, forces: &mut AnyForces<C, X>| {
                 self.ready.squeeze(self.vectors, &self.block, Some(&Commanded { pressed, sheared }), forces);
             };
             squeeze(commanded, self.block.commands().sheared, commands);
@@ -79,9 +91,7 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {
-            for rounding in &mut forces.rounding {
-                *rounding = X::all(ZERO_SLACK / ON_THE_EDGE) * *rounding;
-            }
+            forces.scale_rounding(ZERO_SLACK / ON_THE_EDGE);
         }
     }
 }

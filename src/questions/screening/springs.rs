@@ -1,8 +1,8 @@
 //! Forces of sticking contacts under loads and commands.
 
 use super::balance::RigidBody;
-use super::block::{Block, Commanded};
-use super::forces::Forces;
+use super::block::{Block, Commanded, Layout};
+use super::forces::AnyForces;
 use super::lanes::Packed;
 use super::method::Method;
 use super::moved::ObjectMotion;
@@ -62,13 +62,13 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         &self,
         v: V,
         block: &Block<'_, C, X>,
-        load: &[f64],
-        forces: &mut Forces<C, X>,
+        load: &[X; 6],
+        forces: &mut AnyForces<C, X>,
     ) {
         match self {
             Self::Pair(pair) if const { C == 2 } => pair.load(v, load, forces),
             Self::Triangle(triangle) if const { C == 3 } => triangle.load(v, block, load, forces),
-            Self::RigidBody(body) => body.sticking(v, None, load, forces),
+            Self::RigidBody(body) => body.sticking(v, block, None, load, forces),
             _ => {}
         }
     }
@@ -79,17 +79,34 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         v: V,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, X>,
+        forces: &mut AnyForces<C, X>,
     ) {
         match self {
             Self::Pair(pair) if const { C == 2 } => pair.squeeze(v, block, others, forces),
             Self::Triangle(triangle) if const { C == 3 } => triangle.squeeze(v, block, others, forces),
             Self::RigidBody(body) => {
                 let commands = others.copied().unwrap_or_else(|| block.commands());
-                body.sticking(v, Some(&commands), &[0.0; 6], forces);
+                body.sticking(v, block, Some(&commands), &[X::all(0.0); 6], forces);
             }
             _ => {}
         }
+    }
+
+    /// The rotation alone of [`Self::moved`]. Forces that were found by motions know it.
+    #[inline(always)]
+    pub(super) fn turned<V: Vectors>(
+        &self,
+        v: V,
+        block: &Block<'_, C, X>,
+        cause: &Cause<'_, C, X>,
+        forces: &AnyForces<C, X>,
+        moved: &mut ObjectMotion<C, X>,
+    ) {
+        let Self::RigidBody(body) = self else { return self.moved(v, block, cause, forces, moved) };
+        let coordinates = Layout::<C>::COORDINATES;
+        moved.turn[..coordinates - C].copy_from_slice(&forces.motion[C..coordinates]);
+        // A free motion leaves the position of the object undetermined.
+        moved.turn[0] = body.free().above(X::all(0.0), X::all(f64::NAN), moved.turn[0]);
     }
 
     /// The motion of the object under commands and a load, given the `forces` that both bring about together.
@@ -98,7 +115,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         v: V,
         block: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
-        forces: &Forces<C, X>,
+        forces: &AnyForces<C, X>,
         moved: &mut ObjectMotion<C, X>,
     ) {
         match self {
@@ -106,7 +123,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
             Self::Triangle(triangle) if const { C == 3 } => {
                 moved.of_a_triangle(v, triangle, block, cause, forces);
             }
-            Self::RigidBody(body) => body.moved(v, cause, moved),
+            Self::RigidBody(body) => body.moved(v, block, cause, moved),
             _ => {}
         }
     }

@@ -20,7 +20,7 @@
 
 use super::block::{Block, Commanded};
 use super::factors::LaneFactors;
-use super::forces::Forces;
+use super::forces::AnyForces;
 use super::lanes::{Packed, cross, dot};
 use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
@@ -100,15 +100,15 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
 
     /// Forces of a load alone.
     #[inline(always)]
-    fn loaded(&self, block: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, X>) {
+    fn loaded(&self, block: &Block<'_, C, X>, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         let (normals, springs) = (block.normals(), block.springs());
         let mut force = [X::all(0.0); C];
         let (mut moment, mut share) = (force, force);
         let (mut force_size, mut moment_size) = (X::all(0.0), X::all(0.0));
         for axis in 0..C {
-            force[axis] = X::all(load[axis]);
+            force[axis] = load[axis];
             share[axis] = X::all(-1.0 / N as f64) * force[axis];
-            moment[axis] = X::all(load[C + axis]);
+            moment[axis] = load[C + axis];
             force_size += force[axis].abs();
             moment_size += moment[axis].abs();
         }
@@ -158,7 +158,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         &self,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, X>,
+        forces: &mut AnyForces<C, X>,
     ) {
         let size = others.map_or_else(|| block.sizes().commands, |others| self.size_of(others));
         let Commanded { pressed, sheared } = others.copied().unwrap_or_else(|| block.commands());
@@ -192,7 +192,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         lambda: &[X; N],
         borne: Option<(&[[X; C]; N], &[X; N])>,
         rounding: X,
-        forces: &mut Forces<C, X>,
+        forces: &mut AnyForces<C, X>,
     ) {
         let normals = block.normals();
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
@@ -219,7 +219,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
                 forces.of[i].tangential[axis] = force[axis] - normals[axis][i] * normal;
             }
             forces.of[i].normal = normal;
-            forces.rounding[i] = rounding;
+            forces.of[i].rounding = rounding;
             // Comparisons ignore NaN; the added term carries it into `unbalanced`.
             forces.unbalanced += X::all(0.0) * normal;
         }
@@ -256,8 +256,8 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         &self,
         v: V,
         block: &Block<'_, C, X>,
-        load: &[f64],
-        forces: &mut Forces<C, X>,
+        load: &[X; 6],
+        forces: &mut AnyForces<C, X>,
     ) {
         v.run(
             #[inline(always)]
@@ -271,7 +271,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         v: V,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, X>,
+        forces: &mut AnyForces<C, X>,
     ) {
         v.run(
             #[inline(always)]

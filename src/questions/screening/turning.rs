@@ -20,7 +20,7 @@ use super::arccotangent::angle_of;
 use super::block::{MOST_SCREENED, count};
 use super::cone::StickingCone;
 use super::first_slip::UNCLEAR;
-use super::forces::Forces;
+use super::forces::AnyForces;
 use super::lanes::{Packed, dot};
 use super::screened::ScreenedTurn;
 use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, ON_THE_EDGE, SHARP_MARGIN};
@@ -82,10 +82,10 @@ struct Waves<const C: usize, X: Packed> {
 
 impl<const C: usize, X: Packed> Waves<C, X> {
     #[inline(always)]
-    fn new(cone: &StickingCone<X>, contact: usize, forces: &Harmonic<&Forces<C, X>>) -> Self {
+    fn new(cone: &StickingCone<X>, contact: usize, forces: &Harmonic<&AnyForces<C, X>>) -> Self {
         let Harmonic { constant, cosine, sine } = forces;
-        let standing = X::all(ZERO_SLACK / ON_THE_EDGE) * constant.rounding[contact];
-        let rounding = standing + (cosine.rounding[contact] + sine.rounding[contact]);
+        let standing = X::all(ZERO_SLACK / ON_THE_EDGE) * constant.of[contact].rounding;
+        let rounding = standing + (cosine.of[contact].rounding + sine.of[contact].rounding);
         Self {
             n: forces.map(|part| cone.alpha * part.of[contact].normal),
             t: forces.map(|part| cone.friction(&part.of[contact])),
@@ -228,7 +228,7 @@ fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> MarginZero<X> {
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
     v: V,
     friction: &[X],
-    forces: &Harmonic<&Forces<C, X>>,
+    forces: &Harmonic<&AnyForces<C, X>>,
     most: f64,
 ) -> X::Each<ScreenedTurn> {
     v.run(
@@ -240,7 +240,7 @@ pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
 #[inline(always)]
 fn judged<const C: usize, X: Packed>(
     friction: &[X],
-    forces: &Harmonic<&Forces<C, X>>,
+    forces: &Harmonic<&AnyForces<C, X>>,
     most: f64,
 ) -> X::Each<ScreenedTurn> {
     let (zero, one, infinite) = (X::all(0.0), X::all(1.0), X::all(f64::INFINITY));

@@ -8,7 +8,7 @@ use super::cone::StickingCone;
 use super::fingers::Fingers;
 use super::first_exit::judge;
 use super::first_slip::SlipCode;
-use super::forces::Forces;
+use super::forces::AnyForces;
 use super::kernels::Kernels;
 use super::lanes::{Packed, dot};
 use super::least_factor::LeastFactor;
@@ -123,8 +123,8 @@ pub(super) struct Measured<'a, const C: usize> {
 impl<const C: usize> Measured<'_, C> {
     /// Splits the forces into parts along and across the normals, with an error bound of 1e-12 relative to each force.
     #[inline(always)]
-    fn write<X: Packed>(&self, normals: [&[X]; C], measured: &mut Forces<C, X>) {
-        *measured = Forces::none();
+    fn write<X: Packed>(&self, normals: [&[X]; C], measured: &mut AnyForces<C, X>) {
+        measured.clear();
         for (i, force) in self.forces.iter().enumerate().take(MOST_SCREENED) {
             let (normal, world) = (normals.map(|row| row[i]), force.map(X::all));
             let along = dot(&normal, &world);
@@ -140,7 +140,7 @@ impl<const C: usize> Measured<'_, C> {
                     size += part.tangential[axis].abs();
                 }
             }
-            measured.rounding[i] = X::all(ON_THE_EDGE) * size;
+            measured.of[i].rounding = X::all(ON_THE_EDGE) * size;
         }
     }
 }
@@ -159,7 +159,7 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
         let (friction, contacts) = (scenes.block.friction(), scenes.block.contacts);
         scenes.under(self.to_come, to_come);
         self.write(scenes.block.normals(), measured);
-        let first_slip = judge(scenes.vectors, friction, measured, to_come);
+        let first_slip = judge(scenes.vectors, &scenes.block, measured, to_come);
         let (mut margin, mut tightest) = (X::all(f64::INFINITY), X::all(0.0));
         for i in 0..count(contacts) {
             let cone = StickingCone::of(friction[i]);
@@ -169,9 +169,7 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
             tightest = margin.above(here, X::all(i as f64), tightest);
             margin = margin.min(here);
         }
-        for rounding in &mut measured.rounding {
-            *rounding = X::all(ZERO_SLACK / ON_THE_EDGE) * *rounding;
-        }
+        measured.scale_rounding(ZERO_SLACK / ON_THE_EDGE);
         to_come.add_to(contacts, measured, 1.0);
         scenes.apart([commands, measured]);
         let mut enough = LeastFactor::new();

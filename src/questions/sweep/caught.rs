@@ -13,7 +13,7 @@ pub(crate) fn each_answered<T: Sync, R: Send>(
 }
 
 /// The answer to a question, or [`Error::Internal`] where it panics.
-fn caught<R>(ask: &dyn Fn() -> Result<R, Error>) -> Result<R, Error> {
+pub(crate) fn caught<R>(ask: &dyn Fn() -> Result<R, Error>) -> Result<R, Error> {
     let mut answer = None;
     let fault = fault_in(&mut || answer = Some(ask()));
     fault.map_or_else(

@@ -1,0 +1,148 @@
+//! How many verdicts, onsets of pads and needed amounts a second do batches give, and are they those of single grasps?
+//!
+//! `cargo run --release -p reports --bin verdict_batch [how many]`
+//!
+//! Three fingers on a bottle and parallel jaws with pads of sixteen points, under loads from light to too heavy. The pace is that of all cores, the
+//! best of several; of at most 10 000 rows each the outcome is compared with that of the grasp alone.
+
+use grasp_lcp::Settings;
+use grasp_lcp::hold::{How, ShortVerdict};
+use grasp_lcp::need::{Demand, Quantity};
+use grasp_lcp::spatial::{Contact, Grasp, Need, PointBatch, Pressure, Pull, Ramp, SoftFingertip, Wrench};
+use support::Failure;
+use support::best_time::timed;
+
+type Row<'a> = &'a (dyn Fn(usize, &mut Vec<Contact>) -> [Wrench; 2] + Sync);
+
+fn main() -> Result<(), Failure> {
+    let count = std::env::args().nth(1).map_or(Ok(100_000), |count| count.parse::<usize>())?;
+    println!(
+        "family                load       rows     verdicts a second   sticks   other   compared   differ"
+    );
+    for load in [0.3, 1.0, 2.0] {
+        report("triples in space", load, &|row, contacts| triple(row, load, contacts), count)?;
+    }
+    // Where contacts slide each path counts.
+    report("triples in space", 3.0, &|row, contacts| triple(row, 3.0, contacts), count / 20)?;
+    report("triples in space", 10.0, &|row, contacts| triple(row, 10.0, contacts), count / 200)?;
+    let tip = SoftFingertip::disc(0.006, 1, 8, Pressure::Uniform)?;
+    for load in [0.2, 0.4] {
+        report("jaws with pads of 16", load, &|row, contacts| jaws(&tip, row, load, contacts), count / 10)?;
+    }
+    report("jaws with pads of 16", 0.8, &|row, contacts| jaws(&tip, row, 0.8, contacts), count / 1000)?;
+    pads(&tip, count / 10)?;
+    for (demand, count) in [(Demand::Held, count / 100), (Demand::Sticks, count)] {
+        for quantity in [Quantity::Squeeze, Quantity::Load] {
+            amounts((quantity, demand), count)?;
+        }
+    }
+    Ok(())
+}
+
+/// Three fingers around a bottle.
+fn triple(row: usize, load: f64, contacts: &mut Vec<Contact>) -> [Wrench; 2] {
+    let z = |datum: usize| 0.02 * (number(row, datum) - 0.5);
+    let y = |datum: usize| 0.03 + 0.01 * number(row, datum);
+    let friction = 0.3 + 0.4 * number(row, 0);
+    for p in [[-0.04, 0.0, z(1)], [0.02, y(2), z(3)], [0.02, -y(4), z(5)]] {
+        let finger = Contact::new(p, [-p[0], -p[1], 0.0]).series_stiffness(9e2, 6e2);
+        contacts.push(finger.friction(friction).command([0.006, 0.0, 0.0]));
+    }
+    [Wrench::ZERO, Wrench::force([0.1, 0.2, -1.0]) * load]
+}
+
+/// Two jaws with these pads; the weight hangs beside their line.
+fn jaws(tip: &SoftFingertip, row: usize, load: f64, contacts: &mut Vec<Contact>) -> [Wrench; 2] {
+    for (x, datum) in [(-0.03, 0), (0.03, 1)] {
+        let jaw = Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(2e4, 1e4);
+        let jaw = jaw.friction(0.3 + 0.4 * number(row, 2)).pressed_with(10.0 + 0.1 * number(row, datum));
+        contacts.extend(tip.contacts(&jaw).unwrap_or_default());
+    }
+    let down = -10.0 * load;
+    [Wrench::ZERO, Wrench::new([0.0, 0.0, down], [0.0, 0.003 * down * number(row, 3), 0.0])]
+}
+
+/// A number between 0 and 1 for each datum of each row.
+fn number(row: usize, datum: usize) -> f64 {
+    ((row as f64 + 1.0) * 0.618_033_988_749_894_9 + datum as f64 * 0.137).fract()
+}
+
+fn report(family: &str, load: f64, row: Row<'_>, count: usize) -> Result<(), Failure> {
+    let settings = Settings::default().with_most_load(1.0);
+    let (verdicts, seconds) = timed(|| Ok(Grasp::hold_batch(count, row, &settings)))?;
+    let verdicts: Vec<ShortVerdict> = verdicts.into_iter().collect::<Result<_, _>>()?;
+    let sticks = verdicts.iter().filter(|verdict| verdict.how == How::Sticks).count();
+    let (compared, mut differ) = (count.min(10_000), 0);
+    for (number, short) in verdicts.iter().enumerate().take(compared) {
+        let mut contacts = Vec::new();
+        let [base, load] = row(number, &mut contacts);
+        let whole = ShortVerdict::from(&Grasp::new(contacts)?.with(&settings).hold(Ramp::load(base, load))?);
+        let close = match (short.first_slip, whole.first_slip) {
+            (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * b,
+            (a, b) => a == b,
+        };
+        let mut same = *short;
+        same.first_slip = whole.first_slip;
+        differ += usize::from(!close || same != whole);
+    }
+    let pace = count as f64 / seconds;
+    let other = count - sticks;
+    println!("{family:20} {load:5} {count:10} {pace:21.0} {sticks:8} {other:7} {compared:10} {differ:8}");
+    Ok(())
+}
+
+/// Onsets of grasps with pads on one thread, from contacts to answers and from a batch that is ready.
+fn pads(tip: &SoftFingertip, count: usize) -> Result<(), Failure> {
+    let made = || {
+        let (mut batch, mut pulls, mut points) =
+            (PointBatch::with_capacity(32, count), Vec::new(), Vec::new());
+        for row in 0..count {
+            points.clear();
+            let [base, load] = jaws(tip, row, 0.4, &mut points);
+            if batch.push(&points) {
+                pulls.push(Pull::new(&base, &load)?);
+            }
+        }
+        Ok((batch, pulls))
+    };
+    let ((batch, pulls), making) = timed(made)?;
+    let (onsets, asking) = timed(|| Ok(batch.own_onsets(pulls.clone())))?;
+    let mut off = 0.0_f64;
+    for row in 0..count.min(1000) {
+        let mut points = Vec::new();
+        let [base, load] = jaws(tip, row, 0.4, &mut points);
+        let whole = Grasp::new(points)?.onset(Ramp::load(base, load))?.factor().unwrap_or(f64::NAN);
+        off = off.max((onsets[row].factor().unwrap_or(f64::NAN) / whole - 1.0).abs());
+    }
+    println!(
+        "\nonsets of jaws with pads of 16, one thread: {:.0} a second, {:.0} with the making; largest difference {off:.0e}\n",
+        count as f64 / asking,
+        count as f64 / (asking + making)
+    );
+    Ok(())
+}
+
+/// Needed amounts of the triples.
+fn amounts(asked: (Quantity, Demand), count: usize) -> Result<(), Failure> {
+    let row = |row: usize, contacts: &mut Vec<Contact>| triple(row, 1.0, contacts);
+    let settings = Settings::default();
+    let (amounts, seconds) = timed(|| Ok(Grasp::need_batch(count, &row, asked, &settings)))?;
+    let (mut off, mut compared) = (0.0_f64, 0);
+    // A greatest load under which nothing slides alone takes minutes: its search follows loads far beyond.
+    let most = if asked == (Quantity::Load, Demand::Sticks) { 0 } else { 3 };
+    for (number, amount) in amounts.into_iter().enumerate().take(most) {
+        let mut contacts = Vec::new();
+        let [_, load] = row(number, &mut contacts);
+        let need = if asked.0 == Quantity::Squeeze { Need::squeeze(load) } else { Need::load(load) };
+        let need = if asked.1 == Demand::Sticks { need.to_stick() } else { need.to_hold() };
+        let whole = Grasp::new(contacts)?.need(&need)?.amount.bound().unwrap_or(f64::NAN);
+        off = off.max((amount?.bound().unwrap_or(f64::NAN) / whole - 1.0).abs());
+        compared += 1;
+    }
+    let pace = count as f64 / seconds;
+    println!(
+        "{:?} for {:?}: {pace:.0} amounts a second, {compared} compared, largest difference {off:.0e}",
+        asked.0, asked.1
+    );
+    Ok(())
+}

@@ -1,0 +1,226 @@
+"""Verdicts on the loads of many grasps, and the amounts that they need, on all cores."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _grasp_lcp
+from ._columns import dumped
+from ._views import Array
+from .batch import Soft, _count, _shown, asked
+
+if TYPE_CHECKING:
+    from .grasp import Settings
+
+
+class VerdictStatus(IntEnum):
+    """Conclusion of one row of :func:`hold_batch`; see :attr:`Verdict.holding`."""
+
+    STICKS = 0
+    """The load is held, and everything sticks."""
+    SLIDES = 1
+    """The load is held, and contacts slide or have slid."""
+    LOOSE = 2
+    """No contact presses: the object lies loose."""
+    LOST = 3
+    """Equilibrium is lost before the whole load is on, or motions cease to be small."""
+    NO_REST = 4
+    """It is proved that the load at rest has no equilibrium."""
+    LOST_AT_REST = 5
+    """The load at rest is lost as it is put on."""
+    UNDECIDED = 6
+    """The load could not be followed; :attr:`Verdicts.doubt` says why."""
+    NOT_A_NUMBER = 7
+    """A number of the row is NaN."""
+    MALFORMED = 8
+    """A number of the row is out of range; :class:`Grasp` names the number."""
+
+
+class LossMotion(IntEnum):
+    """Motion with which an object leaves, in the words with which the sentence of :meth:`Grasp.hold` begins."""
+
+    DROPS = 0
+    LIFTS_OFF = 1
+    SLIPS_OUT = 2
+    TIPS_OVER = 3
+    TURNS_OUT = 4
+    LETS_GO = 5
+    GIVES_WAY = 6
+    GOES_TOO_FAR = 7
+    NONE = 255
+    """The load is held as far as it was followed."""
+
+
+class Doubt(IntEnum):
+    """Reason for a verdict that is undecided."""
+
+    RAY_WITHOUT_PROOF = 0
+    ON_THE_BOUNDARY = 1
+    INACCURATE = 2
+    OUT_OF_PIVOTS = 3
+    OUT_OF_STEPS = 4
+    NONE = 255
+    """The row is decided."""
+
+
+class AmountStatus(IntEnum):
+    """Conclusion of one row of :func:`need_batch`."""
+
+    BOUND = 0
+    """The amount is the least squeeze, or the greatest load."""
+    ANY = 1
+    """All amounts that were tried suffice."""
+    NONE = 2
+    """No amount suffices."""
+    UNDECIDED = 3
+    """The trial of an amount is undecided."""
+    NOT_A_NUMBER = 4
+    """A number of the row is NaN."""
+    MALFORMED = 5
+    """A number of the row is out of range; :class:`Grasp` names the number."""
+
+
+@dataclass(frozen=True, eq=False)
+class Amounts:
+    """Amounts that many grasps need; all arrays have the shape of the batch."""
+
+    amount: Array
+    """Multiples of the squeeze or of the load; NaN for every status but ``BOUND``."""
+    status: NDArray[np.uint8]
+    """The :class:`AmountStatus` of each row."""
+
+    def count(self) -> dict[AmountStatus, int]:
+        """Number of rows with each status."""
+        return _count(AmountStatus, self.status)
+
+    def __repr__(self) -> str:
+        return f"<Amounts {self.status.shape}: {_shown(self.count())}>"
+
+
+@dataclass(frozen=True, eq=False)
+class Verdicts:
+    """Verdicts on many grasps; all arrays have the shape of the batch."""
+
+    status: NDArray[np.uint8]
+    """The :class:`VerdictStatus` of each row."""
+    first_slip: Array
+    """Multiple of the load at the first slip; ``inf`` where nothing slips as far as the load was followed, NaN where nothing of it is held."""
+    held_to: Array
+    """Largest multiple of the load that is held; at most 1 unless loads are followed beyond."""
+    gross_slip: Array
+    """Multiple of the load from which everything slides; NaN where something sticks as far as the load was followed."""
+    motion: NDArray[np.uint8]
+    """The :class:`LossMotion` of each row."""
+    doubt: NDArray[np.uint8]
+    """The :class:`Doubt` of each row."""
+
+    @property
+    def holds(self) -> NDArray[np.bool_]:
+        """Rows whose whole load is held; rows without an answer are false."""
+        return self.status <= VerdictStatus.SLIDES
+
+    @property
+    def answered(self) -> NDArray[np.bool_]:
+        """Rows that are decided."""
+        return self.status < VerdictStatus.UNDECIDED
+
+    def count(self) -> dict[VerdictStatus, int]:
+        """Number of rows with each status."""
+        return _count(VerdictStatus, self.status)
+
+    def __repr__(self) -> str:
+        return f"<Verdicts {self.status.shape}: {_shown(self.count())}>"
+
+
+def hold_batch(
+    points: ArrayLike,
+    normals: ArrayLike,
+    load: ArrayLike,
+    base: ArrayLike | None = None,
+    *,
+    friction: ArrayLike = 0.0,
+    series_stiffness: ArrayLike | None = None,
+    body_stiffness: ArrayLike | None = None,
+    finger_stiffness: ArrayLike | None = None,
+    command: ArrayLike | None = None,
+    command_world: ArrayLike | None = None,
+    pressed_with: ArrayLike | None = None,
+    clearance: ArrayLike | None = None,
+    kinetic_friction: ArrayLike | None = None,
+    tangents: ArrayLike | None = None,
+    hold: str | Sequence[str] = "unilateral",
+    soft: Soft = None,
+    settings: Settings | None = None,
+    beyond: bool = False,
+) -> Verdicts:
+    """Whether each of many grasps holds a load that is put on from rest; see :meth:`Grasp.hold`.
+
+    Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows under which everything sticks take a few microseconds;
+    any other row is followed as by :meth:`Grasp.hold`, which takes some 50 µs to a few milliseconds. The verdict of each row is that of
+    :meth:`Grasp.hold`, the first slip of the quick rows up to rounding. Their bits do not depend on the number of threads.
+
+    :param load: load that grows from 0 on top of the base, N and N m, shape (..., c) or (..., d).
+    :param base: load at rest; zero unless given.
+    :param kinetic_friction: coefficients while contacts slide, at most those at rest, which they are unless given.
+    :param soft: pads in place of the points, as in :meth:`Grasp.spatial`, the same for all grasps.
+    :param beyond: follow every load beyond the whole of it, up to ``most_load`` of the settings, for the loads at which it is lost and from which
+        everything slides. This takes as long as :meth:`Grasp.hold` for every row.
+
+    All other parameters are as in :meth:`Grasp.planar`, with axes of the batch in front.
+    """
+    shape, made, first, second, own = asked(
+        points, normals, load, base, friction, hold, soft, name="load", series_stiffness=series_stiffness, body_stiffness=body_stiffness,
+        finger_stiffness=finger_stiffness, command=command, command_world=command_world, pressed_with=pressed_with,
+        clearance=clearance, kinetic_friction=kinetic_friction, tangents=tangents,
+    )  # fmt: skip
+    told = None if settings is None else dumped(settings)
+    found = _grasp_lcp.verdicts_of_rows(made, first, second, own, told, beyond)
+    return Verdicts(**{name: column.reshape(shape) for name, column in found.items()})
+
+
+def need_batch(
+    points: ArrayLike,
+    normals: ArrayLike,
+    load: ArrayLike,
+    base: ArrayLike | None = None,
+    *,
+    quantity: str = "squeeze",
+    sticks: bool = False,
+    friction: ArrayLike = 0.0,
+    series_stiffness: ArrayLike | None = None,
+    body_stiffness: ArrayLike | None = None,
+    finger_stiffness: ArrayLike | None = None,
+    command: ArrayLike | None = None,
+    command_world: ArrayLike | None = None,
+    pressed_with: ArrayLike | None = None,
+    clearance: ArrayLike | None = None,
+    kinetic_friction: ArrayLike | None = None,
+    tangents: ArrayLike | None = None,
+    hold: str | Sequence[str] = "unilateral",
+    soft: Soft = None,
+    settings: Settings | None = None,
+) -> Amounts:
+    """The least multiple of the squeeze with which each of many grasps holds its load, or the greatest multiple of the load; see :meth:`Grasp.need`.
+
+    With ``sticks`` everything must stick, and a row takes a few microseconds. Otherwise contacts may slide, and a row takes one path of its load
+    up to the loss. Rows in which a base load, a clearance or a limit of small motions counts are searched as by :meth:`Grasp.need`.
+
+    :param quantity: ``"squeeze"`` or ``"load"``.
+    :param sticks: whether nothing may slide.
+
+    All other parameters are as in :func:`hold_batch`.
+    """
+    shape, made, first, second, own = asked(
+        points, normals, load, base, friction, hold, soft, name="load", series_stiffness=series_stiffness, body_stiffness=body_stiffness,
+        finger_stiffness=finger_stiffness, command=command, command_world=command_world, pressed_with=pressed_with,
+        clearance=clearance, kinetic_friction=kinetic_friction, tangents=tangents,
+    )  # fmt: skip
+    told = None if settings is None else dumped(settings)
+    amount, status = _grasp_lcp.amounts_of_rows(made, (first, second), own, quantity, sticks, told)
+    return Amounts(amount.reshape(shape), status.reshape(shape))

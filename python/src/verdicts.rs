@@ -1,0 +1,180 @@
+//! Verdicts on the loads of many grasps, and the amounts that they need, on all cores.
+
+use grasp_lcp::Settings;
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::equilibrium::Doubt;
+use grasp_lcp::grasp::{Contact, Wrench};
+use grasp_lcp::hold::{How, LossVerb};
+use grasp_lcp::need::{Demand, Quantity, ShortAmount};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::columns::GivenColumns;
+use crate::errors::{has_nan, of_json, wrong};
+use crate::rows::Rows;
+
+/// The number in `grasp_lcp.VerdictStatus` of a row that is malformed; one less marks a NaN.
+const MALFORMED: u8 = 8;
+/// The number where there is no motion or no doubt.
+const NONE: u8 = 255;
+
+/// Columns of the verdicts on B grasps under P loads, row by row. Each grasp has its own load if `own`, else all loads.
+#[pyfunction]
+pub(crate) fn verdicts_of_rows<'py>(
+    py: Python<'py>,
+    columns: GivenColumns<'py>,
+    base: PyReadonlyArray2<'py, f64>,
+    load: PyReadonlyArray2<'py, f64>,
+    own: bool,
+    settings: Option<&str>,
+    beyond: bool,
+) -> PyResult<Bound<'py, PyDict>> {
+    let settings = read(settings)?;
+    let settings = if beyond { settings } else { settings.with_most_load(1.0) };
+    let (columns, loads) = (columns.view(), (&base.as_array(), &load.as_array()));
+    let found = match columns.axes() {
+        2 => {
+            let rows = Rows::<2>::new(&columns, loads, own, false)?;
+            py.detach(|| Grasp::hold_batch(rows.count(), &rows.each(), &settings))
+        }
+        3 => {
+            let rows = Rows::<3>::new(&columns, loads, own, false)?;
+            py.detach(|| Grasp::hold_batch(rows.count(), &rows.each(), &settings))
+        }
+        _ => return Err(wrong("points: must have 2 or 3 coordinates")),
+    };
+    let number = |given: Option<f64>, nothing: f64| given.unwrap_or(nothing);
+    let (mut status, mut motion, mut doubt) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut first_slip, mut held_to, mut gross_slip) = (Vec::new(), Vec::new(), Vec::new());
+    for verdict in found {
+        let known = verdict.as_ref().ok();
+        let nothing =
+            if known.is_some_and(|verdict| verdict.held_to > 0.0) { f64::INFINITY } else { f64::NAN };
+        status.push(match &verdict {
+            Ok(verdict) => number_of_how(verdict.how),
+            Err(error) => MALFORMED - u8::from(has_nan(error)),
+        });
+        motion.push(known.and_then(|verdict| verdict.motion).map_or(NONE, number_of_motion));
+        doubt.push(known.and_then(|verdict| verdict.doubt).map_or(NONE, number_of_doubt));
+        first_slip.push(number(known.and_then(|verdict| verdict.first_slip), nothing));
+        held_to.push(number(known.map(|verdict| verdict.held_to), f64::NAN));
+        gross_slip.push(number(known.and_then(|verdict| verdict.everything_slides), f64::NAN));
+    }
+    let arrays = PyDict::new(py);
+    for (name, codes) in [("status", status), ("motion", motion), ("doubt", doubt)] {
+        arrays.set_item(name, codes.into_pyarray(py))?;
+    }
+    for (name, numbers) in [("first_slip", first_slip), ("held_to", held_to), ("gross_slip", gross_slip)] {
+        arrays.set_item(name, numbers.into_pyarray(py))?;
+    }
+    Ok(arrays)
+}
+
+/// Base loads, and loads that grow on top of them.
+type Loads<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray2<'py, f64>);
+type Amounts<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>);
+
+/// Amounts and their statuses of B grasps under P loads, row by row. Each grasp has its own load if `own`, else all loads.
+#[pyfunction]
+pub(crate) fn amounts_of_rows<'py>(
+    py: Python<'py>,
+    columns: GivenColumns<'py>,
+    loads: Loads<'py>,
+    own: bool,
+    quantity: &str,
+    sticks: bool,
+    settings: Option<&str>,
+) -> PyResult<Amounts<'py>> {
+    let settings = read(settings)?;
+    let quantity = match quantity {
+        "squeeze" => Quantity::Squeeze,
+        "load" => Quantity::Load,
+        other => return Err(wrong(format_args!("quantity is {other:?}, must be squeeze or load"))),
+    };
+    let asked = (quantity, if sticks { Demand::Sticks } else { Demand::Held });
+    let (columns, loads) = (columns.view(), (&loads.0.as_array(), &loads.1.as_array()));
+    let found = match columns.axes() {
+        2 => {
+            let rows = Rows::<2>::new(&columns, loads, own, false)?;
+            py.detach(|| Grasp::need_batch(rows.count(), &rows.each(), asked, &settings))
+        }
+        3 => {
+            let rows = Rows::<3>::new(&columns, loads, own, false)?;
+            py.detach(|| Grasp::need_batch(rows.count(), &rows.each(), asked, &settings))
+        }
+        _ => return Err(wrong("points: must have 2 or 3 coordinates")),
+    };
+    let mut status = Vec::with_capacity(found.len());
+    let mut amounts = Vec::with_capacity(found.len());
+    for amount in found {
+        status.push(match &amount {
+            Ok(ShortAmount::Bound(_)) => 0,
+            Ok(ShortAmount::Any) => 1,
+            Ok(ShortAmount::None) => 2,
+            Ok(_) => 3,
+            Err(error) => 5 - u8::from(has_nan(error)),
+        });
+        amounts.push(amount.ok().and_then(ShortAmount::bound).unwrap_or(f64::NAN));
+    }
+    Ok((amounts.into_pyarray(py), status.into_pyarray(py)))
+}
+
+fn read(settings: Option<&str>) -> PyResult<Settings> {
+    let settings = settings.map_or_else(|| Ok(Settings::default()), serde_json::from_str);
+    settings.map_err(|error| of_json("settings", &error))
+}
+
+impl<const C: usize> Rows<'_, C> {
+    /// The number of grasps times that of the loads of each.
+    fn count(&self) -> usize {
+        if self.own { self.columns.rows() } else { self.columns.rows() * self.loads.len() }
+    }
+
+    /// The contacts and the loads of a row, for batches of the crate.
+    fn each(&self) -> impl Fn(usize, &mut Vec<Contact<C>>) -> [Wrench<C>; 2] + Sync {
+        let each = if self.own { 1 } else { self.loads.len() };
+        move |number, points| {
+            self.columns.fill(&self.pads, number / each, points);
+            self.loads[if self.own { number } else { number % each }]
+        }
+    }
+}
+
+/// The number in `grasp_lcp.VerdictStatus`.
+fn number_of_how(how: How) -> u8 {
+    match how {
+        How::Sticks => 0,
+        How::Slides => 1,
+        How::Loose => 2,
+        How::Lost => 3,
+        How::NoRest => 4,
+        How::LostAtRest => 5,
+        _ => 6,
+    }
+}
+
+/// The number in `grasp_lcp.LossMotion`.
+fn number_of_motion(motion: LossVerb) -> u8 {
+    match motion {
+        LossVerb::Drops => 0,
+        LossVerb::LiftsOff => 1,
+        LossVerb::SlipsOut => 2,
+        LossVerb::TipsOver => 3,
+        LossVerb::TurnsOut => 4,
+        LossVerb::LetsGo => 5,
+        LossVerb::GoesTooFar => 7,
+        _ => 6,
+    }
+}
+
+/// The number in `grasp_lcp.Doubt`.
+fn number_of_doubt(doubt: Doubt) -> u8 {
+    match doubt {
+        Doubt::RayWithoutProof => 0,
+        Doubt::OnTheBoundary => 1,
+        Doubt::Inaccurate => 2,
+        Doubt::OutOfPivots => 3,
+        _ => 4,
+    }
+}

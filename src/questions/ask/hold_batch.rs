@@ -1,0 +1,82 @@
+//! Verdicts on many grasps, on all cores.
+//!
+//! Most verdicts of a batch say that everything sticks, and screening knows that: the first slip lies beyond the whole load, and the object turns
+//! within the limit of small motions. All other verdicts follow their load.
+
+use core::ops::Range;
+
+use super::grasp::Grasp;
+use super::rows::{RowOf, answers_of_rows, while_sticking};
+use crate::error::Error;
+use crate::hold::ShortVerdict;
+use crate::load_path::Ramp;
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::prelude::*;
+use crate::screening::WhileSticking;
+use crate::search::Settings;
+use crate::sweep::caught;
+
+impl<const C: usize> Grasp<C> {
+    /// The verdicts on many loads, each put on a grasp of its own, on all cores: those of [`Self::hold`], without sentences, lists and states.
+    ///
+    /// With [`Settings::most_load`] at 1, where nothing is followed beyond the whole load, verdicts on grasps of two to 64 points under which
+    /// everything sticks take a few microseconds; see [`screening`](crate::screening) for the contacts. Such a verdict has the factor of the
+    /// first slip from there, equal to that of [`Self::hold`] but for rounding. Any other verdict takes as long as [`Self::hold`].
+    ///
+    /// The verdicts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
+    ///
+    /// ```
+    /// use grasp_lcp::Settings;
+    /// use grasp_lcp::hold::{How, LossVerb};
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Jaws that press with 10 N each, μ = 0.5, under 4 N, 8 N, 12 N, …
+    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let row = |row: usize, contacts: &mut Vec<Contact>| {
+    ///     contacts.extend([jaw(-0.03), jaw(0.03)]);
+    ///     [Wrench::ZERO, Wrench::force([0.0, -4.0 * (row + 1) as f64])]
+    /// };
+    /// let verdicts = Grasp::hold_batch(5, &row, &Settings::default().with_most_load(1.0));
+    /// let verdicts: Vec<_> = verdicts.into_iter().collect::<Result<_, _>>()?;
+    /// assert_eq!(verdicts[1].how, How::Sticks);
+    /// assert!((verdicts[1].first_slip.expect("10 N of 8 N") - 1.25).abs() < 1e-12);
+    /// assert_eq!((verdicts[2].holds(), verdicts[2].motion), (Some(false), Some(LossVerb::SlipsOut)));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn hold_batch(
+        rows: usize,
+        row: &RowOf<'_, C>,
+        settings: &Settings,
+    ) -> Vec<Result<ShortVerdict, Error>> {
+        answers_of_rows(rows, &|chunk| held(chunk, row, settings))
+    }
+}
+
+/// The verdicts on some rows, on one thread.
+fn held<const C: usize>(
+    rows: Range<usize>,
+    row: &RowOf<'_, C>,
+    settings: &Settings,
+) -> Vec<Result<ShortVerdict, Error>> {
+    let ends_there = settings.most_load > 0.0 && settings.most_load <= 1.0;
+    let sticking = while_sticking(rows.clone(), row, settings, &|_, _| ends_there);
+    let limit = settings.small_motions.rotation;
+    let mut verdicts = Vec::with_capacity(rows.len());
+    for (number, sticking) in rows.zip(sticking) {
+        // Nearer to the whole load or to the limit rounding would decide.
+        let clear = sticking.filter(|WhileSticking { first, turn }| {
+            first.holds_up_to(1.0 + NEGLIGIBLE) && *turn <= limit * (1.0 - NEGLIGIBLE)
+        });
+        verdicts.push(match clear {
+            Some(sticking) => Ok(ShortVerdict::sticks(sticking.first.factor())),
+            None => caught(&|| {
+                let mut contacts = Vec::new();
+                let [base, load] = row(number, &mut contacts);
+                let grasp = Grasp::new(contacts)?.with(settings);
+                Ok(ShortVerdict::from(&grasp.hold(Ramp::load(base, load))?))
+            }),
+        });
+    }
+    verdicts
+}

@@ -1,0 +1,65 @@
+//! Rows of a batch: grasps with a load each, and what screening knows of them.
+
+use core::ops::Range;
+
+use crate::grasp::{Contact, Hold, Wrench};
+use crate::numerics::Space;
+use crate::prelude::*;
+use crate::screening::{PointBatch, Pull, PutOn, WhileSticking};
+use crate::search::Settings;
+use crate::sweep::map_in_order;
+
+/// One row of a batch: it appends the contacts of the row to a list that is empty, and returns the load at rest and the load that grows on top of it.
+pub type RowOf<'a, const C: usize> = dyn Fn(usize, &mut Vec<Contact<C>>) -> [Wrench<C>; 2] + Sync + 'a;
+
+/// Rows in one task of a thread: their numbers stay in the cache of a core.
+const CHUNK: usize = 256;
+
+/// Answers of all rows in order, some rows at a time on each core.
+pub(crate) fn answers_of_rows<T: Send>(
+    rows: usize,
+    answers: &(dyn Fn(Range<usize>) -> Vec<T> + Sync),
+) -> Vec<T> {
+    let mut chunks: Vec<_> = Vec::new();
+    for first in (0..rows).step_by(CHUNK) {
+        chunks.push(first..rows.min(first + CHUNK));
+    }
+    map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().collect()
+}
+
+/// The first slip and the rotation under the whole load of each row that screening supports and `is_meant` accepts; `None` of all others.
+pub(crate) fn while_sticking<const C: usize>(
+    rows: Range<usize>,
+    row: &RowOf<'_, C>,
+    settings: &Settings,
+    is_meant: &dyn Fn(&[Contact<C>], &Wrench<C>) -> bool,
+) -> Vec<Option<WhileSticking>> {
+    let mut answers = vec![None; rows.len()];
+    let is_exact = C == 2 || settings.is_round(Space::Spatial);
+    if !is_exact || settings.small_motions.check().is_err() {
+        return answers;
+    }
+    let (mut batch, mut contacts) = (None, Vec::new());
+    let (mut pulls, mut places) = (Vec::with_capacity(rows.len()), Vec::with_capacity(rows.len()));
+    for (place, number) in rows.clone().enumerate() {
+        contacts.clear();
+        let [base, load] = row(number, &mut contacts);
+        // Screening looks neither at grasps of bonded contacts alone, which may lie loose, nor at how far contacts without friction slip.
+        let presses = contacts.iter().any(|contact| contact.hold == Hold::Unilateral);
+        let sticks = |contact: &Contact<C>| contact.hold == Hold::Bonded || contact.springs() > 1;
+        if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, &base)) {
+            continue;
+        }
+        let Ok(pull) = Pull::new(&base, &load) else { continue };
+        let batch = batch.get_or_insert_with(|| PointBatch::with_capacity(contacts.len(), rows.len()));
+        if batch.push(&contacts) {
+            pulls.push(pull);
+            places.push(place);
+        }
+    }
+    if let Some(batch) = batch {
+        let found = PutOn { pulls, turns: true }.answers(&batch);
+        places.into_iter().zip(found).for_each(|(place, answer)| answers[place] = Some(answer));
+    }
+    answers
+}

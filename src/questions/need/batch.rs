@@ -1,0 +1,222 @@
+//! Needed amounts of many grasps, on all cores.
+//!
+//! Where everything must stick, the first slip of screening is the answer: the greatest multiple of the load, and its inverse is the least multiple
+//! of the squeeze if nothing but squeeze and load acts. Where the object must be held, one path to the loss gives both in the same way. All other
+//! rows are searched as by [`Grasp::need`].
+
+use core::ops::Range;
+
+use super::answer::{Amount, Quantity};
+use super::question::{Demand, Need};
+use super::tolerances::MOST_LOADS;
+use crate::ask::{Grasp, RowOf, answers_of_rows, while_sticking};
+use crate::error::Error;
+use crate::grasp::{Contact, Wrench};
+use crate::hold::{Holding, Verdict};
+use crate::load_path::Ramp;
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::prelude::*;
+use crate::screening::WhileSticking;
+use crate::search::Settings;
+use crate::sweep::caught;
+
+/// The needed amount of one of many grasps, see [`Grasp::need_batch`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum ShortAmount {
+    /// The least or greatest sufficient amount, as [`Amount::Bound`].
+    Bound(f64),
+    /// All amounts that were tried suffice, as [`Amount::Any`].
+    Any,
+    /// No amount suffices, as [`Amount::None`].
+    None,
+    /// The trial of an amount is undecided, as [`Amount::Undecided`].
+    Undecided,
+}
+
+impl ShortAmount {
+    /// The sufficient amount at the bound; `None` where there is no bound.
+    #[must_use]
+    pub fn bound(self) -> Option<f64> {
+        if let Self::Bound(does) = self { Some(does) } else { None }
+    }
+}
+
+impl From<&Amount> for ShortAmount {
+    fn from(amount: &Amount) -> Self {
+        match amount {
+            Amount::Bound { does, .. } => Self::Bound(*does),
+            Amount::Any { .. } => Self::Any,
+            Amount::None { .. } => Self::None,
+            Amount::Undecided { .. } => Self::Undecided,
+        }
+    }
+}
+
+impl<const C: usize> Grasp<C> {
+    /// How much squeeze do many grasps need, each for its own load, or how much load do they carry? On all cores; the amounts are those of
+    /// [`Self::need`], without sentences, windows and safe amounts.
+    ///
+    /// The quantity is [`Quantity::Squeeze`] or [`Quantity::Load`], the demand that everything [sticks](Demand::Sticks) or that the object is
+    /// [held](Demand::Held). Amounts with which everything sticks take a few microseconds, amounts with which the object is held a path up to its
+    /// loss, and all others as long as [`Self::need`]. The amounts agree with those of [`Self::need`] to the error of steps along arcs.
+    ///
+    /// The amounts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
+    ///
+    /// ```
+    /// use grasp_lcp::Settings;
+    /// use grasp_lcp::need::{Demand, Quantity};
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Jaws that press with 10 N each, μ = 0.5, under 5 N, 10 N, 15 N: they need 5 N, 10 N, 15 N each.
+    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let row = |row: usize, contacts: &mut Vec<Contact>| {
+    ///     contacts.extend([jaw(-0.03), jaw(0.03)]);
+    ///     [Wrench::ZERO, Wrench::force([0.0, -5.0 * (row + 1) as f64])]
+    /// };
+    /// let squeezes = Grasp::need_batch(3, &row, (Quantity::Squeeze, Demand::Held), &Settings::default());
+    /// for (squeeze, closed) in squeezes.into_iter().zip([0.5, 1.0, 1.5]) {
+    ///     assert!((squeeze?.bound().expect("a bound") - closed).abs() < 1e-9);
+    /// }
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Of a row: as for [`Self::need`]; [`Error::Question`] for another quantity or demand.
+    #[must_use]
+    pub fn need_batch(
+        rows: usize,
+        row: &RowOf<'_, C>,
+        (quantity, demand): (Quantity, Demand),
+        settings: &Settings,
+    ) -> Vec<Result<ShortAmount, Error>> {
+        let asked = Asked { quantity, demand, settings: *settings };
+        answers_of_rows(rows, &|chunk| asked.amounts(chunk, row))
+    }
+}
+
+/// The question that all rows get.
+struct Asked {
+    quantity: Quantity,
+    demand: Demand,
+    settings: Settings,
+}
+
+impl Asked {
+    /// Whether the amount is the multiple of the load or its inverse: whether all that acts beside the load is in proportion to the squeeze.
+    fn is_proportional<const C: usize>(&self, contacts: &[Contact<C>], base: &Wrench<C>) -> bool {
+        let held = |contact: &Contact<C>| {
+            contact.clearance == 0.0 && contact.force.is_none() && contact.suction == 0.0
+        };
+        let is_squeezed = || contacts.iter().any(|contact| contact.commanded().amax() > 0.0);
+        match self.quantity {
+            Quantity::Squeeze => *base == Wrench::ZERO && contacts.iter().all(held) && is_squeezed(),
+            Quantity::Load => true,
+            _ => false,
+        }
+    }
+
+    /// The amount from the multiple of the load at its bound; `None` beyond the amounts that are tried.
+    fn amount(&self, multiple: f64) -> Option<f64> {
+        let amount = if self.quantity == Quantity::Squeeze { 1.0 / multiple } else { multiple };
+        (1.0 / MOST_LOADS..=MOST_LOADS).contains(&amount).then_some(amount)
+    }
+
+    /// The amounts of some rows, on one thread.
+    fn amounts<const C: usize>(
+        &self,
+        rows: Range<usize>,
+        row: &RowOf<'_, C>,
+    ) -> Vec<Result<ShortAmount, Error>> {
+        let sticks = self.demand == Demand::Sticks;
+        let sticking = while_sticking(rows.clone(), row, &self.settings, &|contacts, base| {
+            sticks && self.is_proportional(contacts, base)
+        });
+        let mut amounts = Vec::with_capacity(rows.len());
+        for (number, sticking) in rows.zip(sticking) {
+            amounts.push(match sticking.and_then(|sticking| self.while_it_sticks(&sticking)) {
+                Some(amount) => Ok(ShortAmount::Bound(amount)),
+                None => caught(&|| self.alone(number, row)),
+            });
+        }
+        amounts
+    }
+
+    /// The amount with which everything sticks, if the object clearly turns within the limit of small motions there.
+    fn while_it_sticks(&self, WhileSticking { first, turn }: &WhileSticking) -> Option<f64> {
+        let multiple = first.factor()?;
+        let amount = self.amount(multiple)?;
+        // Rotations are affine in load and squeeze. `turn` bounds that at rest and that under the load given, and with them all others.
+        let [load, squeeze] =
+            if self.quantity == Quantity::Squeeze { [1.0, amount] } else { [multiple, 1.0] };
+        let most = turn * (load + (squeeze - load).abs());
+        (most <= self.settings.small_motions.rotation * (1.0 - NEGLIGIBLE)).then_some(amount)
+    }
+
+    /// The amount of one row.
+    fn alone<const C: usize>(&self, number: usize, row: &RowOf<'_, C>) -> Result<ShortAmount, Error> {
+        let mut contacts = Vec::new();
+        let [base, load] = row(number, &mut contacts);
+        let is_path = self.demand == Demand::Held && self.is_proportional(&contacts, &base);
+        let grasp = Grasp::new(contacts)?.with(&self.settings);
+        if is_path && let Some(amount) = self.along_the_path(&grasp, base, load)? {
+            return Ok(ShortAmount::Bound(amount));
+        }
+        let need = match self.quantity {
+            Quantity::Squeeze => Need::squeeze(load),
+            Quantity::Load => Need::load(load),
+            _ => return Err(refused("quantity", "is another, must be squeeze or load")),
+        };
+        let need = match self.demand {
+            Demand::Sticks => need.to_stick(),
+            Demand::Held => need.to_hold(),
+            _ => return Err(refused("demand", "is of loads that repeat, must be sticks or held")),
+        };
+        let need = if base == Wrench::ZERO { need } else { need.on_top_of(base) };
+        Ok(ShortAmount::from(&grasp.need(&need.with_scan(0))?.amount))
+    }
+
+    /// The amount with which the object is held, from the loss on the path of the load.
+    fn along_the_path<const C: usize>(
+        &self,
+        grasp: &Grasp<C>,
+        base: Wrench<C>,
+        load: Wrench<C>,
+    ) -> Result<Option<f64>, Error> {
+        let ramp = Ramp::load(base, load);
+        let Some((mut multiple, is_too_far)) = lost_at(&grasp.hold(&ramp)?) else { return Ok(None) };
+        if self.quantity == Quantity::Load {
+            return Ok(self.amount(multiple));
+        }
+        // A smaller squeeze makes all motions smaller.
+        if !is_too_far && multiple >= 1.0 {
+            return Ok(self.amount(multiple));
+        }
+        if is_too_far {
+            // With the squeeze that is sought the motions may be small: the loss is looked for whatever they are.
+            let mut anyhow = self.settings;
+            (anyhow.small_motions.rotation, anyhow.small_motions.slip) = (ANY_MOTION, ANY_MOTION);
+            let Some((lost, false)) = lost_at(&grasp.with(&anyhow).hold(&ramp)?) else { return Ok(None) };
+            multiple = lost;
+        }
+        let Some(amount) = self.amount(multiple) else { return Ok(None) };
+        let enough = grasp.squeezed(amount * (1.0 + BEYOND_STEPS))?.with(&self.settings.with_most_load(1.0));
+        Ok((enough.hold(&ramp)?.holds() == Some(true)).then_some(amount))
+    }
+}
+
+/// Limit of small motions that no motion reaches: 1e50 is the largest allowed.
+const ANY_MOTION: f64 = 1e50;
+/// A squeeze larger by this part is beyond the error of steps along arcs, 1e-9 by default; one where motions are no longer small is farther away.
+const BEYOND_STEPS: f64 = 1e-7;
+
+/// The multiple of the load at which it is lost from a start that holds, and whether motions are too large there.
+fn lost_at<const C: usize>(verdict: &Verdict<C>) -> Option<(f64, bool)> {
+    let starts = matches!(verdict.holding, Holding::Sticks | Holding::Slides { .. } | Holding::Lost);
+    let lost = verdict.lost.as_ref().filter(|lost| starts && lost.factor > 0.0)?;
+    Some((lost.factor, lost.too_far.is_some()))
+}
+
+fn refused(field: &'static str, fault: &'static str) -> Error {
+    Error::Question { question: "need", field, fault }
+}

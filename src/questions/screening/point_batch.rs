@@ -1,0 +1,156 @@
+//! Many scenes of equally many contacts, several side by side in each block.
+
+use super::batch_part::BatchPart;
+use super::block::{AnyScene, Block, Layout, MOST_POINTS, WideScene};
+use super::kernels::Kernels;
+use super::lanes::{LANES, Lanes, Packed};
+use super::one_grasp::write_all;
+use super::pull::Pull;
+use super::put_on::PutOn;
+use super::question::ScreeningQuestion;
+use super::screened::Screened;
+use crate::grasp::Contact;
+use crate::prelude::*;
+
+/// Many grasps of equally many contact points, two to 64 of them, to be screened: the number of points is known at run time alone.
+///
+/// The points of a [soft fingertip](crate::grasp::SoftFingertip) are contacts of one finger, which leaves where its first point does. All grasps
+/// have the same fingers with as many points each. The answers have the bits of [`Batch`](super::Batch).
+///
+/// ```
+/// use grasp_lcp::spatial::{Contact, PointBatch, Pull, SoftFingertip, Wrench};
+///
+/// // A parallel jaw with pads, which two points in space would let turn freely: it holds 2 μ N.
+/// let pad = SoftFingertip::ring(0.006, 8)?;
+/// let mut batch = PointBatch::with_capacity(16, 1);
+/// let mut points = Vec::new();
+/// for x in [-0.03, 0.03] {
+///     let jaw = Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(2e4, 1e4);
+///     points.extend(pad.contacts(&jaw.friction(0.5).pressed_with(10.0))?);
+/// }
+/// assert!(batch.push(&points));
+/// let mut onsets = Vec::new();
+/// batch.onsets_into(&[Pull::new(&Wrench::ZERO, &Wrench::force([0.0, 0.0, -1.0]))?], &mut onsets);
+/// assert!((onsets[0].factor().unwrap() - 10.0).abs() < 1e-12);
+/// assert!(onsets[0].leaving().eq([0, 1]));
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct PointBatch<const C: usize> {
+    contacts: usize,
+    /// Bit i is one if contact i is the last point of its finger, in every scene.
+    ends: u64,
+    /// The numbers of all blocks in order, laid out as in [`Block`].
+    numbers: Vec<Lanes>,
+    parted: Vec<Lanes>,
+    len: usize,
+    /// Memory for a scene before it is appended.
+    scene: Option<Box<WideScene<C>>>,
+}
+
+impl<const C: usize> PointBatch<C> {
+    /// An empty batch of grasps with this many points, with room for `grasps` of them.
+    #[must_use]
+    pub fn with_capacity(points: usize, grasps: usize) -> Self {
+        let blocks = grasps.div_ceil(LANES);
+        let sizes = [Layout::<C>::numbers(points), 2 * points];
+        let [numbers, parted] = sizes.map(|size| Vec::with_capacity(blocks * size));
+        Self { contacts: points, ends: u64::MAX, numbers, parted, len: 0, scene: None }
+    }
+
+    /// The number of grasps.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether the batch has no grasps.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Appends a grasp, whose answers have the index at which it was appended. `false`, and nothing is appended, for contacts that are malformed, that
+    /// screening does not support (see [`Fingers::new`](super::Fingers::new)), or that are not as many as those before: [`Grasp`](crate::ask::Grasp)
+    /// answers them, or names the fault.
+    pub fn push(&mut self, contacts: &[Contact<C>]) -> bool {
+        if contacts.len() != self.contacts || !(2..=MOST_POINTS).contains(&contacts.len()) {
+            return false;
+        }
+        let mut memory = self.scene.take().unwrap_or_else(|| Box::new(WideScene::new(0)));
+        let scene: &mut AnyScene<C> = &mut *memory;
+        scene.begin(contacts.len());
+        let is_written = write_all(scene, contacts).is_ok();
+        let scene = scene.block();
+        let fingers = (scene.ends << (u64::BITS as usize - contacts.len())).count_ones();
+        // A number of a lane has one bit for each finger.
+        let fits = fingers < f64::MANTISSA_DIGITS && (self.is_empty() || self.ends == scene.ends);
+        if is_written && fits {
+            self.push_scene(&scene);
+        }
+        self.scene = Some(memory);
+        is_written && fits
+    }
+
+    /// Onsets of every grasp under each of the growing loads, on one thread, ordered as in [`Batch::onsets_into`](super::Batch::onsets_into).
+    pub fn onsets_into(&self, pulls: &[Pull<C>], answers: &mut Vec<Screened>) {
+        self.parts(pulls, self.len, answers).for_each(Kernels::get().pull.many);
+    }
+
+    /// The onset of each grasp under its own growing load, on one thread. `pulls` has one load for each grasp; without as many there are no answers.
+    #[must_use]
+    pub fn own_onsets(&self, pulls: Vec<Pull<C>>) -> Vec<Screened> {
+        let mut onsets = Vec::with_capacity(pulls.len());
+        onsets.extend(PutOn { pulls, turns: false }.answers(self).iter().map(|answer| answer.first));
+        onsets
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.numbers.clear();
+        self.parted.clear();
+        self.len = 0;
+    }
+
+    /// Appends a scene.
+    pub(super) fn push_scene(&mut self, scene: &Block<'_, C, f64>) {
+        let lane = self.len % LANES;
+        self.ends = scene.ends;
+        let both = [(&mut self.numbers, scene.numbers), (&mut self.parted, scene.parted)];
+        for (numbers, of_scene) in both {
+            if lane == 0 {
+                numbers.resize(numbers.len() + of_scene.len(), Lanes::all(0.0));
+            }
+            // Unused lanes of the last block repeat the last scene.
+            let block = numbers.len() - of_scene.len();
+            for (number, of_scene) in numbers[block..].iter_mut().zip(of_scene) {
+                number.fill(lane, *of_scene);
+            }
+        }
+        self.len += 1;
+    }
+
+    /// Parts of at most `blocks` blocks, each with the slots for its answers.
+    pub(super) fn parts<'a, Q: ScreeningQuestion<C>>(
+        &'a self,
+        questions: &'a [Q],
+        blocks: usize,
+        answers: &'a mut Vec<Q::Answer>,
+    ) -> impl Iterator<Item = BatchPart<'a, C, Q>> {
+        // Every slot is written later, so that old answers need not be wiped.
+        let of_grasp = questions.len() * Q::answers(self.contacts);
+        answers.resize(self.len * of_grasp, Q::UNKNOWN);
+        let (blocks, numbers, parted) =
+            (blocks.max(1), Layout::<C>::numbers(self.contacts), 2 * self.contacts);
+        let places = answers.chunks_mut((blocks * LANES * of_grasp).max(1));
+        let parts = self.numbers.chunks(blocks * numbers).zip(self.parted.chunks(blocks * parted));
+        parts.zip(places).enumerate().map(move |(part, ((numbers, parted), answers))| BatchPart {
+            contacts: self.contacts,
+            ends: self.ends,
+            first: part * blocks * LANES,
+            numbers,
+            parted,
+            questions,
+            answers,
+        })
+    }
+}

@@ -1,0 +1,100 @@
+//! Loads that are put on the grasps of a batch, on each its own: the first slip, and how far the object turns up to the whole load.
+
+use super::answer_slots::AnswerSlots;
+use super::block::Layout;
+use super::first_exit::judge;
+use super::first_slip::SlipCode;
+use super::forces::AnyForces;
+use super::kernels::Kernels;
+use super::lanes::{Packed, dot};
+use super::moved::ObjectMotion;
+use super::point_batch::PointBatch;
+use super::pull::Pull;
+use super::question::{Room, Scenes, ScreeningQuestion};
+use super::screened::Screened;
+use super::springs::Cause;
+use super::tolerances::ON_THE_EDGE;
+use crate::contact::ZERO_SLACK;
+use crate::numerics::Vectors;
+use crate::prelude::*;
+
+/// Loads, one for each scene of a batch.
+pub(crate) struct PutOn<const C: usize> {
+    pub(crate) pulls: Vec<Pull<C>>,
+    /// Whether the rotation of the object is asked for, too.
+    pub(crate) turns: bool,
+}
+
+/// A load put on one grasp, as long as every contact sticks.
+#[derive(Clone, Copy)]
+pub(crate) struct WhileSticking {
+    pub(crate) first: Screened,
+    /// The larger rotation at rest and under the whole load, rad; NaN where it is not determined, or was not asked for.
+    pub(crate) turn: f64,
+}
+
+impl<const C: usize> PutOn<C> {
+    /// The answers for the scenes of a batch, on one thread.
+    pub(crate) fn answers(self, batch: &PointBatch<C>) -> Vec<WhileSticking> {
+        let mut answers = Vec::new();
+        if self.pulls.len() != batch.len() {
+            return answers;
+        }
+        batch.parts(&[self], batch.len(), &mut answers).for_each(Kernels::get().put_on);
+        answers
+    }
+
+    /// One component of a load in each lane.
+    #[inline(always)]
+    fn lanes<X: Packed>(&self, first: usize, component: impl Fn(&Pull<C>) -> f64) -> X {
+        let last = self.pulls.len() - 1;
+        X::of(X::each(|lane| component(&self.pulls[(first + lane).min(last)])))
+    }
+}
+
+impl<const C: usize> ScreeningQuestion<C> for PutOn<C> {
+    type Answer = WhileSticking;
+    const UNKNOWN: WhileSticking = WhileSticking { first: Screened(SlipCode::UNKNOWN), turn: f64::NAN };
+
+    #[inline(always)]
+    fn ask<V: Vectors, X: Packed>(
+        &self,
+        scenes: &Scenes<'_, V, C, X>,
+        [rates, base, _]: Room<'_, C, X>,
+        told: &mut AnswerSlots<'_, WhileSticking, X>,
+    ) {
+        let zero = X::all(0.0);
+        let [mut at_rest, mut more] = [[zero; 6]; 2];
+        for k in 0..Layout::<C>::COORDINATES {
+            at_rest[k] = self.lanes(scenes.first, |pull| pull.base.components()[k]);
+            more[k] = self.lanes(scenes.first, |pull| pull.direction.components()[k]);
+        }
+        scenes.under_lanes(&more, rates);
+        scenes.under_lanes(&at_rest, base);
+        base.add_to(scenes.block.contacts, scenes.squeezed, ON_THE_EDGE / ZERO_SLACK);
+        let first = judge(scenes.vectors, &scenes.block, base, rates);
+        let mut turn = X::all(f64::NAN);
+        if self.turns {
+            let start = scenes.turned(&at_rest, base);
+            base.add_to(scenes.block.contacts, rates, 1.0);
+            for k in 0..Layout::<C>::COORDINATES {
+                more[k] += at_rest[k];
+            }
+            // Comparisons ignore NaN; the added term carries it into the answer.
+            turn = start.max(scenes.turned(&more, base)) + zero * start;
+        }
+        let first = first.as_ref();
+        told.each(X::each(|lane| WhileSticking { first: first[lane], turn: turn.lane(lane) }));
+    }
+}
+
+impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
+    /// The angle by which the object is turned under the commands and a load, given the `forces` of both.
+    #[inline(always)]
+    fn turned(&self, load: &[X; 6], forces: &AnyForces<C, X>) -> X {
+        let mut moved = ObjectMotion::none();
+        let cause = Cause { commands: self.block.commands(), load: *load };
+        self.ready.turned(self.vectors, &self.block, &cause, forces, &mut moved);
+        dot(&moved.turn, &moved.turn).sqrt()
+    }
+}
