@@ -161,3 +161,25 @@ fn a_stack_tips_over_as_one() -> Tested {
     );
     Ok(())
 }
+
+/// A chuck of three jaws that the cutter turns too far: by symmetry the bar turns about its middle, whatever rounding leaves there.
+#[test]
+fn a_bar_turns_about_its_middle() -> Tested {
+    for tilt in [0.0, 0.3, 1.1] {
+        let jaw = |k: u32| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(k) / 3.0 + tilt).sin_cos();
+            Contact::new([0.025 * cos, 0.025 * sin], [-cos, -sin])
+                .series_stiffness(1e7, 6e6)
+                .friction(0.15)
+                .pressed_with(2e3)
+        };
+        let verdict = Grasp::new((0..3).map(jaw))?.hold(Wrench::new([0.0, 0.0], 30.0))?;
+        // 3 μ F r = 22.5 N m.
+        assert!((30.0 * verdict.held_to - 22.5).abs() < 1e-9, "{verdict}");
+        let WayOut::Turns { centre, .. } = verdict.lost.as_ref().expect("turns").way_out else {
+            panic!("{verdict}")
+        };
+        assert_eq!([centre[0], centre[1]], [0.0, 0.0], "{verdict}");
+    }
+    Ok(())
+}

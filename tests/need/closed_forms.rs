@@ -205,3 +205,16 @@ fn directions_are_not_compared_across_an_open_contact() -> Tested {
     );
     Ok(())
 }
+
+/// A bracket whose edges touch a post at a height h of each other jams where its load hangs at h / 2μ or farther. The first line has that end, too.
+#[test]
+fn a_bracket_jams_from_an_arm_on() -> Tested {
+    let edge = |x: f64, y: f64| Contact::new([x, y], [x, 0.0]).series_stiffness(1e7, 1e7).friction(0.2);
+    let bracket = Grasp::new([edge(-0.02, 0.05), edge(0.02, -0.05)])?;
+    let [here, a_metre_on] = [0.0, 1.0].map(|x| Wrench::force_at([0.0, -500.0], [x, 0.0]));
+    let needed = bracket.need(&Need::arm(here, a_metre_on - here))?;
+    let Amount::Bound { until: Some(least), .. } = &needed.amount else { panic!("{needed}") };
+    assert!((least.does - 0.1 / 0.4).abs() < 1e-9, "{needed}");
+    assert!(needed.to_string().starts_with("TAKES an arm of 0.25 m to "), "{needed}");
+    Ok(())
+}
