@@ -128,9 +128,7 @@ fn amounts(asked: (Quantity, Demand), count: usize) -> Result<(), Failure> {
     let settings = Settings::default();
     let (amounts, seconds) = timed(|| Ok(Grasp::need_batch(count, &row, asked, &settings)))?;
     let (mut off, mut compared) = (0.0_f64, 0);
-    // A greatest load under which nothing slides alone takes minutes: its search follows loads far beyond.
-    let most = if asked == (Quantity::Load, Demand::Sticks) { 0 } else { 3 };
-    for (number, amount) in amounts.into_iter().enumerate().take(most) {
+    for (number, amount) in amounts.into_iter().enumerate().take(3) {
         let mut contacts = Vec::new();
         let [_, load] = row(number, &mut contacts);
         let need = if asked.0 == Quantity::Squeeze { Need::squeeze(load) } else { Need::load(load) };
