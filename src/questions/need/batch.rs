@@ -14,6 +14,7 @@ use crate::error::Error;
 use crate::grasp::{Contact, Wrench};
 use crate::hold::{Holding, Verdict};
 use crate::load_path::Ramp;
+use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::screening::WhileSticking;
@@ -132,14 +133,49 @@ impl Asked {
         let sticking = while_sticking(rows.clone(), row, &self.settings, &|contacts, base| {
             sticks && self.is_proportional(contacts, base)
         });
+        let mut bounds: Vec<_> =
+            mapped(&sticking, &|sticking| sticking.as_ref().and_then(|one| self.while_it_sticks(one)));
+        if self.quantity == Quantity::Load {
+            self.under_the_load_sought(rows.start, row, &sticking, &mut bounds);
+        }
         let mut amounts = Vec::with_capacity(rows.len());
-        for (number, sticking) in rows.zip(sticking) {
-            amounts.push(match sticking.and_then(|sticking| self.while_it_sticks(&sticking)) {
+        for (number, bound) in rows.zip(bounds) {
+            amounts.push(match bound {
                 Some(amount) => Ok(ShortAmount::Bound(amount)),
                 None => caught(&|| self.alone(number, row)),
             });
         }
         amounts
+    }
+
+    /// Multiples of the load at which everything still sticks, where the rotation under the load given does not bound that under the multiple: the
+    /// multiple itself is put on.
+    fn under_the_load_sought<const C: usize>(
+        &self,
+        first: usize,
+        row: &RowOf<'_, C>,
+        sticking: &[Option<WhileSticking>],
+        bounds: &mut [Option<f64>],
+    ) {
+        let mut again = Vec::new();
+        for (place, sticking) in sticking.iter().enumerate().filter(|(place, _)| bounds[*place].is_none()) {
+            let multiple = sticking.as_ref().and_then(|one| one.first.factor());
+            again.extend(multiple.and_then(|multiple| self.amount(multiple)).map(|amount| (place, amount)));
+        }
+        let multiplied = |k: usize, contacts: &mut Vec<Contact<C>>| {
+            let (place, multiple) = again[k];
+            let [base, load] = row(first + place, contacts);
+            [base, load * multiple]
+        };
+        let there = while_sticking(0..again.len(), &multiplied, &self.settings, &|_, _| true);
+        for ((place, multiple), there) in again.iter().zip(there) {
+            let is_small = there.is_some_and(|there| self.is_small(there.turn));
+            bounds[*place] = is_small.then_some(*multiple);
+        }
+    }
+
+    fn is_small(&self, turn: f64) -> bool {
+        turn <= self.settings.small_motions.rotation * (1.0 - NEGLIGIBLE)
     }
 
     /// The amount with which everything sticks, if the object clearly turns within the limit of small motions there.
@@ -150,7 +186,7 @@ impl Asked {
         let [load, squeeze] =
             if self.quantity == Quantity::Squeeze { [1.0, amount] } else { [multiple, 1.0] };
         let most = turn * (load + (squeeze - load).abs());
-        (most <= self.settings.small_motions.rotation * (1.0 - NEGLIGIBLE)).then_some(amount)
+        self.is_small(most).then_some(amount)
     }
 
     /// The amount of one row.
