@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Any
+from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -65,9 +65,31 @@ class ContactState(IntEnum):
     """The row has no equilibrium."""
 
 
-@dataclass(frozen=True, eq=False)
-class Onsets:
+Status = TypeVar("Status", bound=IntEnum)
+
+
+class Counted(Generic[Status]):
+    """Answers to the rows of a batch, counted by their status."""
+
+    status: NDArray[np.uint8]
+    _statuses: ClassVar[type[Any]]
+
+    def count(self) -> dict[Status, int]:
+        """Number of rows with each status."""
+        kinds: Any = self._statuses
+        counts = np.bincount(self.status.ravel(), minlength=len(kinds))
+        return {each: int(counts[each]) for each in kinds if counts[each]}
+
+    def __repr__(self) -> str:
+        shown = ", ".join(f"{number} {each.name.lower()}" for each, number in self.count().items())
+        return f"<{type(self).__name__} {self.status.shape}: {shown}>"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Onsets(Counted[OnsetStatus]):
     """Onsets of sliding of many grasps; all arrays have the shape of the batch."""
+
+    _statuses: ClassVar[type[Any]] = OnsetStatus
 
     factor: Array
     """Factors of the directions: finite for ``LEAVES``, ``inf`` for ``NEVER``, NaN for every other status."""
@@ -81,17 +103,12 @@ class Onsets:
         """Rows that have a factor, finite or infinite."""
         return self.status <= OnsetStatus.NEVER
 
-    def count(self) -> dict[OnsetStatus, int]:
-        """Number of rows with each status."""
-        return _count(OnsetStatus, self.status)
 
-    def __repr__(self) -> str:
-        return f"<Onsets {self.status.shape}: {_shown(self.count())}>"
-
-
-@dataclass(frozen=True, eq=False)
-class Equilibria:
+@dataclass(frozen=True, eq=False, repr=False)
+class Equilibria(Counted[SolveStatus]):
     """Equilibria of many grasps. All arrays begin with the shape of the batch; numbers are NaN in rows without an equilibrium."""
+
+    _statuses: ClassVar[type[Any]] = SolveStatus
 
     status: NDArray[np.uint8]
     """The :class:`SolveStatus` of each row."""
@@ -116,22 +133,6 @@ class Equilibria:
     def answered(self) -> NDArray[np.bool_]:
         """Rows that have an equilibrium."""
         return np.equal(self.status, SolveStatus.EQUILIBRIUM)
-
-    def count(self) -> dict[SolveStatus, int]:
-        """Number of rows with each status."""
-        return _count(SolveStatus, self.status)
-
-    def __repr__(self) -> str:
-        return f"<Equilibria {self.status.shape}: {_shown(self.count())}>"
-
-
-def _count(kind: Any, status: NDArray[np.uint8]) -> dict[Any, int]:
-    counts = np.bincount(status.ravel(), minlength=len(kind))
-    return {each: int(counts[each]) for each in kind if counts[each]}
-
-
-def _shown(count: dict[Any, int]) -> str:
-    return ", ".join(f"{number} {each.name.lower()}" for each, number in count.items())
 
 
 def _axes(points: ArrayLike) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _grasp_lcp
 from ._columns import dumped
 from ._views import Array
-from .batch import Soft, _count, _shown, asked
+from .batch import Counted, Soft, asked
 
 if TYPE_CHECKING:
     from .grasp import Settings
@@ -86,26 +86,23 @@ class AmountStatus(IntEnum):
     """A number of the row is out of range; :class:`Grasp` names the number."""
 
 
-@dataclass(frozen=True, eq=False)
-class Amounts:
+@dataclass(frozen=True, eq=False, repr=False)
+class Amounts(Counted[AmountStatus]):
     """Amounts that many grasps need; all arrays have the shape of the batch."""
+
+    _statuses: ClassVar[type[Any]] = AmountStatus
 
     amount: Array
     """Multiples of the squeeze or of the load; NaN for every status but ``BOUND``."""
     status: NDArray[np.uint8]
     """The :class:`AmountStatus` of each row."""
 
-    def count(self) -> dict[AmountStatus, int]:
-        """Number of rows with each status."""
-        return _count(AmountStatus, self.status)
 
-    def __repr__(self) -> str:
-        return f"<Amounts {self.status.shape}: {_shown(self.count())}>"
-
-
-@dataclass(frozen=True, eq=False)
-class Verdicts:
+@dataclass(frozen=True, eq=False, repr=False)
+class Verdicts(Counted[VerdictStatus]):
     """Verdicts on many grasps; all arrays have the shape of the batch."""
+
+    _statuses: ClassVar[type[Any]] = VerdictStatus
 
     status: NDArray[np.uint8]
     """The :class:`VerdictStatus` of each row."""
@@ -129,13 +126,6 @@ class Verdicts:
     def answered(self) -> NDArray[np.bool_]:
         """Rows that are decided."""
         return self.status < VerdictStatus.UNDECIDED
-
-    def count(self) -> dict[VerdictStatus, int]:
-        """Number of rows with each status."""
-        return _count(VerdictStatus, self.status)
-
-    def __repr__(self) -> str:
-        return f"<Verdicts {self.status.shape}: {_shown(self.count())}>"
 
 
 def hold_batch(
@@ -190,7 +180,7 @@ def need_batch(
     load: ArrayLike,
     base: ArrayLike | None = None,
     *,
-    quantity: str = "squeeze",
+    quantity: Literal["squeeze", "load"] = "squeeze",
     sticks: bool = False,
     friction: ArrayLike = 0.0,
     series_stiffness: ArrayLike | None = None,

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use clap::Args;
 use grasp_lcp::scene::{Scene, Space};
 use grasp_lcp::touch::{Part, Unit};
+use serde_json::json;
 
 use crate::arguments::{Ask, Command, Numbers};
 use crate::asking;
@@ -121,8 +122,11 @@ impl Grip {
             let from = start(&part, at, closing, opening.map(|[opening]| opening));
             format!(
                 r#"{{ "name": "{name}", "friction": {}, "pressed_with": {force}, "touches": {{
-        "rectangle": {sides:?}, "from": {from:?}, "closing": {closing:?}, "layer": {{ "modulus": 2e6, "thickness": 0.003 }} }} }}"#,
-                self.friction
+        "rectangle": {}, "from": {}, "closing": {}, "layer": {{ "modulus": 2e6, "thickness": 0.003 }} }} }}"#,
+                self.friction,
+                json!(sides),
+                json!(from),
+                json!(closing)
             )
         };
         let (first, second) = (jaw("first", 1.0), jaw("second", -1.0));
@@ -131,7 +135,7 @@ impl Grip {
             None => (format!(r#""density": {STEEL}"#), ", and the part is of steel"),
         };
         let (unit, mass) = (&self.unit, rounded(part.mass().unwrap_or_default()));
-        let centre = centre.unwrap_or(at).map(rounded);
+        let centre = json!(centre.unwrap_or(at).map(rounded));
         let text = format!(
             r#"{{
   "format": "grasp-lcp/1",
@@ -143,7 +147,7 @@ impl Grip {
       {second}
     ],
     "questions": [
-      {{ "hold": {{ "load": {{ "mass": {mass}, "at": {centre:?} }} }} }}
+      {{ "hold": {{ "load": {{ "mass": {mass}, "at": {centre} }} }} }}
     ]
   }}
 }}

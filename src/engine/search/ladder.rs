@@ -171,8 +171,9 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. Of many coordinates it pivots on the contacts that leave the trial; then on lists of contact states, on which a
-/// pivot costs a few numbers a contact; then on a dense matrix. Facets for infinite friction come last.
+/// Lemke's method on the kinematic form. Of many coordinates it pivots on the contacts that leave the trial, then on a dense matrix, and on lists of
+/// contact states only where a matrix is too large. Of few coordinates a pivot on lists costs a few numbers a contact: lists come first. Facets for
+/// infinite friction come last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let (problem, dense) = (scene.proposing(), may_be_dense(scene));
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);

@@ -82,6 +82,7 @@ impl Setup<3> {
         }
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
+            // In space an outline is no surface.
             if self.space == Space::Planar && points_out(self.outline_around(entry), &point, &normal) {
                 warnings.push(Warning::PointsOut { contact, name: entry.contact.label_text(contact) });
             }
@@ -228,7 +229,7 @@ fn is_in_place_of(one: &Fingertip<3>, other: &Fingertip<3>, size: f64) -> bool {
     (&a.on, &a.against) == (&b.on, &b.against) && near && parallel
 }
 
-/// Whether a step along the normal leads out of the outline and a step against it leads in. Always false in space, where an outline is no surface.
+/// Whether a step along the normal leads out of an outline of the plane and a step against it leads in.
 fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVector<f64, 3>) -> bool {
     if outline.len() < 3 {
         return false;

@@ -39,8 +39,7 @@ use crate::prelude::*;
 /// | how far an onset spreads where data are not known exactly | [`robust_onset`](Self::robust_onset), [`least_onset_within`](Self::least_onset_within) |
 /// | whether any contact forces could hold it | [`statics`](Self::statics) |
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
-/// | many loads, each on a grasp of its own | [`hold_batch`](Self::hold_batch), [`need_batch`](Self::need_batch) |
-/// | many questions on all cores | [`sweep`](crate::sweep) |
+/// | many loads, each on a grasp of its own; many questions on all cores | [`hold_batch`](Self::hold_batch), [`need_batch`](Self::need_batch); [`sweep`](crate::sweep) |
 /// | the paper's quadratic program | [`energy`](Self::energy) |
 /// | any of these for another cone, or with other limits on work | [`with`](Self::with) settings |
 ///

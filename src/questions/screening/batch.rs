@@ -1,7 +1,6 @@
 //! Many grasps of equally many contacts, laid out so that several are screened at once.
 
 use super::block::AnyScene;
-
 use super::fingers::Fingers;
 use super::gradient::GradientOf;
 use super::kernels::{Kernel, Kernels};
