@@ -23,7 +23,7 @@ fn they_stand_as_a_linear_program_says() {
                 Outcome::NoEquilibrium(_) => Some(false),
                 _ => None,
             };
-            assert_eq!(told, Some(stands), "{rows} rows, {part} of {least}");
+            assert_eq!(told, Some(stands), "{rows} {part} {least}");
         }
     }
 }
@@ -35,5 +35,5 @@ fn a_house_of_two_rows_needs_as_much_friction_as_a_linear_program_says() {
     let grasp = HouseOfCards::of(rows).bodies(0.5).grasp().expect("well posed");
     let needed = grasp.need(&Need::friction(Wrench::ZERO).if_lower_by(0.0, 0.0)).expect("well posed");
     let does = needed.amount.bound().unwrap_or(f64::NAN);
-    assert!((does / least - 1.0).abs() < 1e-3, "{does} of {least}: {needed}");
+    assert!((does / least - 1.0).abs() < 1e-3, "{does} {least} {needed}");
 }

@@ -120,7 +120,7 @@ fn rows_are_told<const C: usize>(seed: u64, scenes: usize) {
             .collect();
         let Some(margin) = closure_margin(&maps) else { continue };
         if margin.abs() > 1e-6 || !closed {
-            assert_eq!(closed, margin > 1e-6, "{count} bodies, margin {margin}: {touches:?}");
+            assert_eq!(closed, margin > 1e-6, "{count} {margin} {touches:?}");
             counts[usize::from(closed)] += 1;
         }
     }
@@ -155,7 +155,7 @@ fn what_moves_is_named() {
     let Closure::Open { bodies, .. } =
         bodies.grasp().expect("well posed").statics().force_closure().expect("no hand")
     else {
-        panic!("the lid may go up")
+        panic!("the lid rises")
     };
     let speed = |k: usize| bodies[k].twist.components().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     assert!(speed(0) < 1e-9 && speed(1) > 0.1 && &*bodies[1].body == "lid", "{bodies:?}");

@@ -21,10 +21,10 @@ fn two_bodies_are_decided() {
             (Census::Narrow, _) => narrow += 1,
             (Census::Held(0), Outcome::NoEquilibrium(_)) => lost += 1,
             (Census::Held(1..), Outcome::Equilibrium(_)) => held += 1,
-            (census, outcome) => panic!("{census:?}, and the answer is {outcome}: {stack:?}"),
+            (census, outcome) => panic!("{census:?} {outcome} {stack:?}"),
         }
     }
     println!("{held} held, {lost} lost, {narrow} too near to tell");
     assert_met(&[(held, 83), (lost, 33)]);
-    assert!(narrow < samples(17), "{held} held, {lost} lost, {narrow} too near");
+    assert!(narrow < samples(17), "{held} {lost} {narrow}");
 }

@@ -14,12 +14,11 @@ fn piles_of_boxes_are_decided() {
             let Some(pile) = boxes(&mut random, count, fingers) else { continue };
             let verdict =
                 pile.bodies.clone().grasp().expect("well posed").hold(pile.load).expect("well posed");
-            let holds =
-                verdict.holds().unwrap_or_else(|| panic!("{count} boxes, {fingers}, {number}: {verdict}"));
+            let holds = verdict.holds().unwrap_or_else(|| panic!("{fingers} {number}: {verdict}"));
             if holds {
                 let state = verdict.state.as_ref().expect("holds");
                 let off = pile.violation(state);
-                assert!(off < 1e-12, "{count} boxes, {fingers}, {number}: off by {off:e}");
+                assert!(off < 1e-12, "{fingers} {number}: {off:e}");
             }
             held += usize::from(holds);
             asked += 1;

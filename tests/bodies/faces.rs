@@ -22,5 +22,5 @@ pub(crate) fn lost_at(bodies: Bodies, load: Wrench) -> f64 {
 
 /// The same to 1e-12 of it.
 pub(crate) fn assert_close(x: f64, exact: f64) {
-    assert!((x / exact - 1.0).abs() < 1e-12, "{x} in place of {exact}");
+    assert!((x / exact - 1.0).abs() < 1e-12, "{x} {exact}");
 }

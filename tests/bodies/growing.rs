@@ -30,7 +30,7 @@ fn boxes_that_are_pulled_apart() {
             boxes().growing_together(&pull(p, 0.01), [("upper", pull(-q, 0.21))]).expect("well posed");
         let verdict = grasp.hold(pull(p, 0.01)).expect("well posed");
         let factor = verdict.lost.as_ref().unwrap_or_else(|| panic!("{verdict}")).factor;
-        assert!((factor - lost).abs() < 1e-12, "{factor} in place of {lost}");
+        assert!((factor - lost).abs() < 1e-12, "{factor} {lost}");
     }
 }
 
@@ -49,7 +49,7 @@ fn every_question_takes_multiples() {
     assert!((across(0..2) + 5.0 * event.factor).abs() < 1e-12);
     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(one)]).expect("well posed");
     path.run();
-    let loss = path.end().and_then(|end| end.loss()).expect("the upper box slides");
+    let loss = path.end().and_then(|end| end.loss()).unwrap();
     assert!((loss.fraction - 0.6).abs() < 1e-12);
 }
 

@@ -48,7 +48,7 @@ fn the_top_brick_of_a_wall_slides_first() {
             let grounds = (row..rows).map(|row| 2 * row + 1);
             let carried = grounds.chain([2 * row]).map(of).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
             let off = (carried[1] - weight).abs().max((carried[0] + 5.0).abs());
-            assert!(off < 1e-12 * weight, "{rows}, {row}: {carried:?} of {weight}");
+            assert!(off < 1e-12 * weight, "{row}: {carried:?} {weight}");
         }
     }
 }
@@ -77,7 +77,7 @@ fn the_top_brick_of_a_wall_in_space_slides_first() {
         }
         let weight = 2.0 * 9.81 * (rows * rows) as f64;
         let off = [on_ground[0] + 5.0, on_ground[1], on_ground[2] - weight];
-        assert!(off.iter().all(|x| x.abs() < 1e-11 * weight), "{on_ground:?} of {weight}");
+        assert!(off.iter().all(|x| x.abs() < 1e-11 * weight), "{on_ground:?} {weight}");
     }
 }
 
@@ -94,7 +94,7 @@ fn a_long_row_of_books_is_carried() {
         let faces = sums(&grasp, (&Wrench::ZERO, 0.5), |[x, _]| nearest(x, 0.03));
         for (face, [x, y]) in faces.iter().enumerate().take(count) {
             let carried = faces[0][1] - 9.81 * face as f64;
-            assert!((y - carried).abs() < 1e-12 * weight, "{count}, {face}: {y} of {carried}");
+            assert!((y - carried).abs() < 1e-12 * weight, "{count} {face} {y} {carried}");
             assert!((x - faces[0][0]).abs() < 1e-12 * faces[0][0], "{count}, {face}: {x}");
         }
     }

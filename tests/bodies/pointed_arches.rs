@@ -52,7 +52,7 @@ fn pointed_arches_stand_as_long_as_their_line_of_thrust_does() {
         let least = arch.least_thickness();
         for (part, expected) in [(1.0 - 1e-6, false), (1.0 + 1e-6, true)] {
             arch.thickness = part * least;
-            assert_eq!(stands(&arch, 10.0), expected, "{arch:?}: {part} of {least}");
+            assert_eq!(stands(&arch, 10.0), expected, "{arch:?} {part} {least}");
         }
     }
 }

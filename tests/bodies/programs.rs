@@ -32,14 +32,14 @@ fn one_after_the_other_and_together() {
         let legs = [Leg::body_load_to("upper", pull(-back, 0.21)), Leg::load_to(pull(20.0, 0.01))];
         let mut path = boxes.follow(Wrench::ZERO, &legs).expect("well posed");
         path.run();
-        let end = path.end().and_then(|end| end.loss()).expect("slides on the table");
+        let end = path.end().and_then(|end| end.loss()).unwrap();
         assert_eq!(end.leg, 1);
         assert!((end.load.resultant()[0] - lost).abs() < 1e-12, "{:?}", end.load);
     }
     let both = [Leg::load_to(pull(10.0, 0.01)).and_body_load_to("upper", pull(-5.0, 0.21))];
     let mut path = boxes.follow(Wrench::ZERO, &both).expect("well posed");
     path.run();
-    let end = path.end().and_then(|end| end.loss()).expect("the upper box slides");
+    let end = path.end().and_then(|end| end.loss()).unwrap();
     assert!((end.fraction - 0.6).abs() < 1e-12, "{}", end.fraction);
 }
 
@@ -64,12 +64,12 @@ fn states_know_the_loads_of_bodies() {
         let state = at(leg, fraction);
         assert!(state.residuals.worst() < 1e-14, "{leg} at {fraction}: {}", state.residuals.worst());
         let left = out_of_balance(&state, load + lower, upper);
-        assert!(left < 1e-13 * 30.0, "{leg} at {fraction}: {left} N");
+        assert!(left < 1e-13 * 30.0, "{leg} {fraction} {left}");
         let told: Vec<_> = state.body_loads.iter().map(|on| (&*on.body, on.load)).collect();
         let near = |a: &Wrench, b: &Wrench| (*a - *b).components().iter().all(|x| x.abs() < 1e-14);
         for (name, load) in [("lower", lower), ("upper", upper)] {
             let found = told.iter().find(|(body, _)| *body == name).map_or(Wrench::ZERO, |(_, load)| *load);
-            assert!(near(&found, &load), "{leg} at {fraction}, {name}: {found:?}");
+            assert!(near(&found, &load), "{fraction} {name}: {found:?}");
         }
         // The accuracy is computed anew from all that acts.
         let accuracy = boxes.accuracy(&state).expect("of this grasp");

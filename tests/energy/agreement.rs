@@ -87,7 +87,7 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
         }
         prop_assert_eq!(comparison.verdict, ComparisonVerdict::Agree);
         prop_assert_eq!(minimum.out_of_balance(), (0.0, 0.0));
-        let difference = comparison.difference.expect("both have an answer");
+        let difference = comparison.difference.unwrap();
         raise(&worst.complementarity, difference.relative());
         let forces: Vec<_> = minimum.contacts.iter().map(|c| c.force).collect();
         let truth = sticking::forces(&scene).expect("balances");
@@ -173,12 +173,12 @@ fn same_minimum<const D: usize, const C: usize>(
         let size = printed.constant + minimum.stored_energy + (value - minimum.stored_energy).abs();
         let close = |x: &DVector<f64>, tolerance: f64, what: &str| {
             let apart = (printed.program.value(x) + printed.constant - value).abs();
-            prop_assert!(apart <= tolerance * size, "{what}: energies {apart} of {size}");
+            prop_assert!(apart <= tolerance * size, "{what} {apart} {size}");
             for (i, (c, datum)) in minimum.contacts.iter().zip(&scene.contacts).enumerate() {
                 // Where the energy is ε above its minimum, ½ ΔF·K⁻¹ΔF <= ε.
                 let change = printed.force(x, i) - c.force;
                 let energy = 0.5 * change.component_div(&datum.stiffness).dot(&change);
-                prop_assert!(energy <= 4.0 * tolerance * size, "{what}, contact {i}: {energy} of {size}");
+                prop_assert!(energy <= 4.0 * tolerance * size, "{what} {i} {energy} {size}");
             }
             Ok(())
         };

@@ -26,7 +26,7 @@ fn refused<const C: usize>(
     value: f64,
     allowed: &str,
 ) {
-    assert!(Grasp::<C>::new(contacts.clone()).is_ok(), "the unbroken grasp is valid");
+    assert!(Grasp::<C>::new(contacts.clone()).is_ok());
     contacts[1] = broken(contacts[1].clone());
     let error = Grasp::<C>::new(contacts).expect_err("the broken grasp is refused");
     match &error {
@@ -36,10 +36,10 @@ fn refused<const C: usize>(
                 ContactLabel { index: 1, point: None, name: Some("thumb".into()), link: None }
             );
             assert_eq!(*named, field);
-            assert!(equal_or_both_nan(*shown, value), "{error}: shows {shown}, was given {value}");
+            assert!(equal_or_both_nan(*shown, value), "{error} {shown} {value}");
             assert_eq!(*said, allowed);
         }
-        other => panic!("not the fault of a contact: {other}"),
+        other => panic!("{other}"),
     }
     assert_eq!(error.to_string(), format!("contact 1 (thumb): {field} is {value}, must be {allowed}"));
 }

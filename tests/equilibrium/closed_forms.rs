@@ -120,7 +120,7 @@ fn spatial_three_finger_pinch_has_a_quadratic_onset() {
     let event = onset.event().expect("finite onset");
     let exact = mu * k * a / (w / 3.0).hypot(m / (3.0 * radius));
     assert_close!(event.factor, exact);
-    assert_eq!(event.leaving.len(), 3, "all three at once");
+    assert_eq!(event.leaving.len(), 3);
     // Inscribed polygons come from below with an error of at most 1 - cos(π/m), circumscribed ones from above.
     for facets in [4, 8, 16, 64] {
         let half = (std::f64::consts::PI / f64::from(facets)).cos();
@@ -172,7 +172,7 @@ fn spatial_pinch_turns_freely_about_its_line() {
     assert_eq!(state.free_motions.len(), 1);
     let turn = state.free_motions[0].object.rotation();
     assert!(turn[0].abs() > 0.5 && turn[1].abs() < TIGHT && turn[2].abs() < TIGHT);
-    assert!(state.twist.rotation().iter().all(|r| r.abs() < TIGHT), "least norm: no turn");
+    assert!(state.twist.rotation().iter().all(|r| r.abs() < TIGHT));
     assert_close!(state.contacts[0].force_world[1], -0.5);
     assert_close!(state.contacts[1].force_world[2], 1.0);
     // A moment about it is not.

@@ -61,8 +61,8 @@ fn in_proportion<const D: usize, const C: usize>(count: std::ops::Range<usize>, 
             most = most.max(largest_change(answer, other) / (PART * largest));
         }
         compared.set(compared.get() + 1);
-        prop_assert!(most <= 10.0 * condition, "changes by {most}, condition {condition}");
-        prop_assert!(condition <= 30.0 * most, "changes by {most}, condition {condition}");
+        prop_assert!(most <= 10.0 * condition, "{most} {condition}");
+        prop_assert!(condition <= 30.0 * most, "{most} {condition}");
         Ok(())
     });
     assert_met(&[(compared.get(), 30)]);

@@ -146,7 +146,7 @@ fn carried_along<const D: usize, const C: usize>(
         .map(|(f, u)| (transform.force_back(f), transform.displacement_back(u)))
         .collect();
     let off = distance(scene, &e, &back);
-    prop_assert!(off <= AGREEMENT, "off by {off:e}\n{e:?}\n{image:?}");
+    prop_assert!(off <= AGREEMENT, "{off:e} {e:?} {image:?}");
     tally.count(&e);
     Ok(())
 }
@@ -184,7 +184,7 @@ fn check_split<const D: usize, const C: usize>(
     let mut joined: Picture<C> = halves[..scene.contacts.len()].to_vec();
     joined[0].0 += last.0;
     let off = distance(scene, &e, &joined);
-    prop_assert!(off <= AGREEMENT, "off by {off:e}\n{e:?}\n{halves:?}");
+    prop_assert!(off <= AGREEMENT, "{off:e} {e:?} {halves:?}");
     tally.count(&e);
     Ok(())
 }

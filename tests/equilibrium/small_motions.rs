@@ -41,7 +41,7 @@ fn in_space_about_any_axis() -> Result<(), grasp_lcp::Error> {
             let twisting = axis.map(|x| 2.0 * moment(angle) * x);
             let outcome = grasp.solve(spatial::Wrench::new([40.0, 0.0, 0.0], twisting))?;
             let state = outcome.equilibrium().expect("springs that pull");
-            assert_eq!(state.is_beyond_small_motions(), far, "{angle} rad about {axis:?}");
+            assert_eq!(state.is_beyond_small_motions(), far, "{angle} {axis:?}");
         }
     }
     Ok(())

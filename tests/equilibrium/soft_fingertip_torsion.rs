@@ -36,7 +36,7 @@ fn a_pinch_no_longer_turns_freely() {
         let pushed = pushed.equilibrium().expect("within friction");
         assert!(pushed.free_motions.is_empty());
         let (a, b) = (pushed.twist.to_vector(), by_points.twist.to_vector());
-        assert!((a - b).rows(0, 3).norm() < 1e-13 * b.rows(0, 3).norm(), "as stiff as one contact: {a} {b}");
+        assert!((a - b).rows(0, 3).norm() < 1e-13 * b.rows(0, 3).norm(), "{a} {b}");
         let onset = grasp.onset(spin(1.0)).unwrap();
         let event = onset.event().expect("friction is finite");
         assert_relatively_close!(event.factor, 2.0 * MU * N * square * R);
@@ -52,7 +52,7 @@ fn a_pinch_no_longer_turns_freely() {
         if mean == 1.0 {
             assert_eq!(rim.len(), grasp.len());
             let beyond = grasp.beyond(event).expect("its own event");
-            assert!(!matches!(beyond, Beyond::Continues(_)), "all friction is used: {beyond:?}");
+            assert!(!matches!(beyond, Beyond::Continues(_)), "{beyond:?}");
         }
     }
 }
@@ -183,7 +183,7 @@ fn the_moment_between_onset_and_limit_converges() {
         (1..=4000).map(|i| difference(f64::from(i) / 4000.0)).fold(0.0, f64::max)
     });
     for (found, said) in worst.into_iter().zip([0.041, 0.0163, 0.0056]) {
-        assert!(found < said && found > 0.97 * said, "the docs say {said}, it is {found}");
+        assert!(found < said && found > 0.97 * said, "{said} {found}");
     }
     assert!(worst.windows(2).skip(2).all(|w| w[0] / w[1] > 3.5 && w[0] / w[1] < 4.1), "{worst:?}");
 }

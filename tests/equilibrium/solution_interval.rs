@@ -90,20 +90,14 @@ fn a_twist_that_friction_leaves_open_is_told_with_its_line() {
             continue;
         }
         told += 1;
-        let motion = found
-            .free_motions
-            .first()
-            .unwrap_or_else(|| panic!("{number}: told as unique, {:?}", found.twist));
+        let motion = found.free_motions.first().unwrap_or_else(|| panic!("{number} {:?}", found.twist));
         let [v, q] = [motion.object.to_vector(), found.twist.to_vector()].map(<[f64; 3]>::from);
         let size = dot(v, v).sqrt() * dot(line, line).sqrt();
-        assert!(
-            dot(cross(v, line), cross(v, line)).sqrt() < 1e-9 * size,
-            "{number}: {v:?} is not along {line:?}"
-        );
+        assert!(dot(cross(v, line), cross(v, line)).sqrt() < 1e-9 * size, "{number} {v:?} {line:?}");
         let along: [f64; 3] = std::array::from_fn(|k| q[k] - point[k]);
         let z = dot(along, line) / dot(line, line);
         let room = 1e-9 * (1.0 + to.min(1e3) - from.max(-1e3));
-        assert!(z > from - room && z < to + room, "{number}: {z} is not between {from} and {to}");
+        assert!(z > from - room && z < to + room, "{number} {z} {from} {to}");
     }
     assert_met(&[(told, 13)]);
 }

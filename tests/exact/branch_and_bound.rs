@@ -122,9 +122,9 @@ fn every_load_beyond_the_onset_is_decided() {
                             assert!(checked >= 0.5 * escape, "{checked:e} {escape:e}");
                         }
                         let balanced = attack(&fingers, &load, &mut numbers);
-                        assert!(!balanced, "there is an equilibrium: {count} fingers, {part}");
+                        assert!(!balanced, "{count} {part}");
                     }
-                    other => panic!("{count} fingers, {part} times the onset: {other:?}"),
+                    other => panic!("{count} {part} {other:?}"),
                 }
             }
         }
@@ -195,7 +195,7 @@ fn no_proof_contradicts_an_equilibrium() {
         let proof = grasp.refutation(load).unwrap();
         held += usize::from(outcome.equilibrium().is_some());
         refuted += usize::from(proof.is_some());
-        assert!(outcome.equilibrium().is_none() || proof.is_none(), "scene {scene}: {grasp:?}, {load:?}");
+        assert!(outcome.equilibrium().is_none() || proof.is_none(), "{scene} {grasp:?} {load:?}");
     }
     println!("{held} held, {refuted} refuted");
     assert_met(&[(held, 25), (refuted, 5)]);

@@ -240,7 +240,7 @@ impl Tally {
     /// Every kind of scene and every rung must have come up in at least this share of the scenes, in per cent.
     fn assert_often_enough(&self, shares: &[(&str, usize, usize)]) {
         for &(what, count, share) in shares {
-            assert!(100 * count >= share * samples(SCENES), "only {count} scenes: {what}\n{self:?}");
+            assert!(100 * count >= share * samples(SCENES), "{count} {what} {self:?}");
         }
     }
 

@@ -190,7 +190,7 @@ fn onsets_and_forces_are_right_to_the_last_digits() {
                 worst = worst.max((value.float() / slope.float() / event.factor).abs());
                 onsets += 1;
             } else {
-                assert!(!value.is_negative(), "{number}: contact {i} left before");
+                assert!(!value.is_negative(), "{number} {i}");
             }
         }
     }

@@ -94,7 +94,7 @@ fn onset_gradients_are_those_of_small_changes_too() {
             let told =
                 [&gradient.joint_command, &gradient.joint_stiffness, &gradient.joint_limit][kind][joint];
             let size = event.factor / data[kind][joint];
-            assert!((told - measured).abs() < 1e-7 * size, "{kind} {joint}: {told} {measured}");
+            assert!((told - measured).abs() < 1e-7 * size, "{kind} {told} {measured}");
         }
     }
 }

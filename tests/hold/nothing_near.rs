@@ -42,7 +42,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
         lost_ones += 1;
         let Some(near) = lost.nothing_near else { continue };
         proofs += 1;
-        let state = lost.state.as_ref().expect("it was followed to there");
+        let state = lost.state.as_ref().unwrap();
         let centroid = grasp.contacts().iter().map(Contact::point).sum::<Vector2<f64>>() / grasp.len() as f64;
         let size = load.to_vector().norm();
         for trial in 0..40 {
@@ -57,7 +57,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
                 + Vector3::new(moved[0] + turn * centroid[1], moved[1] - turn * centroid[0], turn);
             let left = least_unbalance(&grasp, &load, &q) / size;
             closest = closest.min(left);
-            assert!(left > 1e-9, "{left} of the load is left at {q}");
+            assert!(left > 1e-9, "{left} {q}");
         }
         // Who looks for an equilibrium from scratch finds none there, either.
         if let Some(found) = grasp.solve(load)?.equilibrium() {
@@ -68,8 +68,8 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
         }
     }
     assert_met(&[(proofs * 40, 1666)]);
-    assert!(proofs * 10 >= lost_ones * 9, "{proofs} of {lost_ones}");
-    assert!(closest < 0.1, "the attack comes near the rim: {closest}");
+    assert!(proofs * 10 >= lost_ones * 9, "{proofs} {lost_ones}");
+    assert!(closest < 0.1, "{closest}");
     Ok(())
 }
 

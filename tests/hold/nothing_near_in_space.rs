@@ -155,12 +155,12 @@ fn newton_finds_no_balance_within_the_radius() -> Result<(), grasp_lcp::Error> {
             }
             let left = least(&touches, &w, &(at + by), 10 * SWEEPS).0.norm() / scaled(w).norm();
             closest = closest.min(left);
-            assert!(left > 1e-9, "{left} of the load is left at {by}");
+            assert!(left > 1e-9, "{left} {by}");
         }
     }
     assert!(proofs.iter().all(|count| *count >= grasps / 5), "{proofs:?} proofs");
     println!("{attacks} attacks on {proofs:?} proofs come as near as {closest}");
     // An attack that leaves half of the load everywhere would say nothing of the proof.
-    assert!(closest < 0.5, "attacks come too little near: {closest}");
+    assert!(closest < 0.5, "{closest}");
     Ok(())
 }

@@ -56,7 +56,7 @@ fn a_path_ends_where_the_lip_is_open_all_around() -> Tested {
 fn a_path_does_not_begin_there() -> Tested {
     let beam = beam()?;
     let path = beam.follow(hanging(1.01 * OPENS), &[Leg::load_to(Wrench::ZERO)])?;
-    let loss = path.end().and_then(PathEnd::loss).expect("it has let go before");
+    let loss = path.end().and_then(PathEnd::loss).unwrap();
     assert_eq!((loss.kind, path.place()), (LossKind::LetsGo, (0, 0.0)));
     Ok(())
 }
@@ -66,7 +66,7 @@ fn an_equilibrium_there_says_that_it_is_none() -> Tested {
     let beam = beam()?;
     for (weight, open) in [(0.99 * OPENS, false), (1.01 * OPENS, true)] {
         let outcome = beam.solve(hanging(weight))?;
-        let Outcome::Equilibrium(state) = &outcome else { panic!("with its vacuum it would hold") };
+        let Outcome::Equilibrium(state) = &outcome else { panic!("{outcome}") };
         let names: Vec<_> = state.open_cups.iter().map(|cup| cup.label.as_str()).collect();
         assert_eq!(names, if open { vec!["near"] } else { Vec::new() });
         let warns =
@@ -105,7 +105,7 @@ fn a_verdict_that_begins_there_lets_go_at_nothing() -> Tested {
     let verdict =
         beam()?.hold(grasp_lcp::planar::Ramp::load(hanging(1.01 * OPENS), Wrench::force([0.0, 1.0])))?;
     assert!(matches!(verdict.holding, Holding::Lost), "{verdict}");
-    let lost = verdict.lost.expect("it has let go before");
+    let lost = verdict.lost.unwrap();
     assert!(
         lost.factor == 0.0 && matches!(lost.way_out, WayOut::LetsGo { .. }) && lost.nothing_near.is_none()
     );

@@ -10,7 +10,7 @@ const DRAWS: usize = 120;
 fn is_as_said(name: &str, unknowns: usize, percent: impl Fn(usize) -> f64) {
     for unknown in 0..unknowns {
         let percent = percent(unknown);
-        assert!((90.0..=99.0).contains(&percent), "{name}, unknown {unknown}: {percent} %");
+        assert!((90.0..=99.0).contains(&percent), "{name} {unknown} {percent}");
     }
 }
 

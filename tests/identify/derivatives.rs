@@ -47,7 +47,7 @@ fn compare(number: usize, lost: &Lost<'_>, told: &Told<'_>, count: &mut Count) -
             if !edge && slope.abs() > FLAT {
                 count.compared += 1;
                 let off = (told / slope.abs() - 1.0).abs();
-                assert!(off < 1e-6, "{told} {slope}: contact {contact}, kind {kind}, {beside:?}");
+                assert!(off < 1e-6, "{told} {slope} {kind}");
             }
         }
     }

@@ -43,7 +43,7 @@ fn starts_from_anywhere_reach_the_best_of_a_grid() {
         let question = Improve::new(loads()).along(0, disc()).along(1, disc()).along(2, disc());
         let improved = given.improve(&question.with_seed(start as u64)).expect("asked well");
         let reached = improved.after.expect("some start sticks");
-        assert!(reached >= best - 1e-6, "start {start}: {reached} below {best}: {improved}");
+        assert!(reached >= best - 1e-6, "{start}: {reached} {best}");
         let again = first_slip(&improved.placed(&given).expect("three contacts"));
         assert!((again - reached).abs() < 1e-12 * reached, "{again} {reached}");
     }

@@ -127,7 +127,7 @@ fn no_move_gains<const C: usize>(
     }
     println!("{asked} moves, {lose} lose, at most {most:e}: {improved}");
     assert_met(&[(asked, 30), (lose, 20)]);
-    assert!(most < NOTHING, "{asked} {lose} {most:e}: {improved}");
+    assert!(most < NOTHING, "{asked} {lose} {most:e}");
 }
 
 #[test]

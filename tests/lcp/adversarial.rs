@@ -302,7 +302,7 @@ fn no_answer_says_more_than_is_known() {
             let mut others = Tally::default();
             for (k, outcome) in outcomes.iter().enumerate() {
                 if let Err(fault) = judge(&lcp, outcome, if k == 0 { &mut tally } else { &mut others }) {
-                    panic!("{fault} of {family:?}: {lcp:?} {outcome:?}");
+                    panic!("{fault}: {lcp:?} {outcome:?}");
                 }
             }
         }

@@ -29,7 +29,7 @@ fn a_workspace_that_has_held_the_largest_problem_allocates_nothing() {
             pivots += solution.pivots;
         }
     });
-    assert!(pivots > 2000, "{pivots} pivots: too few to say anything");
+    assert!(pivots > 2000, "{pivots}");
     assert_eq!(counted.count_total, 0);
 }
 
@@ -50,6 +50,6 @@ fn a_series_allocates_nothing_from_its_third_problem_on() {
         });
         allocations.push(counted.count_total);
     }
-    assert!(pivots > 200, "{pivots} pivots: too few to say anything");
+    assert!(pivots > 200, "{pivots}");
     assert!(allocations[2..].iter().all(|count| *count == 0), "{allocations:?}");
 }

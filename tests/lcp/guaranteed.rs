@@ -28,7 +28,7 @@ fn semidefinite_problems_with_a_planted_solution_are_solved() {
             Outcome::Solved(solution) => {
                 assert!(solution.residuals.within(1e-12), "{:?}", solution.residuals);
             }
-            other => panic!("trial {trial}, n = {n}, rank {rank}: {other:?}"),
+            other => panic!("{trial} {n} {rank} {other:?}"),
         }
     }
 }
@@ -98,7 +98,7 @@ fn frictional_contacts_on_a_compliant_body_are_solved() {
             Outcome::Solved(solution) => {
                 assert!(solution.residuals.within(1e-12), "{:?}", solution.residuals);
             }
-            other => panic!("trial {trial}, {contacts} contacts: {other:?}"),
+            other => panic!("{trial} {contacts} {other:?}"),
         }
     }
 }

@@ -101,7 +101,7 @@ fn series_and_warm_starts_find_the_cold_solutions() {
             let lcp = Lcp::new(m.clone(), q.clone()).unwrap();
             let cold = solution(&lcp);
             let OutcomeView::Solved(view) = series.solve(&q).unwrap() else { panic!("positive definite") };
-            assert_eq!(*view.basis, cold.basis, "trial {trial}, step {step}");
+            assert_eq!(*view.basis, cold.basis, "{trial} {step}");
             assert!(view.residuals.within(1e-13));
             let Outcome::Solved(warm) = lcp.solve_from(&basis, &Settings::default()) else {
                 panic!("definite")

@@ -42,7 +42,7 @@ fn small_problems_end_as_exact_arithmetic_says() {
                 assert!(lcp.proves_infeasible(&certificate.y), "{source}");
             }
             (Outcome::NoBasis { .. }, Known::Without) => {}
-            (outcome, known) => panic!("{source}: {known:?} but {outcome:?}"),
+            (outcome, known) => panic!("{source} {known:?} {outcome:?}"),
         }
     }
 }
@@ -185,7 +185,7 @@ fn american_put() {
         q[0] -= 0.5 * sigma * sigma * dt - 0.5 * rate * dt;
         let solution = solved("put", &Lcp::new(operator.clone(), q).unwrap());
         let next = &payoff + &solution.z;
-        assert!((&next - &value).min() > -1e-12, "an American option gains with time to run, step {step}");
+        assert!((&next - &value).min() > -1e-12, "{step}");
         value = next;
     }
 }

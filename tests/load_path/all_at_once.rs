@@ -42,7 +42,7 @@ fn ends_at_the_limit<const C: usize>(
     }
     let legs = [grasp_lcp::load_path::Leg::load_to(limit * OVERLOAD)];
     let mut path = grasp.follow(nothing, &legs).expect("a finite load");
-    assert_eq!(path.by_ref().count(), 0, "everything leaves at the end");
+    assert_eq!(path.by_ref().count(), 0);
     let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{:?}", path.end()) };
     assert!((loss.fraction * OVERLOAD - 1.0).abs() < 1e-12, "{}", loss.fraction);
     assert_eq!((loss.kind, loss.contacts.len()), (LossKind::Corner, grasp.len()));

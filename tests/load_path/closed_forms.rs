@@ -56,7 +56,7 @@ fn a_wedge_locks_at_its_angle() {
             expected.push((1, 1.0 - pulls_out / w1, vec![(0, "slides"), (1, "slides")]));
             let left = rest.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
             // Near the locking angle a rounding of the load is a force larger by the inverse of the distance.
-            assert!(left < 1e-14 * w1 / (tan - mu), "{mu}: it comes out by itself, {left}");
+            assert!(left < 1e-14 * w1 / (tan - mu), "{mu} {left}");
         } else {
             // W = 0: N s + T c = 0 after the whole of W₁ has been taken back at the sticking stiffness.
             let n = n1 - k * s * w1 / (2.0 * (k * s * s + kt * c * c));
@@ -97,7 +97,7 @@ fn a_wedge_at_its_locking_angle() {
         let legs = [w1, 0.0, then].map(|w| planar::Leg::load_to(down(w)));
         let mut path = grasp.follow(down(0.0), &legs).unwrap();
         path.run();
-        let unloaded = path.state_at(1, 1.0 - 1e-13).expect("held until the load is gone");
+        let unloaded = path.state_at(1, 1.0 - 1e-13).unwrap();
         for contact in &unloaded.contacts[..2] {
             assert_close!(contact.normal_force(), n);
             assert_close!(contact.friction_force(), mu * n);
@@ -234,7 +234,7 @@ fn frictionless_supports_open_one_by_one_and_close_again() {
             out.push((m as usize, e / reach));
         }
     }
-    assert_eq!(out.len(), 4, "all but the last two let go");
+    assert_eq!(out.len(), 4);
     let mut expected: Vec<_> = out.iter().map(|&(m, f)| (0, f, vec![(m, "opens")])).collect();
     expected.extend(out.iter().rev().map(|&(m, f)| (1, 1.0 - f, vec![(m, "closes")])));
     assert_story(&events, &expected);

@@ -52,7 +52,7 @@ fn energy_balances<const D: usize, const C: usize>(
         let stored = end.1.stored_energy - first.1.stored_energy;
         turnover += end.1.stored_energy + first.1.stored_energy;
         let excess = load_work + finger_work - stored - heat;
-        prop_assert!(excess.abs() <= 1e-12 * turnover, "leg {leg}: {excess:e} of {turnover}");
+        prop_assert!(excess.abs() <= 1e-12 * turnover, "{leg} {excess:e} {turnover}");
         let told = path.energies()[leg];
         prop_assert!(told.residual().abs() <= 1e-12, "leg {leg}: {told:?}");
         prop_assert!(told.dissipated >= -1e-12 * turnover, "leg {leg}: {told:?}");
@@ -63,7 +63,7 @@ fn energy_balances<const D: usize, const C: usize>(
             (told.dissipated, heat),
         ];
         for (told, here) in pairs {
-            prop_assert!((told - here).abs() <= 1e-11 * turnover, "leg {leg}: {told} against {here}");
+            prop_assert!((told - here).abs() <= 1e-11 * turnover, "{leg} {told} {here}");
         }
         tally.checked += usize::from(heat > 1e-6 * turnover);
     }

@@ -155,7 +155,7 @@ fn a_table_lifts_its_feet_and_tips() {
     assert_eq!((loss.leg, &numbers(&loss.contacts)[..]), (2, &[1, 3][..]));
     assert_close!(loss.fraction, 1.0 / 1.25);
     let work: f64 = path.energies()[..2].iter().map(|e| e.load_work).sum();
-    assert!(work.abs() < 1e-13, "no friction, no loss: {work}");
+    assert!(work.abs() < 1e-13, "{work}");
 }
 
 /// A weight along the axis of a grip. Fingers of one friction all slide at once: onset and limit are w = n μN. With frictions of their own they slide one

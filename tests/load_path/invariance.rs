@@ -78,7 +78,7 @@ fn tells_the_same<const D: usize, const C: usize>(
             prop_assert!(j == i && discriminant(*x) == discriminant(y), "{both}");
             if let (Some(x), Some(y)) = (direction(x), direction(y)) {
                 let apart = (view.direction(&x) - y).norm();
-                prop_assert!(apart <= 1e-9, "directions {apart:e} apart, {both}");
+                prop_assert!(apart <= 1e-9, "{apart:e} {both}");
             }
         }
         prop_assert_eq!(a.free_motions.len(), b.free_motions.len(), "{}", both);

@@ -47,12 +47,12 @@ fn law_holds<const D: usize, const C: usize>(
     tally.count(&events, &path);
     for event in &events {
         let breach = scene.breach(event.leg, event.fraction, &event.state);
-        prop_assert!(breach <= 1e-12, "{breach:e} at the event {} {}", event.leg, event.fraction);
+        prop_assert!(breach <= 1e-12, "{breach:e} {} {}", event.leg, event.fraction);
     }
     for piece in sampled(&path, &events) {
         for (leg, fraction, state) in &piece {
             let breach = scene.breach(*leg, *fraction, state);
-            prop_assert!(breach <= 1e-12, "{breach:e} at {leg} {fraction}: {}", brief(state));
+            prop_assert!(breach <= 1e-12, "{breach:e} {leg} {fraction} {}", brief(state));
         }
         for pair in piece.windows(2) {
             let ((leg, fraction, a), (_, _, b)) = (&pair[0], &pair[1]);
@@ -60,7 +60,7 @@ fn law_holds<const D: usize, const C: usize>(
             for (i, (x, y)) in a.contacts.iter().zip(&b.contacts).enumerate() {
                 let slip = y.slip - x.slip;
                 let same = std::mem::discriminant(&x.state) == std::mem::discriminant(&y.state);
-                prop_assert!(same, "contact {i} changes without an event after {leg} {fraction}");
+                prop_assert!(same, "{i} {leg} {fraction}");
                 match x.state {
                     ContactState::Sticking => {
                         prop_assert!(slip.norm() <= 1e-12 * motion, "contact {i} slips: {slip}");
@@ -71,10 +71,7 @@ fn law_holds<const D: usize, const C: usize>(
                         {
                             let lost = (tangential(&f) - p * (scene.spots[i].mu * f[0])).dot(&slip);
                             let size = (1.0 + scene.spots[i].mu) * force * motion;
-                            prop_assert!(
-                                lost >= -1e-12 * size,
-                                "contact {i} gains {lost:e} after {leg} {fraction}"
-                            );
+                            prop_assert!(lost >= -1e-12 * size, "{i} {lost:e} {leg} {fraction}");
                         }
                         tally.checked += 1;
                     }

@@ -28,7 +28,7 @@ fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
         let end = scene.goals.last().unwrap();
         let there = scene.grasp().with_commands(end.commands.iter().copied()).unwrap();
         let list = there.equilibria(Wrench::from_components(end.load.as_slice())).unwrap();
-        prop_assert!(!list.is_empty(), "the path found one");
+        prop_assert!(!list.is_empty());
         if list.len() == 1 {
             same_state(&scene, &list[0], &path.state().unwrap(), 1e-9)?;
             tally.checked += usize::from(!events.is_empty());

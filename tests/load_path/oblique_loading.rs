@@ -108,7 +108,7 @@ fn in_the_plane_every_event_is_exact() {
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         let error = off(&world(&grasp, &path.forces()), &SVector::from([1.0, 0.0]), exact);
 
-        assert!(error < 1e-11, "steps, leg {count}: {error:e}");
+        assert!(error < 1e-11, "{count} {error:e}");
     }
 }
 
@@ -142,7 +142,7 @@ fn on_the_round_cone_events_and_steps_are_exact() {
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         let error = off(&world(&grasp, &path.forces()), &shear, exact);
 
-        assert!(error < 1e-11, "steps, leg {count}: {error:e}");
+        assert!(error < 1e-11, "{count} {error:e}");
     }
 }
 

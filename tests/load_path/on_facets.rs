@@ -69,7 +69,7 @@ fn together(event: &Event) -> (&'static str, Option<Vector2<f64>>) {
         })
         .collect();
     let contacts: Vec<_> = event.changes.iter().map(|change| change.contact.index).collect();
-    assert_eq!(contacts, [0, 1, 2, 3], "the feet go together");
+    assert_eq!(contacts, [0, 1, 2, 3]);
     let differ = |(word, d): &(&str, Option<Vector2<f64>>)| {
         *word != words[0].0 || d.zip(words[0].1).is_some_and(|(a, b)| (a - b).norm() > 1e-12)
     };
@@ -83,7 +83,7 @@ fn assert_event(event: &Event, leg: usize, fraction: f64, what: &str, angle: Opt
     let (word, direction) = together(event);
     assert_eq!(word, what);
     if let Some((d, angle)) = direction.zip(angle) {
-        assert!((d - at(angle)).norm() < 1e-12, "{d} against the angle {angle}");
+        assert!((d - at(angle)).norm() < 1e-12, "{d} {angle}");
     }
 }
 

@@ -87,7 +87,7 @@ fn it_sticks_where_its_force_vanishes() {
 fn it_closes_without_tangential_force() {
     let (a, b) = (0.2, 0.03);
     let stuck = E * b;
-    assert!(stuck < MU * C * a, "by hand: it sticks");
+    assert!(stuck < MU * C * a);
     let slides = 1.0 - stuck / (MU * C * a);
     for (drag, how) in [(0.05, "closes"), (0.3, "closes sliding")] {
         let grasp = body(MU);

@@ -33,12 +33,7 @@ fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError
     for event in &events {
         let breach = scene.breach_on_the_round_cone(event.leg, event.fraction, &event.state);
         let admitted = event.state.residuals.worst();
-        prop_assert!(
-            breach <= 1e-12_f64.max(2.0 * admitted),
-            "{breach:e} at the event {} {}",
-            event.leg,
-            event.fraction
-        );
+        prop_assert!(breach <= 1e-12_f64.max(2.0 * admitted), "{breach:e} {} {}", event.leg, event.fraction);
         tally.admitted += usize::from(breach > 1e-12);
     }
     for energy in path.energies() {

@@ -56,10 +56,10 @@ fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> 
             }
             let near = |f: f64| f > from - width + 1e-9 && f < to + 1e-9;
             if !events.iter().any(|e| e.leg == leg && near(e.fraction)) {
-                prop_assert!(next.does == states, "{leg} {to}: {:?} against {states:?}", next.does);
+                prop_assert!(next.does == states, "{leg} {to} {:?} {states:?}", next.does);
                 let forces: Vec<_> = exact.contacts.iter().map(|c| c.force).collect();
                 let (off, most) = (next.distance(&forces), sizes(&exact).0.max(scene.press()));
-                prop_assert!(off <= FORCES * most, "{leg} {to}: forces off by {off:e} of {most}");
+                prop_assert!(off <= FORCES * most, "{leg} {off:e} {most}");
                 tally.checked += 1;
             }
             step = next;

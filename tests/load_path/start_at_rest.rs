@@ -100,7 +100,7 @@ fn a_cylinder_that_touches_a_wall_is_held_by_it() {
                 let mut path = grasp.follow(weight, &[Leg::load_to(load)]).unwrap();
                 path.run();
                 let loss = path.end().unwrap().loss().unwrap();
-                assert!((2.0 * loss.fraction - limit).abs() < 1e-12, "{mu} {kn} {couple}: {loss:?}");
+                assert!((2.0 * loss.fraction - limit).abs() < 1e-12, "{mu} {couple}: {loss:?}");
             }
         }
     }

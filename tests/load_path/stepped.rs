@@ -72,11 +72,7 @@ fn they_end_where_paths_from_event_to_event_end() -> Result<(), Error> {
                 .map(|(contact, force)| contact.force - force)
                 .collect();
             let off = largest(differences.iter()) / largest(path.forces().iter());
-            assert!(
-                off <= path.step_error() + 1e-9,
-                "scene {scene}: {off:e}, {:e} estimated",
-                path.step_error()
-            );
+            assert!(off <= path.step_error() + 1e-9, "{scene} {off:e} {:e}", path.step_error());
             assert!(path.state().expect("completed").residuals.worst() < 1e-11);
             worst = worst.max(off);
             slid += usize::from(events > 0);
@@ -176,10 +172,7 @@ fn torsion_slides_ring_by_ring() -> Result<(), Error> {
         let exact = if step.leg == 0 { moment(turn) } else { 2.0 - 2.0 * moment(0.5 * (there - turn)) };
         let told = step.load.moment()[2];
         // A millionth of the largest force for each of 400 springs, at arms up to 1 m.
-        assert!(
-            (told - exact).abs() < 400.0 * 1e-6 * largest(path.forces().iter()),
-            "{told} at {turn}: {exact}"
-        );
+        assert!((told - exact).abs() < 400.0 * 1e-6 * largest(path.forces().iter()), "{told} {turn} {exact}");
         if step.leg == 0 {
             there = turn;
         }
@@ -200,7 +193,7 @@ fn a_ring_that_slides_at_once_holds_to_its_limit() -> Result<(), Error> {
         let legs = [Leg::load_to(Wrench::force([0.0, 0.0, -1.25 * limit]))];
         let mut path = ring.follow_in_steps(Wrench::ZERO, &legs, 1e-6)?;
         let steps = path.by_ref().count();
-        let held = path.end().and_then(PathEnd::fraction).expect("not beyond the limit");
+        let held = path.end().and_then(PathEnd::fraction).unwrap();
         println!("{count} springs: {steps} steps, held to {held}");
         let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{:?}", path.end()) };
         assert!(loss.kind == LossKind::Corner && loss.contacts.len() == count);
@@ -224,7 +217,7 @@ fn they_are_lost_where_paths_from_event_to_event_are() -> Result<(), Error> {
         let _ = exact.run();
         let mut path = table.follow_in_steps(start, &legs, 1e-6)?;
         path.by_ref().for_each(drop);
-        match [exact.end(), path.end()].map(|end| end.expect("run to its end")) {
+        match [exact.end(), path.end()].map(|end| end.unwrap()) {
             [PathEnd::Completed, PathEnd::Completed] => held += 1,
             [PathEnd::Lost(exact), PathEnd::Lost(loss)] => {
                 worst = worst.max((exact.fraction - loss.fraction).abs());

@@ -125,7 +125,7 @@ fn pairs_touch_and_part_at_known_loads() {
         let z = 0.01 - state.twist.translation()[1];
         let off = (load(z) + pressed.to_vector()[1]).abs() / load(deepest);
         let apart = (0..n).filter(|&j| clearance(j) > z).count();
-        assert!(off < 1e-9 && open.abs_diff(2 * apart) <= 2, "{open} open at {z}, {off:e}");
+        assert!(off < 1e-9 && open.abs_diff(2 * apart) <= 2, "{open} {z} {off:e}");
         steps += 1;
     }
     println!("{steps} steps");

@@ -54,7 +54,7 @@ fn compared<const C: usize>(contacts: Vec<Contact<C>>, load: Wrench<C>, counts: 
         counts[0] += 1;
         counts[1] += usize::from(!solved.free_motions.is_empty());
         let both = [&state, solved].map(|told| told.free_motions.len());
-        assert_eq!(both[0], both[1], "at {fraction} of {load:?}: {state}\n{solved}\n{:?}", grasp.contacts());
+        assert_eq!(both[0], both[1], "{fraction}\n{state}\n{solved}\n{:?}", grasp.contacts());
     }
 }
 

@@ -43,7 +43,7 @@ fn jaws_need_what_the_closed_form_says() {
             let carried = 20.0 * (0.1 + 0.02 * f64::from(k)) / (0.7 * f64::from(k));
             let exact = if asked.0 == Quantity::Squeeze { 1.0 / carried } else { carried };
             let found = found.unwrap().bound().unwrap();
-            assert!((found / exact - 1.0).abs() < 1e-9, "{asked:?} row {k}: {found} {exact}");
+            assert!((found / exact - 1.0).abs() < 1e-9, "{asked:?} {k} {found} {exact}");
         }
     }
 }

@@ -91,7 +91,7 @@ fn pads_and_many_contacts_slide_where_the_grasp_does() {
             }
             leave += 1;
         }
-        assert!(leave > samples(4), "{count} {is_soft}: {leave}");
+        assert!(leave > samples(4), "{count} {leave}");
     }
 }
 
@@ -108,7 +108,7 @@ fn what_does_not_fit_is_left_out() {
     };
     let mut batch = PointBatch::with_capacity(4, 3);
     assert!(batch.push(&mixed(0)) && batch.push(&mixed(0)));
-    assert!(!batch.push(&mixed(1)), "the first finger has one point here");
+    assert!(!batch.push(&mixed(1)));
     assert!(!batch.push(&two) && !batch.push(&[]));
     let mut held = mixed(0);
     held[3] = held[3].clone().suction(1.0);

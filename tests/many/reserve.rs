@@ -28,15 +28,12 @@ fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<
         assert!(held <= known, "{held} {known}");
         let below = onsets.iter().filter(|onset| **onset < held).count() as f64;
         let expected = tail * SAMPLES as f64;
-        assert!(
-            below <= expected + 4.0 * expected.sqrt(),
-            "{below} of {expected} below {held}, onset {known}"
-        );
+        assert!(below <= expected + 4.0 * expected.sqrt(), "{below} {expected} {known}");
         // Nor is it less than it needs to be, unless about as many slide at rest already.
         let at_rest = onsets.iter().filter(|onset| **onset == 0.0).count() as f64;
         if at_rest < 0.2 * expected {
             let quantile = onsets[onsets.len() * (if sigmas == 2.0 { 2275 } else { 135 }) / 100_000];
-            assert!(held > quantile - 0.15 * known, "{held} {quantile}, onset {known}");
+            assert!(held > quantile - 0.15 * known, "{held} {quantile} {known}");
         }
     }
 }
@@ -162,7 +159,7 @@ fn a_reserve_is_smooth_where_friction_is_hardly_known() {
     // Quantiles of 60 000 samples.
     for (degrees, quantile) in [(247, 3.91), (248, 3.89)] {
         let held = at(degrees);
-        assert!(held > 0.95 * quantile && held < 1.02 * quantile, "{degrees}: {held} of {quantile}");
+        assert!(held > 0.95 * quantile && held < 1.02 * quantile, "{degrees} {held} {quantile}");
     }
     let all: Vec<f64> = (0..360).map(at).collect();
     for (degrees, (here, next)) in all.iter().zip(all.iter().cycle().skip(1)).enumerate() {

@@ -33,14 +33,14 @@ fn check<const C: usize>(rows: &[Row<C>], settings: &Settings) -> [usize; 7] {
         let verdict = grasp.and_then(|grasp| grasp.with(settings).hold(Ramp::load(*base, *load))).ok();
         let whole = verdict.as_ref().map(ShortVerdict::from);
         let (Some(short), Some(whole), Some(verdict)) = (short, whole, verdict) else {
-            assert!(short.is_none() && whole.is_none(), "row {number}: {short:?} {whole:?}");
+            assert!(short.is_none() && whole.is_none(), "{number} {short:?} {whole:?}");
             continue;
         };
         let close = match (short.first_slip, whole.first_slip) {
             (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * b,
             (a, b) => a == b,
         };
-        assert!(close, "row {number}: {short:?} {whole:?}");
+        assert!(close, "{number} {short:?} {whole:?}");
         let mut same = short;
         same.first_slip = whole.first_slip;
         assert_eq!(same, whole, "row {number}: {verdict}");
@@ -52,7 +52,7 @@ fn check<const C: usize>(rows: &[Row<C>], settings: &Settings) -> [usize; 7] {
             (Some(false), _) => "DOES NOT HOLD".to_owned(),
             (None, _) => "UNDECIDED".to_owned(),
         };
-        assert!(words.starts_with(&begins), "row {number}: {begins}, {words}");
+        assert!(words.starts_with(&begins), "{number} {begins} {words}");
         count[short.how as usize] += 1;
     }
     count

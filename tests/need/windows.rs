@@ -29,7 +29,7 @@ fn pushed_from_above(given: f64, more: &str) -> Result<Grasp, Box<dyn std::error
 }
 
 fn is(found: f64, squeeze: f64, given: f64) {
-    assert!((found * given / squeeze - 1.0).abs() < 1e-10, "{found} of {given}: {squeeze}");
+    assert!((found * given / squeeze - 1.0).abs() < 1e-10, "{found} {given} {squeeze}");
 }
 
 #[test]

@@ -55,7 +55,7 @@ fn check_order(
             tally.count(more);
             let factors = less.factor().zip(more.factor());
             let ordered = factors.is_some_and(|(less, more)| less <= more * (1.0 + 1e-12));
-            prop_assert!(ordered, "{facets} facets: {factors:?}, {less:?}, {more:?}");
+            prop_assert!(ordered, "{factors:?} {less:?} {more:?}");
         }
     }
     Ok(())
@@ -116,7 +116,7 @@ fn the_spread_of_a_sliding_foot() {
             let f = [mu * normal, mu * normal * longer];
             for f in f {
                 let side = (w * off.sin()).atan2(w * off.cos() - f * (1.0 + c / k));
-                assert!(side < 0.5 * step, "by hand: {m} facets, {angle}");
+                assert!(side < 0.5 * step, "{m} {angle}");
             }
             let from_round = |f: f64| {
                 let along = f * off.cos() - mu * normal;

@@ -47,7 +47,7 @@ fn at_once_from_rest() {
     )
     .unwrap();
     let Onset::At(event) = onset(&on_two_feet, Wrench::ZERO, Wrench::force([0.6, -1.0])) else {
-        panic!("0.6 > μ: no equilibrium for any size")
+        panic!("0.6 > μ")
     };
     assert_eq!(event.factor, 0.0);
     assert_eq!(event.leaving.len(), 2);
@@ -171,6 +171,6 @@ fn rings_leave_together() {
         assert!((event.factor - exact).abs() < 1e-13 * exact, "{n}: {}", event.factor);
         assert_eq!(event.leaving.len(), n);
         let beyond = ring.beyond(&event).expect("its own event");
-        assert!(!matches!(beyond, Beyond::Continues(_)), "friction is exhausted: {beyond:?}");
+        assert!(!matches!(beyond, Beyond::Continues(_)), "{beyond:?}");
     }
 }

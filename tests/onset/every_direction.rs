@@ -53,7 +53,7 @@ fn onsets_lie_on_the_polygon_of_plain_equilibria() -> Result<(), Failure> {
             let reached = rows.iter().filter(|(_, g)| rate(g) < 0.0).map(|(c, g)| -c / rate(g));
             let expected = reached.fold(f64::INFINITY, f64::min);
             let found = onset(&grasp, angle)?;
-            assert!((found - expected).abs() <= 1e-11 * expected, "{angle}: {found} against {expected}");
+            assert!((found - expected).abs() <= 1e-11 * expected, "{angle} {found} {expected}");
         }
         // The nearest edge is as far as the weakest direction is strong, and across it.
         let distance = |(c, g): &(f64, [f64; 2])| c / g[0].hypot(g[1]);
@@ -86,13 +86,10 @@ fn the_papers_grasp_is_mirrored_and_has_its_onset_downwards() -> Result<(), Fail
     let mut limits = 0;
     for angle in angles(90) {
         let (left, right) = (onset(&grasp, angle)?, onset(&grasp, TAU / 2.0 - angle)?);
-        assert!((left - right).abs() <= 1e-13 * left, "{angle}: {left} against {right}");
+        assert!((left - right).abs() <= 1e-13 * left, "{angle} {left} {right}");
         match (end(&grasp, angle)?, end(&grasp, TAU / 2.0 - angle)?) {
             (PathEnd::Lost(left), PathEnd::Lost(right)) => {
-                assert!(
-                    (left.fraction - right.fraction).abs() <= 1e-13,
-                    "{angle}: {left:?} against {right:?}"
-                );
+                assert!((left.fraction - right.fraction).abs() <= 1e-13, "{angle} {left:?} {right:?}");
                 limits += 1;
             }
             (PathEnd::Completed, PathEnd::Completed) => {}
@@ -108,7 +105,7 @@ fn what_turns_into_itself_has_onsets_that_do() -> Result<(), Failure> {
     let grasp = ring(5)?;
     for angle in angles(24) {
         let (once, again) = (onset(&grasp, angle)?, onset(&grasp, angle + TAU / 5.0)?);
-        assert!((once - again).abs() <= 1e-12 * once, "{angle}: {once} against {again}");
+        assert!((once - again).abs() <= 1e-12 * once, "{angle} {once} {again}");
     }
     Ok(())
 }

@@ -113,7 +113,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
                 scene.frame[contact].set_column(from, &turned[0]);
                 scene.frame[contact].set_column(to, &turned[1]);
             }
-            other => unreachable!("{other:?} is no geometry"),
+            other => unreachable!("{other:?}"),
         }
         scene
     }
@@ -161,7 +161,7 @@ fn compare_equilibria<const D: usize, const C: usize>(
             for (i, force) in exact.forces.iter().enumerate() {
                 let difference = (up.contacts[i].force - down.contacts[i].force) / (2.0 * STEP);
                 let error = (difference - force).norm();
-                assert!(error < TOLERANCE * (1.0 + force.norm()), "{by:?} contact {i}: {difference} {force}");
+                assert!(error < TOLERANCE * (1.0 + force.norm()), "{by:?} {i} {difference} {force}");
             }
             let difference = (SVector::<f64, D>::from_column_slice(up.twist.components())
                 - SVector::<f64, D>::from_column_slice(down.twist.components()))
@@ -203,7 +203,7 @@ fn compare_onsets<const D: usize, const C: usize>(
             let exact = match by {
                 Parameter::Point { contact, axis } => gradient.point[contact][axis],
                 Parameter::Normal { contact, axis } => gradient.normal[contact][axis],
-                other => unreachable!("{other:?} is no geometry"),
+                other => unreachable!("{other:?}"),
             };
             let difference = (up.factor - down.factor) / (2.0 * step);
             let size = (1.0 + exact.abs()) * (1.0 + event.factor);

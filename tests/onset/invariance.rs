@@ -30,7 +30,7 @@ fn same_leave<const D: usize, const C: usize>(
             let c = &state.contacts[i];
             let bounded = datum.friction > 0.0 && datum.friction.is_finite();
             let slack = if bounded { c.force[0].min(c.margin / (1.0 + datum.friction)) } else { c.force[0] };
-            prop_assert!(slack <= 1e-9 * size, "contact {i} leaves on one side only\n{event:?}\n{seen:?}");
+            prop_assert!(slack <= 1e-9 * size, "{i} {event:?} {seen:?}");
         }
     }
     Ok(())

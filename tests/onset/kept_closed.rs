@@ -19,7 +19,7 @@ fn with_friction_it_would_have_to_pull() -> Tested {
     let push = Wrench::force([1.0, 0.0]);
     let Onset::At(event) = grasp.onset(push)? else { panic!("ends at 10 N") };
     assert!((event.factor - 10.0).abs() < 1e-13, "{}", event.factor);
-    let [left] = &event.leaving[..] else { panic!("the left one alone") };
+    let [left] = &event.leaving[..] else { panic!("only left") };
     assert_eq!((left.contact.text().as_str(), left.how), ("left", Departure::WouldPull));
     assert_eq!(event.to_string(), "at factor 10: left would have to pull");
     let verdict = grasp.hold(push * 5.0)?;

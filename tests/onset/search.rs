@@ -53,14 +53,11 @@ fn check_bisection<const D: usize, const C: usize>(
         let onset = onset.expect("a finite ramp");
         if change.works_on_free_motion(scene) {
             let at_once = matches!(onset, Onset::GivesWay { factor: 0.0, .. });
-            prop_assert!(at_once, "nothing resists the load, and yet {onset:?}");
+            prop_assert!(at_once, "{onset:?}");
             continue;
         }
         let factor = onset.factor();
-        prop_assert!(
-            factor.is_some_and(|f| close(f, expected)),
-            "{friction:?}: {expected} by bisection, {onset:?}"
-        );
+        prop_assert!(factor.is_some_and(|f| close(f, expected)), "{friction:?} {expected} {onset:?}");
         tally.count(&onset);
     }
     Ok(())
@@ -102,7 +99,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     };
     let below = solve(1.0 - 1e-9);
     let sticks = below.equilibrium().is_some_and(|e| e.rule == FoundBy::EverythingSticks);
-    prop_assert!(sticks, "below the onset {event:?}\n{below:?}");
+    prop_assert!(sticks, "{event:?} {below:?}");
     let above = solve(1.0 + 1e-9);
     let leaves = match &above {
         Outcome::Equilibrium(e) => e
@@ -114,7 +111,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
         // On the round cone nothing is proved where the nearest equilibrium is a millionth away.
         _ => friction == Friction::Round || beyond > -3e-10,
     };
-    prop_assert!(leaves, "above the onset {event:?}\n{above:?}");
+    prop_assert!(leaves, "{event:?} {above:?}");
     is_at_the_edge(scene, event)?;
     tally.count(&onset);
     Ok(())
@@ -133,8 +130,8 @@ fn is_at_the_edge<const D: usize, const C: usize>(
         let bounded = scene.contacts[i].friction > 0.0 && scene.contacts[i].friction.is_finite();
         let margin = if bounded { c.margin.min(c.force[0]) } else { c.force[0] };
         let allowed = 1e-10 * size * (1.0 + if bounded { scene.contacts[i].friction } else { 0.0 });
-        prop_assert!(margin >= -allowed, "contact {i} outside its cone: {event:?}");
-        prop_assert!(!leaves || margin <= allowed, "contact {i} leaves from inside: {event:?}");
+        prop_assert!(margin >= -allowed, "{i} {event:?}");
+        prop_assert!(!leaves || margin <= allowed, "{i} {event:?}");
     }
     Ok(())
 }

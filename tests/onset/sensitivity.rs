@@ -74,7 +74,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             Parameter::Stiffness { contact, axis } => scene.stiffness[contact][axis] += step,
             Parameter::Command { contact, axis } => scene.command[contact][axis] += step,
             Parameter::Load { component } => scene.load[component] += step,
-            other => unreachable!("{other:?} is not among the parameters"),
+            other => unreachable!("{other:?}"),
         }
         scene
     }
@@ -135,10 +135,7 @@ fn compare_equilibria<const D: usize, const C: usize>(seed: u64, scenes: usize, 
                 if (up.contacts[i].force - here.contacts[i].force).norm() > 1e-3 {
                     continue;
                 }
-                assert!(
-                    (difference - force).norm() < scale(force.norm()),
-                    "{by:?} contact {i}: {difference} {force}"
-                );
+                assert!((difference - force).norm() < scale(force.norm()), "{by:?} {i} {difference} {force}");
             }
             sliding += usize::from(states(&here).contains(&2));
         }
@@ -187,12 +184,12 @@ fn compare_onsets<const D: usize, const C: usize>(seed: u64, scenes: usize, cont
                 Parameter::Stiffness { contact, axis } => gradient.stiffness[contact][axis],
                 Parameter::Command { contact, axis } => gradient.command[contact][axis],
                 Parameter::Load { component } => gradient.base_load[component],
-                other => unreachable!("{other:?} is not among the parameters"),
+                other => unreachable!("{other:?}"),
             };
             let difference = (up.0 - down.0) / (2.0 * step);
             assert!(
                 (difference - exact).abs() < TOLERANCE * (1.0 + exact.abs()) * (1.0 + factor),
-                "{by:?} at {factor}: {difference} {exact}"
+                "{by:?} {difference} {exact}"
             );
             compared += 1;
         }
@@ -219,7 +216,7 @@ fn position_control_of_a_pinch() {
         planar::Grasp::new([-1.0, 1.0].map(|x| jaw::<2>(x, [k, kt], 0.5).command([0.1, 0.0]))).unwrap();
     let outcome = grasp.solve(planar::Wrench::ZERO).unwrap();
     let response = grasp.sensitivity().response(outcome.equilibrium().unwrap()).unwrap();
-    assert!((response.twist[(0, 0)] - 0.5).abs() < 1e-15, "finger 1 pushes the object along x");
+    assert!((response.twist[(0, 0)] - 0.5).abs() < 1e-15);
     assert!((response.twist[(0, 2)] + 0.5).abs() < 1e-15);
     assert!((response.forces[(0, 0)] - k / 2.0).abs() < 1e-13);
     assert!((response.forces[(2, 0)] - k / 2.0).abs() < 1e-13);

@@ -30,7 +30,7 @@ fn second_table_to_the_digits_printed() {
             let misprint = column == 2 && TWO_FINGER_MISPRINTS[0].0 == index;
             let print = if misprint { 0.4988 } else { *b };
             // Print that was cut off instead of rounded is within one digit.
-            assert!((a - print).abs() < 2.0 * PRINTED, "row {index}: {a} printed {print}");
+            assert!((a - print).abs() < 2.0 * PRINTED, "{index} {a} {print}");
         }
     }
 }

@@ -59,7 +59,7 @@ fn feet_slide_one_after_the_other_up_to_the_limit_load() {
     assert_eq!(numbers(&loss.contacts), [0, 1, 2]);
     let motion = loss.motion.as_ref().expect("a ray");
     assert_close!(motion.object.translation()[0].abs(), 1.0);
-    assert!(motion.object.translation()[0] > 0.0, "it leaves the way it is pulled");
+    assert!(motion.object.translation()[0] > 0.0);
     for energy in path.energies() {
         assert!(energy.residual().abs() < 1e-13, "{energy:?}");
     }
@@ -167,7 +167,7 @@ fn a_support_lets_go_and_takes_hold_again() {
         assert_close!(contact.normal_force(), w / 3.0);
     }
     let total: f64 = path.energies().iter().map(|e| e.load_work).sum();
-    assert!(total.abs() < 1e-13, "no friction, no loss: {total}");
+    assert!(total.abs() < 1e-13, "{total}");
 }
 
 /// A finger that pulls back, moves sideways and presses again starts with F_t = 0: its slip follows the surfaces.

@@ -42,7 +42,7 @@ fn every_row_of_the_second_table() {
                 let misprint = column == 2 && index == TWO_FINGER_MISPRINTS[0].0;
                 let print = if misprint { 0.4988 } else { *print };
                 let ours = forces[column / 2][column % 2];
-                assert!((ours - print).abs() < LAST_DIGIT, "row {index}: {ours} printed {print}");
+                assert!((ours - print).abs() < LAST_DIGIT, "{index} {ours} {print}");
             }
         }
     }

@@ -88,10 +88,7 @@ fn dialogues<'t>(block: &'t str, folder: &str) -> Vec<(Vec<String>, &'t str)> {
             word.to_owned()
         }
     };
-    let parts = block
-        .split("$ grasp-lcp ")
-        .skip(1)
-        .map(|part| part.split_once('\n').expect("a command and what it says"));
+    let parts = block.split("$ grasp-lcp ").skip(1).map(|part| part.split_once('\n').unwrap());
     parts.map(|(command, told)| (command.split_whitespace().map(in_folder).collect(), told)).collect()
 }
 

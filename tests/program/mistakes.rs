@@ -38,8 +38,8 @@ fn table() -> Vec<Mistake<'static>> {
             let arguments = command.split(' ').map(in_folder).collect();
             return Mistake { arguments, scene: String::new(), is: lines[0], told: lines[1].trim_start() };
         }
-        let (name, from) = lines[0].split_once(": ").expect("a scene and what stands in it");
-        let to = lines[1].strip_prefix("  as ").expect("what stands there now");
+        let (name, from) = lines[0].split_once(": ").unwrap();
+        let to = lines[1].strip_prefix("  as ").unwrap();
         let (_, good) = SCENES.iter().find(|(known, _)| *known == name).expect(name);
         assert!(good.contains(from), "{from}");
         let arguments = ["ask", "-"].map(str::to_owned).to_vec();

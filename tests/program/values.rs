@@ -22,10 +22,7 @@ fn every_value_has_a_source_and_a_sane_range() {
         };
         assert!(0.0 < from && from <= to && to <= largest, "{row:?}");
         assert!(quantity == "friction" || unit.is_empty() || from >= 1e3, "{row:?}");
-        let number = sources
-            .iter()
-            .position(|known| known[1] == source)
-            .unwrap_or_else(|| panic!("{row:?} has no source"));
+        let number = sources.iter().position(|known| known[1] == source).unwrap_or_else(|| panic!("{row:?}"));
         used[number] = true;
         assert!(printed.contains(&format!("{what} [{}]", number + 1)), "{what}");
     }

@@ -65,7 +65,7 @@ fn a_wrong_value_is_reported_under_its_own_field() {
                     let field = fault.field.clone().unwrap_or_default();
                     let rest = field.strip_prefix(&path);
                     let inside = rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
-                    assert!(inside, "{path} is {wrong}: {fault}");
+                    assert!(inside, "{path} {wrong} {fault}");
                     asked += 1;
                 }
             }

@@ -45,7 +45,7 @@ fn of_very_many_contacts_those_that_use_least_are_named_below() -> Result<(), Fa
     assert!(note.contains("Not drawn: 8 that use no more than"), "{note}");
     for k in 0..24 {
         let name = format!("support {k}.");
-        assert_eq!(note.matches(&name).count(), 1, "{name} in the legend or below");
+        assert_eq!(note.matches(&name).count(), 1, "{name}");
     }
     // What is drawn goes higher than what is not.
     let (drawn, least) =
@@ -83,10 +83,7 @@ fn a_pad_has_one_curve_that_of_its_sums() -> Result<(), Failure> {
     let last = curves[0].last().ok_or("a point")?;
     assert!((last.0 - 2.5).abs() < 1e-9, "lost at 10 N: {last:?}");
     let svg = chart.to_svg()?;
-    assert!(
-        !svg.contains("left 0") && svg.contains("lost: left, right on the edge"),
-        "names of pads, not of points"
-    );
+    assert!(!svg.contains("left 0") && svg.contains("lost: left, right on the edge"));
     Ok(())
 }
 

@@ -93,7 +93,7 @@ fn a_spatial_force_of_any_size_and_place_has_an_arrow_beside_a_grasp_that_is_see
         let svg = page.to_svg(Some(0), View::default())?;
         let shapes = shapes(&svg)?;
         let arrows = arrows(&shapes, 3.0);
-        assert!(arrows.len() == 1 && arrows[0] >= 0.8 * LEAST, "{newtons} at {arm}: {arrows:?}");
+        assert!(arrows.len() == 1 && arrows[0] >= 0.8 * LEAST, "{newtons} {arm} {arrows:?}");
         // Fingers are not a dot beside a load that acts far away.
         let fingers = shapes.iter().filter(|shape| shape.ink == "#6E6E6E" && shape.width == Some(5.0));
         let long = fingers

@@ -49,7 +49,7 @@ fn its_answer_comes_first_and_it_needs_nothing_else() -> Result<(), Failure> {
         "{body}"
     );
     assert!(page.contains("<p class=\"none\">SLIPS OUT at 8 N of 20 N</p>"));
-    assert!(page.contains("<p class=\"says\">5 N</p>"), "a label says what there is to say");
+    assert!(page.contains("<p class=\"says\">5 N</p>"));
     assert!(
         page.contains("name=\"viewport\"") && page.contains("type=\"range\" id=\"step\" min=\"0\" max=\"2\"")
     );

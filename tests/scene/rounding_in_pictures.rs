@@ -17,7 +17,7 @@ fn a_glass_about_to_tip_stands_on_one_edge() -> Result<(), Failure> {
     let Amount::Bound { does, .. } = glass.need(&need)?.amount else { panic!("it tips") };
     let (glass, state) = glass.with_amount(&need, does)?.ok_or("it stands")?;
     let rounding = state.contacts.iter().map(|contact| contact.force.norm()).fold(f64::INFINITY, f64::min);
-    assert!(rounding < 1e-9, "nothing to be seen: {rounding}");
+    assert!(rounding < 1e-9, "{rounding}");
     let shapes = shapes(&draw_grasp(&glass, &state, None, "A glass")?)?;
     let labels: Vec<_> =
         shapes.iter().map(|shape| shape.words.as_str()).filter(|w| w.starts_with("|F|")).collect();

@@ -72,7 +72,7 @@ fn undecided_comes_with_what_happens_from_rest() {
         assert_eq!(matches!(outcome, Outcome::Undecided(_)), !decided, "{outcome}");
         assert_eq!(from_rest.is_none(), decided);
         if let Some(told) = from_rest {
-            let lost = told.verdict.lost.as_ref().expect("beyond what friction carries");
+            let lost = told.verdict.lost.as_ref().unwrap();
             assert!(
                 (lost.factor * weight - 15.0).abs() < 1e-9 && matches!(told.verdict.holding, Holding::Lost)
             );

@@ -62,7 +62,7 @@ fn a_fingertip_has_one_force_at_its_centre_of_pressure() -> Result<(), Failure> 
         let pressed: Vec<_> = state.contacts[range].iter().map(ContactAnswer::normal_force).collect();
         let moment: f64 = points.iter().zip(&pressed).map(|(z, f)| z * f).sum();
         let centre = moment / pressed.iter().sum::<f64>();
-        assert!(centre.abs() > 5e-5, "the load shifts it: {centre}");
+        assert!(centre.abs() > 5e-5, "{centre}");
         let (top, bottom) = heights(side);
         let on_paper = bottom - (centre - low) / (high - low) * (bottom - top);
         let nearest = starts.iter().map(|at| (at[1] - on_paper).abs()).fold(f64::INFINITY, f64::min);

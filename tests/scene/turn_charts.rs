@@ -67,7 +67,7 @@ fn a_line_is_not_drawn_across_a_gap() -> Tested {
     let lines = |between: f64| -> Result<usize, Box<dyn std::error::Error>> {
         let points = vec![(0.0, 0.0), (1.0, 1.0), (2.0, between), (3.0, 1.0), (4.0, 0.0)];
         let svg = Chart::new("A gap", "x", "y").series("the only one", points, Stroke::Line).to_svg()?;
-        assert_eq!(svg.matches("the only one").count(), 1, "one entry of the legend");
+        assert_eq!(svg.matches("the only one").count(), 1);
         Ok(svg.matches("<polyline").count())
     };
     assert_eq!(lines(f64::NAN)?, lines(0.5)? + 1);

@@ -67,15 +67,14 @@ impl Tally {
         let scaled =
             |load: &SVector<f64, D>| DVector::from_fn(D, |k, _| if k < C { load[k] } else { load[k] * 1e-3 });
         // Of nothing on, the base load can be so many times as large.
-        let times =
-            load_limit(&maps, &DVector::zeros(D), &scaled(&base), bound).expect("nothing can be balanced");
+        let times = load_limit(&maps, &DVector::zeros(D), &scaled(&base), bound).unwrap();
         let known = load_limit(&maps, &scaled(&base), &scaled(&rate), bound).filter(|_| times > 1.0);
         let [base, rate] = [base, rate].map(|w| Wrench::from_components(w.as_slice()));
         match (grasp.statics().load_limit(base, rate, budget).expect("valid"), known) {
             (LoadLimit::Factor { at_least, at_most, forces, motion, .. }, Some(known)) => {
                 self.factors += 1;
                 self.worst = self.worst.max((at_most - known).abs() / known.abs().max(1.0));
-                assert!(at_most - at_least <= 1e-9 * at_most.max(1.0), "{at_least} {at_most} {known}");
+                assert!(at_most - at_least <= 1e-9 * at_most.max(1.0), "{at_least} {known}");
                 let balanced = base + rate * at_least;
                 proves_from_below(&data, &grasp, budget, &balanced, &forces);
                 let work = |load: &Wrench<C>| {
@@ -95,8 +94,7 @@ impl Tally {
                 assert!(
                     SVector::<f64, D>::from_column_slice(base.components())
                         .dot(&SVector::<f64, D>::from_column_slice(motion.components()))
-                        > against,
-                    "the base load wins"
+                        > against
                 );
             }
             (LoadLimit::Factor { at_least, .. }, None) => {
@@ -179,14 +177,14 @@ fn a_pinch_carries_what_turns_about_its_line_not_at_all() -> Result<(), Error> {
     let LoadLimit::Factor { at_least, at_most, .. } =
         pinch.statics().load_limit(spatial::Wrench::ZERO, weight, Budget::Each(10.0))?
     else {
-        panic!("nothing is on it yet")
+        panic!("unloaded")
     };
-    assert!((at_least - 10.0).abs() < 1e-8 && (at_most - 10.0).abs() < 1e-12, "{at_least} {at_most}");
+    assert!((at_least - 10.0).abs() < 1e-8 && (at_most - 10.0).abs() < 1e-12, "{at_least}..{at_most}");
     let twist = spatial::Wrench::new([0.0; 3], [1.0, 0.0, 0.0]);
     let LoadLimit::Factor { at_most, motion, .. } =
         pinch.statics().load_limit(weight, twist, Budget::Each(10.0))?
     else {
-        panic!("the weight is carried")
+        panic!("weight is carried")
     };
     assert!(at_most == 0.0 && motion.to_vector()[3].abs() > 0.99, "{motion:?}");
     assert!(matches!(

@@ -49,7 +49,7 @@ fn allocates_only_at_first<const D: usize, const C: usize>(
     });
     // To the round cone Newton's method mostly finds the way without a pivot.
     let most = if workspace.is_round() { 100 } else { 10 * scenes.len() };
-    assert!(found * 3 > scenes.len() * 2 && pivots > most, "{found} found, {pivots} pivots");
+    assert!(found * 3 > scenes.len() * 2 && pivots > most, "{found} {pivots}");
     assert_eq!(counted.count_total, 0);
 }
 
@@ -102,7 +102,7 @@ fn steps_of_many_contacts_allocate_nothing() {
             path.continue_with(&cycle).expect("more of it");
             steps += path.by_ref().count();
         });
-        assert!(round == 0 || counted.count_total == 0, "{counted:?} in round {round}");
+        assert!(round == 0 || counted.count_total == 0, "{counted:?} {round}");
     }
     assert!(path.end().is_some_and(|end| matches!(end, spatial::PathEnd::Completed)));
     assert!(steps > 100, "{steps}");

@@ -96,13 +96,13 @@ fn every_equilibrium_of_a_hand_is_found_and_none_is_denied() {
             Outcome::Equilibrium(found) => {
                 held += 1;
                 let nearest = list.iter().map(|e| apart(e, &found)).fold(f64::INFINITY, f64::min);
-                assert!(nearest < 1e-9, "{number}: {nearest} from {} equilibria", list.len());
+                assert!(nearest < 1e-9, "{number} {nearest} {}", list.len());
                 yields += usize::from(found.joints.iter().any(|j| j.state == DriveState::Yields));
                 slack += usize::from(found.tendons.iter().any(|t| t.state == DriveState::Slack));
             }
             Outcome::NoEquilibrium(proof) => {
                 none += 1;
-                assert!(list.is_empty(), "{number}: {proof:?} against {} equilibria", list.len());
+                assert!(list.is_empty(), "{number} {proof:?} {}", list.len());
             }
             _ => undecided += 1,
         }
@@ -110,7 +110,7 @@ fn every_equilibrium_of_a_hand_is_found_and_none_is_denied() {
         assert_eq!(all.len(), list.len(), "{number}");
         several += usize::from(list.len() > 1);
         for e in &list {
-            assert!(all.iter().any(|found| apart(e, found) < 1e-9), "{number}: one is missing");
+            assert!(all.iter().any(|found| apart(e, found) < 1e-9), "{number}");
         }
     }
     println!(

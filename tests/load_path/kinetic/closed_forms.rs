@@ -60,13 +60,13 @@ fn the_ratio_of_stiffnesses_decides() {
                 let first = (1.0 + ratio) * rest * 10.0;
                 let (events, end, place) = pulled(&grasp, 1.01 * first);
                 let jumped = events.iter().any(|event| event.jump.is_some());
-                assert_eq!(jumped, is_caught, "{rest} {sliding} {off}: {events:?} {end:?}");
+                assert_eq!(jumped, is_caught, "{off} {events:?} {end:?}");
                 if !is_caught {
                     assert!(
                         matches!(end, Some(PathEnd::Lost(ref loss)) if !loss.jumped.is_empty()),
                         "{end:?}"
                     );
-                    assert!((place - first).abs() < 1e-11 * first, "{rest} {sliding} {off}: {place} {first}");
+                    assert!((place - first).abs() < 1e-11 * first, "{off} {place} {first}");
                 }
             }
         }

@@ -206,7 +206,7 @@ pub(crate) fn feasible(mut conditions: Vec<(Vec<Rational>, Rational)>, unknowns:
     for _ in 0..unknowns {
         let (mut below, mut above, mut rest) = (Vec::new(), Vec::new(), Vec::new());
         for (mut along, constant) in conditions {
-            let factor = along.pop().expect("one coefficient an unknown");
+            let factor = along.pop().unwrap();
             if factor.is_zero() {
                 rest.push((along, constant));
                 continue;
@@ -259,7 +259,7 @@ pub(crate) fn rational(x: f64) -> Rational {
 }
 
 pub(crate) fn float(x: &Rational) -> f64 {
-    x.to_f64().expect("a rational number has a nearest floating point number")
+    x.to_f64().unwrap()
 }
 
 pub(crate) fn times(x: &Rational, scale: &BigInt) -> BigInt {

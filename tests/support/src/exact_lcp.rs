@@ -141,7 +141,7 @@ pub fn is_feasible(a: &[Vec<BigRational>], b: &[BigRational], equal: &[bool]) ->
         let leave = (0..b.len())
             .filter(|r| rows[*r][enter].is_positive())
             .min_by_key(|r| (&rows[*r][width] / &rows[*r][enter], basic[*r].map_or(usize::MAX, |b| b)))
-            .expect("the infeasibility is bounded below");
+            .unwrap();
         let scale = rows[leave][enter].clone();
         rows[leave].iter_mut().for_each(|x| *x /= &scale);
         let head = rows[leave].clone();

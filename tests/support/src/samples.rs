@@ -15,7 +15,7 @@ pub fn samples(default: usize) -> usize {
 #[track_caller]
 pub fn assert_met(counts: &[(usize, usize)]) {
     let is_met = counts.iter().all(|(count, bound)| *count > samples(*bound));
-    assert!(is_met, "a kind is too rare: counts and their bounds are {counts:?}");
+    assert!(is_met, "{counts:?}");
 }
 
 /// The random numbers of a family with this default seed. `GRASP_LCP_SEED` sets the upper bits of its seed.
@@ -44,5 +44,5 @@ pub fn runner(config: Config) -> TestRunner {
 
 fn variable(name: &str) -> Option<u64> {
     let text = std::env::var(name).ok()?;
-    Some(text.parse().unwrap_or_else(|_| panic!("{name}={text} is not a whole number")))
+    Some(text.parse().unwrap_or_else(|_| panic!("{name} {text}")))
 }

@@ -146,7 +146,7 @@ pub fn wrench<const D: usize, const C: usize>(
 impl<const D: usize, const C: usize> Scene<D, C> {
     /// The grasp for the library.
     pub fn grasp(&self) -> Grasp<C> {
-        Grasp::new(self.contacts.iter().map(Datum::contact)).expect("a scene is a valid grasp")
+        Grasp::new(self.contacts.iter().map(Datum::contact)).unwrap()
     }
 
     /// The load for the library.

@@ -55,7 +55,7 @@ impl<const C: usize> Known<C> {
     }
 
     fn friction(&self) -> &Dyadic {
-        self.mu.as_ref().expect("what slides has a finite coefficient of friction")
+        self.mu.as_ref().unwrap()
     }
 }
 

@@ -154,7 +154,7 @@ pub fn census(stack: &Stack<3, 2>) -> Census {
         let constant = DVector::from_iterator(6, conditions.balance.iter().map(|of| -of.constant));
         let parts = matrix.clone().svd(true, true);
         let (largest, least) = (parts.singular_values.max(), parts.singular_values.min());
-        let at_best = parts.solve(&constant, SINGULAR * largest).expect("both factors were asked for");
+        let at_best = parts.solve(&constant, SINGULAR * largest).unwrap();
         let missed =
             (matrix * &at_best - &constant).norm() / (constant.norm() + largest * at_best.norm()).max(1e-12);
         if least > SINGULAR * largest {

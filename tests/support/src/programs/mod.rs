@@ -308,7 +308,7 @@ pub fn same_state<const D: usize, const C: usize>(
             brief(b)
         );
         let moved = (x.body_core - y.body_core).norm();
-        prop_assert!(moved <= within * motion, "contact {i} by {moved:e}: {} against {}", brief(a), brief(b));
+        prop_assert!(moved <= within * motion, "{i} {moved:e} {} {}", brief(a), brief(b));
     }
     Ok(())
 }

@@ -58,7 +58,7 @@ impl Tally {
                 Change::Closes | Change::ClosesSliding { .. } => &mut self.closes,
             } += 1;
         }
-        *match path.end().expect("followed to the end") {
+        *match path.end().unwrap() {
             PathEnd::Completed => &mut self.completed,
             PathEnd::Lost(loss) if loss.kind == LossKind::GivesWay => &mut self.gives_way,
             PathEnd::Lost(_) if matches!(path.beyond(), Some(Beyond::LimitLoad)) => &mut self.limits,
