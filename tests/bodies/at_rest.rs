@@ -28,8 +28,7 @@ fn what_is_held_of_it_is_told() {
         told += 1;
         assert_eq!((verdict.holds(), verdict.held_to), (Some(false), 0.0));
         assert!((0.0..1.0).contains(&at_rest.factor));
-        let says = verdict.to_string();
-        assert!(says.starts_with("DOES NOT HOLD even at rest: of the load there "), "{says}");
+        assert!(verdict.to_string().contains("even at rest"), "{verdict}");
         let before = times(&stack, 0.999 * at_rest.factor).grasp(0).solve(Wrench::ZERO).expect("well posed");
         assert!(matches!(before, Outcome::Equilibrium(_)), "{before}");
         let written = serde_json::to_string(&verdict).expect("written");

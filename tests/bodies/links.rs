@@ -3,7 +3,8 @@
 use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::grasp::LinkKind;
 use grasp_lcp::hold::Verdict;
-use grasp_lcp::{Error, planar, spatial};
+use grasp_lcp::{planar, spatial};
+use support::facts;
 
 fn assert_close(x: f64, exact: f64) {
     assert!((x - exact).abs() <= 1e-12 * exact.abs().max(1.0), "{x} {exact}");
@@ -81,7 +82,7 @@ fn lifting_tongs() {
     assert_close(hangs.contacts[0].normal_force(), press);
     assert_close(carried(&hangs, "left rope"), 100.0 * 2f64.sqrt());
     assert_close(carried(&hangs, "pin"), 100.0 + press);
-    assert!(hangs.to_string().contains("\n  right rope pulls with 141.421 N"), "{hangs}");
+    assert!(hangs.to_string().contains("\n  right rope pulls"), "{hangs}");
     let holds = |mu: f64| tongs(mu).hold(weight).expect("well posed").holds();
     assert_eq!([holds(0.6 * (1.0 - 1e-9)), holds(0.6 * (1.0 + 1e-9))], [Some(false), Some(true)]);
 }
@@ -113,7 +114,8 @@ fn a_rope_goes_slack() {
     else {
         panic!("it slackens")
     };
-    assert_eq!(event.to_string(), "at factor 80: right goes slack");
+    assert_close(event.factor, 80.0);
+    assert!(event.to_string().ends_with("right goes slack"), "{event}");
 }
 
 /// A spring that is pressed by 5 N gives way by `F/k` from there, and pushes.
@@ -132,7 +134,7 @@ fn a_spring_pulls_and_pushes() {
     let along = 0.6 * moved.twist.components()[0] + 0.8 * moved.twist.components()[1];
     assert_close(along, (20.0 - 5.0) / 500.0);
     assert_close(carried(&moved, "rail"), 15.0);
-    assert!(moved.to_string().contains("\n  spring pushes with 20 N"), "{moved}");
+    assert!(moved.to_string().contains("\n  spring pushes"), "{moved}");
 }
 
 /// A door of 200 N on a hinge of two bearings, 1.6 m apart, whose free edge a rope holds against the wind. About the axis the rope balances the wind;
@@ -156,11 +158,8 @@ fn a_door() {
     assert_close(size(pad.moment()), 200.0 * 0.4);
     // The other way the rope is slack, and the door turns about its hinge.
     let verdict = door.hold(Wrench::force_at([0.0, 60.0, 0.0], [0.4, 0.0, 1.0])).expect("well posed");
-    assert_eq!(verdict.holds(), Some(false));
-    assert!(
-        verdict.to_string().starts_with("GIVES WAY at once, under any part of 60 N: door turns about hinge"),
-        "{verdict}"
-    );
+    assert_eq!((verdict.holds(), verdict.held_to), (Some(false), 0.0));
+    assert!(verdict.to_string().contains("turns about hinge"), "{verdict}");
 }
 
 /// What each link in space leaves free, and what it carries.
@@ -234,53 +233,26 @@ fn refused() {
         let bodies = Bodies::new([Body::new("a"), Body::new("b")]).links([link]);
         bodies.grasp().expect_err("refused")
     };
-    let told = [
-        (
-            Link::hinge([0.0, f64::NAN]).name("pin").between("a", "b"),
-            "hinge \"pin\": point is NaN, must be finite and at most 1e50 in size",
-        ),
-        (
-            Link::slide([0.0; 2], [0.0; 2], 1.0).to_ground("a"),
-            "slide \"slide 0\": direction is 0, must be of a length above zero",
-        ),
-        (
-            Link::slide([0.0; 2], [1.0, 0.0], -1.0).to_ground("a"),
-            "slide \"slide 0\": length is -1, must be from 1e-50 to 1e50",
-        ),
-        (
-            Link::rigid([0.0; 2], 0.0).to_ground("a"),
-            "rigid joint \"rigid joint 0\": size is 0, must be from 1e-50 to 1e50",
-        ),
-        (
-            Link::spring([0.0; 2], [1.0, 0.0], 0.0).to_ground("a"),
-            "spring \"spring 0\": stiffness is 0, must be above 0 and at most 1e50",
-        ),
-        (
-            Link::cable([0.0; 2], [0.0; 2]).to_ground("a"),
-            "cable \"cable 0\": length from beginning to end is 0, must be above zero",
-        ),
-        (
-            Link::cable([0.0; 2], [1.0, 0.0]).pretension(-2.0).to_ground("a"),
-            "cable \"cable 0\": pretension is -2, must be 0 or more: a cable only pulls",
-        ),
-        (
-            Link::hinge([0.0; 2]).pretension(2.0).to_ground("a"),
-            "hinge \"hinge 0\": pretension is 2, must be 0 unless it is a spring or a cable",
-        ),
-        (
-            Link::spring([0.0; 2], [1.0, 0.0], 1.0).slack(0.1).to_ground("a"),
-            "spring \"spring 0\": slack is 0.1, must be 0 unless it is a cable",
-        ),
-        (
-            Link::hinge([0.0; 2]).name("pin").to_ground("c"),
-            "body \"c\" is named by hinge \"pin\", and is none of a, b",
-        ),
-        (Link::hinge([0.0; 2]).name("pin").between("a", "a"), "body \"a\" is on both sides of hinge \"pin\""),
-    ];
-    for (link, words) in told {
-        let error = refuse(link);
-        assert!(matches!(error, Error::Link { .. } | Error::Body { .. }));
-        assert_eq!(error.to_string(), words);
+    for (link, name, field, value) in [
+        (Link::hinge([0.0, f64::NAN]).name("pin").between("a", "b"), "pin", "point", "NaN"),
+        (Link::slide([0.0; 2], [0.0; 2], 1.0).to_ground("a"), "slide 0", "direction", "0"),
+        (Link::slide([0.0; 2], [1.0, 0.0], -1.0).to_ground("a"), "slide 0", "length", "-1"),
+        (Link::rigid([0.0; 2], 0.0).to_ground("a"), "rigid joint 0", "size", "0"),
+        (Link::spring([0.0; 2], [1.0, 0.0], 0.0).to_ground("a"), "spring 0", "stiffness", "0"),
+        (Link::cable([0.0; 2], [1.0, 0.0]).pretension(-2.0).to_ground("a"), "cable 0", "pretension", "-2"),
+        (Link::hinge([0.0; 2]).pretension(2.0).to_ground("a"), "hinge 0", "pretension", "2"),
+        (Link::spring([0.0; 2], [1.0, 0.0], 1.0).slack(0.1).to_ground("a"), "spring 0", "slack", "0.1"),
+    ] {
+        assert_eq!(facts(&refuse(link)), [name, field, value]);
+    }
+    let [cable, length, value] = facts(&refuse(Link::cable([0.0; 2], [0.0; 2]).to_ground("a")));
+    assert!(cable == "cable 0" && length.starts_with("length") && value == "0");
+    for (link, body, fault) in [
+        (Link::hinge([0.0; 2]).name("pin").to_ground("c"), "c", "none of a, b"),
+        (Link::hinge([0.0; 2]).name("pin").between("a", "a"), "a", "both sides"),
+    ] {
+        let [name, told, _] = facts(&refuse(link));
+        assert!(name == body && told.contains(fault) && told.contains("\"pin\""), "{told}");
     }
 }
 

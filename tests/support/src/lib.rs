@@ -22,6 +22,7 @@ pub mod elimination;
 pub mod ends;
 pub mod exact;
 pub mod exact_lcp;
+mod facts;
 pub mod friction_alone;
 pub mod identified;
 pub mod interior_point;
@@ -57,6 +58,7 @@ pub mod two_bodies;
 pub mod voussoirs;
 
 pub use close::relatively_close;
+pub use facts::facts;
 
 use std::io;
 use std::path::PathBuf;
