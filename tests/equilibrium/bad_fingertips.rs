@@ -3,12 +3,12 @@
 use crate::pinch::{KN, KT, R, finger};
 use grasp_lcp::spatial::{Contact, Pressure, SoftFingertip};
 use grasp_lcp::{Error, planar};
+use support::facts;
 
 #[test]
 fn malformed_fingertips_are_refused() {
     let refused = |error: Result<(), Error>, what: &str, value: f64, allowed: &str| {
         let error = error.expect_err(what);
-        assert_eq!(error.to_string(), format!("soft fingertip: {what} is {value}, must be {allowed}"));
         let Error::Fingertip { what: named, value: shown, allowed: said } = error else {
             panic!("{error:?}")
         };
@@ -25,8 +25,10 @@ fn malformed_fingertips_are_refused() {
     }
     for few in [0_u8, 1, 2] {
         let (points, shown) = (usize::from(few), f64::from(few));
-        refused(SoftFingertip::ring(R, points).map(drop), "number of points on a ring", shown, "at least 3");
-        refused(disc(R, 1, points), "number of points on a ring", shown, "at least 3");
+        for ring in [SoftFingertip::ring(R, points).map(drop), disc(R, 1, points)] {
+            let [_, what, value] = facts(&ring.unwrap_err());
+            assert!(what.ends_with("on a ring") && value == shown.to_string(), "{what} {value}");
+        }
     }
     refused(disc(R, 0, 6), "number of annuli", 0.0, "at least 1");
     refused(pad(R, 0), "number of strips", 0.0, "at least 1");
@@ -51,13 +53,10 @@ fn malformed_fingertips_are_refused() {
 fn broken_contacts_are_named_as_given() {
     let tip = SoftFingertip::ring(R, 6).unwrap();
     let broken = finger(1.0).finger_stiffness(-10.0, KT);
-    let error = tip.contacts(&broken).expect_err("negative stiffness").to_string();
-    assert_eq!(
-        error,
-        "contact 0 (right): finger stiffness is -10, must be positive (infinite for a rigid side)"
-    );
+    let refused = |contact: &Contact| facts(&tip.contacts(contact).unwrap_err());
+    assert_eq!(refused(&broken), ["0 (right)", "finger stiffness", "-10"]);
     let flat = Contact::new([0.0; 3], [0.0; 3]).series_stiffness(KN, KT);
-    assert!(tip.contacts(&flat).expect_err("no normal").to_string().contains("normal is 0"));
+    assert_eq!(refused(&flat)[1..], ["normal", "0"]);
     let along = finger(1.0).tangent([1.0, 0.0, 0.0]);
-    assert!(tip.contacts(&along).expect_err("no tangent").to_string().contains("tangent is 0"));
+    assert_eq!(refused(&along)[1..], ["tangent", "0"]);
 }

@@ -64,7 +64,7 @@ fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Rang
             }));
             let printed = both.unwrap().energy().printed_qp(scene.wrench(), &settings.cone).unwrap();
             let QpOutcome::Minimum(qp) = printed.program.solve().unwrap() else {
-                return Err(TestCaseError::fail("the printed program has a minimum"));
+                return Err(TestCaseError::fail("no minimum"));
             };
             let work = (minimum.potential_energy - minimum.stored_energy).abs();
             let size = printed.constant + minimum.stored_energy + work;

@@ -5,7 +5,7 @@ use grasp_lcp::{planar, spatial};
 pub(crate) const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 /// Where a size is limited as well.
 pub(crate) const NOT_MODERATE: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.1e50, -f64::MAX];
-pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
+
 pub(crate) fn planar_contacts() -> Vec<planar::Contact> {
     let at = |point: [f64; 2], normal: [f64; 2]| {
         planar::Contact::new(point, normal)

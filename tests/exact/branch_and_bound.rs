@@ -129,7 +129,7 @@ fn every_load_beyond_the_onset_is_decided() {
             }
         }
     }
-    println!("{found} found, {none} none; the attack reaches {reached}");
+    println!("{found} {none} {reached}");
     assert_met(&[(found, 40), (none, 10)]);
     // An attack in vain says something only if it mostly finds what there is.
     assert!(10 * reached >= 7 * found);
@@ -197,6 +197,6 @@ fn no_proof_contradicts_an_equilibrium() {
         refuted += usize::from(proof.is_some());
         assert!(outcome.equilibrium().is_none() || proof.is_none(), "{scene} {grasp:?} {load:?}");
     }
-    println!("{held} held, {refuted} refuted");
+    println!("{held} {refuted}");
     assert_met(&[(held, 25), (refuted, 5)]);
 }

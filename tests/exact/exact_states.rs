@@ -77,7 +77,7 @@ impl Tally {
         for condition in &truth.conditions {
             let distinct = told[condition.contact];
             if condition.part <= 0.0 && distinct || condition.part < -1e-12 {
-                return Err(format!("{condition:?} fails, and distinct is {distinct}\n{answer:?}"));
+                return Err(format!("{condition:?} {distinct}\n{answer:?}"));
             }
         }
         Ok(())
@@ -101,7 +101,7 @@ impl Tally {
         }
         self.worst_condition = self.worst_condition.max(accuracy.condition);
         if force > 10.0 || motion > 10.0 || force.is_nan() || motion.is_nan() {
-            return Err(format!("errors {errors:?}, estimated {accuracy:?}"));
+            return Err(format!("{errors:?} {accuracy:?}"));
         }
         Ok(())
     }

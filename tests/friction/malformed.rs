@@ -1,28 +1,25 @@
 //! Malformed input is an error that names the place.
 
-use grasp_lcp::friction::{Settings, SpatialContacts};
-use grasp_lcp::lcp::{BreakdownCause, Outcome};
+use grasp_lcp::friction::{Error, Settings, SpatialContacts};
+use grasp_lcp::lcp::{BreakdownCause, LcpError, Outcome};
 use nalgebra::{DMatrix, DVector};
 
 #[test]
-fn messages_name_the_place() {
-    let message = |w: DMatrix<f64>, q: Vec<f64>, mu: Vec<f64>| {
-        SpatialContacts::new(w, DVector::from_vec(q), mu).unwrap_err().to_string()
+fn errors_name_the_place() {
+    let error = |w: DMatrix<f64>, q: Vec<f64>, mu: Vec<f64>| {
+        SpatialContacts::new(w, DVector::from_vec(q), mu).unwrap_err()
     };
     let eye = || DMatrix::identity(3, 3);
-    assert_eq!(message(eye(), vec![0.0; 2], vec![0.5]), "q has 2 entries, but the problem has 3 rows");
-    assert_eq!(
-        message(eye(), vec![0.0; 6], vec![0.5; 2]),
-        "block W has 3 rows and 3 columns, but must have 6 and 6"
-    );
-    assert_eq!(
-        message(eye(), vec![0.0; 3], vec![-0.5]),
-        "friction of contact 0 is -0.5, but must be finite and not negative"
-    );
-    assert_eq!(
-        message(eye() * f64::NAN, vec![0.0; 3], vec![0.5]),
-        "entry (0, 0) of W is NaN, not a finite number"
-    );
+    let short = LcpError::Length { what: "q", given: 2, needed: 3 };
+    assert_eq!(error(eye(), vec![0.0; 2], vec![0.5]), Error::Numbers(short));
+    let small = LcpError::BlockShape { what: "W", rows: 3, columns: 3, needed_rows: 6, needed_columns: 6 };
+    assert_eq!(error(eye(), vec![0.0; 6], vec![0.5; 2]), Error::Numbers(small));
+    assert_eq!(error(eye(), vec![0.0; 3], vec![-0.5]), Error::Friction { contact: 0, value: -0.5 });
+    let nothing = error(eye() * f64::NAN, vec![0.0; 3], vec![0.5]);
+    let Error::Numbers(LcpError::MatrixEntry { what: "W", row: 0, column: 0, value }) = nothing else {
+        panic!("{nothing}")
+    };
+    assert!(value.is_nan());
 }
 
 #[test]

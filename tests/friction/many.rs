@@ -97,7 +97,7 @@ fn piles_of_redundant_contacts_are_solved() {
                 }
                 Outcome::Infeasible(certificate) => assert!(problem.proves_infeasible(&certificate.y)),
                 other => {
-                    println!("{bodies} bodies, {contacts} contacts: {other}");
+                    println!("{bodies} {contacts}: {other}");
                     unsolved += 1;
                 }
             }

@@ -1,6 +1,6 @@
 //! Problems in the three forms that files of Siconos have.
 
-use grasp_lcp::friction::ReadProblem;
+use grasp_lcp::friction::{Error, ReadProblem};
 use nalgebra::{DMatrix, DVector};
 
 /// Two contacts in the plane whose W is not symmetric, so that rows and columns are told apart.
@@ -48,27 +48,22 @@ fn a_sparse_matrix_is_that_of_csparse() {
 }
 
 #[test]
-fn messages_name_the_word() {
-    let message = |text: &str| ReadProblem::from_siconos(text).unwrap_err().to_string();
-    assert_eq!(message("4 1 0 4 4"), "word 1 of the file is `4`, but must be a number of components, 2 or 3");
-    assert_eq!(
-        message("3 1 0 3 3 3 3 1 0"),
-        "word 10 of the file is missing, but must be an entry of a matrix"
-    );
-    assert_eq!(
-        message("3 1 7 3 3"),
-        "word 3 of the file is `7`, but must be the form of a matrix: 0 (dense), 1 (in blocks) or 2 (sparse)"
-    );
-    assert_eq!(
-        message("3 2 0 3 3"),
-        "word 4 of the file is `3`, but must be the number of rows or columns that the problem has"
-    );
-    assert_eq!(
-        message("3 1 0 3 3 3 3 1 0 0 0 1 0 0 0 one"),
-        "word 16 of the file is `one`, but must be an entry of a matrix"
-    );
-    // No file of a gigabyte of zeros is made for a number.
-    assert!(message("3 40000 0 120000 120000").contains("a matrix that fits into memory"));
+fn errors_name_the_word() {
+    // The position, the word, and a part of what must be there.
+    for (text, place, found, needed) in [
+        ("4 1 0 4 4", 1, Some("4"), "components, 2 or 3"),
+        ("3 1 0 3 3 3 3 1 0", 10, None, "an entry"),
+        ("3 1 7 3 3", 3, Some("7"), "2 (sparse)"),
+        ("3 2 0 3 3", 4, Some("3"), "rows or columns"),
+        ("3 1 0 3 3 3 3 1 0 0 0 1 0 0 0 one", 16, Some("one"), "an entry"),
+        // No file of a gigabyte of zeros is made for a number.
+        ("3 40000 0 120000 120000", 5, Some("120000 120000"), "fits into memory"),
+    ] {
+        let error = ReadProblem::from_siconos(text).unwrap_err();
+        let Error::Word { at, word, allowed } = &error else { panic!("{error}") };
+        assert_eq!((*at, word.as_deref()), (place, found), "{error}");
+        assert!(allowed.contains(needed), "{error}");
+    }
     for cut in 0..40 {
         let text =
             "2 2 1 4 4 4 2 2 2 4 2 4 3 4 0 2 4 0 1 0 1 0 2 .25 .5 3 1 -1 0 0 0 2 -1 0 0 0 3 4 .75 .125 5";

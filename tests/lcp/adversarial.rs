@@ -199,7 +199,7 @@ pub(crate) fn judge(lcp: &Lcp, outcome: &Outcome, tally: &mut Tally) -> Result<(
         Outcome::NoBasis { .. } => {
             tally.without += 1;
             if exact.is_solvable() {
-                return Err("a basis was excluded that has a solution".into());
+                return Err("a false exclusion".into());
             }
         }
         Outcome::NearlyInfeasible(_) => tally.nearly += 1,
@@ -252,7 +252,7 @@ pub(crate) fn judge_mixed(
             tally.solved += 1;
             if !solvable() {
                 tally.unsolvable += 1;
-                return Err("solved, but there is no solution".into());
+                return Err("a false solution".into());
             }
         }
         Outcome::Infeasible(certificate) => {
@@ -264,7 +264,7 @@ pub(crate) fn judge_mixed(
         Outcome::NoBasis { .. } => {
             tally.without += 1;
             if solvable() {
-                return Err("a basis was excluded that has a solution".into());
+                return Err("a false exclusion".into());
             }
         }
         Outcome::NearlyInfeasible(_) => tally.nearly += 1,
@@ -326,7 +326,7 @@ fn no_answer_to_a_mixed_problem_says_more_than_is_known() {
                 panic!("{fault}: {problem:?} {outcome:?}");
             }
         }
-        println!("mixed, kind {kind}: {tally:?}");
+        println!("mixed {kind}: {tally:?}");
         assert_eq!(tally.missed, 0);
     }
 }

@@ -93,7 +93,7 @@ fn the_papers_grasp_is_mirrored_and_has_its_onset_downwards() -> Result<(), Fail
                 limits += 1;
             }
             (PathEnd::Completed, PathEnd::Completed) => {}
-            (left, right) => return Err(format!("{angle}: {left:?} against {right:?}").into()),
+            (left, right) => return Err(format!("{angle}: {left:?} {right:?}").into()),
         }
     }
     assert!((30..80).contains(&limits), "{limits}");

@@ -21,12 +21,11 @@ fn with_friction_it_would_have_to_pull() -> Tested {
     assert!((event.factor - 10.0).abs() < 1e-13, "{}", event.factor);
     let [left] = &event.leaving[..] else { panic!("only left") };
     assert_eq!((left.contact.text().as_str(), left.how), ("left", Departure::WouldPull));
-    assert_eq!(event.to_string(), "at factor 10: left would have to pull");
     let verdict = grasp.hold(push * 5.0)?;
-    assert_eq!(
-        verdict.to_string(),
-        "HOLDS, everything sticks: 10 N (2 times this load) until it is lost, as left would have to pull"
-    );
+    assert_eq!(verdict.sticks(), Some(true), "{verdict}");
+    let first = verdict.first_slip.as_ref().expect("further on");
+    assert_eq!(first.would_pull.iter().map(|part| part.label.as_str()).collect::<Vec<_>>(), ["left"]);
+    assert!(verdict.lost.as_ref().is_some_and(|lost| (lost.factor - 2.0).abs() < 1e-13), "{verdict}");
     // One that may open does.
     let loose = Grasp::new([jaw(-0.05, "left"), jaw(0.05, "right")])?;
     let Onset::At(event) = loose.onset(push)? else { panic!("opens at 10 N") };

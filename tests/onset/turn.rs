@@ -196,27 +196,22 @@ fn what_is_no_turn_is_refused() {
     let (grasp, turn) = box_on_its_side(12.0);
     for angle in [0.0, -1.0, f64::NAN, f64::INFINITY, 2e6] {
         let refused = grasp.onset_of_turn(turn.up_to(angle)).unwrap_err();
-        assert!(matches!(refused, Error::Argument { what: "angle of the turn", .. }), "{refused}");
-        assert_eq!(
-            refused.to_string(),
-            format!("angle of the turn is {angle}, must be more than 0 and at most 1e6 rad")
-        );
+        let Error::Argument { what, value, .. } = refused else { panic!("{refused}") };
+        assert!(what.starts_with("angle") && value.to_bits() == angle.to_bits(), "{what} {value}");
     }
     let bad = Wrench::force([f64::NAN, 0.0]);
     for (turn, what) in [
-        (Turn::new(bad, Wrench::ZERO, Wrench::ZERO), "constant load"),
-        (Turn::new(Wrench::ZERO, bad, Wrench::ZERO), "cosine of the load"),
-        (Turn::new(Wrench::ZERO, Wrench::ZERO, bad), "sine of the load"),
+        (Turn::new(bad, Wrench::ZERO, Wrench::ZERO), "constant"),
+        (Turn::new(Wrench::ZERO, bad, Wrench::ZERO), "cosine"),
+        (Turn::new(Wrench::ZERO, Wrench::ZERO, bad), "sine"),
     ] {
         let refused = grasp.onset_of_turn(turn).unwrap_err();
-        assert!(
-            matches!(refused, Error::Wrench { what: told, component: 0, .. } if told == what),
-            "{refused}"
-        );
+        let Error::Wrench { what: told, component: 0, .. } = refused else { panic!("{refused}") };
+        assert!(told.starts_with(what), "{told}");
     }
     for axis in [[0.0; 3], [f64::NAN, 0.0, 1.0], [0.0, f64::INFINITY, 0.0]] {
         let refused = spatial::Turn::tilting([0.0, 0.0, -1.0], [0.0; 3], axis).unwrap_err();
-        assert!(matches!(refused, Error::Argument { what: "length of the axis", .. }), "{refused}");
+        assert!(matches!(refused, Error::Argument { what, .. } if what.ends_with("the axis")), "{refused}");
     }
     // A quarter turn of nothing changes nothing.
     let still = Turn::new(Wrench::force([0.0, -1.0]), Wrench::ZERO, Wrench::ZERO).up_to(FRAC_PI_2.max(PI));

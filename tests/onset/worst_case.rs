@@ -169,10 +169,11 @@ fn bounds_that_are_none_are_refused() {
     let ask = |bounds: planar::Bounds| palms().least_onset_within(weight(), &bounds).unwrap_err();
     for bad in [-1.0, f64::NAN, f64::INFINITY] {
         let refused = ask(planar::Bounds::none().with_base(planar::Wrench::force([0.0, bad])));
-        assert!(matches!(refused, Error::Argument { what: "bound of the base load", .. }), "{refused}");
+        assert!(matches!(refused, Error::Argument { what, .. } if what.ends_with("base load")), "{refused}");
     }
     let refused = ask(planar::Bounds::none().with_commands([[0.0, -1e-3], [0.0, 0.0]]));
-    assert_eq!(refused.to_string(), "bound of a command is -0.001, must be from 0 to 1e50");
+    let Error::Argument { what, value: -1e-3, .. } = refused else { panic!("{refused}") };
+    assert!(what.ends_with("command"), "{what}");
     let refused = ask(planar::Bounds::none().with_commands([[f64::NAN, 0.0], [0.0, 0.0]]));
     assert!(matches!(refused, Error::Contact { field: Field::Command, .. }), "{refused}");
     let refused = ask(planar::Bounds::none().with_commands([[0.0, 0.0]]));

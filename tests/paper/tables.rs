@@ -78,7 +78,7 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
         assert!((sum[1] - w - missing[1]).abs() < 1e-14);
     }
     let text = grasp.energy().compare(down() * 0.14).unwrap().verdict.to_string();
-    assert_eq!(text, "out of equilibrium by 0.017845 N, 0.000000 N m; no equilibrium exists");
+    assert!(text.contains(" 0.017845 N, 0.000000 N m"), "{text}");
 }
 
 #[test]

@@ -118,13 +118,10 @@ fn mistakes_in_a_robot_are_named() {
         read(&scene).and_then(|scene| scene.with_files_from(folder()).map_err(|error| error.to_string()))
     };
     for (said, change) in [
-        (
-            "robot: contacts: none given",
-            &(|robot: &mut Value| robot["contacts"] = json!({})) as &dyn Fn(&mut Value),
-        ),
-        ("joint thumb: is not there", &|robot| robot["joints"] = json!({ "thumb": 4 })),
-        ("joint thumb: is not there", &|robot| robot["stiffness"] = json!({ "thumb": 4 })),
-        ("link thumb: is not there", &|robot| robot["contacts"] = json!({ "thumb": [tip(1.0)] })),
+        ("contacts: none given", &(|robot: &mut Value| robot["contacts"] = json!({})) as &dyn Fn(&mut Value)),
+        ("joint thumb: is", &|robot| robot["joints"] = json!({ "thumb": 4 })),
+        ("joint thumb: is", &|robot| robot["stiffness"] = json!({ "thumb": 4 })),
+        ("link thumb: is", &|robot| robot["contacts"] = json!({ "thumb": [tip(1.0)] })),
         ("nowhere.urdf", &|robot| robot["urdf"] = json!("nowhere.urdf")),
         ("from file", &|robot| robot["effort"] = json!("by hand")),
     ] {

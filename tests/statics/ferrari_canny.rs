@@ -273,26 +273,27 @@ fn what_is_no_budget_and_no_scale_is_refused() -> Result<(), Error> {
     let finger = |x: f64| jaw::<2>(x, [1e3, 1e3], 0.5);
     let pinch = planar::Grasp::new([finger(-1.0), finger(1.0)])?;
     let refused = pinch.statics().ferrari_canny(Budget::Each(0.0)).unwrap_err();
-    assert_eq!(refused.to_string(), "budget of normal forces is 0, must be more than 0 and at most 1e50");
+    assert!(matches!(refused, Error::Argument { what, value: 0.0, .. } if what.starts_with("budget")));
     let scale = WrenchScale { about: [0.0, f64::NAN], length: 1.0 };
     let refused = pinch
         .with(&Settings::default())
         .statics()
         .ferrari_canny_scaled(Budget::Each(1.0), &scale)
         .unwrap_err();
-    assert_eq!(refused.to_string(), "point of the moments is NaN, must be finite and at most 1e50 in size");
+    let Error::Argument { what, value, .. } = refused else { panic!("{refused}") };
+    assert!(what.ends_with("the moments") && value.is_nan(), "{what} {value}");
     let scale = WrenchScale { about: [0.0; 2], length: -1.0 };
     let refused = pinch
         .with(&Settings::default())
         .statics()
         .ferrari_canny_scaled(Budget::Each(1.0), &scale)
         .unwrap_err();
-    assert_eq!(refused.to_string(), "length of the wrench scale is -1, must be more than 0 and at most 1e50");
+    assert!(matches!(refused, Error::Argument { what, value: -1.0, .. } if what.ends_with("wrench scale")));
     let glued = planar::Grasp::new([finger(-1.0), finger(1.0).bonded()])?;
     let refused = glued.statics().ferrari_canny(Budget::Each(1.0)).unwrap_err();
-    assert_eq!(
-        refused.to_string(),
-        "ferrari_canny bounds normal forces: contact 1 pulls, is bonded or has infinite friction"
+    assert!(
+        matches!(&refused, Error::Unlimited { question: "ferrari_canny", contact } if contact.index == 1),
+        "{refused}"
     );
     Ok(())
 }

@@ -113,7 +113,7 @@ impl Tallies {
 fn contact_of(row: Row) -> usize {
     match row {
         Row::Gap { contact } | Row::Slip { contact, .. } => contact,
-        _ => unreachable!("a row of another form"),
+        _ => unreachable!("another form"),
     }
 }
 

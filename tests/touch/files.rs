@@ -7,9 +7,9 @@ use grasp_lcp::touch::{Part, Unit};
 
 use crate::shapes::{Mesh, bracket};
 
-#[expect(clippy::cast_possible_truncation, reason = "such a file is in single precision")]
+#[expect(clippy::cast_possible_truncation, reason = "single precision")]
 fn binary_stl((corners, faces): &Mesh) -> Vec<u8> {
-    let mut bytes = b"solid in spite of its first word".to_vec();
+    let mut bytes = b"solid, yet binary".to_vec();
     bytes.resize(80, b' ');
     bytes.extend(u32::try_from(faces.len()).expect("few").to_le_bytes());
     for face in faces {
@@ -61,25 +61,22 @@ fn all_forms_are_the_same_part() {
 
 #[test]
 fn what_is_no_mesh_is_refused() {
-    let said = |found: Result<Part, Error>| found.expect_err("no mesh").to_string();
+    let said = |found: Result<Part, Error>| match found.expect_err("no mesh") {
+        Error::Mesh { fault } => fault,
+        other => panic!("{other}"),
+    };
     let stl = binary_stl(&bracket());
     let shorter = &stl[1..];
-    assert_eq!(
-        said(Part::from_stl(shorter, Unit::Metre)),
-        "mesh: is no STL: it neither begins with `solid` nor has the length of a binary file"
-    );
+    assert!(said(Part::from_stl(shorter, Unit::Metre)).starts_with("is no STL"));
     let cut = text_stl(&bracket()).replacen("vertex 0", "vertex zero", 1);
-    assert!(said(Part::from_stl(cut.as_bytes(), Unit::Metre)).starts_with("mesh: line "));
-    assert_eq!(
-        said(Part::from_obj("v 0 0 0\nf 1 2 3\n", Unit::Metre)),
-        "mesh: face 0: corner 1 is not there, there are 1"
-    );
-    assert_eq!(said(Part::from_obj("f a b c", Unit::Metre)), "mesh: line 1: is no face with its numbers");
-    assert_eq!(said(Part::from_obj("", Unit::Metre)), "mesh: has no faces, must have some");
+    assert!(said(Part::from_stl(cut.as_bytes(), Unit::Metre)).starts_with("line "));
+    assert!(said(Part::from_obj("v 0 0 0\nf 1 2 3\n", Unit::Metre)).starts_with("face 0: corner 1"));
+    assert!(said(Part::from_obj("f a b c", Unit::Metre)).starts_with("line 1: "));
+    assert!(said(Part::from_obj("", Unit::Metre)).starts_with("has no faces"));
     assert!(said(Part::from_obj("v 0 0 nan\nf 1 1 1", Unit::Metre)).contains("must be finite"));
-    assert!(said(Part::read("no.stl", Unit::Metre)).starts_with("mesh: no.stl: "));
+    assert!(said(Part::read("no.stl", Unit::Metre)).starts_with("no.stl: "));
     assert!(
         said(Part::read(concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml"), Unit::Metre))
-            .ends_with("must end in .stl or .obj")
+            .ends_with(".stl or .obj")
     );
 }

@@ -17,15 +17,16 @@ fn a_pad_that_misses_says_so() {
     for (at, closing) in [([-0.01, 0.06, 0.015], [1.0, 0.0, 0.0]), ([-0.01, 0.025, 0.015], [-1.0, 0.0, 0.0])]
     {
         let error = jaw(at, closing).on(&part).expect_err("misses");
-        assert!(matches!(error, Error::Misses { .. }));
-        assert!(error.to_string().starts_with("contact 0 (jaw): misses the part"), "{error}");
+        let Error::Misses { contact, fault } = error else { panic!("{error}") };
+        assert!(contact.to_string() == "0 (jaw)" && fault.starts_with("misses"), "{contact}: {fault}");
     }
 }
 
 #[test]
 fn a_pad_that_begins_inside_says_so() {
     let error = jaw([0.003, 0.025, 0.015], [1.0, 0.0, 0.0]).on(&bracket_in_metres()).expect_err("inside");
-    assert!(error.to_string().contains("begins inside the part"), "{error}");
+    let Error::Misses { contact, fault } = error else { panic!("{error}") };
+    assert!(contact.to_string() == "0 (jaw)" && fault.starts_with("begins inside"), "{contact}: {fault}");
 }
 
 /// A pad may begin on the face that it presses on.

@@ -73,14 +73,10 @@ fn a_pad_that_misses_in_part_is_named() {
     let warnings = scene.warnings().expect("answered");
     let missing = |warning: &Warning| matches!(warning, Warning::MissesInPart { missing, .. } if (*missing - 0.5).abs() < 1e-12);
     assert_eq!(warnings.iter().filter(|warning| missing(warning)).count(), 2, "{warnings:?}");
-    assert!(
-        warnings[0].to_string().starts_with("left misses the part with 50 % of its pad"),
-        "{}",
-        warnings[0]
-    );
+    assert!(warnings[0].to_string().starts_with("left misses"), "{}", warnings[0]);
     let misses = read(&scene_at(0.06)).expect("a scene").with_files_from(folder()).expect("its part");
     let said = misses.answers().expect_err("no contact").to_string();
-    assert!(said.starts_with("contact 0 (left): misses the part"), "{said}");
+    assert!(said.starts_with("contact 0 (left): misses"), "{said}");
 }
 
 #[test]
@@ -91,20 +87,20 @@ fn faults_name_what_is_missing() {
         read(&scene).expect_err("a fault")
     };
     let said = refused(&|setup| drop(setup.as_object_mut().expect("an object").remove("part")));
-    assert!(said.ends_with("contact 0: touches nothing, the scene has no `part`"), "{said}");
+    assert!(said.contains("contact 0: touches") && said.ends_with("no `part`"), "{said}");
     let said = refused(&|setup| setup["contacts"][1]["point"] = json!([0, 0, 0]));
     assert!(said.contains("spatial.contacts[1]") && said.contains("point and touches"), "{said}");
     let said = refused(&|setup| setup["contacts"][0]["stiffness"] = json!(1e4));
-    assert!(said.contains("series_stiffness and layer"), "{said}");
+    assert!(said.contains("series_stiffness") && said.contains("layer"), "{said}");
     let said = refused(&|setup| setup["contacts"][0]["touches"]["disc"] = json!(0.01));
-    assert!(said.contains("number of shapes that touch is 2"), "{said}");
+    assert!(said.contains("number of shapes") && said.contains("is 2"), "{said}");
     let said = refused(&|setup| setup["part"]["mass"] = json!(1));
     assert!(said.contains("mass and density"), "{said}");
     let unread = read(&scene_at(0.025)).expect("a scene").answers().expect_err("no mesh").to_string();
-    assert!(unread.starts_with("mesh: the part is not read"), "{unread}");
+    assert!(unread.starts_with("mesh: ") && unread.contains("not read"), "{unread}");
     let elsewhere =
         read(&scene_at(0.025)).expect("a scene").with_files_from("nowhere").expect_err("no file").to_string();
-    assert!(elsewhere.starts_with("mesh: nowhere/bracket.obj: "), "{elsewhere}");
+    assert!(elsewhere.starts_with("mesh: ") && elsewhere.contains(" nowhere/bracket.obj: "), "{elsewhere}");
 }
 
 /// A round part between a V and a round finger: pads with a profile in a scene, and a constant force on the flat one.
@@ -141,8 +137,8 @@ fn a_part_may_be_given_by_arrays() {
     let again = read(&serde_json::to_value(&scene).expect("written")).expect("read");
     assert_eq!(again, scene);
     for (part, said) in [
-        (json!({ "unit": "mm" }), "must have a `mesh`, or `vertices` and `faces`"),
-        (json!({ "mesh": "a.stl", "vertices": corners, "faces": faces }), "must have a `mesh`, or"),
+        (json!({ "unit": "mm" }), "a `mesh`, or"),
+        (json!({ "mesh": "a.stl", "vertices": corners, "faces": faces }), "a `mesh`, or"),
         (json!({ "vertices": corners }), "has no faces"),
     ] {
         let error = with(part).expect_err("is refused");
