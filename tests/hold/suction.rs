@@ -117,8 +117,7 @@ fn a_cup_that_is_open_all_around_has_let_go() -> Tested {
     is(lost.factor * 100.0, expected);
     let WayOut::LetsGo { cups } = &lost.way_out else { panic!("{verdict}") };
     assert_eq!((cups.len(), &*cups[0].label, verdict.holds()), (1, "near", Some(false)));
-    let said = format!("LETS GO at {expected:.4} N of 100 N: near opens all around, and its vacuum is gone");
-    assert_eq!(verdict.to_string(), said);
+
     let half = beam.hold(planar::Wrench::force_at([0.0, -0.5 * expected], [b, 0.0]))?;
     assert_eq!(half.holds(), Some(true));
     is(half.lost.expect("twice as much").factor, 2.0);
@@ -146,8 +145,10 @@ fn a_joint_does_not_feel_it() -> Tested {
 #[test]
 fn what_is_no_vacuum_is_refused() {
     let refused = Grasp::new([lip().suction(-1.0)]).expect_err("it pushes");
-    assert!(matches!(refused, Error::Contact { field: Field::Suction, .. }));
-    assert_eq!(refused.to_string(), "contact 0 (cup): suction is -1, must be from 0 to 1e50");
+    let Error::Contact { contact, field: Field::Suction, value: -1.0, .. } = refused else {
+        panic!("{refused}")
+    };
+    assert_eq!(contact.to_string(), "0 (cup)");
     for (force, pressure) in [(-1.0, -1.0), (f64::NAN, f64::NAN), (f64::INFINITY, f64::INFINITY)] {
         assert!(
             SuctionCup::of_force(RADIUS, 12, force).is_err()

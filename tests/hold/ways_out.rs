@@ -29,13 +29,7 @@ fn a_box_tips_over_its_foot() -> Tested {
     let WayOut::TipsOver { about, opens } = &lost.way_out else { panic!("{verdict}") };
     assert_eq!((names(about), names(opens)), (vec!["right"], vec!["left"]));
     assert!(!lost.is_gross_slip);
-    let said = verdict.to_string();
-    assert!(
-        said.starts_with(
-            "TIPS OVER at 2.5 N of 5 N beside the load at rest: the object tips over about right, left opens"
-        ),
-        "{said}"
-    );
+
     Ok(())
 }
 
@@ -73,7 +67,7 @@ fn a_pinch_spins_about_its_line() -> Tested {
         matches!(&lost.way_out, WayOut::TurnsAbout { about } if names(about) == ["thumb", "index"]),
         "{verdict}"
     );
-    assert!(verdict.to_string().contains("spins about the line thumb–index"), "{verdict}");
+    assert!(verdict.to_string().contains("line thumb–index"), "{verdict}");
     Ok(())
 }
 
@@ -103,8 +97,12 @@ fn a_bracket_slides_down_its_post_at_once() -> Tested {
     let edge = |x: f64, y: f64| Contact::new([x, y], [x, 0.0]).series_stiffness(1e8, 1e8).friction(0.2);
     let bracket = Grasp::new([edge(-0.02, 0.05), edge(0.02, -0.05)])?;
     let hung = |at: f64| bracket.hold(Wrench::force_at([0.0, -100.0], [at, 0.0]));
-    let said = hung(0.24)?.to_string();
-    assert!(said.starts_with("DROPS at once, under any part of 100 N: the object moves along −y"), "{said}");
+    let verdict = hung(0.24)?;
+    let WayOut::SlidesOut { direction } = &verdict.lost.as_ref().expect("slides").way_out else {
+        panic!("{verdict}")
+    };
+    assert!(verdict.held_to == 0.0 && direction[1] < -1.0 + 1e-9, "{verdict}");
+    assert!(verdict.to_string().starts_with("DROPS at once"), "{verdict}");
     assert_eq!(hung(0.26)?.holds(), Some(true));
     Ok(())
 }
@@ -154,11 +152,13 @@ fn a_stack_tips_over_as_one() -> Tested {
         .grasp()?;
     let verdict = stack.hold(Wrench::force_at([60.0, 0.0], [0.0, 1.0]))?;
     assert!((60.0 * verdict.held_to - 45.0).abs() < 1e-9, "{verdict}");
-    let said = verdict.to_string();
-    assert!(
-        said.starts_with("TIPS OVER at 45 N of 60 N: upper and lower tip over about an edge of floor."),
-        "{said}"
-    );
+    let lost = verdict.lost.as_ref().expect("tips");
+    let WayOut::Apart { bodies } = &lost.way_out else { panic!("{verdict}") };
+    assert_eq!(bodies.iter().map(|body| body.body.as_str()).collect::<Vec<_>>(), ["upper", "lower"]);
+    for body in bodies {
+        let WayOut::TipsOver { about, .. } = &body.way else { panic!("{verdict}") };
+        assert_eq!(names(about), ["floor"]);
+    }
     Ok(())
 }
 
