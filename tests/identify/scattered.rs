@@ -51,8 +51,9 @@ fn a_scatter_that_is_given() -> Tested {
     let half = 1.959_964 * 0.1 / 5.0_f64.sqrt();
     assert!(mu.interval.is_some_and(|[low, _]| (low / (mean - half).exp() - 1.0).abs() < 1e-6), "{found}");
     assert!(found.misfit.is_some_and(|misfit| (misfit / (s / 0.1) - 1.0).abs() < 1e-6), "{found}");
-    let tight = jaws([0.5; 2])?.identify(&asked(0.01))?.to_string();
-    assert!(tight.contains("as far off as their scatter says"), "{tight}");
+    let tight = jaws([0.5; 2])?.identify(&asked(0.01))?;
+    assert!(tight.misfit.is_some_and(|misfit| (misfit / (s / 0.01) - 1.0).abs() < 1e-6), "{tight}");
+    assert!(tight.to_string().contains("as far off"), "{tight}");
     Ok(())
 }
 
@@ -72,7 +73,8 @@ fn groups_of_slips() -> Tested {
     assert!(close(Some(mu.value), mean.exp()) && close(mu.standard_error, mean.exp() * error), "{found}");
     assert!(close(mu.degrees_of_freedom, 2.0) && found.groups == Some(3), "{found}");
     assert!(close(mu.interval.map(|[low, _]| low), (mean - 4.302_653 * error).exp()), "{found}");
-    assert!(found.to_string().contains("from 9 slips in 3 groups, which scatter by"), "{found}");
+    assert!(found.to_string().contains("in 3 groups"), "{found}");
+    assert!(found.slips == 9 && found.scatter.is_some(), "{found}");
     Ok(())
 }
 
@@ -100,7 +102,7 @@ fn a_slip_far_off_counts_less() -> Tested {
     let squares = jaws([0.5; 2])?.identify(&asked.clone().with_outliers_beyond(f64::INFINITY))?;
     let [robust, plain] = [&found, &squares].map(|found| found.estimates[0].value);
     assert!((robust / 0.3 - 1.0).abs() < 0.06 && plain > 0.37, "{robust} {plain}");
-    assert!(found.to_string().ends_with("1 slip lies far off and counts less"), "{found}");
+    assert!(found.to_string().contains("1 slip lies far"), "{found}");
     assert!(
         found.weights[9] < 0.2 && found.weights[..9].iter().all(|weight| *weight == 1.0),
         "{:?}",

@@ -28,13 +28,8 @@ fn one_of_two_jaws_whichever_the_start() -> Tested {
         for start in [[0.3, 0.5], [0.5, 0.3], [0.9, 0.423], [0.5, 0.5]] {
             let found = from(start, slip)?;
             let said = found.to_string();
-            assert!(said.starts_with("one of the two is 0.422"), "{start:?}: {said}");
-            assert!(
-                said.contains(
-                    ", which one is not fixed: friction of left or friction of right, from 6 slips"
-                ),
-                "{start:?}: {said}"
-            );
+            assert!(said.starts_with("one of"), "{start:?}: {said}");
+            assert_eq!(found.slips, 6);
             // Nothing is said of one jaw that belongs to the other.
             assert!(
                 found.estimates.iter().all(|each| !each.is_fixed && each.standard_error.is_none()),
@@ -106,7 +101,7 @@ fn the_assignment_that_fits_is_found_from_the_other_one() -> Tested {
             "{start:?}: {found}"
         );
         assert!(!found.estimates[1].is_fixed, "{start:?}: {found}");
-        assert!(found.to_string().contains("Friction of right is not fixed"), "{found}");
+        assert_eq!(found.estimates[1].name, "friction of right");
     }
     Ok(())
 }
@@ -123,8 +118,12 @@ fn one_of_three() -> Tested {
         // The twist takes a third at each finger: μ 10 N · 3 · 0.05 m, 0.6 N m at 0.4.
         let slips = [0.59, 0.6, 0.61].map(|m| Slip::first(Wrench::new([0.0; 2], m)));
         let found = grasp.identify(&Identify::new(unknowns.clone(), slips))?;
-        assert!(found.to_string().starts_with("one of the three is 0.4"), "{start:?}: {found}");
+        assert!(found.to_string().starts_with("one of"), "{start:?}: {found}");
         assert_eq!(found.assignments.len(), 3, "{start:?}: {found:?}");
+        for (k, all) in found.assignments.iter().enumerate() {
+            let fixed: Vec<_> = all.iter().filter(|each| each.is_fixed).collect();
+            assert!(fixed.len() == 1 && (fixed[0].value / 0.4 - 1.0).abs() < 0.01, "{k}: {found:?}");
+        }
     }
     Ok(())
 }

@@ -50,7 +50,7 @@ fn loads() -> Tested {
 #[test]
 fn loads_at_rest() -> Tested {
     is_met("load at rest", &amounts::planar, amounts::at_rest())?;
-    is_met("load at rest in space", &amounts::spatial, amounts::at_rest())
+    is_met("at rest, space", &amounts::spatial, amounts::at_rest())
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Turn, Wrench};
+use support::facts;
 use support::jaws::jaws;
 
 type Tested = Result<(), grasp_lcp::Error>;
@@ -25,10 +26,13 @@ fn a_pinch() -> Tested {
     let needed = pinch.need(&Need::squeeze(weight).to_stick().if_lower_by(0.1, 0.05))?;
     let safe = needed.safe.as_ref().and_then(Amount::bound).expect("more squeeze does");
     assert!((safe - 1.2 / (0.9 * 0.95)).abs() < 1e-11, "{needed}");
-    assert_eq!(
-        needed.to_string(),
-        "NEEDS 12 N at left and right so that nothing slides, 14.0351 N if friction is 10 % less and the squeeze is 5 % less. With less: left and right slide"
+    let Amount::Bound { presses, otherwise, .. } = &needed.amount else { panic!("{needed}") };
+    let presses: Vec<_> = presses.iter().map(|press| (press.part.label.as_str(), press.force)).collect();
+    assert!(
+        matches!(&presses[..], [("left", a), ("right", b)] if (a - 12.0).abs() < 1e-9 && (b - 12.0).abs() < 1e-9),
+        "{presses:?}"
     );
+    assert!(otherwise.contains("left and right"), "{otherwise}");
     Ok(())
 }
 
@@ -112,29 +116,24 @@ fn no_friction_helps_where_moments_are_not_carried() -> Tested {
     // The right jaw's friction cannot replace the left one's: two points carry equal shares.
     let needed = jaws([0.5; 2])?.need(&Need::friction_of([1], Wrench::force([0.0, -12.0])))?;
     assert!(matches!(needed.amount, Amount::None { .. }), "{needed}");
-    assert!(needed.to_string().starts_with("NO coefficient of friction that was tried does"), "{needed}");
+    assert!(needed.to_string().starts_with("NO coefficient"), "{needed}");
     Ok(())
 }
 
 #[test]
 fn what_cannot_be_meant_is_refused() {
     let weight = Wrench::force([0.0, -1.0]);
-    let refused =
-        |need: Need<2>| jaws([0.5; 2]).and_then(|pinch| pinch.need(&need)).map(drop).unwrap_err().to_string();
+    let refused = |need: Need<2>| jaws([0.5; 2]).and_then(|pinch| pinch.need(&need)).map(drop).unwrap_err();
     let lower = |part: f64| refused(Need::squeeze(weight).if_lower_by(part, 0.0));
-    assert_eq!(
-        lower(1.0),
-        "part by which friction is less is 1, must be from 0 to less than 1: 0.1 is ten percent"
-    );
-    assert_eq!(
-        lower(f64::NAN),
-        "part by which friction is less is NaN, must be from 0 to less than 1: 0.1 is ten percent"
-    );
-    assert_eq!(
-        refused(Need::friction_of([2], weight)),
-        "number of the contact is 2, must be less than the number of contacts"
-    );
-    assert!(refused(Need::load(Loads::Each(Vec::new()))).starts_with("need: load is missing"));
+    for (error, datum, value) in [
+        (lower(1.0), "friction is less", "1"),
+        (lower(f64::NAN), "friction is less", "NaN"),
+        (refused(Need::friction_of([2], weight)), "the contact", "2"),
+        (refused(Need::load(Loads::Each(Vec::new()))), "load", ""),
+    ] {
+        let [_, what, given] = facts(&error);
+        assert!(what.ends_with(datum) && given == value, "{error}");
+    }
 }
 
 /// A steady pull of 1.5 N beside 8 N that tilt by θ: a jaw presses with 10 − 4 sin θ and carries half of 8 cos θ + 1.5, so that `8 cos θ + 4 sin θ = 8.5` where it slides.
@@ -184,10 +183,7 @@ fn a_force_of_any_direction_beside_a_weight_that_is_not_held() -> Tested {
     // What carries nothing of it says how the weight goes.
     let needed = pinch.with_friction(|_, _| 0.0)?.need(&Need::squeeze(loads))?;
     assert!(matches!(needed.amount, Amount::None { .. }), "{needed}");
-    assert!(
-        needed.to_string().contains("the squeeze given: DROPS at once, under any part of 12 N"),
-        "{needed}"
-    );
+    assert!(needed.to_string().contains("DROPS at once"), "{needed}");
     Ok(())
 }
 
@@ -198,9 +194,8 @@ fn directions_are_not_compared_across_an_open_contact() -> Tested {
     let contacts = jaws([0.5; 2])?.contacts().iter().cloned().chain([spare]).collect::<Vec<_>>();
     let loads = Loads::AnyForce { base: Wrench::force([0.0, -3.0]), size: 1.0, point: [0.0; 2] };
     let needed = Grasp::new(contacts)?.need(&Need::squeeze(loads).to_stick())?;
-    assert!(matches!(needed.amount, Amount::Undecided { .. }), "{needed}");
     assert!(
-        needed.to_string().contains("a contact is open or at its edge before the force acts"),
+        matches!(&needed.amount, Amount::Undecided { doubt, .. } if doubt.contains("open or at")),
         "{needed}"
     );
     Ok(())
@@ -215,6 +210,6 @@ fn a_bracket_jams_from_an_arm_on() -> Tested {
     let needed = bracket.need(&Need::arm(here, a_metre_on - here))?;
     let Amount::Bound { until: Some(least), .. } = &needed.amount else { panic!("{needed}") };
     assert!((least.does - 0.1 / 0.4).abs() < 1e-9, "{needed}");
-    assert!(needed.to_string().starts_with("TAKES an arm of 0.25 m to "), "{needed}");
+    assert!(needed.to_string().starts_with("TAKES an arm"), "{needed}");
     Ok(())
 }

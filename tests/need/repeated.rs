@@ -114,7 +114,6 @@ fn a_load_that_turns_goes_there_and_back() -> Result<(), Error> {
 fn forces_of_any_direction_come_in_no_order() -> Result<(), Error> {
     let any = grasp_lcp::squeeze::Loads::AnyForce { base: Wrench::ZERO, size: 1.0, point: [0.0, 0.0] };
     let refused = block(2.0, 0.5, 100.0)?.with(&Settings::default()).need(&Need::squeeze(any).to_rest());
-    let message = "need: demand is one of loads that repeat, must be another for a force of any direction";
-    assert_eq!(refused.expect_err("in no order").to_string(), message);
+    assert!(matches!(refused, Err(Error::Question { question: "need", field: "demand", .. })), "{refused:?}");
     Ok(())
 }
