@@ -24,7 +24,7 @@ fn two_bodies_are_decided() {
             (census, outcome) => panic!("{census:?} {outcome} {stack:?}"),
         }
     }
-    println!("{held} held, {lost} lost, {narrow} too near to tell");
+    println!("{held} {lost} {narrow}");
     assert_met(&[(held, 83), (lost, 33)]);
     assert!(narrow < samples(17), "{held} {lost} {narrow}");
 }

@@ -149,7 +149,7 @@ fn forces_go_to_those_between_rigid_bodies() {
         let off = |surface: f64| {
             let elastic = hanging.of_bodies(surface);
             let same = (&elastic - hanging.posed(surface)).amax();
-            assert!(same < 1e-9 * size, "{scene}: {same:e} of {size}");
+            assert!(same < 1e-9 * size, "{scene}: {same:e} {size}");
             (elastic - &rigid).amax() / size
         };
         let [soft, stiff, stiffest] = [1e6, 1e8, 1e10].map(off);

@@ -63,7 +63,7 @@ fn every_fraction_that_was_passed_is_told() -> Tested {
     let told = |k: usize| path.state_at(0, end * k as f64 / 2000.0);
     let mut before: Option<Vec<[f64; 3]>> = None;
     for k in 0..=2000 {
-        let state = told(k).ok_or_else(|| format!("{k} of 2000 is not told"))?;
+        let state = told(k).ok_or_else(|| format!("{k} of 2000"))?;
         let forces: Vec<[f64; 3]> = state.contacts.iter().map(|c| c.force.into()).collect();
         // Nothing jumps between neighbours.
         if let Some(before) = before.replace(forces.clone()) {
@@ -122,7 +122,7 @@ fn nothing_presses() -> Tested {
         let loss = path.end().and_then(PathEnd::loss).ok_or("lost")?;
         assert!(loss.leg == 1 && loss.fraction == 0.0, "{loss:?}");
         assert!(matches!(loss.kind, LossKind::GivesWay | LossKind::Corner));
-        let last = path.state_at(0, 1.0).ok_or("at the end of the first leg")?;
+        let last = path.state_at(0, 1.0).ok_or("after a leg")?;
         assert!(last.contacts.iter().all(|c| c.force.norm() == 0.0 || c.force.norm() < 1e-30));
         assert!(last.contacts.iter().all(|c| c.friction_used() == 0.0), "of no force");
     }
@@ -134,7 +134,7 @@ fn nothing_presses() -> Tested {
 fn the_other_way_to_begin_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/two_ways_at_the_start.json"))?;
     let mut path = grasp.follow(start, &legs)?;
-    let first = path.next().ok_or("an event at the start")?;
+    let first = path.next().ok_or("no event")?;
     assert!(first.leg == 0 && first.fraction == 0.0 && first.changes.is_empty());
     assert_eq!(first.other_continuations, Some(1));
     path.run();

@@ -161,7 +161,7 @@ fn few_everyday_paths_end_undecided() {
         Ok(())
     });
     let [paths, undecided, at_rest] = [paths, undecided, at_rest].map(|cell| cell.get());
-    println!("{undecided} of {paths} undecided, {at_rest} end at rest");
+    println!("{undecided} {paths} {at_rest}");
     assert_met(&[(at_rest, 10)]);
     assert!(undecided <= samples(2), "{undecided} {at_rest}");
 }

@@ -17,7 +17,7 @@ fn pulled(
     let asked = grasp.with(settings);
     let mut path = asked.follow(Wrench::ZERO, &[Leg::load_to(Wrench::force([pull, 0.0, 0.0]))])?;
     path.by_ref().for_each(drop);
-    let end = path.end().ok_or("run to its end")?.clone();
+    let end = path.end().ok_or("no end")?.clone();
     let state = path.state().ok_or("it starts")?;
     Ok((state, end, path.beyond()))
 }
@@ -25,7 +25,7 @@ fn pulled(
 #[test]
 fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), Box<dyn Error>> {
     let scene: Scene = serde_json::from_str(include_str!("../../examples/scenes/bottle.json"))?;
-    let Space::Spatial(setup) = scene.space else { return Err("the bottle is spatial".into()) };
+    let Space::Spatial(setup) = scene.space else { return Err("bottle is spatial".into()) };
     let (grasp, settings) = (setup.grasp()?, Settings::default().with_step_error(1e-13));
     let (last, end, beyond) = pulled(&grasp, 100.0, &settings)?;
     let PathEnd::Lost(loss) = end else { return Err(format!("{end:?}").into()) };
@@ -48,7 +48,7 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
     // What is there beyond: the thumb, which still pressed, lets go.
     assert!(last.contacts[0].normal_force() > 6e-4);
     let beyond = grasp.solve(Wrench::force([most * (1.0 + 1e-9), 0.0, 0.0]))?;
-    let beyond = beyond.equilibrium().ok_or("three fingers hold it")?;
+    let beyond = beyond.equilibrium().ok_or("three fingers")?;
     assert_eq!(beyond.contacts[0].state, ContactState::Separated);
     let largest = last.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
     for (there, here) in beyond.contacts.iter().zip(&last.contacts) {

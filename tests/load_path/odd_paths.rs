@@ -35,7 +35,7 @@ fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
         let most = if leg == last { end } else { 1.0 };
         for fraction in (0..=ASKED).map(|k| most * (k as f64 / ASKED as f64)) {
             let state = path.state_at(leg, fraction);
-            told.push((leg, fraction, state.ok_or_else(|| format!("{leg}, {fraction} is not told"))?));
+            told.push((leg, fraction, state.ok_or_else(|| format!("{leg}, {fraction}"))?));
         }
     }
     // Where nothing presses what is left of forces is the rounding of those that pressed, or of springs that have come back.
@@ -51,19 +51,17 @@ fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
             state.contacts.iter().fold(SVector::<f64, C>::zeros(), |sum, answer| sum + answer.force_world);
         let load = SVector::<f64, C>::from_column_slice(&state.load.components()[..C]);
         if (sum + load).norm() > 1e-13 * largest {
-            return Err(format!("{leg}, {fraction} is out of balance by {}", sum + load));
+            return Err(format!("{leg}, {fraction}: {}", sum + load));
         }
         for (contact, answer) in odd.grasp.contacts().iter().zip(&state.contacts) {
             let (normal, used) = (answer.normal_force(), answer.friction_used());
             let gap = answer.gap;
             if normal < -1e-12 * largest || gap < -1e-12 || used < 0.0 {
-                return Err(format!(
-                    "{leg}, {fraction}: {normal:e} of {largest:e} N, gap {gap:e} m, {used} of friction"
-                ));
+                return Err(format!("{leg}, {fraction}: {:?}", (normal, gap, used)));
             }
             let over = answer.friction_force() - contact.friction_coefficient() * normal;
             if over > 1e-10 * largest {
-                return Err(format!("{leg}, {fraction} is off its cone by {over}"));
+                return Err(format!("{leg}, {fraction}: {over}"));
             }
         }
     }

@@ -45,7 +45,7 @@ fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> 
                 return Ok(());
             }
             let Some(mut next) = scene.advance(leg, [from, to], &step, HALVINGS) else {
-                return Err(TestCaseError::fail(format!("no step to {leg} {to}, but {:?}", path.end())));
+                return Err(TestCaseError::fail(format!("{leg} {to}: {:?}", path.end())));
             };
             let exact = path.state_at(leg, to).unwrap();
             let states = scene.does(&exact);

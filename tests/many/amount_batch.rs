@@ -93,7 +93,7 @@ fn amounts_are_those_of_single_grasps() {
             }
         }
     }
-    println!("{bounds} bounds, {others} others");
+    println!("{bounds} {others}");
     assert_met(&[(bounds, 20)]);
 }
 

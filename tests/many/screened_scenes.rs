@@ -70,7 +70,7 @@ pub(crate) fn agrees(
 ) -> bool {
     let off = (found - exact).abs();
     let sharp = off <= close * exact.abs();
-    count(tally, if sharp { "close" } else { "as close as the question" });
+    count(tally, if sharp { "close" } else { "as the question" });
     sharp
         || off <= 10.0 * close * exact.abs()
         || off <= [1e-12, -1e-12].map(|part| (others(part) - exact).abs()).into_iter().fold(0.0, f64::max)

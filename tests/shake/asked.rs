@@ -12,9 +12,8 @@ fn block() -> Result<Grasp, Error> {
 #[test]
 fn a_cycle_that_ends_elsewhere_is_refused() -> Result<(), Error> {
     let legs = [Leg::load_by(Wrench::force([1.0, 0.0])), Leg::load_by(Wrench::force([-0.5, 0.0]))];
-    let refused = block()?.shake(Wrench::force([0.0, -10.0]), &legs).map_err(|error| error.to_string());
-    let allowed = "cycle: the load at its end is 0.5 away from that at its beginning, must be the same";
-    assert_eq!(refused.err().as_deref(), Some(allowed));
+    let refused = block()?.shake(Wrench::force([0.0, -10.0]), &legs).err();
+    assert_eq!(refused, Some(Error::NotClosed { what: "load", off: 0.5 }));
     Ok(())
 }
 
@@ -34,7 +33,7 @@ fn as_many_cycles_are_followed_as_are_allowed() -> Result<(), Error> {
     let cycle = [0.4, -0.4].map(|moment| Leg::there_and_back(Wrench::new([0.0, 0.0], moment))).concat();
     let shaken = grasp.shake(Wrench::force([3.5, -10.0]), &cycle)?;
     assert!(matches!(shaken.repeats, Repeats::Undecided { doubt: None }) && shaken.followed == 1, "{shaken}");
-    assert!(shaken.to_string().starts_with("UNDECIDED after a cycle: forces still change by"), "{shaken}");
+    assert!(shaken.to_string().starts_with("UNDECIDED"), "{shaken}");
     Ok(())
 }
 
@@ -42,7 +41,7 @@ fn as_many_cycles_are_followed_as_are_allowed() -> Result<(), Error> {
 fn where_nothing_holds_at_rest_that_is_told() -> Result<(), Error> {
     let shaken =
         block()?.shake(Wrench::force([6.0, -10.0]), &Leg::there_and_back(Wrench::force([1.0, 0.0])))?;
-    assert!(shaken.to_string().starts_with("DOES NOT HOLD even at rest"), "{shaken}");
+    assert!(shaken.to_string().contains("even at rest"), "{shaken}");
     assert_eq!((shaken.rests(), shaken.followed), (Some(false), 0));
     Ok(())
 }

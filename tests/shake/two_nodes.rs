@@ -183,7 +183,7 @@ fn what_it_remembers_decides_between_two_limits() -> Result<(), Error> {
         let near = rests(&system, &loads, some - 0.1 * (some - all))?;
         remembered += usize::from(near.contains(&true) && near.contains(&false));
     }
-    println!("{told} with two limits, {remembered} of them remember");
+    println!("{told} {remembered}");
     assert_met(&[(told, 2), (remembered, 1)]);
     Ok(())
 }

@@ -65,6 +65,6 @@ fn a_planar_jump_in_space_is_the_same() {
             jumps += 1;
         }
     }
-    println!("{jumps} jumps, {losses} losses");
+    println!("{jumps} {losses}");
     assert_met(&[(jumps, 150), (losses, 1)]);
 }

@@ -89,7 +89,7 @@ fn paths_converge_in_proportion() {
     }
     events_apart.told("events");
     forces_apart.told("forces");
-    in_turn.told("forces where contacts stick and slip in turn");
+    in_turn.told("forces in turn");
     for apart in [&events_apart, &forces_apart] {
         // Of order one: with a hundredth of the part a hundredth of the difference.
         assert!(apart.most[4] < 2.0 * apart.most[2] && apart.most[4] > 0.5 * apart.most[2]);

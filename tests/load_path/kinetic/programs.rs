@@ -56,7 +56,7 @@ fn programs<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
             begun = false;
             if let Some(jump) = &event.jump {
                 assert!(jump.energy_lost > 0.0 && !jump.slips.is_empty(), "{context}: {jump:?}");
-                obeys(&jump.state, &friction, &mut tally, &format!("{context}, after its jump"));
+                obeys(&jump.state, &friction, &mut tally, &format!("{context}, jump"));
                 tally.jumps += 1;
             }
         }

@@ -1,5 +1,5 @@
 //! Amounts that `need` answers, against brute force: amounts around each answer are put on by `hold` one by one, on random scenes.
-#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few fingers are counted")]
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "few fingers")]
 
 use std::f64::consts::TAU;
 use std::time::Instant;
@@ -219,7 +219,7 @@ pub fn checked<const C: usize>(
     let mut wrong = Vec::new();
     let mut claim = |is_right: bool, what: &str, amount: f64| {
         if !is_right {
-            wrong.push(format!("{what} at {amount}: {needed}"));
+            wrong.push(format!("{what} {amount}: {needed}"));
         }
     };
     // Here a force is multiplied before a command is computed from it, in the crate after: their last digits differ.
@@ -227,9 +227,9 @@ pub fn checked<const C: usize>(
     let middle = match &needed.amount {
         Amount::Bound { does, does_not, until, .. } => {
             claim(tried(scene, does * (1.0 + off))? == Some(true), "what does fails", *does);
-            claim(tried(scene, does_not * (1.0 - off))? != Some(true), "what does not holds", *does_not);
+            claim(tried(scene, does_not * (1.0 - off))? != Some(true), "less does, too", *does_not);
             if let Some(end) = until {
-                claim(tried(scene, end.does)? == Some(true), "the far end fails", end.does);
+                claim(tried(scene, end.does)? == Some(true), "far end fails", end.does);
             }
             *does
         }
@@ -242,7 +242,7 @@ pub fn checked<const C: usize>(
         let amount = middle * REACH.powf(2.0 * part - 1.0);
         let holds = tried(scene, amount)?;
         match &needed.amount {
-            Amount::None { .. } => claim(holds != Some(true), "no amount, but one holds", amount),
+            Amount::None { .. } => claim(holds != Some(true), "one holds", amount),
             Amount::Bound { does, elsewhere, .. } => {
                 let is_beyond = if is_least { amount < *does } else { amount > *does };
                 let is_told = elsewhere.iter().any(|window| {
@@ -254,7 +254,7 @@ pub fn checked<const C: usize>(
             Amount::Any { to, until, .. } => {
                 let far = until.as_ref().map_or(if is_least { f64::INFINITY } else { 0.0 }, |end| end.does);
                 let is_inside = (amount - to) * (amount - far) < 0.0;
-                claim(!is_inside || holds != Some(false), "any does, but one fails", amount);
+                claim(!is_inside || holds != Some(false), "one fails", amount);
             }
             _ => {}
         }

@@ -216,9 +216,9 @@ pub fn fault<const C: usize>(
                 // A path may end undecided once its slips have nearly died out.
                 let died_out = shaken.ratio > 0.0 && until(shaken.ratio, 1e-6) < k;
                 let right = died_out || matches!(shaken.repeats, Repeats::Undecided { .. });
-                return Ok((!right).then(|| format!("undecided in cycle {k}: {doubt}")));
+                return Ok((!right).then(|| format!("cycle {k}: {doubt}")));
             }
-            _ => return Ok(Some(format!("no end in cycle {k}"))),
+            _ => return Ok(Some(format!("endless cycle {k}"))),
         }
         let legs = path.energies().len();
         heats.push(path.energies()[legs - cycle.legs.len()..].iter().map(|leg| leg.dissipated).sum::<f64>());
