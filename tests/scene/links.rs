@@ -98,56 +98,40 @@ fn refused() {
         Scene::from_json(CLAMP.replacen(from, to, 1).as_bytes()).expect_err(to).message
     };
     let hinge = r#""hinge": { "point": [0, 0.02] }"#;
-    let told = [
+    // The link or its field, and the value.
+    for (from, to, of, value) in [
         (
             hinge,
             r#""hinge": { "point": [0, 0.02] }, "rigid": { "point": [0, 0], "size": 0.1 }"#,
-            "pin: 2 kinds of link given, must be one of hinge, slide, rigid, spring, cable",
+            "pin: ",
+            "2 kinds",
         ),
-        (
-            hinge,
-            r#""stiffness": 3"#,
-            "pin: 0 kinds of link given, must be one of hinge, slide, rigid, spring, cable",
-        ),
-        (
-            hinge,
-            r#""hinge": { "point": [0, 0], "length": 0.1 }"#,
-            "pin: hinge: axis or length given, must be left out in the plane",
-        ),
-        (
-            hinge,
-            r#""ball": { "point": [0, 0] }"#,
-            "pin: ball: given, must be left out in the plane, where a hinge is what turns",
-        ),
+        (hinge, r#""stiffness": 3"#, "pin: ", "0 kinds"),
+        (hinge, r#""hinge": { "point": [0, 0], "length": 0.1 }"#, "pin: hinge: ", "length given"),
+        (hinge, r#""ball": { "point": [0, 0] }"#, "pin: ball: ", "the plane"),
         (
             hinge,
             r#""slide": { "point": [0, 0], "direction": [0, 0], "length": 0.1 }"#,
-            "pin: direction of the slide is 0, must be of a length above zero",
+            "pin: direction",
+            "slide is 0",
         ),
-        (r#""slack": 0.00007"#, r#""slack": -1"#, "rope: slack of the cable is -1, must be from 0 to 1e50"),
-        (
-            r#""slack": 0.00007"#,
-            r#""pretension": -1"#,
-            "rope: pretension of the cable is -1, must be 0 or more: a cable only pulls",
-        ),
-        (r#""stiffness": 1 }"#, r#""slack": 0 }"#, "stiffness: left out, must be given of a spring, N/m"),
-        (
-            r#""stiffness": 1 }"#,
-            r#""stiffness": 0 }"#,
-            "stiffness of the spring is 0, must be above 0 and at most 1e50",
-        ),
+        (r#""slack": 0.00007"#, r#""slack": -1"#, "rope: slack", "is -1"),
+        (r#""slack": 0.00007"#, r#""pretension": -1"#, "rope: pretension", "is -1"),
+        (r#""stiffness": 1 }"#, r#""slack": 0 }"#, "stiffness: ", "left out"),
+        (r#""stiffness": 1 }"#, r#""stiffness": 0 }"#, "stiffness ", "spring is 0"),
         (
             r#""on": "plate", "stiffness": 50000"#,
             r#""on": "plate", "between": ["plate", "lever"]"#,
-            "rope: between and on: a link has one of them",
+            "rope: between",
+            "and on: ",
         ),
-    ];
-    for (from, to, words) in told {
-        assert_eq!(message(from, to), words);
+    ] {
+        let told = message(from, to);
+        assert!(told.starts_with(of) && told.contains(value), "{told}");
     }
-    let nobody = CLAMP.replacen(r#""on": "lever""#, r#""on": "arm""#, 1);
-    let message = Scene::from_json(nobody.as_bytes()).expect_err("there is none").message;
-    assert_eq!(message, "body \"arm\" is named by hinge \"pin\", and is none of plate, lever");
+    let told = message(r#""on": "lever""#, r#""on": "arm""#);
+    assert!(told.starts_with("body \"arm\"") && told.contains("hinge \"pin\""), "{told}");
+    assert!(told.ends_with("plate, lever"), "{told}");
 }
 
 /// A beam on three props, of which one is a link: what it carries depends on its stiffness. A link that stands alone is as stiff as one likes.

@@ -5,10 +5,10 @@ mod carried;
 mod compared;
 mod direction_pictures;
 mod field_paths;
-mod first_lines;
 mod followed_in_steps;
 mod format;
 mod friction_charts;
+mod golden;
 mod hands;
 mod identified;
 mod improved;
@@ -36,3 +36,7 @@ mod turn_messages;
 mod turns;
 mod units;
 mod warnings;
+
+/// A name that has room nowhere.
+const LONG: &str =
+    "a finger whose name goes on and on, as if nobody were ever to write it on a sheet of paper";

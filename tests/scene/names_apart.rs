@@ -7,8 +7,7 @@ use grasp_lcp::{planar, spatial};
 use support::jaws::around;
 use support::svg::{Failure, outside, overlap, plaques, shapes};
 
-const LONG: &str =
-    "a finger whose name goes on and on, as if nobody were ever to write it on a sheet of paper";
+use crate::LONG;
 
 fn planar_ring(count: usize, name: &str) -> Result<planar::Grasp, grasp_lcp::Error> {
     let support = |k: usize| {
@@ -66,7 +65,7 @@ fn what_has_no_name_is_counted() -> Result<(), Failure> {
     let state = grasp.solve(planar::Wrench::ZERO)?.equilibrium().cloned().ok_or("it holds")?;
     let svg = draw_grasp(&grasp, &state, None, "Very many")?;
     check(&svg, "very many")?;
-    assert!(shapes(&svg)?.iter().any(|shape| shape.words == "60 names have no room here"));
+    assert!(shapes(&svg)?.iter().any(|shape| shape.words.starts_with("60 names")));
     Ok(())
 }
 

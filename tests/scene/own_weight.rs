@@ -59,25 +59,31 @@ fn refused(question: &str) -> String {
 
 #[test]
 fn a_weight_that_is_there_already_is_refused() {
-    let twice = "the scene's gravity already pulls at box, which has a mass: ";
-    let turned = format!("{twice}leave out weight and at, and gravity itself turns");
-    let lies = format!(
-        "{twice}what lies on it besides is said by its weight as a force, and what accelerates it by this load with \"gravity\" all zeros"
-    );
-    let told = refused(r#"{"need": {"quantity": "angle", "turn": {"weight": [0, -9.81], "at": [0, 0.05]}}}"#);
-    assert_eq!(told, format!("planar.questions[0].need.turn.weight: {turned}"));
-    assert_eq!(
-        refused(r#"{"hold": {"load": {"mass": 1}}}"#),
-        format!("planar.questions[0].hold.load.mass: {lies}")
-    );
-    let grows = r#"{"hold": {"load": {"force": [1, 0]}, "together_with": {"lid": {"mass": 1}}}}"#;
-    let told = refused(grows);
-    assert_eq!(
-        told,
-        format!("planar.questions[0].hold.together_with.lid.mass: {}", lies.replace("box", "lid"))
-    );
-    let leg = r#"{"follow": {"legs": [{"turn": {"weight": [0, -1]}}]}}"#;
-    assert_eq!(refused(leg), format!("planar.questions[0].follow.legs[0].turn.weight: {turned}"));
+    for (question, field, body, instead) in [
+        (
+            r#"{"need": {"quantity": "angle", "turn": {"weight": [0, -9.81], "at": [0, 0.05]}}}"#,
+            "need.turn.weight",
+            "box",
+            "gravity itself turns",
+        ),
+        (r#"{"hold": {"load": {"mass": 1}}}"#, "hold.load.mass", "box", "\"gravity\" all zeros"),
+        (
+            r#"{"hold": {"load": {"force": [1, 0]}, "together_with": {"lid": {"mass": 1}}}}"#,
+            "hold.together_with.lid.mass",
+            "lid",
+            "\"gravity\" all zeros",
+        ),
+        (
+            r#"{"follow": {"legs": [{"turn": {"weight": [0, -1]}}]}}"#,
+            "follow.legs[0].turn.weight",
+            "box",
+            "gravity itself turns",
+        ),
+    ] {
+        let told = refused(question);
+        assert!(told.starts_with(&format!("planar.questions[0].{field}: ")), "{told}");
+        assert!(told.contains(&format!(" {body}, ")) && told.ends_with(instead), "{told}");
+    }
 }
 
 #[test]
@@ -96,14 +102,14 @@ fn nothing_turns_where_no_body_has_a_weight() {
     let question = r#"{"onset_of_turn": {"angle_deg": 80}}"#;
     let weightless = on_a_tray(question).replace(r#""gravity": [0, -9.81],"#, "");
     let told = Scene::from_json(weightless.as_bytes()).expect_err("no weight").to_string();
-    assert!(told.contains("questions[0]: turn: weight is missing: give weight, or force"), "{told}");
+    assert!(told.contains("questions[0]: turn: ") && told.contains("weight is missing"), "{told}");
     let leg = r#"{"follow": {"start": {"force": [0, -1]}, "legs": [{"turn": {}}]}}"#;
     let scene = Scene::from_json(on_a_tray(leg).as_bytes()).expect("a leg");
-    assert!(scene.answers().is_err_and(|error| error.to_string().contains("by onset_of_turn and need")));
+    assert!(scene.answers().is_err_and(|error| error.to_string().contains("onset_of_turn")));
 }
 
 #[test]
 fn a_base_beside_the_gravity_that_turns_is_refused() {
     let told = refused(r#"{"need": {"quantity": "angle", "turn": {}, "base": {"force": [1, 0]}}}"#);
-    assert!(told.contains("need: base given, must be left out where gravity turns"), "{told}");
+    assert!(told.contains("need: base given") && told.contains("gravity turns"), "{told}");
 }

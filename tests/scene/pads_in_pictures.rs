@@ -72,9 +72,9 @@ fn a_displacement_that_is_too_large_is_said() -> Result<(), Failure> {
     let pink = |svg: &str| svg.contains("#CC79A7");
     let (grasp, state) = pinch(1, 10.0)?;
     let svg = still(&grasp, &state)?;
-    assert!(!pink(&svg) && svg.contains("Displacements of up to 0.05 m"), "{svg}");
+    assert!(!pink(&svg) && svg.contains("up to 0.05 m"), "{svg}");
     let (grasp, state) = pinch(1, 100.0)?;
     let svg = still(&grasp, &state)?;
-    assert!(pink(&svg) && svg.contains("Displacements are drawn 2 times"), "{svg}");
+    assert!(pink(&svg) && svg.contains("drawn 2 times"), "{svg}");
     Ok(())
 }

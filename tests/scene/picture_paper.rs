@@ -7,19 +7,19 @@ use grasp_lcp::{planar, spatial};
 
 use support::svg::{Failure, shapes, view_box};
 
+use crate::LONG;
+
 /// Width of a letter of a sans serif face in parts of its height, on the average.
 const LETTER: f64 = 0.55;
-const LONG: &str =
-    "A title that is so long that it would not fit on one line in letters of the usual height, nor nearly so";
 
 fn polar() -> Polar {
     let circle = |radius: f64| (0..36).map(|k| (f64::from(10 * k).to_radians(), radius)).collect::<Vec<_>>();
     Polar::new(LONG, "N")
-        .curve("a curve whose name goes on and on beyond the edge", circle(2.0), Stroke::Line)
+        .curve(LONG, circle(2.0), Stroke::Line)
         .curve("another", circle(f64::INFINITY), Stroke::Dashed)
-        .mark(vec![(0.0, 1.0)], "right there, where nobody would have looked for it")
+        .mark(vec![(0.0, 1.0)], LONG)
         .ray(0.0, "a")
-        .note("What is below the legend may be as long as it likes and is inside all the same.")
+        .note(LONG)
 }
 
 fn map() -> Result<SphereMap, Failure> {
@@ -55,7 +55,7 @@ fn charts() -> Vec<Chart> {
 
 fn pictures() -> Result<Vec<String>, Failure> {
     let finger = |x: f64| {
-        let at = planar::Contact::new([x, 0.0], [-x, 0.0]).name("a finger of some name");
+        let at = planar::Contact::new([x, 0.0], [-x, 0.0]).name("a named finger");
         at.series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0])
     };
     let flat = planar::Grasp::new([finger(-1.0), finger(1.0)])?;

@@ -26,7 +26,7 @@ fn page_of(name: &str) -> Result<String, Failure> {
         .frame_of("6 N", &grasp, &under(&grasp, 6.0)?)
         .says(verdict.to_string())
         .frame_of("5 N", &grasp, &under(&grasp, 5.0)?)
-        .nothing("20 N", "SLIPS OUT at 8 N of 20 N")
+        .nothing("20 N", "SLIPS OUT")
         .under(Wrench::force([0.0, -20.0]));
     Ok(page.to_html()?)
 }
@@ -43,16 +43,10 @@ fn its_answer_comes_first_and_it_needs_nothing_else() -> Result<(), Failure> {
         assert!(!page.contains(word), "{word}");
     }
     let body = page.split("</h1>").nth(1).ok_or("a body")?;
-    assert!(
-        body.trim_start()
-            .starts_with("<section data-frame=\"0\">\n<p class=\"says\">HOLDS, everything sticks"),
-        "{body}"
-    );
-    assert!(page.contains("<p class=\"none\">SLIPS OUT at 8 N of 20 N</p>"));
+    assert!(body.trim_start().starts_with("<section data-frame=\"0\">\n<p class=\"says\">HOLDS"), "{body}");
+    assert!(page.contains("<p class=\"none\">SLIPS OUT</p>"));
     assert!(page.contains("<p class=\"says\">5 N</p>"));
-    assert!(
-        page.contains("name=\"viewport\"") && page.contains("type=\"range\" id=\"step\" min=\"0\" max=\"2\"")
-    );
+    assert!(page.contains("name=\"viewport\"") && page.contains("id=\"step\" min=\"0\" max=\"2\""));
     // What is said, the picture and the numbers of each answer; the first is shown.
     assert_eq!(page.matches("<section").count(), 9);
     assert_eq!(page.matches("<section").count() - page.matches(" hidden>").count(), 3);

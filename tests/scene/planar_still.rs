@@ -98,7 +98,7 @@ fn the_load_lies_on_its_line_of_action() -> Result<(), Failure> {
         tips.iter().find(|tip| (tip[0] / tip[1] - foot[0] / foot[1]).abs() < 0.01).ok_or("the foot's")?;
     let [long, short] = [arrows[0][0][1] - tip[1], of_foot[0].hypot(of_foot[1])];
     assert!((long / short - 950.0 / foot.norm()).abs() < 0.001, "{long} {short}");
-    let line = drawn.shapes.iter().find(|shape| shape.dashed).ok_or("the line of action")?;
+    let line = drawn.shapes.iter().find(|shape| shape.dashed).ok_or("no line")?;
     assert!(line.points.iter().all(|end| (drawn.point(*end)[0] - tip[0]).abs() < NEAR * drawn.metres));
     assert!(drawn.says("load 950 N") && drawn.lines(LOAD, ARC).is_empty());
     Ok(())

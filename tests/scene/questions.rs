@@ -99,7 +99,7 @@ fn all_points_of_a_soft_fingertip_follow_its_command() -> Tested {
         |rows| grasp.onset(Ramp::load(Wrench::ZERO, down(1.0)).with_commands(vec![[-0.0001, 0.0]; rows]));
     assert_eq!(onset(2)?.factor().ok_or("slides")?, onset(3)?.factor().ok_or("slides")?);
     let refused = Error::Size { what: "command changes", given: 1, expected: 2 };
-    assert_eq!(onset(1).expect_err("one row for two contacts"), refused);
+    assert_eq!(onset(1).expect_err("one row"), refused);
     assert!(matches!(end(Leg::commands_to([change; 4])), Err(Error::Size { given: 4, expected: 2, .. })));
     Ok(())
 }
@@ -111,9 +111,9 @@ fn friction_of_a_soft_fingertip_is_that_of_all_its_points() -> Tested {
     assert!((all.amount.bound().ok_or("some does")? - 0.6).abs() < 1e-9);
     assert_eq!(grasp.need(&Need::friction_of([0, 1], down(12.0)))?.amount, all.amount);
     let error = grasp.need(&Need::friction_of([2], down(12.0))).expect_err("two contacts");
-    assert_eq!(error.to_string(), "number of the contact is 2, must be less than the number of contacts");
+    assert!(matches!(error, Error::Argument { what, value: 2.0, .. } if what.ends_with("the contact")));
     let error = grasp.need(&Need::friction_of([], down(12.0))).expect_err("none");
-    assert_eq!(error.to_string(), "number of contacts is 0, must be at least 1");
+    assert!(matches!(error, Error::Argument { what: "number of contacts", value: 0.0, .. }));
     let slips = [6.1, 5.8, 6.4].map(|newtons| Slip::gross(down(newtons)));
     let [both, each] = [Unknown::friction(), Unknown::friction().of_contacts([0, 1])]
         .map(|unknown| Identify::new([unknown.named("rubber")], slips.clone()));
@@ -132,7 +132,7 @@ fn contacts_of_a_layout_are_moved() -> Tested {
     let by_grasps = grasp.identify(&asked.clone().and_layouts([jaws(0.05)?]))?;
     let [a, b] = [by_points, by_grasps].map(|found| found.estimates[0].value);
     assert!((a - b).abs() < 1e-12 * b, "{a} and {b}");
-    let error = grasp.identify(&asked.with_points([[-0.05, 0.0]])).expect_err("one point for two contacts");
+    let error = grasp.identify(&asked.with_points([[-0.05, 0.0]])).expect_err("one point");
     assert_eq!(error, Error::Size { what: "points of a layout", given: 1, expected: 2 });
     Ok(())
 }
@@ -186,7 +186,6 @@ fn a_need_has_loads_that_grow_together() -> Tested {
         assert!((found - most).abs() < 1e-8, "{found}");
     }
     let error = boxes.need(&together.on_top_of(pull(1.0, 0.0))).expect_err("a base");
-    let says = "need: together_with given, must be left out beside a base";
-    assert!(error.to_string().starts_with(says), "{error}");
+    assert!(matches!(error, Error::Question { question: "need", field: "together_with", .. }), "{error}");
     Ok(())
 }

@@ -98,7 +98,7 @@ fn numbers_are_those_of_the_answer() -> Result<(), Failure> {
         assert!((high.norm() - 1.15 * answer.normal_force() * scale).abs() < 1e-15);
     }
     // A force that acts at a point has one arrow, on its line of action.
-    let [load] = marks(frame, "load")[..] else { return Err("one arrow of the load".into()) };
+    let [load] = marks(frame, "load")[..] else { return Err("one arrow".into()) };
     let [at, along] = [&load["load"], &load["along"]].map(|v| Vector3::from_row_slice(&row(v)));
     let force = Vector3::from(state.load.resultant());
     assert!((along / scale - force).norm() < 1e-15);
@@ -129,7 +129,7 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
 #[test]
 fn a_narrow_screen_is_wide_enough() -> Result<(), Failure> {
     let (page, ..) = page_of("thumb")?;
-    assert!(page.contains("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"));
+    assert!(page.contains("content=\"width=device-width, initial-scale=1\">"));
     let style =
         page.split("<style>").nth(1).and_then(|rest| rest.split("</style>").next()).ok_or("a style")?;
     for rule in style.split(['{', ';']).filter(|rule| !rule.contains("max-width")) {
@@ -202,10 +202,7 @@ fn what_an_answer_has_besides_is_on_the_page() -> Result<(), Failure> {
         .maybe_leaving(lost.motion.as_ref())
         .frame_of("slippery", &slippery, state);
     let html = page.to_html()?;
-    assert!(
-        html.contains("<p class=\"says\">SLIPS OUT") || html.contains("<p class=\"says\">TURNS OUT"),
-        "{verdict}"
-    );
+    assert!(["SLIPS", "TURNS"].iter().any(|out| html.contains(&format!("\"says\">{out} OUT"))), "{verdict}");
     let data = data(&html)?;
     let on_the_way = |key| marks(&data["frames"][0], key).into_iter().find(|mark| mark["layer"] == "leaves");
     let arrow = on_the_way("arrow").ok_or("an arrow")?;
@@ -257,7 +254,7 @@ fn bodies_move_on_their_own() -> Result<(), Failure> {
         .body_outline(0, square(0.1))
         .body_outline(1, square(0.3))
         .body_outline(1, square(0.4))
-        .frame("where it is lost", &state)
+        .frame("lost", &state)
         .maybe_leaving(lost.motion.as_ref());
     let frame = &data(&page.to_html()?)?["frames"][0];
     let lines = |layer: &str| -> Vec<Vec<Vec<f64>>> {

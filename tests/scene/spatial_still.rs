@@ -216,7 +216,7 @@ fn contacts_have_the_colours_of_what_they_do() -> Result<(), Failure> {
     // One more of each in the legend.
     assert_eq!(circles(&svg, SLIDING)?.len(), sliding + 1);
     assert_eq!(circles(&svg, STICKING)?.len(), 3 - sliding + 1);
-    assert!(svg.contains("slip of the finger") && !svg.contains("no contact resists"));
+    assert!(svg.contains("slip of the") && !svg.contains("no contact resists"));
     // Nothing resists a moment about the line of a pinch: without forces the picture says why.
     let pinch = pinch()?;
     let none = SpatialPage::new(&pinch, "x")

@@ -75,24 +75,15 @@ fn a_cup_is_the_one_of_the_crate() {
 #[test]
 fn what_is_no_cup_is_told() {
     let cases = [
-        (json!({ "suction": { "radius": 0.02 } }), "a cup has a pressure or a force, give one of them"),
-        (
-            json!({ "suction": { "radius": 0.02, "pressure": 1, "force": 1 } }),
-            "a cup has a pressure or a force",
-        ),
-        (
-            json!({ "suction": { "radius": 0, "force": 1 } }),
-            "lip: soft fingertip: radius is 0, must be from 1e-50 to 1e50",
-        ),
-        (
-            json!({ "suction": { "radius": 0.02, "pressure": -1 } }),
-            "pressure of the vacuum is -1, must be from 0 to 1e50",
-        ),
-        (json!({ "suction": -5 }), "lip: suction is -5, must be from 0 to 1e50"),
-        (json!({ "suction": "60 kPa" }), "expected a force, N, or a cup such as"),
+        (json!({ "suction": { "radius": 0.02 } }), "pressure or a force"),
+        (json!({ "suction": { "radius": 0.02, "pressure": 1, "force": 1 } }), "pressure or a force"),
+        (json!({ "suction": { "radius": 0, "force": 1 } }), "fingertip: radius is 0"),
+        (json!({ "suction": { "radius": 0.02, "pressure": -1 } }), "vacuum is -1"),
+        (json!({ "suction": -5 }), "lip: suction is -5"),
+        (json!({ "suction": "60 kPa" }), "a force, N, "),
         (
             json!({ "suction": { "radius": 0.02, "force": 1 }, "soft": { "ring": { "radius": 0.02, "points": 6 } } }),
-            "lip: soft and suction: a cup has a lip of its own, give one of them",
+            "soft and suction: ",
         ),
     ];
     for (contact, expected) in cases {
@@ -100,6 +91,6 @@ fn what_is_no_cup_is_told() {
         assert!(told.contains(expected), "{told}");
     }
     let planar = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [{"point": [0, 0], "normal": [0, 1], "series_stiffness": [1, 1], "suction": {"radius": 1, "force": 1}}]}}"#;
-    let told = serde_json::from_str::<Scene>(planar).expect_err("no ring in the plane").to_string();
-    assert!(told.contains("number of axes of the cup is 3, must be 2: a force, N, as a number"), "{told}");
+    let told = serde_json::from_str::<Scene>(planar).expect_err("no ring").to_string();
+    assert!(told.contains("number of axes") && told.contains("is 3, must"), "{told}");
 }

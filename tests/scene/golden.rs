@@ -1,0 +1,108 @@
+//! First lines of answers, faults and warnings as they stand in `tests/golden`, word by word. What they say is proved elsewhere; here is how.
+//!
+//! `GRASP_LCP_UPDATE=1 cargo test -p grasp-lcp-tests --test scene golden` writes them anew.
+
+use std::path::{Path, PathBuf};
+
+use grasp_lcp::scene::{Answers, Scene, Setup, Space};
+use grasp_lcp::words::Words;
+use serde_json::{Value, json};
+
+/// As many sentences as are compared word by word in all tests.
+const MOST: usize = 60;
+/// The beginning of a line with an answer.
+const ANSWER: &str = "    ";
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("golden")
+}
+
+/// A scene by its file among the examples, or the fields of its setup.
+fn scene_of(text: &str) -> Value {
+    let text = text.trim();
+    if Path::new(text).extension().is_some_and(|end| end == "json") {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes").join(text);
+        return serde_json::from_slice(&std::fs::read(file).expect("is there")).expect("JSON");
+    }
+    let (space, fields) = text.split_once(':').expect("planar or spatial");
+    json!({ "format": "grasp-lcp/1", space: serde_json::from_str::<Value>(fields).expect("JSON") })
+}
+
+fn first_lines<const C: usize>(setup: &Setup<C>, answers: &[grasp_lcp::scene::Answer<C>]) -> Vec<String> {
+    let pairs = setup.questions.iter().zip(answers);
+    pairs.map(|(question, answer)| question.first_line(answer, Words::default())).collect()
+}
+
+/// The first line of an answer; of a scene that is refused its fault, and without questions its warnings.
+fn told(scene: &Value) -> Vec<String> {
+    let scene = match Scene::from_json(scene.to_string().as_bytes()) {
+        Ok(scene) => scene,
+        Err(fault) => {
+            let field = fault.field.map_or(String::new(), |field| format!("{field}: "));
+            return vec![format!("{field}{}", fault.message)];
+        }
+    };
+    let lines = scene.answers().map(|answers| match (&scene.space, &answers) {
+        (Space::Planar(setup), Answers::Planar(answers)) => first_lines(setup, answers),
+        (Space::Spatial(setup), Answers::Spatial(answers)) => first_lines(setup, answers),
+        _ => unreachable!(),
+    });
+    match lines {
+        Ok(lines) if lines.is_empty() => {
+            scene.warnings().expect("well posed").iter().map(ToString::to_string).collect()
+        }
+        Ok(lines) => lines,
+        Err(error) => vec![error.to_string()],
+    }
+}
+
+/// A file with the answers as they are now, and their number. A scene goes up to the next empty line, and everything between `?` or `!` and the next
+/// one is answered: `? question`, or `! from => to` about a scene in which something else stands.
+fn renewed(text: &str) -> (String, usize) {
+    let (mut new, mut scene) = (Vec::new(), String::new());
+    for line in text.lines().filter(|line| !line.starts_with(ANSWER)) {
+        new.push(line.to_owned());
+        let mut answer = |scene: &Value| new.extend(told(scene).iter().map(|told| format!("{ANSWER}{told}")));
+        if line.is_empty() {
+            scene.clear();
+        } else if let Some(question) = line.strip_prefix("? ") {
+            let mut asked = scene_of(&scene);
+            let space = if asked["planar"].is_object() { "planar" } else { "spatial" };
+            asked[space]["questions"] = json!([serde_json::from_str::<Value>(question).expect("JSON")]);
+            answer(&asked);
+        } else if let Some((from, to)) = line.strip_prefix("! ").and_then(|change| change.split_once(" =>")) {
+            assert!(scene.contains(from), "{from}");
+            answer(&scene_of(&scene.replace(from, to.trim_start())));
+        } else if !line.starts_with('#') {
+            scene += line;
+        }
+    }
+    let count = new.iter().filter(|line| line.starts_with(ANSWER)).count();
+    (new.join("\n") + "\n", count)
+}
+
+#[test]
+fn first_lines_faults_and_warnings_are_those_of_the_files() {
+    let update = std::env::var_os("GRASP_LCP_UPDATE").is_some();
+    let (mut sentences, mut wrong) = (0, Vec::new());
+    let mut files: Vec<_> =
+        std::fs::read_dir(folder()).expect("is there").map(|file| file.expect("a file").path()).collect();
+    files.sort();
+    for file in files {
+        let text = std::fs::read_to_string(&file).expect("a text");
+        let (new, count) = renewed(&text);
+        sentences += count;
+        if update {
+            std::fs::write(&file, &new).expect("is written");
+        }
+        wrong.extend(
+            new.lines()
+                .zip(text.lines())
+                .filter(|(new, old)| new != old)
+                .map(|(new, old)| format!("{}:\n- {old}\n+ {new}", file.display())),
+        );
+        assert!(update || new.lines().count() == text.lines().count(), "{}", file.display());
+    }
+    assert!(update || wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(sentences <= MOST, "{sentences}");
+}
