@@ -24,7 +24,7 @@ fn answered(page: &str, folder: &str) -> (usize, usize) {
         let (printed, told) =
             (printed.lines().next().expect("an answer"), told.lines().next().expect("a line"));
         if printed != told {
-            wrong.push(format!("{arguments:?}\n  is told: {told}\n  printed: {printed}"));
+            wrong.push(format!("{arguments:?}\n- {told}\n+ {printed}"));
         }
         scenes.insert(arguments[1].clone());
     }

@@ -15,8 +15,7 @@ fn told(arguments: &[&str]) -> String {
 
 #[test]
 fn every_command_says_so() {
-    let far = "it turns by more than 5.7°, beyond the small motions that this is good for";
-    let lost = "it turns by more than 5.7°, and all this is good for small motions";
+    let (far, lost) = ("5.7°, beyond", "5.7°, and");
     for (arguments, label) in [
         (&["ask"][..], far),
         (&["onset", "--moment", "1"], far),
@@ -33,10 +32,7 @@ fn every_command_says_so() {
     }
     // 15 rad, and where the force at 0.3 m has 3.6 mN m.
     assert!(told(&["onset", "--moment", "1"]).contains("turns 859.437° anticlockwise about (0, 0) m"));
-    assert!(
-        told(&["follow", "--to", "0,1", "--at", "0.3,0"])
-            .contains("leg 0 at 0.012: CAUTION, from here on it turns")
-    );
+    assert!(told(&["follow", "--to", "0,1", "--at", "0.3,0"]).contains("leg 0 at 0.012: CAUTION"));
     for near in [
         &["solve", "--moment", "0.0035"][..],
         &["hold", "--moment", "0.0035"],
@@ -45,7 +41,8 @@ fn every_command_says_so() {
         let words = told(near);
         assert!(!words.contains("small motions"), "{words}");
     }
-    assert!(told(&["hold", "--moment", "0.6"]).starts_with("GOES TOO FAR at 0.0036 N m of 0.6 N m: "));
+    assert!(told(&["hold", "--moment", "0.6"]).starts_with("GOES TOO FAR"));
+    assert!(told(&["hold", "--moment", "0.6"]).contains(" 0.0036 N m of 0.6 N m: "));
     assert!(told(&["solve", "--moment", "0.0036"]).contains("turns 5.72958° anticlockwise"));
 }
 

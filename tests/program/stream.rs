@@ -104,15 +104,13 @@ fn brief_answers_agree_with_full_ones() {
 fn a_line_says_what_is_wrong_and_which_it_was() {
     let soft = r#"{"format": "grasp-lcp/1", "id": 5, "spatial": {"contacts": [{"point": [0, 0, 0], "normal": [0, 0, 1], "series_stiffness": [1, 1],
         "soft": {"disc": {"radius": 1, "annuli": 20, "points": 60}}}], "questions": [{"solve": {}}]}}"#.replace('\n', "");
-    let input = format!(
-        "pinch of left and right\n\n{soft}\n{}\n",
-        line(1).replace("\"pressed_with\":2", "\"clearance\":0")
-    );
+    let input = format!("no scene\n\n{soft}\n{}\n", line(1).replace("\"pressed_with\":2", "\"clearance\":0"));
     let told = replies(&input, &[]);
-    assert_eq!(told[0]["begins"], "pinch of left and right");
-    assert_eq!(told[0]["hash"], hash("pinch of left and right"));
+    assert_eq!(told[0]["begins"], "no scene");
+    assert_eq!(told[0]["hash"], hash("no scene"));
     assert_eq!(told[1], json!({ "line": 2, "blank": true }));
-    assert_eq!(told[2]["error"]["message"], "2400 points of contact, must be at most 2000 in this stream");
+    let message = told[2]["error"]["message"].as_str().expect("a message");
+    assert!(message.starts_with("2400 points") && message.contains(" 2000 "), "{message}");
     assert_eq!(told[2]["id"], 5);
     assert!(told[3]["warnings"][0].as_str().expect("a warning").starts_with("no finger presses"));
     let allowed = replies(&soft, &["--most-points", "2400", "--brief"]);
