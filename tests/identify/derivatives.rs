@@ -26,9 +26,9 @@ struct Count {
 /// Where a grasp whose numbers are multiplied by these factors is lost, by contact: friction, squeeze.
 type Lost<'a> = dyn Fn(&[[f64; 2]]) -> Option<f64> + 'a;
 /// The derivative by an unknown that `Identify` works with, if it is exact and not zero.
-type Told<'a> = dyn Fn(Unknown) -> Result<Option<f64>, grasp_lcp::Error> + 'a;
+type Derivative<'a> = dyn Fn(Unknown) -> Result<Option<f64>, grasp_lcp::Error> + 'a;
 
-fn compare(number: usize, lost: &Lost<'_>, told: &Told<'_>, count: &mut Count) -> Tested {
+fn compare(number: usize, lost: &Lost<'_>, told: &Derivative<'_>, count: &mut Count) -> Tested {
     for contact in 0..number {
         for kind in 0..2 {
             count.slips += 1;

@@ -6,7 +6,7 @@ use grasp_lcp::spatial::{Contact, Fingers, Wrench};
 use safer_ffi::prelude::*;
 
 use crate::finger::{Finger, Vector};
-use crate::seen::{Load, Seen};
+use crate::margins::{Load, Margins};
 
 /// Fingers prepared for the watch. `grasp_lcp_fingers` makes them, `grasp_lcp_fingers_free` frees them.
 #[derive_ReprC(rename = "grasp_lcp_fingers")]
@@ -18,16 +18,16 @@ pub struct ReadyFingers {
 
 /// A watch over a number of fingers that is known only at run time.
 trait Watching: Debug {
-    fn watch(&self, forces: &[Vector], to_come: &Wrench) -> Result<Seen, String>;
+    fn watch(&self, forces: &[Vector], to_come: &Wrench) -> Result<Margins, String>;
 }
 
 impl<const N: usize> Watching for Fingers<N> {
-    fn watch(&self, forces: &[Vector], to_come: &Wrench) -> Result<Seen, String> {
+    fn watch(&self, forces: &[Vector], to_come: &Wrench) -> Result<Margins, String> {
         let Ok(forces) = <&[Vector; N]>::try_from(forces) else {
             return Err(format!("forces: {} given, must be {N}, one a finger", forces.len()));
         };
         let seen = self.watch(&forces.map(Vector::components), to_come);
-        seen.map(Seen::from).map_err(|error| error.to_string())
+        seen.map(Margins::from).map_err(|error| error.to_string())
     }
 }
 
@@ -77,7 +77,7 @@ pub fn grasp_lcp_watch(
     fingers: &ReadyFingers,
     forces: c_slice::Ref<'_, Vector>,
     to_come: &Load,
-    seen: &mut Seen,
+    seen: &mut Margins,
 ) -> Option<char_p::Box> {
     match fingers.ready.watch(&forces, &to_come.wrench()) {
         Ok(answer) => {

@@ -3,13 +3,13 @@
 
 mod finger;
 mod fingers;
-mod seen;
+mod margins;
 
 pub use finger::{Finger, Vector};
 pub use fingers::{
     ReadyFingers, grasp_lcp_fingers, grasp_lcp_fingers_free, grasp_lcp_text_free, grasp_lcp_watch,
 };
-pub use seen::{Load, Seen};
+pub use margins::{Load, Margins};
 
 #[cfg(test)]
 mod tests {

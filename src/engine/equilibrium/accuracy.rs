@@ -82,8 +82,8 @@ impl Engine {
         }
         let wrench = self.load_unchecked(&equilibrium.load);
         let load = Load { wrench, rest: self.inside_rest(&equilibrium.load) };
-        let LocalAnswer { slips, cones, drives, .. } = &equilibrium.local;
-        let problem = self.problem_on(equilibrium.cone, drives.clone(), &load);
+        let LocalAnswer { slips, cones, offsets, .. } = &equilibrium.local;
+        let problem = self.problem_on(equilibrium.cone, offsets.clone(), &load);
         Some(Problem { slips: slips.clone(), cones: cones.clone(), ..problem })
     }
 }
@@ -120,7 +120,7 @@ impl Variation {
             variation.load += grasp.put_on_each(bodies, &own);
         }
         for (i, site) in problem.sites.iter().enumerate() {
-            let (force, drive) = (&at.forces[i], &problem.drives[i]);
+            let (force, offset) = (&at.forces[i], &problem.offsets[i]);
             if states[i].slides() {
                 let sign = signs.sign();
                 for a in 1..3 {
@@ -138,7 +138,7 @@ impl Variation {
                 let axis = site.frame.column(a).into_owned();
                 let moved = grasp.moments_of(i, &point, &axis);
                 let stretch = &mut variation.stretches[i][a];
-                *stretch = drive[a] * signs.sign() + give[a] * signs.sign();
+                *stretch = offset[a] * signs.sign() + give[a] * signs.sign();
                 for k in 0..site.map.size().count() {
                     let turned = site.map[(k, a)] * signs.sign();
                     let entry = turned + moved[k];

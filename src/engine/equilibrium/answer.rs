@@ -175,8 +175,8 @@ pub(crate) struct LocalAnswer {
     pub(crate) twist: Coordinates,
     pub(crate) free_motions: Vec<Coordinates>,
     /// Commanded displacements less clearance and less the slips.
-    pub(crate) drives: Vec<SVector<f64, 3>>,
-    /// Slips that the drives count from.
+    pub(crate) offsets: Vec<SVector<f64, 3>>,
+    /// Slips that the offsets count from.
     pub(crate) slips: Vec<SVector<f64, 3>>,
     /// Cones of contacts in place of those at rest: none, or one a contact.
     pub(crate) cones: Vec<Coulomb>,

@@ -59,8 +59,8 @@ impl Cone {
 
 impl Engine {
     /// The problem at rest of answers on this cone.
-    pub(crate) fn problem_on(&self, cone: Cone, drives: Vec<SVector<f64, 3>>, load: &Load) -> Problem<'_> {
+    pub(crate) fn problem_on(&self, cone: Cone, offsets: Vec<SVector<f64, 3>>, load: &Load) -> Problem<'_> {
         let facets = if let Cone::Polygon(facets) = cone { facets } else { PolygonCone::default() };
-        self.problem(Polygon::shared(self.space(), &facets), cone == Cone::Round, drives, load)
+        self.problem(Polygon::shared(self.space(), &facets), cone == Cone::Round, offsets, load)
     }
 }

@@ -19,7 +19,7 @@ impl Engine {
         let twist = &equilibrium.local.twist.to();
         let forces = equilibrium.site_forces();
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
-        let largest = largest_force(self.sites(), &problem.drives, twist, problem.wrench.norm(), sizes);
+        let largest = largest_force(self.sites(), &problem.offsets, twist, problem.wrench.norm(), sizes);
         // Value of a condition, over the estimated error, below which it may be that error.
         let part = |error: f64, size: f64| if size > 0.0 { 10.0 * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State)| {

@@ -33,18 +33,18 @@ struct Exact {
     map: [[Rational; 6]; 3],
     stiffness: [Rational; 3],
     friction: Rational,
-    drive: [Rational; 3],
+    offset: [Rational; 3],
 }
 
 impl Exact {
-    fn new((site, local): (&Site, LocalLaw<'_>), drive: &SVector<f64, 3>) -> Self {
+    fn new((site, local): (&Site, LocalLaw<'_>), offset: &SVector<f64, 3>) -> Self {
         let entry = |k: usize, axis: usize| exact(site.map[(k, axis)]) + exact(site.map_rest[(k, axis)]);
         let axes = |x: &SVector<f64, 3>| core::array::from_fn(|axis| exact(x[axis]));
         Self {
             map: core::array::from_fn(|axis| core::array::from_fn(|k| entry(k, axis))),
             stiffness: axes(&local.springs.force(&SVector::repeat(1.0))),
             friction: exact(local.cone().limit(1.0)),
-            drive: axes(drive),
+            offset: axes(offset),
         }
     }
 
@@ -148,7 +148,7 @@ fn is_contradicted(
     let load: Vec<Rational> =
         (0..6).map(|k| exact(problem.wrench[k]) + exact(problem.wrench_rest[k])).collect();
     let parts = || contacts.iter().zip(forces.chunks(3));
-    let work = parts().fold(Rational::zero(), |sum, (contact, f)| sum + dot(f, &contact.drive));
+    let work = parts().fold(Rational::zero(), |sum, (contact, f)| sum + dot(f, &contact.offset));
     let gain = work - dot(&motion, &load);
     // The changed forces balance without a residual.
     let sum =
@@ -190,11 +190,11 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let problem = grasp.problem_under(&load, &settings)?;
         let (steps, cases) = refute(&problem, &settings).expect("too heavy");
         let escape = check(&problem, &steps).expect("a proof");
-        let laws = problem.sites.iter().zip(problem.locals()).zip(&problem.drives);
-        let contacts: Vec<_> = laws.map(|(law, drive)| Exact::new(law, drive)).collect();
+        let laws = problem.sites.iter().zip(problem.locals()).zip(&problem.offsets);
+        let contacts: Vec<_> = laws.map(|(law, offset)| Exact::new(law, offset)).collect();
         // Size of the data as in `check`: the trial state in √J.
         let trial = problem.trial();
-        let state = trial.solve(problem.sites, &problem.drives, problem.load()).expect("it is held");
+        let state = trial.solve(problem.sites, &problem.offsets, problem.load()).expect("it is held");
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
         let data = exact(stored.sum::<f64>().sqrt());
 

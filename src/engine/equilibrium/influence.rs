@@ -64,7 +64,7 @@ mod tests {
     /// A new question: the direction of a force of 2 N that leaves the least margin at the thumb.
     fn worst_for_the_thumb(grasp: &Engine, weight: &Wrench<3>, point: [f64; 3]) -> (SVector<f64, 3>, f64) {
         let response = StickingResponse::new(grasp, &Settings::default());
-        let force = response.forces(&grasp.drives(), &grasp.load_unchecked(weight)).expect("resists").of[0];
+        let force = response.forces(&grasp.offsets(), &grasp.load_unchecked(weight)).expect("resists").of[0];
         let influence = &response.influences(&point).expect("resists")[0];
         let margin = |row: &SVector<f64, 3>| row.dot(&force) - 2.0 * influence.felt(row).norm();
         let rows = response.edges[0].least(&margin);

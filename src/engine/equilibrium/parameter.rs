@@ -89,7 +89,7 @@ impl StickingResponse<'_> {
     /// The derivative of a state by one datum; `None` if there is no such datum, or if its change leaves no equilibrium in these states.
     pub(crate) fn derivative(&self, state: &PieceState, by: Parameter) -> Option<PieceState> {
         let PieceState { forces, twist } = state;
-        let mut drives = self.at_rest();
+        let mut offsets = self.at_rest();
         let mut wrench = Vector::zeros();
         let mut direct: Vec<(usize, SVector<f64, 3>)> = Vec::new();
         let (contacts, actuators) = (self.grasp.len(), self.grasp.joint_commands().len());
@@ -105,11 +105,11 @@ impl StickingResponse<'_> {
             Parameter::Command { contact, axis }
                 if contact < contacts && axis < self.grasp.space().axes() =>
             {
-                drives[contact][axis] = 1.0;
+                offsets[contact][axis] = 1.0;
             }
             Parameter::JointCommand { joint } if joint < actuators => {
                 let unit: Vec<f64> = numbered(actuators, &|k| f64::from(u8::from(k == joint)));
-                drives = self.grasp.drive_changes(None, Some(&unit));
+                offsets = self.grasp.offset_changes(None, Some(&unit));
             }
             Parameter::JointStiffness { joint } if joint < actuators => {
                 for (site, drive) in self.grasp.drives_of(joint) {
@@ -122,13 +122,13 @@ impl StickingResponse<'_> {
             Parameter::JointLimit { joint } if joint < actuators => {
                 for (site, drive) in self.grasp.drives_of(joint) {
                     let held;
-                    (drives[site], held) = drive.by_limit();
+                    (offsets[site], held) = drive.by_limit();
                     wrench += held;
                 }
             }
             Parameter::Point { contact, .. } | Parameter::Normal { contact, .. } if contact < contacts => {
                 let change = self.map_change(contact, by)?;
-                drives[contact] = -change.tr_mul(twist);
+                offsets[contact] = -change.tr_mul(twist);
                 let mut force = forces[contact];
                 force[0] -= self.grasp.contacts()[contact].suction;
                 wrench = &change * force;
@@ -143,7 +143,7 @@ impl StickingResponse<'_> {
         for (site, f) in &direct {
             wrench += &self.problem.sites[*site].map * f;
         }
-        let mut solved = self.state(&drives, &wrench)?;
+        let mut solved = self.state(&offsets, &wrench)?;
         for (site, f) in direct {
             solved.forces[site] += f;
         }
@@ -164,10 +164,10 @@ impl StickingResponse<'_> {
             _ => return None,
         };
         let stays_free = |motion: &Vector| {
-            let mut drives = self.at_rest();
-            drives[contact] = change.tr_mul(motion);
+            let mut offsets = self.at_rest();
+            offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
-            let felt = self.state(&drives, &Vector::zeros());
+            let felt = self.state(&offsets, &Vector::zeros());
             // Forces below this part of the stiffest spring's force, if the whole motion stretched it, are rounding.
             felt.is_some_and(|felt| felt.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone))
         };

@@ -82,7 +82,7 @@ impl Engine {
         settings.small_motions.check()?;
         let polygon = Polygon::shared(self.space(), &settings.cone);
         let load = self.load(load, "load")?;
-        Ok(self.problem(polygon, settings.is_round(self.space()), self.drives(), &load))
+        Ok(self.problem(polygon, settings.is_round(self.space()), self.offsets(), &load))
     }
 
     pub(crate) fn outcome(

@@ -95,13 +95,13 @@ impl Engine {
         let object = self.space().of_the_object();
         let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
         let translated = self.space().object_alone(twist);
-        // The law is about the slip since the state from which the drives count.
+        // The law is about the slip since the state from which the offsets count.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drives_told(problem, twist, found);
         let mut travels: Vec<f64> = numbered(self.len(), &|i| {
             let contact = &self.contacts()[i];
             let give = self.sites()[i].springs.give(&answers[i].force).norm();
-            let own = problem.drives[i].norm() + contact.clearance.abs() + give;
+            let own = problem.offsets[i].norm() + contact.clearance.abs() + give;
             let moved = translated.norm() + turned * contact.point.norm() + self.carried(i, twist).1;
             // Least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
             (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
@@ -110,9 +110,9 @@ impl Engine {
             let i = self.len() + k;
             let give = self.sites()[i].springs.give(told.force).norm();
             let moved = self.sites()[i].map.norm() * found.twist.norm();
-            travels.push((problem.drives[i].norm() + give + moved).max(travel_terms).max(SMALLEST));
+            travels.push((problem.offsets[i].norm() + give + moved).max(travel_terms).max(SMALLEST));
         }
-        // If nothing is driven and the object stays, the displacements here are rounding of displacements elsewhere.
+        // If nothing is commanded and the object stays, the displacements here are rounding of displacements elsewhere.
         // Least size of the displacements at a contact, over the largest of the scene.
         let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
         for travel in &mut travels {
@@ -137,7 +137,7 @@ impl Engine {
             let point = &self.contacts()[i].point;
             let moved = self.space().displacement_of(point, twist) * self.sign_on_object(i)
                 - self.carried(i, twist).0;
-            let stretch = problem.drives[i] - self.sites()[i].frame.tr_mul(&moved);
+            let stretch = problem.offsets[i] - self.sites()[i].frame.tr_mul(&moved);
             let separated = answer.state == ContactState::Separated;
             let told =
                 SiteAnswer { force: &answer.force, gap: answer.gap, separated, stretch, slip: slip(i) };
@@ -169,7 +169,7 @@ impl Engine {
         let inside = self.inside_motion(twist);
         let told = |(i, force): (usize, &'a SVector<f64, 3>)| {
             let (site, separated) = (&self.sites()[i], found.states[i].is_open());
-            let stretch = site.stretch(&problem.drives[i], &inside);
+            let stretch = site.stretch(&problem.offsets[i], &inside);
             let gap = if separated { (-stretch[0]).max(0.0) } else { 0.0 };
             let slips = found.states[i].slides();
             let slip = if slips { site.springs.slip(&stretch, force) } else { SVector::zeros() };
@@ -278,7 +278,7 @@ mod tests {
         let answer = grasp.solve(&load, &Settings::default())?.equilibrium().ok_or("the jaws hold")?.clone();
         let wrench = grasp.inside(&load, "load")?;
         let polygon = Arc::new(Polygon::new(Space::Planar, &PolygonCone::default()));
-        let problem = grasp.problem(polygon, false, grasp.drives(), &Load::from(&wrench));
+        let problem = grasp.problem(polygon, false, grasp.offsets(), &Load::from(&wrench));
         let states = answer.local.states.clone();
         let found = Found::new(states, answer.site_forces(), answer.local.twist.to());
         let moved = SVector::from([

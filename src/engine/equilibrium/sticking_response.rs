@@ -46,10 +46,10 @@ impl<'g> StickingResponse<'g> {
     }
 
     fn at_rest_on(grasp: &'g Engine, cone: Cone) -> Problem<'g> {
-        grasp.problem_on(cone, grasp.drives(), &Load::from(&Vector::zeros()))
+        grasp.problem_on(cone, grasp.offsets(), &Load::from(&Vector::zeros()))
     }
 
-    /// The response of a problem in these states of its contacts, whatever its drives and its load.
+    /// The response of a problem in these states of its contacts, whatever its offsets and its load.
     pub(crate) fn of(grasp: &'g Engine, problem: Problem<'g>, states: &[State]) -> Self {
         let piece = problem.piece(states);
         let edges = problem.locals().zip(states).map(|(local, state)| local.edges(state)).collect();
@@ -66,15 +66,15 @@ impl<'g> StickingResponse<'g> {
         vec![SVector::zeros(); self.problem.len()]
     }
 
-    /// Forces with these drives under a load in inside coordinates, or a motion on which the load works though nothing resists it.
+    /// Forces with these offsets under a load in inside coordinates, or a motion on which the load works though nothing resists it.
     pub(crate) fn forces(
         &self,
-        drives: &[SVector<f64, 3>],
+        offsets: &[SVector<f64, 3>],
         load: &Vector,
     ) -> Result<ContactForces, Motion<3>> {
-        match self.piece.solve(self.problem.sites, drives, load) {
+        match self.piece.solve(self.problem.sites, offsets, load) {
             Ok(state) => {
-                let sizes = self.problem.force_sizes(drives, load.norm(), &state);
+                let sizes = self.problem.force_sizes(offsets, load.norm(), &state);
                 Ok(ContactForces { of: state.forces, sizes })
             }
             Err(unbalanced) => {
@@ -89,9 +89,9 @@ impl<'g> StickingResponse<'g> {
         self.forces(&self.at_rest(), &self.grasp.inside_unchecked(load))
     }
 
-    /// Forces and motion with these drives under a load in inside coordinates; `None` where nothing balances them in these states.
-    pub(crate) fn state(&self, drives: &[SVector<f64, 3>], load: &Vector) -> Option<PieceState> {
-        self.piece.solve(self.problem.sites, drives, load).ok()
+    /// Forces and motion with these offsets under a load in inside coordinates; `None` where nothing balances them in these states.
+    pub(crate) fn state(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<PieceState> {
+        self.piece.solve(self.problem.sites, offsets, load).ok()
     }
 }
 
@@ -100,7 +100,7 @@ impl Engine {
     /// load, and without forces.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
-        let forces = sticking.forces(&self.drives(), &self.load_alone(load, "load").ok()?).ok()?.of;
+        let forces = sticking.forces(&self.offsets(), &self.load_alone(load, "load").ok()?).ok()?.of;
         let largest = largest(&forces, &SVector::norm);
         let worst = |(edges, force): (&Edges, &SVector<f64, 3>)| Some(edges.worst(force)?.1);
         let least = sticking.edges.iter().zip(&forces).filter_map(worst).min_by(f64::total_cmp)?;

@@ -119,7 +119,7 @@ pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
 /// Contacts in known states, with the offsets of their springs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing<'s> {
-    pub(crate) drives: &'s [SVector<f64, 3>],
+    pub(crate) offsets: &'s [SVector<f64, 3>],
     pub(crate) slips: &'s [SVector<f64, 3>],
     pub(crate) states: &'s [State],
     pub(crate) forces: &'s [SVector<f64, 3>],
@@ -129,8 +129,8 @@ pub(crate) struct Standing<'s> {
 impl<'s> Standing<'s> {
     /// The solution of a local problem.
     pub(crate) fn found(problem: &'s Problem<'_>, found: &'s Found) -> Self {
-        let (drives, slips) = (&problem.drives, &problem.slips);
-        Self { drives, slips, states: &found.states, forces: &found.forces, twist: &found.twist }
+        let (offsets, slips) = (&problem.offsets, &problem.slips);
+        Self { offsets, slips, states: &found.states, forces: &found.forces, twist: &found.twist }
     }
 }
 
@@ -176,11 +176,11 @@ impl Engine {
             let (mut shift, mut of) = (SVector::zeros(), MotionOf::Slip(i));
             if standing.states[i].is_open() {
                 // A command that leads a finger away from the object is no motion of the object.
-                (shift[0], of) = (moved[0] - standing.drives[i][0].max(0.0), MotionOf::Opening(i));
+                (shift[0], of) = (moved[0] - standing.offsets[i][0].max(0.0), MotionOf::Opening(i));
             } else {
                 let mut slip = standing.slips[i];
                 if !standing.states[i].is_sticking() || site.friction.is_frictionless() {
-                    slip += site.springs.slip(&(standing.drives[i] - moved), &standing.forces[i]);
+                    slip += site.springs.slip(&(standing.offsets[i] - moved), &standing.forces[i]);
                 }
                 (1..3).for_each(|axis| shift[axis - 1] = slip[axis]);
             }

@@ -81,7 +81,7 @@ impl Engine {
                 drive_forces,
                 twist: Coordinates::of(&found.twist),
                 free_motions: mapped(&found.free_motions, &Coordinates::of),
-                drives: problem.drives.clone(),
+                offsets: problem.offsets.clone(),
                 slips: problem.slips.clone(),
                 cones: problem.cones.clone(),
             },
@@ -121,14 +121,14 @@ pub(crate) fn site_states(problem: &Problem, found: &Found) -> Vec<ContactState<
 
 fn solved_sites<'s>(problem: &'s Problem<'s>, found: &'s Found) -> impl Iterator<Item = SolvedContact<'s>> {
     let solved = problem.locals().zip(problem.sites).zip(&found.states).zip(&found.forces);
-    let history = problem.drives.iter().zip(&problem.slips);
-    solved.zip(history).map(move |((((local, site), state), force), (drive, memory))| SolvedContact {
+    let history = problem.offsets.iter().zip(&problem.slips);
+    solved.zip(history).map(move |((((local, site), state), force), (offset, memory))| SolvedContact {
         local,
         frame: &site.frame,
         bonded: site.hold == Hold::Bonded,
         state,
         force: *force,
-        drive: *drive,
+        offset: *offset,
         memory: *memory,
         moved: site.map.tr_mul(&found.twist),
     })
@@ -142,7 +142,7 @@ struct SolvedContact<'s> {
     state: &'s State,
     force: SVector<f64, 3>,
     /// Offset counted from the slip so far, which is `memory`.
-    drive: SVector<f64, 3>,
+    offset: SVector<f64, 3>,
     memory: SVector<f64, 3>,
     /// Displacement of the body's core relative to the finger's, as far as joints move the finger.
     moved: SVector<f64, 3>,
@@ -151,7 +151,7 @@ struct SolvedContact<'s> {
 impl SolvedContact<'_> {
     /// State of the contact, and its slip since the memory.
     fn state(&self) -> (ContactState<3>, SVector<f64, 3>) {
-        let slip = self.local.springs.slip(&(self.drive - self.moved), &self.force);
+        let slip = self.local.springs.slip(&(self.offset - self.moved), &self.force);
         match self.state {
             Mode::Open => (ContactState::Separated, slip),
             Mode::Sticking if self.local.is_frictionless() => (ContactState::Frictionless, slip),
@@ -180,7 +180,7 @@ impl SolvedContact<'_> {
             ContactState::Sticking => self.local.margin(&force),
             _ => 0.0,
         };
-        let mut commanded = self.drive + self.memory;
+        let mut commanded = self.offset + self.memory;
         commanded[0] += contact.clearance;
         let mut body_core = self.moved;
         if let Some(joints) = moved_with_joints {
@@ -194,9 +194,9 @@ impl SolvedContact<'_> {
             }
             Stiffness::Series(_) => (None, None),
         };
-        let gap = self.moved[0] - self.drive[0];
+        let gap = self.moved[0] - self.offset[0];
         // A contact that touches has a gap of the rounding of the two displacements.
-        let is_none = gap <= ZERO_SLACK * (self.moved.norm() + self.drive.norm());
+        let is_none = gap <= ZERO_SLACK * (self.moved.norm() + self.offset.norm());
         ContactAnswer {
             contact: contact.label(index),
             state,

@@ -98,7 +98,7 @@ struct Builder<'p, 'g> {
     w_unit: Vec<f64>,
     /// The first row of each contact.
     first: Vec<usize>,
-    /// Σ G k Gᵀ of the springs that act both ways, and the load plus the forces of their drives.
+    /// Σ G k Gᵀ of the springs that act both ways, and the load plus the forces of their offsets.
     stiffness: Square,
     load: Vector,
 }
@@ -144,7 +144,7 @@ impl<'p, 'g> Builder<'p, 'g> {
         if local.is_absent() {
             return;
         }
-        let (site, a) = (&problem.sites[contact], &problem.drives[contact]);
+        let (site, a) = (&problem.sites[contact], &problem.offsets[contact]);
         let twist_columns = self.rows.len();
         let mut next = self.first[contact];
         let presses = local.may_open().then(|| {
@@ -208,7 +208,7 @@ impl<'p, 'g> Builder<'p, 'g> {
     fn both_ways(&mut self, contact: usize, axis: usize) {
         let site = &self.problem.sites[contact];
         let g = site.map.column(axis);
-        self.load += &g * site.springs.force_along(axis, self.problem.drives[contact][axis]);
+        self.load += &g * site.springs.force_along(axis, self.problem.offsets[contact][axis]);
         let pushed = &g * site.springs.force_along(axis, 1.0);
         self.stiffness.add_product(&pushed, &g);
     }

@@ -12,7 +12,7 @@ impl Engine {
     pub(crate) fn kinematic_form(&self, load: &Wrench<3>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
         let problem = self.on_polygons(load, cone)?;
         let trial = problem.trial();
-        let Ok(state) = trial.solve(problem.sites, &problem.drives, problem.load()) else { return Ok(None) };
+        let Ok(state) = trial.solve(problem.sites, &problem.offsets, problem.load()) else { return Ok(None) };
         Ok(kinematic_form(&problem, &trial, &state))
     }
 

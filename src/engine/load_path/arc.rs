@@ -1,7 +1,7 @@
 //! An arc: contact states stay while directions of sliding turn; and the linear algebra of a point on it.
 //!
 //! A contact that slides along p = F_t / |F_t| with `|F_t| = μ F_n` has the tangent `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see
-//! [`Tangent`], which depends on p alone. With drives a that are affine in the factor λ, and a load W that is or turns with it, twist and factor
+//! [`Tangent`], which depends on p alone. With offsets a that are affine in the factor λ, and a load W that is or turns with it, twist and factor
 //! change together:
 //!
 //! ```text
@@ -272,11 +272,11 @@ impl<'s, 'g> Arc<'s, 'g> {
 
     /// Forces at a twist and a factor, with friction on the cones in these directions.
     fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
-        let drives = self.segment.drives(factor);
+        let offsets = self.segment.offsets(factor);
         let mut slid = frictions.iter();
         let force = |i: usize| {
             let (state, site) = (&self.states[i], &self.sites()[i]);
-            let force = site.springs.force(&site.stretch(&drives[i], twist));
+            let force = site.springs.force(&site.stretch(&offsets[i], twist));
             match (state.slides().then(|| slid.next()).flatten(), state.is_sticking()) {
                 (Some(friction), _) => {
                     let size = tangential_norm(friction);

@@ -32,8 +32,8 @@ impl Pieces<'_> {
     fn springs_give(&self, here: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());
-        let drives = largest(&self.segment.change, &SVector::norm);
+        let offsets = largest(&self.segment.change, &SVector::norm);
         let load = self.segment.course.rate_at(self.factor).norm();
-        (here.sizes[0] + load) / softest + drives
+        (here.sizes[0] + load) / softest + offsets
     }
 }

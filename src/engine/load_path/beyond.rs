@@ -154,7 +154,7 @@ pub(super) fn no_rates(rates: &Problem) -> bool {
         return false;
     }
     let trial = rates.trial();
-    let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
+    let Ok(state) = trial.solve(rates.sites, &rates.offsets, &rates.wrench) else { return false };
     let settings = lcp::Settings { prove_infeasible: true, ..lcp::Settings::one_path() };
     kinematic_form(rates, &trial, &state).is_some_and(|form| form.lcp.solve_with(&settings).is_infeasible())
 }
@@ -210,9 +210,9 @@ fn way_beyond(here: &Problem, rates: &Problem) -> f64 {
 
 /// The change of the load factor that makes up the whole load, or all commands, whichever is less; zero if there is neither.
 fn whole_way(here: &Problem, rates: &Problem) -> f64 {
-    let total = |drives: &[SVector<f64, 3>]| summed(drives, &nalgebra::Matrix::norm);
+    let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = here.wrench.norm() / rates.wrench.norm();
-    let command_way = total(&here.drives) / total(&rates.drives);
+    let command_way = total(&here.offsets) / total(&rates.offsets);
     let way = load_way.min(command_way);
     if way.is_finite() { way } else { 0.0 }
 }
@@ -220,7 +220,7 @@ fn whole_way(here: &Problem, rates: &Problem) -> f64 {
 fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
     // The complete laws under the rates of load and commands.
     let rates = &Problem {
-        drives: rates.drives.clone(),
+        offsets: rates.offsets.clone(),
         wrench: rates.wrench.clone(),
         wrench_rest: rates.wrench_rest.clone(),
         ..here.clone()
@@ -230,8 +230,8 @@ fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
     for_each_combination(here, &mut |states| {
         let piece = Piece::new(here, &states);
         let (Ok(now), Ok(next)) = (
-            piece.solve(here.sites, &here.drives, here.load()),
-            piece.solve(rates.sites, &rates.drives, &rates.wrench),
+            piece.solve(here.sites, &here.offsets, here.load()),
+            piece.solve(rates.sites, &rates.offsets, &rates.wrench),
         ) else {
             return false;
         };

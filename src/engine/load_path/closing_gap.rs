@@ -59,7 +59,7 @@ impl<'g> Pieces<'g> {
     /// not small.
     fn free_way(&self, motion: &Vector) -> Option<FreeWay> {
         let grasp = self.segment.grasp;
-        let drives = self.segment.drives(self.factor);
+        let offsets = self.segment.offsets(self.factor);
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
         for (i, site) in grasp.sites().iter().enumerate() {
             let velocity = site.map.tr_mul(motion);
@@ -68,8 +68,8 @@ impl<'g> Pieces<'g> {
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);
             if self.node.states[i].is_open() || self.node.stands[i].apex && local.may_open() {
-                let gap = -site.stretch(&drives[i], &self.node.at.twist)[0];
-                let shut = ZERO_SLACK * site.span(&drives[i], &self.node.at.twist);
+                let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
+                let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
                 if velocity[0] < -none {
                     // A contact that touches already is in the way.
                     if gap <= shut {
@@ -122,11 +122,11 @@ impl<'g> Pieces<'g> {
         let forces = mapped(&here.lines, &|line| line.force);
         let twist = &self.node.at.twist + motion * way.length;
         self.node.arrive(&mut self.segment, &here, self.factor, &PieceState { forces, twist });
-        let drives = self.segment.drives(self.factor);
+        let offsets = self.segment.offsets(self.factor);
         for (i, site) in self.segment.grasp.sites().iter().enumerate() {
             if self.node.states[i].is_open() {
-                let gap = -site.stretch(&drives[i], &self.node.at.twist)[0];
-                let shut = ZERO_SLACK * site.span(&drives[i], &self.node.at.twist);
+                let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
+                let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
                 self.node.stands[i].leave();
                 self.node.stands[i].apex = gap <= shut || way.closing.contains(&i);
             }

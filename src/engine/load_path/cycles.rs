@@ -100,7 +100,7 @@ impl<'g> Cycles<'g> {
         let largest = largest(&from.forces, &Matrix::norm);
         let begin = Following::start(grasp, (&self.base, &self.legs), settings, |journey, problem| {
             let mut slipped = problem.clone();
-            slipped.drives.iter_mut().zip(&from.slips).for_each(|(drive, slip)| *drive -= slip);
+            slipped.offsets.iter_mut().zip(&from.slips).for_each(|(offset, slip)| *offset -= slip);
             slipped.slips.clone_from(&from.slips);
             slipped.cones = from.cones(grasp);
             // If a contact would have to slide at once, no search is needed.
@@ -186,10 +186,10 @@ impl<'g> Cycles<'g> {
     pub(crate) fn standing(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
-        let drives = segment.drives(follower.factor);
+        let offsets = segment.offsets(follower.factor);
         let gap = |i: usize| {
             let open = follower.node.states[i].is_open();
-            if open { -segment.grasp.sites()[i].stretch(&drives[i], &at.twist)[0] } else { 0.0 }
+            if open { -segment.grasp.sites()[i].stretch(&offsets[i], &at.twist)[0] } else { 0.0 }
         };
         Some(CycleState {
             forces: at.forces.clone(),
@@ -226,8 +226,8 @@ impl CycleRecord {
                 self.slid[i] += (after[i] - piece.problem.slips[i]).norm();
             }
             self.open[i] = self.open[i].filter(|_| state.is_open()).map(|gap| {
-                let drive = piece.problem.drives[i] + piece.change[i] * piece.to;
-                let at_the_end = -piece.problem.sites[i].stretch(&drive, &piece.there.twist)[0];
+                let offset = piece.problem.offsets[i] + piece.change[i] * piece.to;
+                let at_the_end = -piece.problem.sites[i].stretch(&offset, &piece.there.twist)[0];
                 gap.min(piece.here.gaps[i].gap).min(at_the_end)
             });
         }

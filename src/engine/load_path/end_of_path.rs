@@ -53,7 +53,7 @@ pub(super) fn end_of_path(
 /// both are the motion of the rates in these states. The rates balance the load, but slip against friction: the reversed motion slips along it.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let piece = Piece::new(rates, states);
-    let solved = match piece.solve(rates.sites, &rates.drives, &rates.wrench) {
+    let solved = match piece.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
             // Where friction is exhausted no spring resists, but the friction forces work on the motion. Where only commands change, the load itself
             // drives the object out.

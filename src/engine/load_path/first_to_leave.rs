@@ -11,7 +11,7 @@ use super::segment::Segment;
 use super::tolerances::LARGEST_CORRECTION;
 use super::turn::Turn;
 use super::turning_load::at_start;
-use crate::contact::{ActiveSet, At, Exit, Line, LocalLaw};
+use crate::contact::{ActiveSet, Exit, Line, LocalLaw, SpringState};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -35,15 +35,15 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
         return None;
     }
     let direction = segment.course.rate_at(0.0);
-    let OnsetMemory { solution, base, rate, there, driven, .. } = memory;
+    let OnsetMemory { solution, base, rate, there, offsets, .. } = memory;
     piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
-    piece.solve_roughly_into(&problem.drives, &problem.wrench, (solution, base));
+    piece.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
     let First { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
     // Solved again at the onset: the factor found from afar carries the rounding of forces at the base.
     let mut factor = exit.step;
     let load = segment.course.at(factor);
-    segment.drives_into(factor, driven);
-    piece.solve_into(problem.sites, driven, &load, (solution, there)).ok()?;
+    segment.offsets_into(factor, offsets);
+    piece.solve_into(problem.sites, offsets, &load, (solution, there)).ok()?;
     let more = problem.local(contact).way_to(&exit, &there.forces[contact], &line.rate);
     if more.abs() > LARGEST_CORRECTION * factor || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
@@ -76,7 +76,7 @@ pub(super) fn first_to_leave_on_turn(
     let states = problem.unjumped();
     let at_rest = vec![SVector::zeros(); problem.len()];
     let parts = Harmonic {
-        constant: piece.solve_roughly(&problem.drives, &inside.constant),
+        constant: piece.solve_roughly(&problem.offsets, &inside.constant),
         cosine: piece.solve_roughly(&at_rest, &inside.cosine),
         sine: piece.solve_roughly(&at_rest, &inside.sine),
     };
@@ -104,7 +104,7 @@ pub(super) fn first_to_leave_on_turn(
         return None;
     }
     let load = inside.at(angle);
-    let mut there = piece.solve(problem.sites, &problem.drives, &load).ok()?;
+    let mut there = piece.solve(problem.sites, &problem.offsets, &load).ok()?;
     let rate = turned.waves[*contact][0].of.rate_at(angle);
     let more = problem.local(*contact).way_to(&exit, &there.forces[*contact], &rate);
     if more.abs() > LARGEST_CORRECTION * angle || !is_balanced(problem.sites, &load, &there.forces) {
@@ -150,7 +150,7 @@ impl FirstToLeave {
 }
 
 /// Whether a contact meets all conditions of its unjumped state by more than rounding.
-fn clearly_sticks(local: &LocalLaw<'_>, at: &At<'_>) -> bool {
+fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
     // Least relative margin of conditions at the base. Less may be rounding, or a contact on an edge, which the sticking path decides.
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);

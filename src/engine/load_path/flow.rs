@@ -111,12 +111,13 @@ impl<'s, 'g> Flow<'s, 'g> {
         unit: f64,
     ) -> Self {
         let sites = segment.grasp.sites();
-        let drives = segment.drives(from);
+        let offsets = segment.offsets(from);
         let load = segment.course.at(from).norm();
         let forces = mapped(&here.lines, &|line| line.force.norm());
-        let force = largest_force(sites, &drives, &here.twist, load, forces.into_iter()).max(segment.largest);
+        let force =
+            largest_force(sites, &offsets, &here.twist, load, forces.into_iter()).max(segment.largest);
         let mut span = 0.0_f64;
-        for (site, a) in sites.iter().zip(&drives) {
+        for (site, a) in sites.iter().zip(&offsets) {
             span = span.max(site.span(a, &here.twist));
         }
         let sizes = [force, span];

@@ -40,15 +40,15 @@ impl<'g> Journey<'g> {
         Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start), rest: None })
     }
 
-    /// The question of one equilibrium with these drives, for the cone of the journey.
-    pub(super) fn problem(&self, drives: Vec<SVector<f64, 3>>, load: &Vector) -> Problem<'g> {
+    /// The question of one equilibrium with these offsets, for the cone of the journey.
+    pub(super) fn problem(&self, offsets: Vec<SVector<f64, 3>>, load: &Vector) -> Problem<'g> {
         let round = self.settings.is_round(self.grasp.space());
-        self.grasp.problem(self.polygon.clone(), round, drives, &Load::from(load))
+        self.grasp.problem(self.polygon.clone(), round, offsets, &Load::from(load))
     }
 
     /// The problem at the start, with contacts that have not slipped yet.
     pub(super) fn problem_at_start(&self) -> Problem<'g> {
-        self.problem(self.grasp.drives(), &self.program.inside_course(self.grasp).at(0.0))
+        self.problem(self.grasp.offsets(), &self.program.inside_course(self.grasp).at(0.0))
     }
 
     /// The equilibrium to start from; else how the path ends before it begins.
@@ -67,9 +67,9 @@ impl<'g> Journey<'g> {
     /// legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let course = self.program.inside_course(self.grasp);
-        let [mut drives, change] = self.program.drives(self.grasp);
-        drives.iter_mut().zip(&slips).for_each(|(drive, slip)| *drive -= slip);
-        let problem = Problem { slips, ..self.problem(drives, &course.at(0.0)) };
+        let [mut offsets, change] = self.program.offsets(self.grasp);
+        offsets.iter_mut().zip(&slips).for_each(|(offset, slip)| *offset -= slip);
+        let problem = Problem { slips, ..self.problem(offsets, &course.at(0.0)) };
         Segment { grasp: self.grasp, answer_for: self.answer_for(), problem, change, course, largest: 0.0 }
     }
 

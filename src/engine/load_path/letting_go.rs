@@ -206,7 +206,7 @@ impl<'g> Pieces<'g> {
         let (problem, leg) = (&mut segment.problem, fall.leg);
         let relaxed = leg.segment.problem;
         for (i, slip) in relaxed.slips.iter().enumerate() {
-            problem.drives[i] -= slip - problem.slips[i];
+            problem.offsets[i] -= slip - problem.slips[i];
         }
         (problem.slips, problem.cones) = (relaxed.slips, relaxed.cones);
         segment.largest = segment.largest.max(leg.segment.largest);

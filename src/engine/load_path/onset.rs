@@ -91,8 +91,8 @@ pub(super) struct StickingState {
     pub(super) leaving: Vec<usize>,
     pub(super) wrench: Coordinates,
     pub(super) wrench_rate: Coordinates,
-    pub(super) drives: Vec<SVector<f64, 3>>,
-    pub(super) drive_rates: Vec<SVector<f64, 3>>,
+    pub(super) offsets: Vec<SVector<f64, 3>>,
+    pub(super) offset_rates: Vec<SVector<f64, 3>>,
     /// Slips of contacts that have closed on the way.
     pub(super) slips: Vec<SVector<f64, 3>>,
 }
@@ -109,9 +109,9 @@ impl OnsetEvent<3> {
     ) -> Self {
         let mut lists = lists.iter_mut();
         let mut list = || lists.next().map(core::mem::take).unwrap_or_default();
-        let Segment { grasp, answer_for, problem, change: drive_rates, course, .. } = segment;
-        let mut drives = problem.drives;
-        drives.iter_mut().zip(&drive_rates).for_each(|(drive, rate)| *drive += rate * factor);
+        let Segment { grasp, answer_for, problem, change: offset_rates, course, .. } = segment;
+        let mut offsets = problem.offsets;
+        offsets.iter_mut().zip(&offset_rates).for_each(|(offset, rate)| *offset += rate * factor);
         let local = StickingState {
             found: Kept::of(found, list()),
             rule,
@@ -119,8 +119,8 @@ impl OnsetEvent<3> {
             leaving: sites,
             wrench: Coordinates::of_in(&course.at(factor), list()),
             wrench_rate: Coordinates::of_in(&course.rate_at(factor), list()),
-            drives,
-            drive_rates,
+            offsets,
+            offset_rates,
             slips: problem.slips,
         };
         let (leaving, drives) = grasp.leaving_apart(leaving);

@@ -40,7 +40,7 @@ impl<'g> OnsetMargins<'g> {
     /// `None` if the onset was reached after a contact had closed on the way or as one closes, or if the event has another number of
     /// contacts.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
-        let StickingState { found, slips, drive_rates, wrench_rate, leaving, .. } = &event.local;
+        let StickingState { found, slips, offset_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();
         let response = StickingResponse::of(grasp, grasp.problem_at_onset(event)?, &found.states);
         let has_slipped = |i: usize| {
@@ -51,7 +51,7 @@ impl<'g> OnsetMargins<'g> {
         if (0..grasp.len()).any(has_slipped) || leaving.iter().any(opens) {
             return None;
         }
-        let rates = response.state(drive_rates, &wrench_rate.to())?;
+        let rates = response.state(offset_rates, &wrench_rate.to())?;
         let mut margins = Vec::with_capacity(leaving.len());
         for &site in leaving {
             let Some(leaver) = grasp.leaver(site) else { continue };

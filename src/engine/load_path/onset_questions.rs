@@ -67,7 +67,7 @@ impl Engine {
     ) -> Result<Onset<3>, Error> {
         let base = self.load_alone(&ramp.base, "base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
-        ramp.drive_changes_into(self, &mut memory.change)?;
+        ramp.offset_changes_into(self, &mut memory.change)?;
         let segment = memory.segment(self, settings, Trajectory::Straight { from: base, rate: direction });
         memory.rest = None;
         if let Some(first) = first_to_leave(&segment, memory) {
@@ -118,7 +118,7 @@ impl Engine {
         let problem = self.problem_at_onset(event)?;
         let local = &event.local;
         let answer_for = AnswerFor { cone: event.cone, small: settings.small_motions };
-        let change = local.drive_rates.clone();
+        let change = local.offset_rates.clone();
         let course = Trajectory::Straight { from: local.wrench.to(), rate: local.wrench_rate.to() };
         let segment = Segment { grasp: self, answer_for, problem, change, course, largest: 0.0 };
         let rates = segment.rates(0.0, segment.laws_of_rates(&local.stands, &local.found.states));
@@ -138,7 +138,7 @@ impl Engine {
         if local.found.states.len() != self.sites().len() {
             return None;
         }
-        let problem = self.problem_on(event.cone, local.drives.clone(), &Load::from(&local.wrench.to()));
+        let problem = self.problem_on(event.cone, local.offsets.clone(), &Load::from(&local.wrench.to()));
         Some(Problem { slips: local.slips.clone(), ..problem })
     }
 

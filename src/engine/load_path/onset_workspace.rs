@@ -23,11 +23,11 @@ pub(super) struct OnsetMemory {
     pub(super) change: Vec<SVector<f64, 3>>,
     polygon: Option<((Space, PolygonCone), Arc<Polygon>)>,
     pub(super) solution: SolutionMemory,
-    /// State at the base, its rate, and state at the onset with the drives there.
+    /// State at the base, its rate, and state at the onset with the offsets there.
     pub(super) base: PieceState,
     pub(super) rate: PieceState,
     pub(super) there: PieceState,
-    pub(super) driven: Vec<SVector<f64, 3>>,
+    pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) states: Vec<State>,
     pub(super) stands: Vec<ActiveSet>,
     pub(super) leaving: Vec<Leaving<3>>,
@@ -41,7 +41,7 @@ pub(super) struct OnsetMemory {
 }
 
 impl OnsetMemory {
-    /// The segment from a base load, with drive rates from this memory and all contacts at rest.
+    /// The segment from a base load, with rates of the offsets from this memory and all contacts at rest.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,
@@ -50,7 +50,7 @@ impl OnsetMemory {
     ) -> Segment<'g> {
         let answer_for = AnswerFor::of(grasp.space(), settings);
         let mut lists = core::mem::take(&mut self.lists);
-        grasp.drives_into(&mut lists.drives);
+        grasp.offsets_into(&mut lists.offsets);
         let polygon = self.polygon(grasp.space(), settings.cone);
         let problem =
             grasp.problem_in(lists, polygon, answer_for.cone == Cone::Round, &Load::from(&course.at(0.0)));
@@ -86,9 +86,9 @@ impl OnsetMemory {
     pub(super) fn take_back(&mut self, told: Onset<3>) {
         let Onset::At(mut event) = told else { return };
         let local = &mut event.local;
-        self.lists.drives = core::mem::take(&mut local.drives);
+        self.lists.offsets = core::mem::take(&mut local.offsets);
         self.lists.slips = core::mem::take(&mut local.slips);
-        self.change = core::mem::take(&mut local.drive_rates);
+        self.change = core::mem::take(&mut local.offset_rates);
         let coordinates = [&mut local.found.twist, &mut local.wrench, &mut local.wrench_rate];
         self.coordinates = coordinates.map(Coordinates::take_list);
         self.there.forces = core::mem::take(&mut local.found.forces);

@@ -136,10 +136,10 @@ impl Node {
     /// While the load turns, removes edges from active sets that contacts have moved away from by now: at the event their rates did not show that
     /// yet.
     fn leave_behind(&mut self, segment: &Segment<'_>, here: &PathPoint, factor: f64) {
-        let drives = segment.drives(factor);
+        let offsets = segment.offsets(factor);
         for (i, (stand, state)) in self.stands.iter_mut().zip(&self.states).enumerate() {
             if state.is_open() {
-                let gap = -segment.grasp.sites()[i].stretch(&drives[i], &self.at.twist)[0];
+                let gap = -segment.grasp.sites()[i].stretch(&offsets[i], &self.at.twist)[0];
                 stand.apex &= gap <= ZERO_SLACK * here.gaps[i].size;
             } else {
                 let line = Line { force: self.at.forces[i], ..here.lines[i] };

@@ -174,7 +174,7 @@ impl<'g> Pieces<'g> {
     pub(super) fn at_start(journey: &Journey<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = journey.start(problem)?;
         // At rest, load and commands do not change.
-        let change = journey.grasp.drive_changes(None, None);
+        let change = journey.grasp.offset_changes(None, None);
         let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
         let (grasp, answer_for, problem) = (journey.grasp, journey.answer_for(), problem.clone());
         let mut segment = Segment { grasp, answer_for, problem, change, course, largest: 0.0 };

@@ -150,16 +150,16 @@ impl Program {
     }
 
     /// Drives, commands less clearances, at the beginning of the present leg, and their change along it.
-    pub(super) fn drives(&self, grasp: &Engine) -> [Vec<SVector<f64, 3>>; 2] {
-        let mut drives = [Vec::new(), Vec::new()];
-        self.drives_into(grasp, &mut drives);
-        drives
+    pub(super) fn offsets(&self, grasp: &Engine) -> [Vec<SVector<f64, 3>>; 2] {
+        let mut offsets = [Vec::new(), Vec::new()];
+        self.offsets_into(grasp, &mut offsets);
+        offsets
     }
 
-    /// [`Self::drives`] into lists supplied by the caller.
-    pub(super) fn drives_into(&self, grasp: &Engine, [base, change]: &mut [Vec<SVector<f64, 3>>; 2]) {
+    /// [`Self::offsets`] into lists supplied by the caller.
+    pub(super) fn offsets_into(&self, grasp: &Engine, [base, change]: &mut [Vec<SVector<f64, 3>>; 2]) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
-        grasp.driven_by(from.iter().copied(), joints_from, base);
+        grasp.offsets_under(from.iter().copied(), joints_from, base);
         let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).collect();
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }

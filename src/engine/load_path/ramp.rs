@@ -105,15 +105,15 @@ impl<const C: usize> Ramp<C> {
 }
 
 impl Ramp<3> {
-    /// Rates of the contact and joint drives of a grasp, for each unit of the factor.
-    pub(crate) fn drive_changes(&self, grasp: &Engine) -> Result<Vec<SVector<f64, 3>>, Error> {
+    /// Rates of the offsets of all sites of a grasp, for each unit of the factor.
+    pub(crate) fn offset_changes(&self, grasp: &Engine) -> Result<Vec<SVector<f64, 3>>, Error> {
         let mut changes = Vec::new();
-        self.drive_changes_into(grasp, &mut changes)?;
+        self.offset_changes_into(grasp, &mut changes)?;
         Ok(changes)
     }
 
-    /// [`Self::drive_changes`] into a list supplied by the caller.
-    pub(super) fn drive_changes_into(
+    /// [`Self::offset_changes`] into a list supplied by the caller.
+    pub(super) fn offset_changes_into(
         &self,
         grasp: &Engine,
         changes: &mut Vec<SVector<f64, 3>>,

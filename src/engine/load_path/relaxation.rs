@@ -168,7 +168,7 @@ mod tests {
             let grasp = fingers(ratio);
             let polygon = Polygon::shared(grasp.space(), &PolygonCone::default());
             let load = Load::from(&Vector::zeros());
-            let problem = grasp.problem(polygon, true, grasp.drives(), &load);
+            let problem = grasp.problem(polygon, true, grasp.offsets(), &load);
             let change = (0..5).map(|i| SVector::from([0.1, 0.02 * f64::from(i), -0.03])).collect();
             let rate = SVector::from([0.3, -0.2, 0.9, 0.1, -0.2, 0.15]).into();
             let course = Trajectory::Straight { from: Vector::zeros(), rate };

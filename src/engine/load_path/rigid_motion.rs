@@ -25,7 +25,7 @@ const MOST_RIGID: usize = 64;
 
 /// The unit motion with which the object leaves under rates of a load that nothing balances, where no contact presses yet; `None` where one does.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
-    if rates.wrench.as_slice().len() > MOST_RIGID || rates.drives.iter().any(|drive| drive.norm() > 0.0) {
+    if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
     }
     // An orthonormal basis of the motions that links resist.

@@ -13,14 +13,14 @@ use crate::numerics::{Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Load and drives at factor 0 and their rates, with the slips of the contacts so far.
+/// Load and offsets at factor 0 and their rates, with the slips of the contacts so far.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) answer_for: AnswerFor,
-    /// The problem at factor 0; its drives count from the slips so far.
+    /// The problem at factor 0; its offsets count from the slips so far.
     pub(super) problem: Problem<'g>,
-    /// Rates of the drives; zero while the load turns.
+    /// Rates of the offsets; zero while the load turns.
     pub(super) change: Vec<SVector<f64, 3>>,
     /// Trajectory of the load.
     pub(super) course: Trajectory<Vector>,
@@ -92,7 +92,7 @@ impl<'g> Segment<'g> {
             Trajectory::Turn { load, angle } => return self.look_round(&piece, (load, *angle), factor, near),
         };
         let base = piece
-            .solve(self.problem.sites, &self.problem.drives, self.problem.load())
+            .solve(self.problem.sites, &self.problem.offsets, self.problem.load())
             .map_err(|u| self.unbalanced(factor, u.motion))?;
         let rate = piece
             .solve(self.problem.sites, &self.change, rate)
@@ -138,16 +138,16 @@ impl<'g> Segment<'g> {
         let PieceState { forces, twist } = at;
         let change: Vec<_> = mapped(&self.change, &|a| a * factor_rate);
         let way = factor - since;
-        let [base_drives, drives] = [since, factor].map(|factor| self.drives(factor));
+        let [base_offsets, offsets] = [since, factor].map(|factor| self.offsets(factor));
         let base_load = self.course.at(since);
         let sites = self.grasp.sites();
-        let sizes = |drives: &[SVector<f64, 3>], twist: &Vector, load: f64, forces: &[SVector<f64, 3>]| {
+        let sizes = |offsets: &[SVector<f64, 3>], twist: &Vector, load: f64, forces: &[SVector<f64, 3>]| {
             let norm = twist.norm();
             let travel =
-                sites.iter().zip(drives).map(|(site, a)| site.span_moved(a, norm)).fold(0.0, f64::max);
-            [largest_force(sites, drives, twist, load, forces.iter().map(Matrix::norm)), travel]
+                sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm)).fold(0.0, f64::max);
+            [largest_force(sites, offsets, twist, load, forces.iter().map(Matrix::norm)), travel]
         };
-        let [base_force, base_travel] = sizes(&base_drives, &base.twist, base_load.norm(), &base.forces);
+        let [base_force, base_travel] = sizes(&base_offsets, &base.twist, base_load.norm(), &base.forces);
         let load_rate = self.course.rate_at(factor).norm() * factor_rate.abs();
         let rate_sizes = sizes(&change, &rate.twist, load_rate, &rate.forces);
         let most = (base_force + way * rate_sizes[0]).max(self.largest);
@@ -156,13 +156,13 @@ impl<'g> Segment<'g> {
         let mut gaps = Vec::new();
         for (i, site) in self.grasp.sites().iter().enumerate() {
             let (stretch, stretching) =
-                (site.stretch(&drives[i], &twist), site.stretch(&change[i], &rate.twist));
+                (site.stretch(&offsets[i], &twist), site.stretch(&change[i], &rate.twist));
             let span_rate = site.span_moved(&change[i], norm_of_rate);
             // Drives count from the slips so far, and carry the rounding of those slips where they cancel.
             let memory = self.problem.slips[i].norm();
-            let span_here = site.span_moved(&drives[i], norm);
+            let span_here = site.span_moved(&offsets[i], norm);
             let span =
-                memory + span_here.max(site.span_moved(&base_drives[i], norm_of_base) + way * span_rate);
+                memory + span_here.max(site.span_moved(&base_offsets[i], norm_of_base) + way * span_rate);
             let local = self.problem.local(i);
             lines.push(Line {
                 force: forces[i],
@@ -191,7 +191,7 @@ impl<'g> Segment<'g> {
     /// motions free, the twist is the one nearest to `near`.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
-        let at = piece.solve(self.problem.sites, &self.drives(factor), &wrench).ok()?;
+        let at = piece.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
@@ -206,24 +206,24 @@ impl<'g> Segment<'g> {
         at: &PieceState,
     ) -> f64 {
         if state.is_open() {
-            let drive = self.problem.drives[contact] + self.change[contact] * factor;
-            let gap = -self.grasp.sites()[contact].stretch(&drive, &at.twist)[0];
+            let offset = self.problem.offsets[contact] + self.change[contact] * factor;
+            let gap = -self.grasp.sites()[contact].stretch(&offset, &at.twist)[0];
             return gap / -here.gaps[contact].rate;
         }
         self.problem.local(contact).way_to(exit, &at.forces[contact], &here.lines[contact].rate)
     }
 
-    /// The drives at a factor.
-    pub(super) fn drives(&self, factor: f64) -> Vec<SVector<f64, 3>> {
-        let mut drives = Vec::new();
-        self.drives_into(factor, &mut drives);
-        drives
+    /// The offsets at a factor.
+    pub(super) fn offsets(&self, factor: f64) -> Vec<SVector<f64, 3>> {
+        let mut offsets = Vec::new();
+        self.offsets_into(factor, &mut offsets);
+        offsets
     }
 
-    /// [`Self::drives`] into a list supplied by the caller.
-    pub(super) fn drives_into(&self, factor: f64, drives: &mut Vec<SVector<f64, 3>>) {
-        cleared_for(drives, self.change.len());
-        drives.extend(self.problem.drives.iter().zip(&self.change).map(|(a, da)| a + da * factor));
+    /// [`Self::offsets`] into a list supplied by the caller.
+    pub(super) fn offsets_into(&self, factor: f64, offsets: &mut Vec<SVector<f64, 3>>) {
+        cleared_for(offsets, self.change.len());
+        offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
 
     /// This segment with commands and load fixed at a factor.
@@ -236,7 +236,12 @@ impl<'g> Segment<'g> {
     /// The local problem at a factor.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g> {
         let wrench = self.course.at(factor);
-        Problem { drives: self.drives(factor), wrench, wrench_rest: Vector::zeros(), ..self.problem.clone() }
+        Problem {
+            offsets: self.offsets(factor),
+            wrench,
+            wrench_rest: Vector::zeros(),
+            ..self.problem.clone()
+        }
     }
 
     /// Adds the slip of a contact up to here to its memory: its springs count from there.
@@ -248,13 +253,13 @@ impl<'g> Segment<'g> {
         force: &SVector<f64, 3>,
     ) {
         let site = &self.grasp.sites()[contact];
-        let drive = self.problem.drives[contact] + self.change[contact] * factor;
-        let mut slip = site.springs.slip(&site.stretch(&drive, twist), force);
+        let offset = self.problem.offsets[contact] + self.change[contact] * factor;
+        let mut slip = site.springs.slip(&site.stretch(&offset, twist), force);
         if !site.springs.resists_tangentially() {
             slip.fill(0.0);
         }
         self.problem.slips[contact] += slip;
-        self.problem.drives[contact] -= slip;
+        self.problem.offsets[contact] -= slip;
     }
 
     /// The exits through which a contact may leave its state.

@@ -40,11 +40,13 @@ impl<'g> Pieces<'g> {
     /// Records the farthest motion and the place where motions cease to be small, after each piece and at the very start.
     pub(super) fn note_how_far(&mut self, journey: &Journey<'g>) {
         let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
-        let drives = self.segment.drives(self.factor);
+        let offsets = self.segment.offsets(self.factor);
         let (slips, states) = (&self.segment.problem.slips, &self.node.states);
         let (forces, twist) = (&self.node.at.forces, &self.node.at.twist);
-        let motions = grasp
-            .counted_motions(&answer_for.small, &Standing { drives: &drives, slips, states, forces, twist });
+        let motions = grasp.counted_motions(
+            &answer_for.small,
+            &Standing { offsets: &offsets, slips, states, forces, twist },
+        );
         let here = farthest(&motions).copied();
         self.farthest = here.map_or(self.farthest, |motion| self.farthest.max(motion.over_the_limit()));
         if self.end_of_small_motions.is_some() {
@@ -115,9 +117,9 @@ impl<'g> Stretch<'g> {
         let turned = self.here.turned.as_ref()?;
         let at = |angle: f64| {
             let there = self.here.after(angle / turned.angle);
-            let (drives, slips) = (&self.problem.drives, &self.problem.slips);
+            let (offsets, slips) = (&self.problem.offsets, &self.problem.slips);
             let (forces, twist) = (&there.forces, &there.twist);
-            let standing = Standing { drives, slips, states: &self.states, forces, twist };
+            let standing = Standing { offsets, slips, states: &self.states, forces, twist };
             grasp.counted_motions(small, &standing)
         };
         let (begin, quarter, half) = (at(0.0), at(FRAC_PI_2), at(PI));

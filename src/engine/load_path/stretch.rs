@@ -23,7 +23,7 @@ pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The local problem at fraction 0 of the leg, with the slip so far; the rates of its drives; the trajectory of its load.
+    /// The local problem at fraction 0 of the leg, with the slip so far; the rates of its offsets; the trajectory of its load.
     pub(super) problem: Problem<'g>,
     pub(super) change: Vec<SVector<f64, 3>>,
     pub(super) course: Trajectory<Vector>,
@@ -162,8 +162,8 @@ impl<'g> Stretch<'g> {
         for (i, (state, site)) in self.states.iter().zip(segment.grasp.sites()).enumerate() {
             if state.slides() {
                 let slip =
-                    site.springs.slip(&site.stretch(&problem.drives[i], &found.twist), &found.forces[i]);
-                problem.drives[i] -= slip;
+                    site.springs.slip(&site.stretch(&problem.offsets[i], &found.twist), &found.forces[i]);
+                problem.offsets[i] -= slip;
                 problem.slips[i] += slip;
             }
         }

@@ -30,7 +30,7 @@ impl Engine {
         turn.check_in(self.space())?;
         let inside = turn.inside(self);
         let mut memory = OnsetMemory::default();
-        memory.change = self.drive_changes(None, None);
+        memory.change = self.offset_changes(None, None);
         let segment = memory.segment(self, settings, Trajectory::Turn { load: inside.clone(), angle: 1.0 });
         if let Some(happens) = first_to_leave_on_turn(&segment, turn, &inside) {
             let onset = match happens {

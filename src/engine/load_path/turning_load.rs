@@ -31,11 +31,11 @@ impl Segment<'_> {
     ) -> Result<PathPoint, NoEquilibrium<3>> {
         let onward = load.from(angle * factor);
         let at_rest = vec![SVector::zeros(); self.problem.len()];
-        let solved = |drives: &[SVector<f64, 3>], load: &Vector| {
-            piece.solve(self.problem.sites, drives, load).map_err(|u| self.unbalanced(factor, u.motion))
+        let solved = |offsets: &[SVector<f64, 3>], load: &Vector| {
+            piece.solve(self.problem.sites, offsets, load).map_err(|u| self.unbalanced(factor, u.motion))
         };
         let parts = Harmonic {
-            constant: solved(&self.problem.drives, &onward.constant)?,
+            constant: solved(&self.problem.offsets, &onward.constant)?,
             cosine: solved(&at_rest, &onward.cosine)?,
             sine: solved(&at_rest, &onward.sine)?,
         };
@@ -66,7 +66,7 @@ impl Segment<'_> {
         Ok(here)
     }
 
-    /// The turn of all quantities. `parts` are the states under the parts of the load, the constant one with the drives.
+    /// The turn of all quantities. `parts` are the states under the parts of the load, the constant one with the offsets.
     pub(super) fn turned(
         &self,
         load: &Harmonic<Vector>,
@@ -76,11 +76,11 @@ impl Segment<'_> {
         let (sites, problem) = (self.problem.sites, &self.problem);
         let at_rest = vec![SVector::zeros(); sites.len()];
         let states = Harmonic {
-            constant: (&problem.drives, &load.constant, &parts.constant),
+            constant: (&problem.offsets, &load.constant, &parts.constant),
             cosine: (&at_rest, &load.cosine, &parts.cosine),
             sine: (&at_rest, &load.sine, &parts.sine),
         };
-        let sizes = states.map(|(drives, load, part)| problem.force_sizes(drives, load.norm(), part));
+        let sizes = states.map(|(offsets, load, part)| problem.force_sizes(offsets, load.norm(), part));
         let wave = |i: usize| {
             let turning_size = sizes.cosine[i] + sizes.sine[i];
             let force = Wave {
@@ -88,8 +88,8 @@ impl Segment<'_> {
                 size: sizes.constant[i] + turning_size,
                 turning_size,
             };
-            let of = states.map(|(drives, _, part)| sites[i].stretch(&drives[i], &part.twist));
-            let spans = states.map(|(drives, _, part)| sites[i].span(&drives[i], &part.twist));
+            let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
+            let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
             // Drives count from the slips so far, and carry the rounding of those slips where they cancel.
             let size = problem.slips[i].norm() + spans.constant + turning_size;

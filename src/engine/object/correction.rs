@@ -94,7 +94,7 @@ impl Piece {
             let mut along = [DoubleDouble::default(); 3];
             for (a, force) in force.iter().enumerate().take(site.springs.axes()) {
                 if across.is_some() || springs.iter().any(|s| s.right[a] != 0.0) {
-                    let mut w = twist.stretch(site, a, problem.drives[contact][a]);
+                    let mut w = twist.stretch(site, a, problem.offsets[contact][a]);
                     w.subtract(site.springs.precise_give_along(a, *force));
                     for (along, spring) in along.iter_mut().zip(springs) {
                         along.add_product_of_twice((spring.right[a], spring.right_rest[a]), w);

@@ -9,7 +9,7 @@ use crate::prelude::*;
 /// A contact with a given limit of friction.
 pub(super) struct Limited {
     pub(super) stiffness: SVector<f64, 3>,
-    pub(super) drive: SVector<f64, 3>,
+    pub(super) offset: SVector<f64, 3>,
     opens: bool,
     slides: Slides,
     cone: Coulomb,
@@ -51,11 +51,11 @@ pub(super) struct LimitedAnswer {
 impl Limited {
     /// The contact on the polygon in place of a round cone, or on the cone itself. `None` if it keeps its tangential force until it opens, or for an
     /// edge in rates in space.
-    pub(super) fn of(local: &LocalLaw<'_>, drive: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
-        let (drive, cone) = (*drive, local.cone());
+    pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
+        let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {
             let (stiffness, slides) = (SVector::zeros(), Slides::Never);
-            return Some(Self { stiffness, drive, opens: false, slides, cone, is_rate: false });
+            return Some(Self { stiffness, offset, opens: false, slides, cone, is_rate: false });
         }
         let facet =
             |sign: f64| (0_u16..).zip(local.facets()).find(|(_, h)| sign * h[1] > 0.0).map(|(j, _)| j);
@@ -73,7 +73,7 @@ impl Limited {
         // In rates, facets do not form a polygon.
         (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
             stiffness,
-            drive,
+            offset,
             opens,
             slides,
             cone,

@@ -6,7 +6,7 @@
 //!
 //! | file | idea |
 //! |---|---|
-//! | `problem` | laws, drives and load: the local problem, at rest and in rates |
+//! | `problem` | laws, offsets and load: the local problem, at rest and in rates |
 //! | `piece` | the linear problem in known states, by orthogonal factors |
 //! | `band_piece` | the same problem of very many coordinates, by the tangent stiffness in a narrow band |
 //! | `null_motions` | the motions in which the band is singular |

@@ -4,7 +4,7 @@
 //! A n = 0             no spring feels n: free
 //! A n ≠ 0, T n = 0    forces change along n in balance: neutral
 //! B z = 0             no spring balances a load that works on z
-//! B z ≠ 0, Tᵀz = 0    nothing responds to z: drives and loads that work on z have no solution
+//! B z ≠ 0, Tᵀz = 0    nothing responds to z: offsets and loads that work on z have no solution
 //! ```
 
 use nalgebra::DMatrix;

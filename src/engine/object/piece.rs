@@ -166,9 +166,9 @@ impl Piece {
         motions
     }
 
-    /// A virtual motion y without response, on which drives and load work the most: `Σ G_i C_iᵀG_iᵀ y = 0` with the
+    /// A virtual motion y without response, on which offsets and load work the most: `Σ G_i C_iᵀG_iᵀ y = 0` with the
     /// tangents C_i of this piece.
-    pub(crate) fn unanswered(&self, drives: &[SVector<f64, 3>], load: &Vector) -> Option<Vector> {
+    pub(crate) fn unanswered(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<Vector> {
         let worked = |basis: &[Vector], work: &Vector| {
             let part = basis.iter().fold(Vector::zeros(), |sum: Vector, v| sum + v * v.dot(work));
             (part.norm() > 0.0).then_some(part)
@@ -177,7 +177,7 @@ impl Piece {
             return Some(motion);
         }
         if let Some((_, null)) = &self.band {
-            return null.worked_on(&self.stretched(|contact| drives[contact]), load);
+            return null.worked_on(&self.stretched(|contact| offsets[contact]), load);
         }
         let (left, coupling) = self.orthogonal().left.as_ref()?;
         let mut kernel: Vec<Vector> = Vec::new();
@@ -185,7 +185,7 @@ impl Piece {
             orthonormalise_against(&mut z, &kernel);
             kernel.push(z);
         }
-        let pushed = left.coordinates(&self.stretched(|contact| drives[contact]));
+        let pushed = left.coordinates(&self.stretched(|contact| offsets[contact]));
         Some(left.preimage(&worked(&kernel, &(pushed + left.load_coordinates(load)))?))
     }
 

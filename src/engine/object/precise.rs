@@ -77,8 +77,8 @@ impl PreciseTwist {
     }
 
     /// `a - g·q` for column `axis` of the grasp map of a contact.
-    pub(crate) fn stretch(&self, site: &Site, axis: usize, drive: f64) -> DoubleDouble {
-        let v = DoubleDouble::new(drive);
+    pub(crate) fn stretch(&self, site: &Site, axis: usize, offset: f64) -> DoubleDouble {
+        let v = DoubleDouble::new(offset);
         let of_one_object = site.whole_column_in_twice(axis);
         if let Some((column, q)) = of_one_object.zip(self.0.arrays()) {
             return if site.coordinates().count() <= 3 {

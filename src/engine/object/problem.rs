@@ -1,10 +1,10 @@
-//! The local problem, the same for all rooms above: a law for each contact, a drive for each contact, a load.
+//! The local problem, the same for all rooms above: a law and a commanded offset for each contact, and a load.
 //!
 //! ```text
 //! v_i = a_i - G_iᵀq,      F_i from v_i by the law of contact i,      Σ G_i F_i + W = 0
 //! ```
 //!
-//! At rest the drives a_i are commanded displacements and the laws are whole; in rates both describe what happens next.
+//! At rest the offsets a_i are commanded displacements and the laws are whole; in rates both describe what happens next.
 
 use crate::numerics::{Size, Vector, indexed};
 use alloc::sync::Arc;
@@ -19,7 +19,7 @@ use crate::grasp::{Engine, Remembered, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
-/// Laws, drives a_i and load of the equation `Σ G_i F_i + W = 0`.
+/// Laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
@@ -31,7 +31,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) cones: Vec<Coulomb>,
     pub(crate) laws: Vec<Law>,
     /// Commanded displacement less clearance and less the slip so far.
-    pub(crate) drives: Vec<SVector<f64, 3>>,
+    pub(crate) offsets: Vec<SVector<f64, 3>>,
     /// The slip so far, in the contact frames.
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) wrench: Vector,
@@ -49,7 +49,7 @@ pub(crate) struct Problem<'g> {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lists {
     pub(crate) laws: Vec<Law>,
-    pub(crate) drives: Vec<SVector<f64, 3>>,
+    pub(crate) offsets: Vec<SVector<f64, 3>>,
     pub(crate) slips: Vec<SVector<f64, 3>>,
 }
 
@@ -59,14 +59,14 @@ impl Engine {
         &self,
         polygon: Arc<Polygon>,
         round: bool,
-        drives: Vec<SVector<f64, 3>>,
+        offsets: Vec<SVector<f64, 3>>,
         load: &Load,
     ) -> Problem<'_> {
-        let lists = Lists { drives, ..Lists::default() };
+        let lists = Lists { offsets, ..Lists::default() };
         self.problem_in(lists, polygon, round, load)
     }
 
-    /// [`Self::problem`] in reused lists, with the drives in them.
+    /// [`Self::problem`] in reused lists, with the offsets in them.
     pub(crate) fn problem_in(
         &self,
         lists: Lists,
@@ -85,7 +85,7 @@ impl Engine {
     pub(crate) fn on_polygons(&self, load: &Wrench<3>, cone: &PolygonCone) -> Result<Problem<'_>, Error> {
         let polygon = Polygon::shared(self.space(), cone);
         let wrench = self.load_alone(load, "load")?;
-        Ok(self.problem(polygon, false, self.drives(), &Load::from(&wrench)))
+        Ok(self.problem(polygon, false, self.offsets(), &Load::from(&wrench)))
     }
 }
 
@@ -95,7 +95,7 @@ impl<'g> Problem<'g> {
         sites: &'g [Site],
         polygon: Arc<Polygon>,
         round: bool,
-        Lists { mut laws, drives, mut slips }: Lists,
+        Lists { mut laws, offsets, mut slips }: Lists,
         load: &Load,
     ) -> Self {
         cleared_for(&mut laws, sites.len());
@@ -109,7 +109,7 @@ impl<'g> Problem<'g> {
             cones: Vec::new(),
             laws,
             slips,
-            drives,
+            offsets,
             wrench: load.wrench.clone(),
             wrench_rest: load.rest.clone(),
             infinite_friction_has_edges: false,
@@ -118,12 +118,12 @@ impl<'g> Problem<'g> {
         }
     }
 
-    /// The problem of the rates: these laws, driven at these rates. The round cone matters only at its apex; on an edge it is a
+    /// The problem of the rates: these laws, and rates of the offsets. The round cone matters only at its apex; on an edge it is a
     /// facet.
-    pub(crate) fn at_rates(&self, laws: Vec<Law>, drives: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
+    pub(crate) fn at_rates(&self, laws: Vec<Law>, offsets: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rest = Vector::zeros();
-        let mut rates = Self { laws, drives, slips, wrench, wrench_rest, trial: None, ..self.clone() };
+        let mut rates = Self { laws, offsets, slips, wrench, wrench_rest, trial: None, ..self.clone() };
         let round = rates.locals().any(|local| local.may_slide());
         rates.round &= round;
         rates
@@ -197,7 +197,7 @@ impl<'g> Problem<'g> {
     /// Stretch of a contact for a motion of the object, `a_i - G_iᵀq`.
     #[inline]
     pub(crate) fn stretch(&self, contact: usize, twist: &Vector) -> SVector<f64, 3> {
-        self.sites[contact].stretch(&self.drives[contact], twist)
+        self.sites[contact].stretch(&self.offsets[contact], twist)
     }
 
     /// The states of the elastic trial: every contact that is present sticks.
@@ -244,7 +244,7 @@ impl<'g> Problem<'g> {
             if a == 0 {
                 return 0.0;
             }
-            let mut slip = twist.stretch(site, a, self.drives[contact][a]);
+            let mut slip = twist.stretch(site, a, self.offsets[contact][a]);
             slip.subtract(site.springs.precise_give_along(a, DoubleDouble::new(friction[a])));
             slip.value()
         })

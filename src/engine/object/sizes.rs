@@ -6,7 +6,7 @@ use super::newton::Imbalance;
 use super::problem::Problem;
 use super::solution::PieceState;
 use super::tolerances::NO_FORCE;
-use crate::contact::At;
+use crate::contact::SpringState;
 use crate::grasp::Site;
 use crate::numerics::Vector;
 use crate::prelude::*;
@@ -19,7 +19,7 @@ pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64
 /// Size of the largest force of a scene.
 pub(crate) fn largest_force(
     sites: &[Site],
-    drives: &[SVector<f64, 3>],
+    offsets: &[SVector<f64, 3>],
     twist: &Vector,
     load: f64,
     forces: impl Iterator<Item = f64>,
@@ -28,7 +28,7 @@ pub(crate) fn largest_force(
     // The least force is at most the first one, which mostly shows that it is too small to matter.
     let least_of = |count: usize| {
         let norm = twist.norm();
-        let spans = sites.iter().zip(drives).map(|(site, a)| site.span_moved(a, norm));
+        let spans = sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm));
         NO_FORCE * least_spring_force(&sites[..count], spans)
     };
     if least_of(1) <= largest { largest } else { largest.max(least_of(sites.len())) }
@@ -38,15 +38,15 @@ impl Problem<'_> {
     /// Size of the largest force of the scene with these forces and this twist.
     pub(crate) fn largest_force(&self, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
-        largest_force(self.sites, &self.drives, twist, self.wrench.norm(), sizes)
+        largest_force(self.sites, &self.offsets, twist, self.wrench.norm(), sizes)
     }
 
-    /// The size that scales the rounding of each force, for a state with these drives under a load of this size.
-    pub(crate) fn force_sizes(&self, drives: &[SVector<f64, 3>], load: f64, state: &PieceState) -> Vec<f64> {
+    /// The size that scales the rounding of each force, for a state with these offsets under a load of this size.
+    pub(crate) fn force_sizes(&self, offsets: &[SVector<f64, 3>], load: f64, state: &PieceState) -> Vec<f64> {
         let norms = state.forces.iter().map(nalgebra::Matrix::norm);
-        let largest = largest_force(self.sites, drives, &state.twist, load, norms);
+        let largest = largest_force(self.sites, offsets, &state.twist, load, norms);
         let norm = state.twist.norm();
-        let spans = self.sites.iter().zip(drives).map(|(site, drive)| site.span_moved(drive, norm));
+        let spans = self.sites.iter().zip(offsets).map(|(site, offset)| site.span_moved(offset, norm));
         let sites = self.locals().zip(&state.forces).zip(spans);
         sites.map(|((local, force), span)| local.force_size(force, span, largest)).collect()
     }
@@ -54,7 +54,7 @@ impl Problem<'_> {
     /// Size of the displacements at a contact.
     #[inline]
     pub(crate) fn span(&self, contact: usize, twist: &Vector) -> f64 {
-        self.sites[contact].span(&self.drives[contact], twist)
+        self.sites[contact].span(&self.offsets[contact], twist)
     }
 
     /// Stretch, force and sizes of a contact, for its conditions.
@@ -64,7 +64,7 @@ impl Problem<'_> {
         force: &'s SVector<f64, 3>,
         twist: &Vector,
         largest: f64,
-    ) -> At<'s> {
+    ) -> SpringState<'s> {
         self.at_moved((contact, force), twist, twist.norm(), largest)
     }
 
@@ -76,9 +76,9 @@ impl Problem<'_> {
         twist: &Vector,
         norm: f64,
         largest: f64,
-    ) -> At<'s> {
-        let span = self.sites[contact].span_moved(&self.drives[contact], norm);
-        At { stretch: self.stretch(contact, twist), force, span, largest }
+    ) -> SpringState<'s> {
+        let span = self.sites[contact].span_moved(&self.offsets[contact], norm);
+        SpringState { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
     /// `|Σ G_i F_i + W|` and `Σ |F_i|`.

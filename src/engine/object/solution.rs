@@ -49,15 +49,15 @@ pub(crate) struct Unbalanced {
 }
 
 impl Piece {
-    /// Forces and the twist of least norm under these drives and this load, with the sites of this piece.
+    /// Forces and the twist of least norm under these offsets and this load, with the sites of this piece.
     pub(crate) fn solve(
         &self,
         sites: &[Site],
-        drives: &[SVector<f64, 3>],
+        offsets: &[SVector<f64, 3>],
         load: impl Into<Load>,
     ) -> Result<PieceState, Unbalanced> {
         let mut state = PieceState::default();
-        self.solve_into(sites, drives, load, (&mut SolutionMemory::default(), &mut state))?;
+        self.solve_into(sites, offsets, load, (&mut SolutionMemory::default(), &mut state))?;
         Ok(state)
     }
 
@@ -65,7 +65,7 @@ impl Piece {
     pub(crate) fn solve_into(
         &self,
         sites: &[Site],
-        drives: &[SVector<f64, 3>],
+        offsets: &[SVector<f64, 3>],
         load: impl Into<Load>,
         (memory, state): (&mut SolutionMemory, &mut PieceState),
     ) -> Result<(), Unbalanced> {
@@ -75,7 +75,7 @@ impl Piece {
         }
         let SolutionMemory { x, change } = memory;
         if let Some((band, null)) = &self.band {
-            self.stretched_into(x, |contact| drives[contact]);
+            self.stretched_into(x, |contact| offsets[contact]);
             if null.are_out_of_reach(x, &load.wrench, || band.growth()) {
                 return Err(Unbalanced { motion: None });
             }
@@ -83,15 +83,15 @@ impl Piece {
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
             // Each correction may leave a constant part of the one before. A later correction by less than this part of the largest force is the
             // last.
-            if self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, 1e-15)) {
+            if self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
-                self.forces_into(&mut state.forces, x, drives.len());
+                self.forces_into(&mut state.forces, x, offsets.len());
                 return Ok(());
             }
         }
         let factors = self.orthogonal();
         let balance = factors.balance();
-        self.stretched_into(x, |contact| drives[contact]);
+        self.stretched_into(x, |contact| offsets[contact]);
         let pulled = balance.load_coordinates(&load.wrench);
         let pushed = balance.coordinates(x);
         let step = match &factors.left {
@@ -109,9 +109,9 @@ impl Piece {
         factors.right.subtract(x, &step);
         let mut twist = PreciseTwist::new(self.size(), factors.right.preimage(&step));
         let respond = |x: &mut [f64], rest: &Vector| factors.respond(x, rest);
-        self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, NEARLY_CORRECTED));
+        self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, NEARLY_CORRECTED));
         state.twist = without(twist.value(), &self.free);
-        self.forces_into(&mut state.forces, x, drives.len());
+        self.forces_into(&mut state.forces, x, offsets.len());
         Ok(())
     }
 
@@ -120,14 +120,14 @@ impl Piece {
     fn refine(
         &self,
         sites: &[Site],
-        (drives, load): (&[SVector<f64, 3>], &Load),
+        (offsets, load): (&[SVector<f64, 3>], &Load),
         (x, change, twist): (&mut [f64], &mut Vec<f64>, &mut PreciseTwist),
         (respond, sharp): (impl Fn(&mut [f64], &Vector) -> Vector, f64),
     ) -> bool {
         cleared_for(change, x.len());
         change.resize(x.len(), 0.0);
         for step in 0..MOST_CORRECTIONS {
-            let rest = self.excess(sites, (drives, load), (x, twist), change);
+            let rest = self.excess(sites, (offsets, load), (x, twist), change);
             twist.add(&respond(change, &rest));
             let (mut largest, mut changed) = (0.0_f64, 0.0_f64);
             for ((x, change), spring) in x.iter_mut().zip(change.iter()).zip(&self.springs) {
@@ -145,24 +145,24 @@ impl Piece {
 
     /// Forces and the twist of least norm where all contacts stick and every motion is resisted, without corrections in twice the precision.
     /// The projection is applied twice, which leaves a few roundings of the largest force.
-    pub(crate) fn solve_roughly(&self, drives: &[SVector<f64, 3>], wrench: &Vector) -> PieceState {
+    pub(crate) fn solve_roughly(&self, offsets: &[SVector<f64, 3>], wrench: &Vector) -> PieceState {
         let mut state = PieceState::default();
-        self.solve_roughly_into(drives, wrench, (&mut SolutionMemory::default(), &mut state));
+        self.solve_roughly_into(offsets, wrench, (&mut SolutionMemory::default(), &mut state));
         state
     }
 
     /// [`Self::solve_roughly`] in reused memory.
     pub(crate) fn solve_roughly_into(
         &self,
-        drives: &[SVector<f64, 3>],
+        offsets: &[SVector<f64, 3>],
         wrench: &Vector,
         (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut PieceState),
     ) {
-        self.stretched_into(x, |contact| drives[contact]);
+        self.stretched_into(x, |contact| offsets[contact]);
         if let Some((band, _)) = &self.band {
             let travelled = band.respond(x, wrench);
             state.twist = travelled + band.respond(x, wrench);
-            self.forces_into(&mut state.forces, x, drives.len());
+            self.forces_into(&mut state.forces, x, offsets.len());
             return;
         }
         let right = self.factor();
@@ -174,7 +174,7 @@ impl Piece {
             travelled += &step;
         }
         state.twist = right.preimage(&travelled);
-        self.forces_into(&mut state.forces, x, drives.len());
+        self.forces_into(&mut state.forces, x, offsets.len());
     }
 
     /// Replaces x by `x - A (BᵀA)⁻¹ (Bᵀx + W)` and returns the twist `(BᵀA)⁻¹ (Bᵀx + W)`.
@@ -235,7 +235,7 @@ impl Piece {
     fn excess(
         &self,
         sites: &[Site],
-        (drives, load): (&[SVector<f64, 3>], &Load),
+        (offsets, load): (&[SVector<f64, 3>], &Load),
         (x, twist): (&[f64], &PreciseTwist),
         e: &mut [f64],
     ) -> Vector {
@@ -250,7 +250,7 @@ impl Piece {
             for a in 0..3 {
                 // Most springs lie along the axes and have one component each.
                 if springs.iter().any(|spring| spring.right[a] != 0.0) {
-                    let v = twist.stretch(site, a, drives[contact][a]);
+                    let v = twist.stretch(site, a, offsets[contact][a]);
                     for (left, spring) in left.iter_mut().zip(springs).filter(|(_, s)| s.right[a] != 0.0) {
                         left.add_product_of_twice((spring.right[a], spring.right_rest[a]), v);
                     }

@@ -81,9 +81,9 @@ impl GivenLimits {
             felt.extend(ranges.into_iter().flatten().map(entry));
             first.push(felt.len());
         }
-        let contacts = problem.locals().zip(&problem.drives);
+        let contacts = problem.locals().zip(&problem.offsets);
         let contacts: Option<Vec<_>> =
-            contacts.map(|(local, drive)| Limited::of(&local, drive, on_polygons)).collect();
+            contacts.map(|(local, offset)| Limited::of(&local, offset, on_polygons)).collect();
         let mut load = vec![0.0; count];
         problem.wrench.iter().zip(&numbers).for_each(|(w, k)| load[*k] = *w);
         Some(Self {
@@ -105,7 +105,7 @@ impl GivenLimits {
     fn answers_by(&self, q: &[f64], answer: impl Fn(usize, &SVector<f64, 3>) -> LimitedAnswer) -> Answers {
         let (mut of, mut left) = (Vec::with_capacity(self.contacts.len()), self.load.clone());
         for (i, contact) in self.contacts.iter().enumerate() {
-            let stretch = self.felt(i).iter().fold(contact.drive, |stretch, (k, g)| stretch - g * q[*k]);
+            let stretch = self.felt(i).iter().fold(contact.offset, |stretch, (k, g)| stretch - g * q[*k]);
             let answer = answer(i, &stretch);
             for (k, g) in self.felt(i) {
                 left[*k] += g.dot(&answer.force);

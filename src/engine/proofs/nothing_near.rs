@@ -49,7 +49,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
         };
         resisted += terms;
         site.map.push(&row, &mut slope);
-        size += row.norm() * site.span(&problem.drives[i], at);
+        size += row.norm() * site.span(&problem.offsets[i], at);
     }
     // Bound of a sum's rounding per term, relative to the sum of the sizes of its terms. It includes the rounding of products and maps.
     let rounding = 64.0 * f64::EPSILON * (problem.len() as f64).max(8.0);

@@ -77,9 +77,9 @@ fn response(
     w
 }
 
-/// Entries of the rows from the drives and the load, w.
+/// Entries of the rows from the offsets and the load, w.
 fn constant(problem: &Problem, open: &[bool]) -> DVector<f64> {
-    response(problem, open, &|i| problem.drives[i], problem.wrench.clone())
+    response(problem, open, &|i| problem.offsets[i], problem.wrench.clone())
 }
 
 /// Columns of Γ with length one: motions in both directions, friction, slacks.

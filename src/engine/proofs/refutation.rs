@@ -33,7 +33,7 @@ pub(crate) enum ProofStep {
 /// omit a case, or contradict one too weakly to count.
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
-    let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+    let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
     let stored = |forces: &[SVector<f64, 3>]| {
         problem.sites.iter().zip(forces).map(|(site, f)| 2.0 * site.springs.stored(f)).sum::<f64>()
     };
@@ -61,11 +61,11 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// The proof in a single case that nothing balances drives and load. The most yielding states do not respond to a virtual motion, and
+/// The proof in a single case that nothing balances offsets and load. The most yielding states do not respond to a virtual motion, and
 /// do the least work against it. Virtual forces `-C_iᵀG_iᵀy` balance one another in these states.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
-    let motion = Piece::new(problem, &states).unanswered(&problem.drives, &problem.wrench)?;
+    let motion = Piece::new(problem, &states).unanswered(&problem.offsets, &problem.wrench)?;
     let forces = |sign: f64| {
         let force = |((site, local), state): ((&Site, LocalLaw<'_>), &State)| {
             local.tangent(state).matrix().tr_mul(&site.map.tr_mul(&motion)) * -sign
@@ -87,7 +87,7 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
     for (i, phi) in forces.iter().enumerate() {
         let (local, site) = (problem.local(i), &problem.sites[i]);
         let u = site.map.tr_mul(motion);
-        gain += phi.dot(&problem.drives[i]);
+        gain += phi.dot(&problem.offsets[i]);
         site.map.push(phi, &mut unbalanced);
         let pushed = local.springs.force(&u);
         balanced_size += site.map.pushed_norm(phi) + site.map.pushed_norm(&pushed);

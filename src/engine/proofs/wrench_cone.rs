@@ -164,8 +164,9 @@ pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
 
 /// The sum of the wrenches of springs that the commands alone stretch.
 fn squeeze(problem: &Problem) -> f64 {
-    let pushed = |(site, drive): (&Site, &SVector<f64, 3>)| site.map.pushed_norm(&site.springs.force(drive));
-    problem.sites.iter().zip(&problem.drives).map(pushed).sum()
+    let pushed =
+        |(site, offset): (&Site, &SVector<f64, 3>)| site.map.pushed_norm(&site.springs.force(offset));
+    problem.sites.iter().zip(&problem.offsets).map(pushed).sum()
 }
 
 /// For every round cone, the unit wrench with the most work against a motion.

@@ -5,7 +5,7 @@ use core::cell::OnceCell;
 use nalgebra::{Matrix, SVector};
 
 use super::answer::Found;
-use crate::contact::{At, MOST_SLACK, State, ZERO_SLACK};
+use crate::contact::{MOST_SLACK, SpringState, State, ZERO_SLACK};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Vector, chosen, least_distance};
 use crate::object::{Piece, PieceState, Problem, largest_force};
@@ -29,7 +29,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
         return Judged::Violated { doubtful: false };
     }
     let piece = Piece::new(problem, &states);
-    match piece.solve(problem.sites, &problem.drives, problem.load()) {
+    match piece.solve(problem.sites, &problem.offsets, problem.load()) {
         Ok(state) => match admit(problem, states, &piece, state) {
             Ok(found) => Judged::Holds(found),
             Err(Refused { doubtful, .. }) => Judged::Violated { doubtful },
@@ -187,7 +187,7 @@ fn least_admissible_shift(
         for (contact, (state, force)) in states.iter().zip(along).enumerate() {
             let site = &problem.sites[contact];
             let stretch = -site.map.tr_mul(motion);
-            let at = At { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
+            let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, |rate, rate_size| {
                 // A rate of an inequality along a unit motion below this part of its size is rounding of zero: a very long motion must not satisfy
                 // the inequality with it.

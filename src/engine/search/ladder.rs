@@ -80,7 +80,7 @@ pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort
     let mut log = Log { effort, doubt: Doubt::RayWithoutProof };
     let unjumped = problem.unjumped();
     let trial = problem.trial();
-    let state = match trial.solve(problem.sites, &problem.drives, problem.load()) {
+    let state = match trial.solve(problem.sites, &problem.offsets, problem.load()) {
         Ok(state) => state,
         Err(unbalanced) => {
             let on_the_boundary = Settled::Undecided(Doubt::OnTheBoundary);

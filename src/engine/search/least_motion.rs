@@ -33,7 +33,7 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
     };
     let values = conditions(problem, &found.forces, &base);
     let nothing = vec![SVector::zeros(); problem.len()];
-    let moving = Problem { drives: nothing.clone(), ..problem.clone() };
+    let moving = Problem { offsets: nothing.clone(), ..problem.clone() };
     let changes: Vec<_> = mapped(&found.free_motions, &|v| conditions(&moving, &nothing, v));
     let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
     for (i, (value, _)) in values.iter().enumerate() {
@@ -53,7 +53,7 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
 /// The free motion, shortest in least squares, that closes the gaps of open contacts which touched before anything moved.
 fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let touches = |i: &usize| {
-        let reach = problem.drives[*i][0];
+        let reach = problem.offsets[*i][0];
         let open = found.states[*i].is_open() && problem.local(*i).may_open();
         open && reach >= -ZERO_SLACK * problem.span(*i, base)
     };

@@ -27,7 +27,7 @@ impl Base {
     /// The base with these states; `None` where no forces of these states balance the load.
     fn of(problem: &Problem, states: Vec<State>) -> Option<Self> {
         let piece = problem.piece(&states);
-        let at = piece.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+        let at = piece.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
         Some(Self { states, piece, at })
     }
 
@@ -100,7 +100,7 @@ fn pivoted(
         };
         let is_among = |i: &usize| among.binary_search(i).is_ok();
         (0..states.len()).filter(|i| !is_among(i)).for_each(|i| states[i] = base.states[i]);
-        let at = Piece::new(problem, &states).solve(problem.sites, &problem.drives, problem.load()).ok()?;
+        let at = Piece::new(problem, &states).solve(problem.sites, &problem.offsets, problem.load()).ok()?;
         let joins: Vec<_> = breaking(problem, &states, &at).into_iter().filter(|i| !is_among(i)).collect();
         if joins.is_empty() {
             return Some(states);

@@ -35,7 +35,7 @@ pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<Piece
     match try_states(problem, states.to_vec()) {
         Judged::Holds(found) => Some(PieceState { forces: found.forces, twist: found.twist }),
         Judged::Violated { .. } => {
-            Piece::new(problem, states).solve(problem.sites, &problem.drives, problem.load()).ok()
+            Piece::new(problem, states).solve(problem.sites, &problem.offsets, problem.load()).ok()
         }
         Judged::Unbalanced => None,
     }
@@ -46,7 +46,7 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
     let springs: Vec<_> =
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).collect();
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
-    let forces = paired(&springs, &problem.drives, &|(springs, drive)| springs * drive);
+    let forces = paired(&springs, &problem.offsets, &|(springs, offset)| springs * offset);
     let mut near = PieceState { forces, twist: Vector::zeros() };
     // Imbalance of a polygon's answer, as a part of its forces, with which Newton's method may start.
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, SOLVED_ROUNDING)?;

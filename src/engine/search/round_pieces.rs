@@ -64,13 +64,13 @@ impl RoundPieces {
 
     /// Newton's method until the last digit of every contact is final. `None` if it does not converge or the states do not hold.
     pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
-        let driven = problem.drives.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
+        let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
         // Most steps.
         let most_steps = 20;
         for step in 1..=most_steps {
             let Progress { sharp, near, settled } = self.step(problem, &piece);
-            // Farthest answer from the start, as a multiple of the twist and drives there: beyond, hardly a digit of the contacts' stretch is left.
+            // Farthest answer from the start, as a multiple of the twist and offsets there: beyond, hardly a digit of the contacts' stretch is left.
             // Beside a locking angle steps lead there, where another rung finds an equilibrium close by.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
@@ -163,7 +163,8 @@ impl RoundPieces {
         let mut any = false;
         for contact in 0..problem.len() {
             let site = &problem.sites[contact];
-            let precise = |axis: usize| self.twist.stretch(site, axis, problem.drives[contact][axis]).value();
+            let precise =
+                |axis: usize| self.twist.stretch(site, axis, problem.offsets[contact][axis]).value();
             let stretch = SVector::<f64, 3>::from_fn(|axis, _| precise(axis));
             // A state is left where its inequality fails by more than this part of its terms.
             let fails = 1e-14;

@@ -26,7 +26,7 @@ pub(super) fn touching_contacts(
     for _ in 0..rounds {
         // Few contacts open one at a time: a contact that pulls makes others pull that no longer do once it is open. The first to open is
         // the contact with the largest initial gap.
-        let reach = |i: usize| problem.drives[i][0];
+        let reach = |i: usize| problem.offsets[i][0];
         let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];
         let may_open = |i: &usize| problem.local(*i).may_open();
         let pulls = |i: &usize| !states[*i].is_open() && solved.forces[*i][0] < 0.0;
@@ -54,7 +54,7 @@ pub(super) fn touching_contacts(
             states[i] = next;
         }
         let changed = piece.insert(Piece::new(problem, &states));
-        solved = changed.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+        solved = changed.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
     }
     None
 }

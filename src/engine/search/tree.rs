@@ -103,7 +103,7 @@ pub(super) fn search_tree(
         // An error of the law below this part of the trial state is rounding: Newton's method should have converged.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
-            let from: Vec<_> = paired(&problem.drives, &stretches, &|(a, v)| a - v);
+            let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);
             let twist = trial.solve_roughly(&from, &Vector::zeros()).twist;
             if let Some(found) = polish_from(problem, twist) {
                 return Tree::Found(found);
@@ -138,7 +138,7 @@ pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<Proo
         return None;
     }
     let trial = problem.trial();
-    let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+    let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
     let mut steps = Vec::new();
     match search_tree(problem, &trial, &state, most, Some(&mut steps)) {
         Tree::Contradicted { cases, .. } => Some((steps, cases)),

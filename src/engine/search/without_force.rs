@@ -61,7 +61,7 @@ fn opened(problem: &Problem, found: &Found) -> Option<Found> {
         return None;
     }
     let piece = Piece::new(problem, &states);
-    let PieceState { forces, .. } = piece.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+    let PieceState { forces, .. } = piece.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
     // Forces that differ by less than this part of the largest are the same.
     let are_the_same = forces.iter().zip(&found.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest);
     let free_motions = piece.free_motions().to_vec();

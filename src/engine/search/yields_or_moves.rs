@@ -1,4 +1,4 @@
-//! Checks the proof that everything yields against all combinations of contact states: where it says that nothing balances drives and load, no
+//! Checks the proof that everything yields against all combinations of contact states: where it says that nothing balances offsets and load, no
 //! combination does.
 
 use core::f64::consts::TAU;
@@ -67,9 +67,9 @@ fn ask(grasp: &Engine, along: &Wrench<3>, draw: &mut Draw, count: &mut Count) {
     if draw.normal() > 1.0 {
         rates.wrench += Vector::from_fn(rates.size(), |_| whole(draw, 1.0));
     }
-    for drive in &mut rates.drives {
+    for offset in &mut rates.offsets {
         for a in 0..axes {
-            drive[a] = if draw.normal() > 1.5 { whole(draw, 2.0) * 1e-3 } else { 0.0 };
+            offset[a] = if draw.normal() > 1.5 { whole(draw, 2.0) * 1e-3 } else { 0.0 };
         }
     }
     count.asked += 1;

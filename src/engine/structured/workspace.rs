@@ -29,7 +29,7 @@ pub(crate) struct Workspace {
     /// x⁰, spring by spring.
     x: Vec<f64>,
     laws: Vec<Law>,
-    drives: Vec<SVector<f64, 3>>,
+    offsets: Vec<SVector<f64, 3>>,
     polygon: Arc<Polygon>,
     /// The settings of the present question.
     pub(super) asked: SearchSettings,
@@ -63,7 +63,7 @@ impl Workspace {
             free: Vec::new(),
             x: Vec::new(),
             laws: Vec::new(),
-            drives: Vec::new(),
+            offsets: Vec::new(),
             polygon: Polygon::shared(space, &asked.cone),
             asked,
             answers: Vec::new(),
@@ -81,14 +81,14 @@ impl Workspace {
         self.path.pivots = 0;
         self.laws.clear();
         self.laws.extend(grasp.sites().iter().map(Site::whole_law));
-        grasp.drives_into(&mut self.drives);
+        grasp.offsets_into(&mut self.offsets);
         let mut problem = Problem {
             sites: grasp.sites(),
             polygon: self.polygon.clone(),
             turned: Vec::new(),
             cones: Vec::new(),
             laws: core::mem::take(&mut self.laws),
-            drives: core::mem::take(&mut self.drives),
+            offsets: core::mem::take(&mut self.offsets),
             slips: Vec::new(),
             wrench,
             wrench_rest: Vector::zeros(),
@@ -97,7 +97,7 @@ impl Workspace {
             trial: None,
         };
         let found = self.seek(&mut problem, other_paths);
-        (self.laws, self.drives) = (problem.laws, problem.drives);
+        (self.laws, self.offsets) = (problem.laws, problem.offsets);
         let pivots = self.path.pivots;
         Ok(match found {
             None => Search::FreeMotion,
@@ -190,7 +190,7 @@ impl Workspace {
         if worked_on(&self.free, &problem.wrench).is_some() {
             return false;
         }
-        stretched_into(sites, |contact| problem.drives[contact], &mut self.x);
+        stretched_into(sites, |contact| problem.offsets[contact], &mut self.x);
         self.travelled = self.factor.project(&mut self.x, &problem.wrench);
         true
     }

@@ -17,7 +17,7 @@ use super::tolerances::SMALLEST;
 
 /// Stretch and force of a contact, or the rates of both.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct At<'s> {
+pub(crate) struct SpringState<'s> {
     /// `a - G_iᵀq`, m.
     pub(crate) stretch: SVector<f64, 3>,
     /// N.
@@ -38,7 +38,12 @@ impl LocalLaw<'_> {
 
     /// Calls `visit(value, size)` for every condition `value >= 0` of a state; rounding errors of the value are of the order of
     /// `size` times the machine precision.
-    pub(crate) fn for_each_condition(&self, state: &State, at: &At<'_>, mut visit: impl FnMut(f64, f64)) {
+    pub(crate) fn for_each_condition(
+        &self,
+        state: &State,
+        at: &SpringState<'_>,
+        mut visit: impl FnMut(f64, f64),
+    ) {
         let f = at.force;
         let force_size = self.force_size(f, at.span, at.largest);
         if !matches!(state, Mode::Open) {

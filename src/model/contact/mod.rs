@@ -53,7 +53,7 @@ pub use polygon::{Fit, PolygonCone};
 pub(crate) use active_set::ActiveSet;
 pub(crate) use answer::ContactResponse;
 pub(crate) use compliance::Compliance;
-pub(crate) use conditions::At;
+pub(crate) use conditions::SpringState;
 pub(crate) use coulomb::Coulomb;
 pub(crate) use edges::{Edges, is_broken, round_rows, rubs};
 pub(crate) use exits::{Exit, GapLine, Line};

@@ -67,7 +67,7 @@ impl State {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }
 
-    /// A slide on the round cone with a friction force along a tangent, whose slip so far is part of the drive.
+    /// A slide on the round cone with a friction force along a tangent, whose slip so far is part of the offset.
     pub(crate) fn sliding_along(friction: &SVector<f64, 3>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
     }

@@ -162,36 +162,40 @@ impl Engine {
 
     /// Offset of every site: for contacts a_i, the command in the contact frame with the clearance taken off its normal part; then those for the
     /// drives of a hand.
-    pub(crate) fn drives(&self) -> Vec<SVector<f64, 3>> {
-        let mut drives = Vec::new();
-        self.drives_into(&mut drives);
-        drives
+    pub(crate) fn offsets(&self) -> Vec<SVector<f64, 3>> {
+        let mut offsets = Vec::new();
+        self.offsets_into(&mut offsets);
+        offsets
     }
 
-    /// [`Self::drives`] in existing memory.
-    pub(crate) fn drives_into(&self, drives: &mut Vec<SVector<f64, 3>>) {
-        self.driven_by(self.contacts.iter().map(|contact| contact.command), self.joint_commands(), drives);
+    /// [`Self::offsets`] in existing memory.
+    pub(crate) fn offsets_into(&self, offsets: &mut Vec<SVector<f64, 3>>) {
+        self.offsets_under(
+            self.contacts.iter().map(|contact| contact.command),
+            self.joint_commands(),
+            offsets,
+        );
     }
 
     /// Offsets of all sites under other commands.
-    pub(crate) fn driven_by(
+    pub(crate) fn offsets_under(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,
         of_joints: &[f64],
-        drives: &mut Vec<SVector<f64, 3>>,
+        offsets: &mut Vec<SVector<f64, 3>>,
     ) {
-        cleared_for(drives, self.sites.len());
-        drives.extend(commands.zip(&self.contacts).map(|(mut a, contact)| {
+        cleared_for(offsets, self.sites.len());
+        offsets.extend(commands.zip(&self.contacts).map(|(mut a, contact)| {
             a[0] -= contact.clearance;
             a
         }));
         if let Some(linkage) = self.linkage() {
-            drives.extend(linkage.stretches(of_joints));
+            offsets.extend(linkage.stretches(of_joints));
         }
     }
 
     /// Change of the offsets for a change of commands; `None` leaves commands unchanged.
-    pub(crate) fn drive_changes(
+    pub(crate) fn offset_changes(
         &self,
         commands: Option<&[SVector<f64, 3>]>,
         of_joints: Option<&[f64]>,
@@ -201,7 +205,7 @@ impl Engine {
         changes
     }
 
-    /// [`Self::drive_changes`] in existing memory; missing commands do not change.
+    /// [`Self::offset_changes`] in existing memory; missing commands do not change.
     pub(crate) fn changed_by(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,

@@ -87,7 +87,7 @@ impl Engine {
         let by_force = self.linkage().is_some_and(|linkage| linkage.held.iter().any(|force| *force != 0.0));
         let by_load =
             self.bodies().is_some_and(|bodies| bodies.loads.iter().any(|load| *load != Wrench::ZERO));
-        by_force || by_load || self.vacuum().is_some() || self.drives().iter().any(|drive| drive[0] > 0.0)
+        by_force || by_load || self.vacuum().is_some() || self.offsets().iter().any(|offset| offset[0] > 0.0)
     }
 
     /// [`Grasp::links`](crate::ask::Grasp::links).
@@ -214,7 +214,7 @@ impl Engine {
         self.linkage()
             .into_iter()
             .flat_map(move |linkage| linkage.of_actuator(actuator))
-            .map(move |(k, drive)| (first + k, drive))
+            .map(move |(k, offset)| (first + k, offset))
     }
 
     /// The joints behind the contacts, if any.

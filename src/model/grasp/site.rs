@@ -163,20 +163,20 @@ impl Site {
 
     /// Stretch of the springs, `a - G_iᵀq`.
     #[inline(always)]
-    pub(crate) fn stretch(&self, drive: &SVector<f64, 3>, twist: &Vector) -> SVector<f64, 3> {
-        drive - self.map.tr_mul(twist)
+    pub(crate) fn stretch(&self, offset: &SVector<f64, 3>, twist: &Vector) -> SVector<f64, 3> {
+        offset - self.map.tr_mul(twist)
     }
 
     /// Scale of rounding of the displacements at the contact: translation and rotation may cancel there, but their rounding does not.
     #[inline(always)]
-    pub(crate) fn span(&self, drive: &SVector<f64, 3>, twist: &Vector) -> f64 {
-        self.span_moved(drive, twist.norm())
+    pub(crate) fn span(&self, offset: &SVector<f64, 3>, twist: &Vector) -> f64 {
+        self.span_moved(offset, twist.norm())
     }
 
     /// [`Self::span`], of a twist with this norm.
     #[inline(always)]
-    pub(crate) fn span_moved(&self, drive: &SVector<f64, 3>, twist: f64) -> f64 {
-        drive.norm() + self.size * twist
+    pub(crate) fn span_moved(&self, offset: &SVector<f64, 3>, twist: f64) -> f64 {
+        offset.norm() + self.size * twist
     }
 }
 

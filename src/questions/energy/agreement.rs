@@ -64,7 +64,7 @@ impl Engine {
     ) -> Result<Agreement<3>, Error> {
         ramp.base.check_in(self.space(), "base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
-        let change = ramp.drive_changes(self)?;
+        let change = ramp.offset_changes(self)?;
         let start = self.minimum_energy(&ramp.base, settings)?;
         if !start.minimum().is_some_and(MinimumEnergy::is_equilibrium) {
             return Ok(Agreement::Never(start));
@@ -88,7 +88,7 @@ impl Line<'_> {
     /// The forces of these springs at factor 0, and their rates.
     fn forces(&self, springs: &Piece) -> Option<[Vec<SVector<f64, 3>>; 2]> {
         let problem = &self.program.problem;
-        let start = springs.solve(problem.sites, &problem.drives, problem.load()).ok()?;
+        let start = springs.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
         let rates = springs.solve(problem.sites, &self.change, &self.direction).ok()?;
         Some([start.forces, rates.forces])
     }

@@ -50,7 +50,7 @@ pub struct Difference {
     /// Difference of stored energies, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy: f64,
-    /// The largest displacement of the object or drive (command less clearance) at a contact of the equilibrium, m.
+    /// The largest displacement of the object or offset (command less clearance) at a contact of the equilibrium, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement_size: f64,
     /// The largest contact force of the equilibrium, N.
@@ -225,11 +225,11 @@ impl Engine {
                 apart -= &v * v.dot(&apart);
             }
         }
-        for ((a, b), (site, drive)) in
-            equilibrium.contacts.iter().zip(&minimum.contacts).zip(self.sites().iter().zip(self.drives()))
+        for ((a, b), (site, offset)) in
+            equilibrium.contacts.iter().zip(&minimum.contacts).zip(self.sites().iter().zip(self.offsets()))
         {
             d.displacement = d.displacement.max(site.map.tr_mul(&apart).norm());
-            d.displacement_size = d.displacement_size.max(a.body_core.norm()).max(drive.norm());
+            d.displacement_size = d.displacement_size.max(a.body_core.norm()).max(offset.norm());
             d.force = d.force.max((a.force - b.force).norm());
             d.force_size = d.force_size.max(a.force.norm());
         }

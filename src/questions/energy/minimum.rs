@@ -155,7 +155,7 @@ impl Engine {
     ) -> Result<MinimumOutcome<3>, Error> {
         let program = EnergyProgram::new(self.on_polygons(load, &settings.cone)?);
         let problem = &program.problem;
-        let stuck = match program.stuck.solve(problem.sites, &problem.drives, problem.load()) {
+        let stuck = match program.stuck.solve(problem.sites, &problem.offsets, problem.load()) {
             Ok(stuck) => stuck,
             Err(Unbalanced { motion: Some(v) }) => {
                 return Ok(MinimumOutcome::Unbounded {

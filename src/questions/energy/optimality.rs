@@ -148,7 +148,7 @@ impl<'g> EnergyProgram<'g> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));
         let (springs, PieceState { mut forces, mut twist }) = match &opened {
-            Some(springs) => (springs, springs.solve(problem.sites, &problem.drives, problem.load()).ok()?),
+            Some(springs) => (springs, springs.solve(problem.sites, &problem.offsets, problem.load()).ok()?),
             None => (&self.stuck, stuck.clone()),
         };
         let mut multipliers = vec![0.0; self.friction.len()];

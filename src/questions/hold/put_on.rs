@@ -227,10 +227,13 @@ impl Engine {
     ) -> Option<NothingNear> {
         let state = lost.state.as_ref()?;
         let load = self.load_alone(&ramp.load_at(1.0), "load").ok()?;
-        let mut drives = self.drives();
-        drives.iter_mut().zip(ramp.drive_changes(self).ok()?).for_each(|(drive, change)| *drive += change);
+        let mut offsets = self.offsets();
+        offsets
+            .iter_mut()
+            .zip(ramp.offset_changes(self).ok()?)
+            .for_each(|(offset, change)| *offset += change);
         let polygon = Polygon::shared(self.space(), &settings.cone);
-        let problem = self.problem(polygon, settings.is_round(self.space()), drives, &Load::from(&load));
+        let problem = self.problem(polygon, settings.is_round(self.space()), offsets, &Load::from(&load));
         let at = state.local.twist.to();
         // Any virtual motion may give the proof: as a rule that of the loss, otherwise the one along the load.
         let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];

@@ -38,7 +38,7 @@ impl StickingForces {
     ) -> Result<Option<Self>, Error> {
         let grasp = Grasp::new(choice.contacts(placing))?.with(choice.settings);
         let (engine, response) = (&*grasp.engine, StickingResponse::new(&grasp.engine, choice.settings));
-        let (mut rest, mut squeeze) = (engine.drives(), response.at_rest());
+        let (mut rest, mut squeeze) = (engine.offsets(), response.at_rest());
         for i in (0..rest.len()).filter(|i| placing.presses[*i].is_some()) {
             squeeze[i][0] = core::mem::take(&mut rest[i][0]);
         }

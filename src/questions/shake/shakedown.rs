@@ -85,7 +85,7 @@ impl Engine {
         let around = PolygonCone::new(settings.cone.facets(), Fit::Circumscribed)?;
         let cone = if settings.is_round(self.space()) { around } else { settings.cone };
         let sticking = StickingResponse::new(self, &Settings { cone, ..*settings }.on_the_polygon());
-        let Ok(rest) = sticking.forces(&self.drives(), &at_rest) else { return Ok(None) };
+        let Ok(rest) = sticking.forces(&self.offsets(), &at_rest) else { return Ok(None) };
         let (none, nothing) = (vec![SVector::<f64, 3>::zeros(); rest.of.len()], &at_rest * 0.0);
         let mut under = Vec::new();
         for load in &loads {
@@ -97,9 +97,9 @@ impl Engine {
             .filter(|i| sticking.law(*i).may_slide())
             .flat_map(|i| (1..self.space().axes()).map(move |a| (i, a)))
         {
-            let mut drives = none.clone();
-            drives[i][axis] = -1.0;
-            let Ok(answer) = sticking.forces(&drives, &nothing) else { return Ok(None) };
+            let mut offsets = none.clone();
+            offsets[i][axis] = -1.0;
+            let Ok(answer) = sticking.forces(&offsets, &nothing) else { return Ok(None) };
             slips.push(((i, axis), answer.of));
         }
         let program = Program::new(

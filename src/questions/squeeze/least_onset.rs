@@ -80,10 +80,10 @@ impl Engine {
         bounds.check(self)?;
         let base = self.load_alone(&ramp.base, "base load")?;
         ramp.direction.check_in(self.space(), "load direction")?;
-        let (direction, changes) = (self.inside_unchecked(&ramp.direction), ramp.drive_changes(self)?);
+        let (direction, changes) = (self.inside_unchecked(&ramp.direction), ramp.offset_changes(self)?);
         let sticking = StickingResponse::new(self, settings);
         let known = || -> Result<_, Motion<3>> {
-            let base = sticking.forces(&self.drives(), &base)?;
+            let base = sticking.forces(&self.offsets(), &base)?;
             Ok((base, sticking.forces(&changes, &direction)?, shares(&sticking, bounds)?))
         };
         let (base, rate, shares) = match known() {
@@ -139,9 +139,9 @@ fn shares(sticking: &StickingResponse, bounds: &Bounds<3>) -> Result<Vec<Share>,
     let mut shares = Vec::new();
     for (contact, bounds) in bounds.commands.iter().flatten().enumerate() {
         for (axis, &bound) in bounds.iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
-            let mut drives = sticking.at_rest();
-            drives[contact][axis] = bound;
-            let forces = sticking.forces(&drives, &nothing)?;
+            let mut offsets = sticking.at_rest();
+            offsets[contact][axis] = bound;
+            let forces = sticking.forces(&offsets, &nothing)?;
             shares.push(Share { datum: Datum::Command(contact, axis), bound, forces });
         }
     }

@@ -31,9 +31,9 @@ impl<'l> Parts<'l> {
     pub(super) fn of(sticking: StickingResponse<'_>, loads: &'l Loads<3>) -> Result<Self, Motion<3>> {
         let grasp = sticking.grasp;
         let commands: Vec<_> = mapped(grasp.contacts(), &|contact| SVector::from(contact.commanded()));
-        let squeeze = sticking.forces(&grasp.drive_changes(Some(&commands), None), &Vector::zeros())?;
-        let mut without = grasp.drives();
-        without.iter_mut().zip(&commands).for_each(|(drive, command)| *drive -= command);
+        let squeeze = sticking.forces(&grasp.offset_changes(Some(&commands), None), &Vector::zeros())?;
+        let mut without = grasp.offsets();
+        without.iter_mut().zip(&commands).for_each(|(offset, command)| *offset -= command);
         let at_rest = sticking.at_rest();
         let under = |load: &Wrench<3>| sticking.forces(&without, &grasp.load_unchecked(load));
         let mut influences = Vec::new();

@@ -55,7 +55,7 @@ impl Engine {
         check_point(&point)?;
         let load = self.load_alone(base, "base load")?;
         let sticking = StickingResponse::new(self, settings);
-        let Ok(forces) = sticking.forces(&self.drives(), &load) else {
+        let Ok(forces) = sticking.forces(&self.offsets(), &load) else {
             return Ok(WeakestDirection::NotSticking);
         };
         let mut sites = sticking.edges.iter().zip(forces.of.iter().zip(&forces.sizes));

@@ -19,7 +19,7 @@ impl Engine {
     ) -> Result<Option<Vec<f64>>, Error> {
         let load = Load::from(&self.load_alone(load, "load")?);
         let polygon = Polygon::shared(self.space(), &settings.cone);
-        let problem = self.problem(polygon, settings.is_round(self.space()), self.drives(), &load);
+        let problem = self.problem(polygon, settings.is_round(self.space()), self.offsets(), &load);
         Ok(separating_motion(&problem).map(|v| v.as_slice().to_vec()))
     }
 

@@ -148,11 +148,11 @@ impl Engine {
     /// The problem without load and without commands.
     pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_> {
         let nothing = Load::from(&Vector::zeros());
-        let drives = vec![SVector::zeros(); self.sites().len()];
+        let offsets = vec![SVector::zeros(); self.sites().len()];
         self.problem(
             Polygon::shared(self.space(), &settings.cone),
             settings.is_round(self.space()),
-            drives,
+            offsets,
             &nothing,
         )
     }

@@ -73,15 +73,15 @@ pub(super) fn courses(
 /// Forces or gaps by commands and constant loads, then by each component of the load.
 fn by_source(response: &StickingResponse<'_>) -> Vec<Vec<SVector<f64, 3>>> {
     let grasp = response.grasp;
-    let seen = |drives: &[SVector<f64, 3>], load: &Vector| {
-        let PieceState { mut forces, twist } = response.piece.solve_roughly(drives, load);
+    let seen = |offsets: &[SVector<f64, 3>], load: &Vector| {
+        let PieceState { mut forces, twist } = response.piece.solve_roughly(offsets, load);
         for (i, site) in grasp.sites().iter().enumerate().filter(|(i, _)| response.states[*i].is_open()) {
             forces[i] = SVector::zeros();
-            forces[i][0] = -site.stretch(&drives[i], &twist)[0];
+            forces[i][0] = -site.stretch(&offsets[i], &twist)[0];
         }
         forces
     };
-    let mut sources = vec![seen(&grasp.drives(), &grasp.load_unchecked(&Wrench::ZERO))];
+    let mut sources = vec![seen(&grasp.offsets(), &grasp.load_unchecked(&Wrench::ZERO))];
     for component in 0..grasp.space().of_the_object() {
         sources.push(seen(&response.at_rest(), &grasp.inside_unchecked(&unit(grasp.space(), component))));
     }

@@ -53,12 +53,12 @@ impl SteppedState {
     }
 }
 
-/// The problem of a step along a leg; each step sets its drives and load.
+/// The problem of a step along a leg; each step sets its offsets and load.
 #[derive(Debug)]
 pub(super) struct StepProblem<'g> {
     pub(super) problem: Problem<'g>,
     /// Commands less clearances at the beginning of the leg, and their change along it.
-    drives: [Vec<SVector<f64, 3>>; 2],
+    offsets: [Vec<SVector<f64, 3>>; 2],
     pub(super) course: Trajectory<Vector>,
     /// Stretches before a step, and responses of contacts after it.
     before: Vec<SVector<f64, 3>>,
@@ -69,20 +69,20 @@ impl<'g> StepProblem<'g> {
     /// The problem on the present leg.
     pub(super) fn along(journey: &Journey<'g>) -> Self {
         let course = journey.program.inside_course(journey.grasp);
-        let drives = journey.program.drives(journey.grasp);
-        let problem = journey.problem(drives[0].clone(), &course.at(0.0));
-        Self { problem, drives, course, before: Vec::new(), answers: Vec::new() }
+        let offsets = journey.program.offsets(journey.grasp);
+        let problem = journey.problem(offsets[0].clone(), &course.at(0.0));
+        Self { problem, offsets, course, before: Vec::new(), answers: Vec::new() }
     }
 
     /// Prepares the next leg, in the same memory.
     pub(super) fn set_out(&mut self, journey: &Journey<'g>) {
         self.course = journey.program.inside_course(journey.grasp);
-        journey.program.drives_into(journey.grasp, &mut self.drives);
+        journey.program.offsets_into(journey.grasp, &mut self.offsets);
     }
 
-    /// Change of the drive of a contact along the leg.
+    /// Change of the offset of a contact along the leg.
     pub(super) fn change(&self, i: usize) -> SVector<f64, 3> {
-        self.drives[1][i]
+        self.offsets[1][i]
     }
 
     /// The step of a length from a state, written to `to`; the search starts near a given twist. `None` where Newton's method does not converge.
@@ -94,12 +94,12 @@ impl<'g> StepProblem<'g> {
     ) -> Option<()> {
         let fraction =
             if from.fraction + length > 1.0 - SHORTEST_STEP { 1.0 } else { from.fraction + length };
-        let Self { problem, drives: [base, change], course, before, answers } = self;
+        let Self { problem, offsets: [base, change], course, before, answers } = self;
         cleared_for(before, base.len());
         for (i, site) in problem.sites.iter().enumerate() {
-            let drive = |fraction: f64| base[i] + change[i] * fraction - from.slips[i];
-            before.push(site.stretch(&drive(from.fraction), &from.twist));
-            problem.drives[i] = drive(fraction);
+            let offset = |fraction: f64| base[i] + change[i] * fraction - from.slips[i];
+            before.push(site.stretch(&offset(from.fraction), &from.twist));
+            problem.offsets[i] = offset(fraction);
         }
         (problem.wrench, problem.wrench_rest) = (course.at(fraction), Vector::zeros());
         to.fraction = fraction;
@@ -115,11 +115,11 @@ fn equilibrium_after(
     (near, answers): (Vector, &mut Vec<ContactResponse>),
     to: &mut SteppedState,
 ) -> Option<()> {
-    let springs = problem.sites.iter().zip(&problem.drives);
+    let springs = problem.sites.iter().zip(&problem.offsets);
     // Rounding of spring forces, relative to the forces that their displacements would make. It is divided by the imbalance that may be left, to
     // have the same scale.
     let rounded =
-        1e-3 * springs.map(|(site, drive)| site.springs.stiffest() * site.span(drive, &near)).sum::<f64>();
+        1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
         problem.local(i).answer_after(&before[i], stretch)
     };

@@ -15,7 +15,7 @@ impl SteppedState {
     pub(super) fn equilibrium(&self, journey: &Journey<'_>) -> Equilibrium<3> {
         let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);
         let spans =
-            problem.sites.iter().zip(&problem.drives).map(|(site, drive)| site.span(drive, &self.twist));
+            problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
         // All slip so far is memory: of a slide only the direction remains.
         let standing = |state: &Mode<Slide>| match state {
@@ -30,7 +30,7 @@ impl SteppedState {
     /// The rates, with edges within the resolution of the last steps.
     pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StandAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
-        let (drives, largest) = (segment.drives(self.fraction), self.largest_force());
+        let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
         // A friction reserve, or a force to close a gap, below this part of the largest force counts as none. The last steps are 1e-12 of a leg. With
         // a smaller part, a contact that such a step would bring to its edge still holds, and the limit is missed.
         let at_an_edge = 1e-9;
@@ -41,7 +41,7 @@ impl SteppedState {
                 Line { force: self.forces[i], rate: SVector::zeros(), force_size: near, rate_size: 0.0 };
             let mut stand = local.stand(&line);
             if state.is_open() {
-                let gap = -segment.problem.sites[i].stretch(&drives[i], &self.twist)[0];
+                let gap = -segment.problem.sites[i].stretch(&offsets[i], &self.twist)[0];
                 stand.apex = local.springs.force_along(0, gap) <= at_an_edge * largest;
             }
             local.law_of_rates(&stand, state)

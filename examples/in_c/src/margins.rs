@@ -27,7 +27,7 @@ impl Load {
 #[derive_ReprC(rename = "grasp_lcp_watched")]
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct Seen {
+pub struct Margins {
     /// The least margin of a finger, `μ F_n - |F_t|`, N. It is negative if the finger slides already.
     pub margin: f64,
     /// The finger with the least margin, from 0.
@@ -38,7 +38,7 @@ pub struct Seen {
     pub extra_squeeze: f64,
 }
 
-impl From<Watched> for Seen {
+impl From<Watched> for Margins {
     fn from(seen: Watched) -> Self {
         let slip = seen.first_slip();
         let never = if slip.verdict() == ScreeningVerdict::Never { f64::INFINITY } else { f64::NAN };
