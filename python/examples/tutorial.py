@@ -137,8 +137,8 @@ print(f"force closure: {quality.force_closure}, ε: {quality.epsilon:.4f} N")
 print(f"weakest direction: {least}")
 print(f"along it could hold: {grasp.load_limit(along, budget=budget, each=False)}")
 print(f"along it does hold: {grasp.onset(along).factor:.12g} N")
-print(f"under half of that: {grasp.solve(0.5 * least.size * along)}")
-print(f"under ε along it: {grasp.solve(quality.epsilon * along)}\n")
+print(f"under half of that: {grasp.solve(0.5 * least.size * along).equilibrium}")
+print(f"under ε along it: {grasp.solve(quality.epsilon * along).equilibrium}\n")
 
 # %% [markdown]
 # Forces that balance ε exist, but these fingers do not press with them: springs know nothing of plans, and one finger slides long before.

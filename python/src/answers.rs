@@ -18,7 +18,7 @@ use crate::pictures::Drawn;
 #[derive(IntoPyObject)]
 pub(crate) enum Reply {
     /// A value of the crate, from a grasp without joints.
-    Told(Told),
+    Unwritten(LazyAnswer),
     /// JSON written by the scene room, which answers for hands and several bodies.
     Written(String),
 }
@@ -47,10 +47,10 @@ struct Of<const C: usize> {
 
 /// An answer whose JSON is written on request; see `grasp_lcp.Answer`.
 #[pyclass(frozen, module = "grasp_lcp._grasp_lcp")]
-pub(crate) struct Told(Box<dyn Tells>);
+pub(crate) struct LazyAnswer(Box<dyn Tells>);
 
 #[pymethods]
-impl Told {
+impl LazyAnswer {
     #[getter]
     fn outcome(&self) -> &'static str {
         self.0.outcome()
@@ -84,7 +84,7 @@ impl Reply {
     where
         Kept<C>: Drawn<C>,
     {
-        Self::Told(Told(Box::new(Of { kept, raw })))
+        Self::Unwritten(LazyAnswer(Box::new(Of { kept, raw })))
     }
 }
 

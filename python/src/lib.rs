@@ -35,7 +35,7 @@ mod _grasp_lcp {
     const FIELDS: &str = include_str!("../../examples/scenes/FIELDS.md");
 
     #[pymodule_export]
-    use super::answers::Told;
+    use super::answers::LazyAnswer;
     #[pymodule_export]
     use super::equilibria::equilibria_of_rows;
     #[pymodule_export]

@@ -12,7 +12,7 @@ use crate::loads::wrench;
 use crate::onsets::ended;
 
 /// Margin (N) and its contact; status, factor and contacts of the first slip; the least increase of the squeeze that suffices.
-type Told = (f64, usize, u8, f64, Vec<usize>, Option<f64>);
+type WatchRow = (f64, usize, u8, f64, Vec<usize>, Option<f64>);
 
 /// A watch for any number of fingers and axes.
 trait Watches: Send + Sync {
@@ -41,7 +41,7 @@ pub(crate) struct Watch(Box<dyn Watches>);
 
 #[pymethods]
 impl Watch {
-    fn look(&self, forces: PyReadonlyArray2<'_, f64>, to_come: &Bound<'_, PyAny>) -> PyResult<Told> {
+    fn look(&self, forces: PyReadonlyArray2<'_, f64>, to_come: &Bound<'_, PyAny>) -> PyResult<WatchRow> {
         let watched = self.0.look(&forces.as_array(), to_come)?;
         let first_slip = watched.first_slip();
         let (status, factor) = ended(&first_slip);

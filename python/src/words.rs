@@ -2,8 +2,8 @@
 
 use grasp_lcp::equilibrium::{ContactAnswer, Equilibrium, JointAnswer, Proof, TendonAnswer};
 use grasp_lcp::grasp::Wrench;
-use grasp_lcp::load_path::{Event, PartChange, WholeChange};
-use grasp_lcp::scene::{OnsetAnswer, TurnAnswer};
+use grasp_lcp::load_path::Event;
+use grasp_lcp::scene::Answer;
 use grasp_lcp::words::{Words, printable};
 use pyo3::prelude::*;
 use serde::de::DeserializeOwned;
@@ -32,6 +32,7 @@ fn part<const C: usize>(kind: &str, text: &str) -> PyResult<String>
 where
     Wrench<C>: DeserializeOwned,
     Event<C>: DeserializeOwned,
+    Answer<C>: DeserializeOwned,
 {
     Ok(match kind {
         "equilibrium" => read::<Equilibrium<C>>(kind, text)?.to_string(),
@@ -41,24 +42,11 @@ where
         "proof" => read::<Proof<C>>(kind, text)?.to_string(),
         "load" => Words::default().load(&read::<Wrench<C>>(kind, text)?),
         "event" => read::<Event<C>>(kind, text)?.to_string(),
-        "onset" => match read::<OnsetAnswer<C>>(kind, text)? {
-            OnsetAnswer::At(event) => leaving(&event.whole_changes(), &event.drives),
-            _ => String::new(),
-        },
-        "onset_of_turn" => match read::<TurnAnswer<C>>(kind, text)?.onset {
-            OnsetAnswer::At(event) => leaving(&event.whole_changes(), &event.drives),
-            _ => String::new(),
-        },
+        "answer" => read::<Answer<C>>(kind, text)?.first_line(Words::default()),
         _ => String::new(),
     })
 }
 
 fn read<T: DeserializeOwned>(kind: &str, text: &str) -> PyResult<T> {
     serde_json::from_str(text).map_err(|error| of_json(kind, &error))
-}
-
-/// Contacts and drives that leave at an onset, in words.
-fn leaving<const C: usize>(contacts: &[WholeChange<C>], drives: &[PartChange]) -> String {
-    let drives = drives.iter().map(|drive| format!("{} {}", drive.part.text(), drive.what));
-    contacts.iter().map(ToString::to_string).chain(drives).collect::<Vec<_>>().join(", ")
 }

@@ -5,7 +5,7 @@
     ...     [[-0.04, 0], [0.04, 0]], [[1, 0], [-1, 0]],      # points, m; normals into the object
     ...     body_stiffness=[5e4, 3e4], finger_stiffness=[2e3, 1.5e3], friction=0.5, pressed_with=8.0)
     >>> grasp.onset([0, -4.905])
-    <Onset at factor 1.63099: contact 0 slides over the object along +y, contact 1 slides over the object along +y>
+    <Onset: FIRST SLIP at factor 1.63099: contact 0 and contact 1 slide; beyond: no equilibrium; it is the limit load>
 
 One grasp: :class:`Grasp`. Batches of grasps: :func:`onsets`, :func:`onset_gradients`, :func:`hold_batch`,
 :func:`need_batch`, :func:`solve_batch`. Differentiable layers:

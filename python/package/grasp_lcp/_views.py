@@ -70,6 +70,16 @@ def motions_of(trees: Iterable[Mapping[str, Any]], columns: int) -> Array:
     return rows((_joined(tree["translation"], tree["rotation"]) for tree in trees), columns)
 
 
+def axes_of(data: Any) -> int | None:
+    """Number of coordinate axes of the first force or translation in the data of an answer; None without one."""
+    if isinstance(data, list):
+        return next(filter(None, map(axes_of, data)), None)
+    if not isinstance(data, dict):
+        return None
+    found = next((data[name] for name in ("force", "translation") if isinstance(data.get(name), list)), None)
+    return axes_of(list(data.values())) if found is None else len(found)
+
+
 def short(values: Iterable[float]) -> str:
     """Numbers in brackets for a ``repr``, with six digits."""
     return "(" + ", ".join(words_of_number(value) for value in values) + ")"

@@ -10,8 +10,8 @@ from functools import cached_property
 from typing import Any, Literal, TypeVar, cast
 
 from . import _grasp_lcp
-from ._grasp_lcp import Told, words_of, words_of_number
-from ._views import Array, Tree, View, array, label_of, load_of, motion_of, number, optional_number, rows
+from ._grasp_lcp import LazyAnswer, words_of, words_of_number
+from ._views import Array, Tree, View, array, axes_of, label_of, load_of, motion_of, number, optional_number, rows
 from .equilibrium import Equilibrium
 
 AnswerT = TypeVar("AnswerT", bound="Answer")
@@ -110,7 +110,7 @@ class Beyond(View):
 class Answer(View):
     """An answer of a grasp. Read :attr:`outcome` first: quantities that do not belong to an outcome are None."""
 
-    def __init__(self, told: Told | str | Tree, grasp: _grasp_lcp.Grasp | None = None) -> None:
+    def __init__(self, told: LazyAnswer | str | Tree, grasp: _grasp_lcp.Grasp | None = None) -> None:
         # The tree of data is made when it is read; the grasp is there to be drawn.
         self._told = told
         self._grasp = grasp
@@ -128,13 +128,13 @@ class Answer(View):
         told = self._told
         if isinstance(told, str):
             return told
-        return told.json() if isinstance(told, Told) else json.dumps(told)
+        return told.json() if isinstance(told, LazyAnswer) else json.dumps(told)
 
     @property
     def outcome(self) -> str:
         """Outcome, in a word of the scene format."""
         told = self._told
-        return told.outcome if isinstance(told, Told) else str(self._tree["outcome"])
+        return told.outcome if isinstance(told, LazyAnswer) else str(self._tree["outcome"])
 
     @cached_property
     def state(self) -> Equilibrium | None:
@@ -154,21 +154,27 @@ class Answer(View):
         found = self._tree.get("doubt")
         return None if found is None else str(found)
 
-    def _why(self) -> str:
-        words = self.outcome.replace("_", " ")
-        if self.proof is not None:
-            return f"{words}: {words_of_proof(self.proof._tree)}"
-        return words if self.doubt is None else f"{words}: {self.doubt.replace('_', ' ')}"
+    # The name of the question in the scene format; empty if the answer's data have their first line.
+    _kind = ""
+
+    @property
+    def says(self) -> str:
+        """The answer in a sentence: the first line that the program prints. An onset has its factor in place of its load."""
+        tree = self._tree
+        return str(tree["says"]) if "says" in tree else words_of("answer", json.dumps({self._kind: tree}), axes_of(tree) or 2)
+
+    def __str__(self) -> str:
+        return self.says
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {self._why()}>"
+        return f"<{type(self).__name__}: {self.says}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_restored, (type(self), self.to_json(), None if self._grasp is None else self._grasp.json()))
 
     def _drawn(self, page: bool) -> str | None:
         told, title = self._told, self._title()
-        if isinstance(told, Told):
+        if isinstance(told, LazyAnswer):
             return told.page(title) if page else told.svg(title)
         if self._grasp is None:
             return None
@@ -194,21 +200,10 @@ def _restored(kind: type[AnswerT], text: str, grasp: str | None) -> AnswerT:
 
 
 class Sentence(Answer):
-    """An answer that prints as a sentence."""
+    """An answer whose picture has its sentence as the title."""
 
     def _title(self) -> str:
         return self.says.partition(". ")[0]
-
-    @property
-    def says(self) -> str:
-        """The answer in a sentence."""
-        return str(self._tree["says"])
-
-    def __str__(self) -> str:
-        return self.says
-
-    def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {self.says}>"
 
 
 class Verdict(Sentence):
@@ -430,11 +425,6 @@ class Identified(Answer):
         word: Literal["converged", "not_converged", "not_predicted"] = self._tree["ending"]
         return word
 
-    @property
-    def says(self) -> str:
-        """The answer in a sentence."""
-        return str(self._tree["says"])
-
     @cached_property
     def estimates(self) -> tuple[Estimate, ...]:
         """The estimates, in the order of the unknowns."""
@@ -479,12 +469,6 @@ class Identified(Answer):
         """Huber weights of the slips, shape (k,): less than 1 for an outlier."""
         return array(self._tree["weights"])
 
-    def __str__(self) -> str:
-        return self.says
-
-    def __repr__(self) -> str:
-        return f"<Identified: {self.says}>"
-
 
 class Improved(Answer):
     """Improved places and squeezes of the fingers. It prints as a sentence.
@@ -498,11 +482,6 @@ class Improved(Answer):
         """Ending of the search, in a word of the scene format."""
         word: Literal["optimum", "stalled", "out_of_steps", "unbalanced", "nothing_slides", "no_start"] = self._tree["search"]
         return word
-
-    @property
-    def says(self) -> str:
-        """The answer in a sentence."""
-        return str(self._tree["says"])
 
     @property
     def goal(self) -> str:
@@ -562,12 +541,6 @@ class Improved(Answer):
         """Active events and bounds that prevent a larger value: each has a ``contact``, its kind as ``what``, and its multiplier."""
         return tuple(self._tree["in_the_way"])
 
-    def __str__(self) -> str:
-        return self.says
-
-    def __repr__(self) -> str:
-        return f"<Improved: {self.says}>"
-
 
 class Solution(Answer):
     """The answer to "does it hold under this load?": ``"equilibrium"``, ``"no_equilibrium"`` (with its proof) or ``"undecided"``."""
@@ -583,17 +556,14 @@ class Solution(Answer):
         if self.outcome != "equilibrium":
             return None
         told = self._told
-        return Equilibrium(told) if isinstance(told, Told) and "_tree" not in self.__dict__ else Equilibrium(self._tree)
+        return Equilibrium(told) if isinstance(told, LazyAnswer) and "_tree" not in self.__dict__ else Equilibrium(self._tree)
 
     @cached_property
     def state(self) -> Equilibrium | None:
         """The same as :attr:`equilibrium`."""
         return self.equilibrium
 
-    def __repr__(self) -> str:
-        if self.equilibrium is None:
-            return super().__repr__()
-        return repr(self.equilibrium).replace("<Equilibrium", "<Solution: equilibrium", 1)
+    _kind = "solve"
 
 
 class _First(Answer):
@@ -622,9 +592,6 @@ class _First(Answer):
 
     _kind = "onset"
 
-    def _who(self) -> str:
-        return self._words(self._kind, len(self._tree["load"]["force"]))
-
 
 class Onset(_First):
     """The onset of sliding as a load grows.
@@ -643,14 +610,9 @@ class Onset(_First):
         """The factor up to which every contact sticks, without unit: the factor of the event, or the factor at which the object gives way; ``inf``
         for never. None for all other outcomes: read :attr:`outcome` first."""
         told = self._told
-        if isinstance(told, Told):
+        if isinstance(told, LazyAnswer):
             return told.factor
         return float("inf") if self.outcome == "never" else optional_number(self._tree.get("factor"))
-
-    def __repr__(self) -> str:
-        if self.outcome == "at":
-            return f"<Onset at factor {words_of_number(self.factor or 0.0)}: {self._who()}>"
-        return super().__repr__()
 
     def _title(self) -> str:
         return f"Onset of sliding, factor {self.factor:.6g}" if self.outcome == "at" else super()._title()
@@ -671,7 +633,7 @@ class TurnOnset(_First):
         """Angle by which the load has turned at the onset, rad; for ``"gives_way"`` the angle up to which the grasp holds. None for all other
         outcomes, ``"never"`` included: nothing is known beyond the last angle."""
         told = self._told
-        if isinstance(told, Told):
+        if isinstance(told, LazyAnswer):
             return told.factor if told.outcome != "never" else None
         return optional_number(self._tree.get("angle_rad"))
 
@@ -680,16 +642,9 @@ class TurnOnset(_First):
         """Contacts and drives that touch the edge of their cone or limit without crossing it, each with the angle, rad."""
         return tuple(self._tree["touches"])
 
-    def __repr__(self) -> str:
-        if self.outcome == "at":
-            return f"<TurnOnset at {self._degrees()}: {self._who()}>"
-        return super().__repr__()
-
     def _title(self) -> str:
-        return f"Onset of sliding, turned by {self._degrees()}" if self.outcome == "at" else super()._title()
-
-    def _degrees(self) -> str:
-        return f"{words_of_number(math.degrees(self.angle or 0.0))}°"
+        degrees = words_of_number(math.degrees(self.angle or 0.0))
+        return f"Onset of sliding, turned by {degrees}°" if self.outcome == "at" else super()._title()
 
 
 class Event(View):
@@ -786,13 +741,10 @@ class Path(Answer):
         found = self._tree.get("beyond")
         return None if found is None else Beyond(found)
 
+    _kind = "follow"
+
     def __repr__(self) -> str:
-        head = f"<Path {self.outcome.replace('_', ' ')}"
-        if self.outcome == "lost" and self.load is not None and self.beyond is not None:
-            load = words_of("load", json.dumps(self._tree["load"]), len(self._tree["load"]["force"]))
-            head += f" at {load}: {self.kind}, beyond: {self.beyond.what.replace('_', ' ')}"
-        told = [f"  {event!r}" for event in self.events]
-        return "\n".join([head, *told]) + ">"
+        return "\n".join([f"<Path: {self.says}", *(f"  {event!r}" for event in self.events)]) + ">"
 
 
 def _drive(tree: Mapping[str, Any]) -> str:

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from ._grasp_lcp import Told, words_of_number
+from ._grasp_lcp import LazyAnswer, words_of_number
 from ._views import Array, Tree, View, array, label_of, load_of, motion_of, motions_of, number, optional_number, rows
 
 
@@ -162,7 +162,7 @@ class Drive(View):
 class Equilibrium(View):
     """An equilibrium under a load. n contacts of c axes, an object of d coordinates: c, d = 2, 3 in the plane and 3, 6 in space."""
 
-    def __init__(self, tree: Tree | Told) -> None:
+    def __init__(self, tree: Tree | LazyAnswer) -> None:
         # The answer of the crate, whose numbers are read without JSON, or its tree of data.
         self._told = tree
 

@@ -1,7 +1,5 @@
 //! The first line of every answer, as one would say it to a colleague.
 
-use std::collections::BTreeMap;
-
 use super::answer::Answer;
 use super::onset::{OnsetAnswer, OnsetAt};
 use super::path::{PathAnswer, PathOutcome};
@@ -34,61 +32,76 @@ impl<const C: usize> Question<C> {
     /// ```
     #[must_use]
     pub fn first_line(&self, answer: &Answer<C>, words: Words) -> String {
-        let digits = words.precision();
         match (self, answer) {
-            (_, Answer::Hold(answer)) => format!("{:.digits$}", answer.verdict),
-            (_, Answer::Need(answer)) => format!("{:.digits$}", answer.needed),
-            (_, Answer::Improve(answer)) => format!("{:.digits$}", answer.improved),
-            (_, Answer::Shake(answer)) => format!("{:.digits$}", answer.shaken),
-            (_, Answer::Compare(answer)) => answer.says.clone(),
-            (_, Answer::Shakedown(answer)) => answer.says.clone(),
-            (_, Answer::Identify(answer)) => answer.says.clone(),
             (Self::Solve { load, together_with }, Answer::Solve(answer)) => {
-                solved(load, together_with, answer, words)
+                let other = |(body, load): (&String, &Wrench<C>)| {
+                    format!(", {} on {}", words.load(load), printable(body))
+                };
+                let others = together_with.iter().map(other).collect::<Vec<_>>().concat();
+                solved(&format!(" under {}{others}", words.load(load)), answer, words)
             }
             (Self::Onset { base, direction, command_change, joint_change, .. }, Answer::Onset(onset)) => {
                 let only_the_load =
                     *base == Wrench::ZERO && command_change.is_none() && joint_change.is_none();
                 let place = |factor: f64| match direction.measure().filter(|_| only_the_load) {
                     Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),
-                    None => format!("factor {}", words.number(factor)),
+                    None => at_factor(factor, words),
                 };
-                first_slip(onset, &|at| place(at.factor), "however far the load goes", words)
+                first_slip(onset, &|at| place(at.factor), HOWEVER_FAR, words)
             }
             (Self::OnsetOfTurn(turn), Answer::OnsetOfTurn(answer)) => {
                 let turns = format!("while the load turns by {}", words.angle(turn.angle()));
                 first_slip(&answer.onset, &|at| words.angle(at.angle), &turns, words)
             }
-            (_, Answer::Onset(onset)) => {
-                first_slip(onset, &|at| words.number(at.factor), "however far the load goes", words)
+            _ => answer.first_line(words),
+        }
+    }
+}
+
+const HOWEVER_FAR: &str = "however far the load goes";
+
+fn at_factor(factor: f64, words: Words) -> String {
+    format!("factor {}", words.number(factor))
+}
+
+impl<const C: usize> Answer<C> {
+    /// [`Question::first_line`] where the question is not at hand: an onset has its factor in place of its load.
+    #[must_use]
+    pub fn first_line(&self, words: Words) -> String {
+        let digits = words.precision();
+        match self {
+            Self::Hold(answer) => format!("{:.digits$}", answer.verdict),
+            Self::Need(answer) => format!("{:.digits$}", answer.needed),
+            Self::Improve(answer) => format!("{:.digits$}", answer.improved),
+            Self::Shake(answer) => format!("{:.digits$}", answer.shaken),
+            Self::Compare(answer) => answer.says.clone(),
+            Self::Shakedown(answer) => answer.says.clone(),
+            Self::Identify(answer) => answer.says.clone(),
+            Self::Solve(answer) => {
+                let state = answer.outcome.equilibrium();
+                let under =
+                    state.map_or(String::new(), |state| format!(" under {}", words.load(&state.load)));
+                solved(&under, answer, words)
             }
-            (_, Answer::OnsetOfTurn(answer)) => {
+            Self::Onset(onset) => first_slip(onset, &|at| at_factor(at.factor, words), HOWEVER_FAR, words),
+            Self::OnsetOfTurn(answer) => {
                 first_slip(&answer.onset, &|at| words.angle(at.angle), "while the load turns", words)
             }
-            (_, Answer::Follow(path)) => followed(path, words),
-            (_, Answer::Solve(answer)) => format!("{:.digits$}", answer.outcome),
+            Self::Follow(path) => followed(path, words),
         }
     }
 }
 
 /// "EQUILIBRIUM under (0, -4) N: everything sticks".
-fn solved<const C: usize>(
-    load: &Wrench<C>,
-    together_with: &BTreeMap<String, Wrench<C>>,
-    answer: &SolveAnswer<C>,
-    words: Words,
-) -> String {
+fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) -> String {
     let digits = words.precision();
-    let other =
-        |(body, load): (&String, &Wrench<C>)| format!(", {} on {}", words.load(load), printable(body));
-    let load = words.load(load) + &together_with.iter().map(other).collect::<Vec<_>>().concat();
     let said = match &answer.outcome {
         Outcome::Equilibrium(state) => {
             let caution = state.too_far.as_ref().map_or(String::new(), beyond_small_motions);
-            format!("EQUILIBRIUM under {load}: {}{caution}", in_short(state))
+            format!("EQUILIBRIUM{under}: {}{caution}", in_short(state))
         }
-        Outcome::NoEquilibrium(none) => format!("NO EQUILIBRIUM under {load}: {none:.digits$}"),
-        Outcome::Undecided(undecided) => format!("UNDECIDED under {load}: {undecided}"),
+        Outcome::NoEquilibrium(none) => format!("NO EQUILIBRIUM{under}: {none:.digits$}"),
+        Outcome::Undecided(undecided) => format!("UNDECIDED{under}: {undecided}"),
     };
     let Some(held) = &answer.from_rest else { return said };
     let from_rest = format!("put on from rest: {:.digits$}", held.verdict);
