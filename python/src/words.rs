@@ -40,7 +40,6 @@ where
         "joint" => read::<JointAnswer>(kind, text)?.to_string(),
         "tendon" => read::<TendonAnswer>(kind, text)?.to_string(),
         "proof" => read::<Proof<C>>(kind, text)?.to_string(),
-        "load" => Words::default().load(&read::<Wrench<C>>(kind, text)?),
         "event" => read::<Event<C>>(kind, text)?.to_string(),
         "answer" => read::<Answer<C>>(kind, text)?.first_line(Words::default()),
         _ => String::new(),

@@ -1,4 +1,4 @@
-//! First lines of answers, faults and warnings as they stand in `tests/golden`, word by word. What they say is proved elsewhere; here is how.
+//! First lines of answers, faults and warnings, compared word by word with the files of `tests/golden`. Their facts have tests elsewhere.
 //!
 //! `GRASP_LCP_UPDATE=1 cargo test -p grasp-lcp-tests --test scene golden` writes them anew.
 
@@ -8,7 +8,7 @@ use grasp_lcp::scene::{Answers, Scene, Setup, Space};
 use grasp_lcp::words::Words;
 use serde_json::{Value, json};
 
-/// As many sentences as are compared word by word in all tests.
+/// The largest number of sentences that tests compare word by word.
 const MOST: usize = 60;
 /// The beginning of a line with an answer.
 const ANSWER: &str = "    ";
@@ -56,8 +56,8 @@ fn told(scene: &Value) -> Vec<String> {
     }
 }
 
-/// A file with the answers as they are now, and their number. A scene goes up to the next empty line, and everything between `?` or `!` and the next
-/// one is answered: `? question`, or `! from => to` about a scene in which something else stands.
+/// A file with the present answers, and their number. A scene goes up to the next empty line. Below it `? question` is a question about this scene, and
+/// `! from => to` a change of its text.
 fn renewed(text: &str) -> (String, usize) {
     let (mut new, mut scene) = (Vec::new(), String::new());
     for line in text.lines().filter(|line| !line.starts_with(ANSWER)) {
