@@ -24,3 +24,4 @@ mod soft_fingertip;
 mod soft_fingertip_torsion;
 mod solution_interval;
 mod valid;
+mod viscous_slip;

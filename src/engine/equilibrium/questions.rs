@@ -8,8 +8,8 @@ use super::tolerances::ACCURATE;
 use crate::contact::Polygon;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
+use crate::numerics::Vector;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Vector, largest};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{
@@ -56,12 +56,16 @@ impl Engine {
         }
         let search = search(&problem, false);
         let effort = Effort { combinations: search.tried, ..Effort::default() };
-        let mut list: Vec<Equilibrium<3>> = Vec::new();
+        let (mut list, mut known) = (Vec::<Equilibrium<3>>::new(), Vec::<Found>::new());
         let mut add = |found: Found, rule, effort: &Effort| {
-            let equilibrium =
-                self.equilibrium(&problem, load, found, rule, effort, AnswerFor::of(self.space(), settings));
-            if accurate(&equilibrium) && !list.iter().any(|known| same(known, &equilibrium)) {
+            if known.iter().any(|other| same(&problem, other, &found)) {
+                return;
+            }
+            let answer_for = AnswerFor::of(self.space(), settings);
+            let equilibrium = self.equilibrium(&problem, load, found.clone(), rule, effort, answer_for);
+            if accurate(&equilibrium) {
                 list.push(equilibrium);
+                known.push(found);
             }
         };
         for found in search.found {
@@ -134,19 +138,13 @@ fn accurate(equilibrium: &Equilibrium<3>) -> bool {
     equilibrium.residuals.worst() <= most
 }
 
-/// Whether two answers to the same question are the same equilibrium.
-fn same(a: &Equilibrium<3>, b: &Equilibrium<3>) -> bool {
-    let size = |e: &Equilibrium<3>| largest(&e.contacts, &|c| c.force.norm());
-    let force_size = size(a).max(size(b));
-    let travel = |e: &Equilibrium<3>| largest(&e.contacts, &|c| c.body_core.norm());
-    let motion_size = travel(a).max(travel(b));
-    let contacts_agree = a.contacts.iter().zip(&b.contacts).all(|(x, y)| {
-        // Difference of forces and of displacements, over the largest, below which two answers are the same equilibrium.
-        (x.force - y.force).norm() <= NEGLIGIBLE * force_size
-            && (x.body_core - y.body_core).norm() <= NEGLIGIBLE * motion_size
-    });
-    let joints = || a.joints.iter().zip(&b.joints);
-    let turn =
-        joints().fold(0.0_f64, |most, (x, y)| most.max(x.displacement.abs()).max(y.displacement.abs()));
-    contacts_agree && joints().all(|(x, y)| (x.displacement - y.displacement).abs() <= NEGLIGIBLE * turn)
+/// Whether two solutions are the same equilibrium, or places along the same free motion.
+fn same(problem: &Problem, a: &Found, b: &Found) -> bool {
+    let size = |found: &Found| problem.largest_force(&found.forces, &found.twist);
+    // Difference of forces and of motions, over the largest, below which two solutions are the same.
+    let force = NEGLIGIBLE * size(a).max(size(b));
+    let motion = NEGLIGIBLE * a.twist.norm().max(b.twist.norm());
+    let moves_freely = !a.free_motions.is_empty() && !b.free_motions.is_empty();
+    a.forces.iter().zip(&b.forces).all(|(x, y)| (x - y).norm() <= force)
+        && (moves_freely || (&a.twist - &b.twist).norm() <= motion)
 }

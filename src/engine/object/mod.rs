@@ -48,7 +48,7 @@ pub(crate) use energy_coordinates::{
 pub(crate) use free_motions::worked_on;
 pub(crate) use lazy_pricing::{LazyPricing, Point, slack};
 pub(crate) use load::Load;
-pub(crate) use newton::{Imbalance, newton, newton_on_cones, twist_if_all_stick};
+pub(crate) use newton::{Imbalance, newton, newton_on_cones, relaxed_on_cones, twist_if_all_stick};
 pub(crate) use piece::{Piece, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::{Lists, Problem};

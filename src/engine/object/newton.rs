@@ -14,6 +14,7 @@ use core::ops::Range;
 use nalgebra::SVector;
 
 use super::problem::Problem;
+use super::tolerances::{NEARLY_RELAXED, RELAXING_STEPS};
 use crate::contact::ContactResponse;
 use crate::grasp::Site;
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
@@ -50,16 +51,52 @@ impl Imbalance {
 /// The response of a contact, by number, to a stretch, from its last response.
 type Response<'r> = dyn Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync + 'r;
 
+/// The response of a contact on its cone, with its return map.
+fn on_cones(
+    problem: &Problem,
+) -> impl Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync {
+    |i, stretch, last| {
+        let near = last.state.slide().map_or(0.0, |slide| slide.lambda);
+        problem.local(i).response(stretch, near)
+    }
+}
+
+/// The twist to which the object relaxes from where everything sticks, nearly.
+///
+/// With Coulomb friction a grasp may rest in several ways, down to the object beside the fingers. Steps with the stiffness of the stuck grasp,
+///
+/// ```text
+/// q <- q + T⁻¹R(q),   T = Σ G_i K_i G_iᵀ
+/// ```
+///
+/// go as viscous contacts would: what is beyond a cone slips little by little. They end at one equilibrium, which is stable, and which varies with loads,
+/// commands and friction without a jump for as long as it is. Newton's method from afar jumps from one equilibrium to another.
+/// `None` where a motion of the stuck grasp is free.
+pub(crate) fn relaxed_on_cones(problem: &Problem, stuck: &Vector) -> Option<Vector> {
+    let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());
+    if !factors.is_regular() {
+        return None;
+    }
+    let mut contacts = vec![ContactResponse::open(); problem.len()];
+    let mut twist = stuck.clone();
+    for _ in 0..RELAXING_STEPS {
+        let here = respond(problem, (&twist, 0.0), &mut contacts, &on_cones(problem));
+        let step = factors.solve(&here.left);
+        twist += &step;
+        if step.norm() <= NEARLY_RELAXED * (&twist - stuck).norm() {
+            break;
+        }
+    }
+    Some(twist)
+}
+
 /// Newton's method on the cones of a problem: each contact responds with its return map (`contact/answer`), free to change its state.
 pub(crate) fn newton_on_cones(
     problem: &Problem,
     (twist, settled): (Vector, f64),
     contacts: &mut Vec<ContactResponse>,
 ) -> Option<(Vector, usize, Imbalance)> {
-    newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &|i, stretch, last| {
-        let near = last.state.slide().map_or(0.0, |slide| slide.lambda);
-        problem.local(i).response(stretch, near)
-    })
+    newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
 /// Newton's method from a twist until forces are out of balance by a part `settled` of their sizes. Returns the twist, the number of steps, and the

@@ -30,3 +30,10 @@ pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 
 /// Most corrections: where a force is exactly zero, each correction leaves 1e-16 of the previous value.
 pub(super) const MOST_CORRECTIONS: usize = 4;
+
+/// Most steps towards the equilibrium to which the stuck grasp relaxes. A third of them leave one of a hundred random scenes between two equilibria.
+pub(super) const RELAXING_STEPS: usize = 300;
+
+/// The object has nearly relaxed where a step is shorter than this part of its way: Newton's method goes on from there. With ten times as much another
+/// equilibrium may be nearer; with less the steps take longer.
+pub(super) const NEARLY_RELAXED: f64 = 1e-3;

@@ -20,8 +20,8 @@ pub enum FoundBy {
     EverythingTouchingSticks,
     /// Lemke's method on the kinematic form: the end of a path of jumps from the trial state.
     KinematicForm,
-    /// Newton's method on the forces with which the contacts answer a motion of the object, from the trial state. Tried on the
-    /// round cone and with many contacts.
+    /// Newton's method on the forces with which the contacts answer a motion of the object. On the round cone, with few contacts, it starts where the
+    /// stuck grasp relaxes to, and so finds that one of several equilibria; otherwise at the trial state.
     Newton,
     /// Lemke's method on the force form: the end of a path of forces from zero.
     ForceForm,

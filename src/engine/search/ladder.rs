@@ -19,7 +19,7 @@ use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::forms;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::object::{Problem, newton_on_cones, twist_by_tresca};
+use crate::object::{Problem, newton_on_cones, relaxed_on_cones, twist_by_tresca};
 use crate::prelude::*;
 use crate::proofs;
 
@@ -137,7 +137,7 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt
     Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
 }
 
-/// Newton's method on the forces with which contacts respond to a motion of the object, from the elastic trial.
+/// Newton's method on the forces with which contacts respond to a motion of the object, from where the stuck grasp relaxes to, or from the elastic trial.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut Log| {
@@ -148,7 +148,10 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
         return Attempt::of(climb(scene.proposing(), &propose, log));
     }
     let from = |twist| polish_from(scene.problem, twist);
-    let found = from(scene.state.twist.clone());
+    // With many contacts Newton's method takes less time than the steps of relaxation.
+    let relaxed =
+        if has_many_contacts(scene) { None } else { relaxed_on_cones(scene.problem, &scene.state.twist) };
+    let found = relaxed.and_then(from).or_else(|| from(scene.state.twist.clone()));
     // With many coordinates Tresca friction leads to a nearer twist.
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
