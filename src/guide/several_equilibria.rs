@@ -53,12 +53,14 @@
 //!
 //! * everything sticks;
 //! * everything that touches sticks;
+//! * in space, with fewer than 32 contacts, the state to which the stuck grasp relaxes by viscous slip, where there is one;
 //! * in space and from 32 contacts on, the state that Newton's method reaches from the elastic trial state;
 //! * the end of a path of Lemke's method;
 //! * the first of all combinations of contact states.
 //!
 //! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) names the rung. The order is the same for every number of threads, but it is a
-//! convention, not physics.
+//! convention, not physics. Relaxation makes it one that hardly jumps: under loads, squeezes or coefficients that are nearly equal it ends in nearly equal
+//! states, as long as its own is stable.
 //!
 //! # Which one is real
 //!
