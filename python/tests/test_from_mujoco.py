@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from grasp_lcp import Grasp
+from grasp_lcp.mujoco import touching
 
 mujoco = pytest.importorskip("mujoco")
 pytest.importorskip("matplotlib")
@@ -29,7 +30,7 @@ def _example(name: str) -> ModuleType:
     return module
 
 
-creep, pushes = _example("mujoco_creep"), _example("mujoco_pushes")
+creep, pushes, watch = _example("mujoco_creep"), _example("mujoco_pushes"), _example("mujoco_watch")
 PULLS = [[0, 0, -1], [0, 0, 1], [1, 0, 0], [0, 1, 0], [1, 1, -1]]
 # Two jaws with a slide each on a box without weight; the second actuator may be replaced by an equality.
 JAWS = """
@@ -73,7 +74,7 @@ def pressed(grasp: Grasp) -> float:
 def test_the_jar_slides_where_springs_by_hand_say(pull: list[float]) -> None:
     model = creep.scene("elliptic", 1000.0)
     data = creep.squeezed(model)
-    by_hand = creep.grasp_of(model, creep.touches(model, data))
+    by_hand = watch.grasp_of(model, touching(model, data, "object"))
     assert Grasp.from_mujoco(model, data, "object").onset(pull).factor == pytest.approx(by_hand.onset(pull).factor, rel=1e-6)
 
 
