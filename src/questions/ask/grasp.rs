@@ -250,6 +250,11 @@ impl<const C: usize> Grasp<C> {
         self.engine.is_squeezed()
     }
 
+    /// Whether a command, a held force or a vacuum of a contact presses.
+    pub(crate) fn is_commanded(&self, point: usize) -> bool {
+        self.engine.is_commanded(point)
+    }
+
     /// Whether everything that acts beside the loads of questions is in proportion to the squeeze.
     pub(crate) fn is_proportional(&self) -> bool {
         self.engine.is_proportional()

@@ -6,12 +6,12 @@ use core::fmt;
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
-use crate::equilibrium::TooFar;
+use crate::equilibrium::{ContactAnswer, TooFar};
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Space, mapped};
 use crate::prelude::*;
-use crate::words::{Words, listed, open, opens, printable};
+use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 
 impl<const C: usize> fmt::Display for Verdict<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -19,7 +19,12 @@ impl<const C: usize> fmt::Display for Verdict<C> {
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
-                if self.is_nothing() { f.write_str(", where nothing is put on") } else { self.margins(f) }
+                if self.is_nothing() {
+                    f.write_str(", where nothing is put on")?;
+                } else {
+                    self.margins(f)?;
+                }
+                self.cables(f)
             }
             Holding::Slides { contacts } => {
                 f.write_str("HOLDS")?;
@@ -54,7 +59,8 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, "; held up to {}", self.times(self.held_to, " this load", words))
                     }
                     None => Ok(()),
-                }
+                }?;
+                self.cables(f)
             }
             Holding::Loose => {
                 f.write_str("DOES NOT HOLD: no contact presses, the object lies loose between the fingers")
@@ -166,6 +172,22 @@ impl<const C: usize> Verdict<C> {
             (None, Some(lost)) => write!(f, ": {} until {until}", times(lost, " this load")),
             (None, None) => write!(f, " up to {}", times(self.held_to, " this load")),
         }
+    }
+
+    /// The pull of straps and ropes under the whole load, which their user has to choose: "; strap pulls with 2668 N".
+    fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(state) = &self.state else { return Ok(()) };
+        let is_cable = |contact: &&ContactAnswer<C>| contact.contact.link == Some(LinkKind::Cable);
+        let cables: Vec<_> = state.contacts.iter().filter(is_cable).collect();
+        if cables.len() > MOST_NAMES {
+            return Ok(());
+        }
+        let words = Words::of(f);
+        let pull = |cable: &ContactAnswer<C>| {
+            let force = cable.force[0];
+            format!("{} {}", cable.contact.text(), LinkKind::Cable.carries(words, force, force, None))
+        };
+        cables.into_iter().try_for_each(|cable| write!(f, "; {}", pull(cable)))
     }
 
     /// The clause about jumps in which the object slips and is caught.
