@@ -88,8 +88,7 @@ def hand_of(
 def _across(normal: Array) -> Array:
     """A unit vector across another."""
     across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
-    unit: Array = across / np.linalg.norm(across)
-    return unit
+    return np.array(across / np.linalg.norm(across), dtype=float)
 
 
 def _apart(names: list[str]) -> list[str]:

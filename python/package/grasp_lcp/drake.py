@@ -69,8 +69,8 @@ def hand_of_body(plant: Any, context: Any, body: str) -> dict[str, Any]:
             raise ValueError(f"velocity {dof}: a joint of several axes is behind a contact, must be hinges and slides")
     springs, drives = np.zeros(plant.num_velocities()), []
     for number in range(plant.num_force_elements()):
-        element: Any = plant.get_force_element(ForceElementIndex(number))
-        if isinstance(element, (PrismaticSpring, RevoluteSpring)):
+        element = plant.get_force_element(ForceElementIndex(number))
+        if type(element) in (PrismaticSpring, RevoluteSpring):
             # Stiffness of a hinge's spring is a parameter of the context in newer versions of Drake.
             stiffness = element.GetStiffness(context) if hasattr(element, "GetStiffness") else element.stiffness()
             springs[element.joint().velocity_start()] += stiffness
