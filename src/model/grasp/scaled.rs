@@ -24,13 +24,17 @@ impl Engine {
         contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
     }
 
-    /// Whether a command, a held force or torque, or a vacuum is not zero: the squeeze consists of these.
-    pub(crate) fn is_squeezed(&self) -> bool {
-        let by_joints = self.linkage().is_some_and(|linkage| {
+    /// Whether a command, or a held torque, of a joint or a tendon is not zero.
+    pub(crate) fn is_driven(&self) -> bool {
+        self.linkage().is_some_and(|linkage| {
             linkage.commands.iter().any(|command| *command != 0.0)
                 || linkage.joints.iter().any(|joint| joint.held != 0.0)
-        });
-        by_joints || (0..self.len()).any(|point| self.is_commanded(point))
+        })
+    }
+
+    /// Whether a command, a held force or torque, or a vacuum is not zero: the squeeze consists of these.
+    pub(crate) fn is_squeezed(&self) -> bool {
+        self.is_driven() || (0..self.len()).any(|point| self.is_commanded(point))
     }
 
     /// Whether everything that acts beside the loads of questions is in proportion to the squeeze. Then twice the squeeze takes twice the load.

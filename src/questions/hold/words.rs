@@ -309,6 +309,9 @@ impl fmt::Display for NothingNear {
         }
         let words = Words::of(f);
         let (length, angle) = (words.length(self.translation), words.angle(self.rotation));
+        if self.rotation >= core::f64::consts::PI {
+            return write!(f, "Nothing holds all of it within {length} of there, however it turns");
+        }
         write!(f, "Nothing holds all of it within {length} and {angle} of there")
     }
 }

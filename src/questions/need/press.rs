@@ -17,7 +17,7 @@ pub struct Press {
     pub part: WholeContact,
     /// Its normal force, N; of a soft fingertip the sum over its points.
     pub force: f64,
-    /// Whether a command, a force or a vacuum of its own presses it; all else presses because of others.
+    /// Whether a command, a force or a vacuum of its own presses it; all else presses because of others. False of all where joints or tendons press.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_set: bool,
     /// Of a suction cup: the pressure of its vacuum below that of the air around, Pa.
