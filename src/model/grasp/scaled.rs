@@ -1,5 +1,6 @@
 //! The parts that press in a grasp, and the grasp with the press of one part scaled.
 
+use super::contact::Contact;
 use super::engine::Engine;
 use super::whole_contact::WholeContacts;
 use super::wrench::Wrench;
@@ -24,11 +25,14 @@ impl Engine {
         contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
     }
 
-    /// Whether a command, or a held torque, of a joint or a tendon is not zero.
+    /// Whether a command, or a held torque, of a joint or a tendon is not zero, beside those of contacts that are held by a force.
     pub(crate) fn is_driven(&self) -> bool {
+        let is_pushed =
+            |contact: &&Contact<3>| contact.force.unwrap_or(0.0) != 0.0 && contact.begins_a_whole();
+        let slides = self.contacts.iter().filter(is_pushed).count();
         self.linkage().is_some_and(|linkage| {
-            linkage.commands.iter().any(|command| *command != 0.0)
-                || linkage.joints.iter().any(|joint| joint.held != 0.0)
+            let held = linkage.joints.iter().filter(|joint| joint.held != 0.0).count();
+            held > slides || linkage.commands.iter().any(|command| *command != 0.0)
         })
     }
 
