@@ -6,7 +6,7 @@ use core::fmt;
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
-use crate::equilibrium::{ContactAnswer, TooFar};
+use crate::equilibrium::TooFar;
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Space, mapped};
@@ -19,11 +19,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
-                if self.is_nothing() {
-                    f.write_str(", where nothing is put on")?;
-                } else {
-                    self.margins(f)?;
-                }
+                if self.is_nothing() { f.write_str(", where nothing is put on") } else { self.margins(f) }?;
                 self.cables(f)
             }
             Holding::Slides { contacts } => {
@@ -176,18 +172,13 @@ impl<const C: usize> Verdict<C> {
 
     /// The pull of straps and ropes under the whole load, which their user has to choose: "; strap pulls with 2668 N".
     fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Some(state) = &self.state else { return Ok(()) };
-        let is_cable = |contact: &&ContactAnswer<C>| contact.contact.link == Some(LinkKind::Cable);
-        let cables: Vec<_> = state.contacts.iter().filter(is_cable).collect();
-        if cables.len() > MOST_NAMES {
-            return Ok(());
-        }
+        let all = self.state.iter().flat_map(|state| &state.contacts);
+        let cables: Vec<_> = all.filter(|one| one.contact.link == Some(LinkKind::Cable)).collect();
         let words = Words::of(f);
-        let pull = |cable: &ContactAnswer<C>| {
-            let force = cable.force[0];
-            format!("{} {}", cable.contact.text(), LinkKind::Cable.carries(words, force, force, None))
-        };
-        cables.into_iter().try_for_each(|cable| write!(f, "; {}", pull(cable)))
+        cables.iter().filter(|_| cables.len() <= MOST_NAMES).try_for_each(|cable| {
+            let (name, pull) = (cable.contact.text(), cable.force[0]);
+            write!(f, "; {name} {}", LinkKind::Cable.carries(words, pull, pull, None))
+        })
     }
 
     /// The clause about jumps in which the object slips and is caught.
