@@ -3,8 +3,7 @@
     pip install drake
     python python/examples/drake_contacts.py        # prints a table
 
-Drake's solvers soften friction, too, and by less: below the limit its jar slips as well, but slowly. A contact of Drake has its
-force on body B and its normal from B to A: the normal is turned round where the object is body B, the force where it is body A.
+Drake's solvers soften friction, too, and by less: below the limit its jar slips as well, but slowly.
 """
 
 from __future__ import annotations
@@ -12,17 +11,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from pydrake.multibody.parsing import Parser
-from pydrake.multibody.plant import AddMultibodyPlant, CalcContactFrictionFromSurfaceProperties, MultibodyPlantConfig
+from pydrake.multibody.plant import AddMultibodyPlant, MultibodyPlantConfig
 from pydrake.multibody.tree import PrismaticSpring
 from pydrake.systems.analysis import Simulator
 from pydrake.systems.framework import DiagramBuilder
-from touch import Touch
 
 from grasp_lcp import Grasp
-
-Array = NDArray[np.float64]
+from grasp_lcp.drake import touching
 
 # Drake's approximations of contact that are compared. Its fourth, "tamsi", knows no actuators with gains.
 SOLVERS = ("sap", "similar", "lagged")
@@ -110,43 +106,15 @@ class Scene:
         object_is, tips_are = self.heights()
         return 1e3 * ((object_was - tips_were) - (object_is - tips_are)) / float(self.context.get_time() - begun)
 
-    def touches(self) -> list[Touch]:
-        """The contacts on the object, in the order of the fingers' names."""
-        results, found = self.plant.get_contact_results_output_port().Eval(self.context), []
-        inspector = self.graph.model_inspector()
-        centre = self.object.EvalPoseInWorld(self.context).multiply(self.object.CalcCenterOfMassInBodyFrame(self.context))
-        for index in range(results.num_point_pair_contacts()):
-            contact = results.point_pair_contact_info(index)
-            pair = contact.point_pair()
-            on_b = contact.bodyB_index() == self.object.index()
-            other = contact.bodyA_index() if on_b else contact.bodyB_index()
-            surfaces = [inspector.GetProximityProperties(key) for key in (pair.id_A, pair.id_B)]
-            rubs = CalcContactFrictionFromSurfaceProperties(*(each.GetProperty("material", "coulomb_friction") for each in surfaces))
-            sign, finger = 1.0 if on_b else -1.0, self.plant.get_body(other).name()
-            force, normal = sign * contact.contact_force(), -sign * pair.nhat_BA_W
-            found.append(Touch(finger, contact.contact_point() - centre, normal, rubs.static_friction(), force, pair.depth))
-        return sorted(found, key=lambda touch: touch.finger)
-
-
-def grasp_of(held: Sequence[Touch]) -> Grasp:
-    """The grasp of contacts that were read without a load: gain and contact in series along the normal, the fingers' springs across it."""
-    return Grasp.spatial(
-        [touch.point for touch in held],
-        [touch.normal for touch in held],
-        finger_stiffness=[GAIN, SPRING],
-        body_stiffness=[[touch.press / touch.depth, np.inf, np.inf] for touch in held],
-        friction=[touch.friction for touch in held],
-        pressed_with=[touch.press for touch in held],
-        names=[touch.finger for touch in held],
-    )
-
 
 def main(solvers: Sequence[str] = SOLVERS, fractions: Sequence[float] = FRACTIONS) -> None:
     """For each solver the onset of its contacts, and slip under loads around it."""
     print("solver    onset, N  by hand, N" + "".join(f"{fraction:>12.2f}" for fraction in fractions) + "  of onset: slip in Drake, mm/s")
     for solver in solvers:
-        held = Scene(solver).touches()
-        onset, by_hand = grasp_of(held).onset([0, 0, -1]).factor, sum(touch.friction * touch.press for touch in held)
+        squeezed = Scene(solver)
+        held = touching(squeezed.plant, squeezed.context, "object")
+        grasp = Grasp.from_drake(squeezed.plant, squeezed.context, "object")
+        onset, by_hand = grasp.onset([0, 0, -1]).factor, sum(touch.friction * touch.press for touch in held)
         if onset is None:
             raise ValueError(f"{solver}: its contacts hold nothing without a load, must be a grasp")
         slips = []

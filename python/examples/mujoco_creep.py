@@ -21,14 +21,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import mujoco  # type: ignore[import-untyped]
-import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
-from touch import Touch
 
 from grasp_lcp import Grasp, Solution
-
-Array = NDArray[np.float64]
+from grasp_lcp.mujoco import touching
 
 # Friction cones and values of `impratio` that are compared; the last is the sharpest.
 SETTINGS = (("pyramidal", 1.0), ("elliptic", 1.0), ("elliptic", 10.0), ("elliptic", 1000.0))
@@ -92,54 +88,6 @@ def squeezed(model: mujoco.MjModel) -> mujoco.MjData:
     return data
 
 
-def touches(model: mujoco.MjModel, data: mujoco.MjData) -> list[Touch]:
-    """The contacts on the object, one a finger, in the order of the fingers' names.
-
-    The first row of a MuJoCo frame is the normal, which points from geom 1 to geom 2, and its force acts on geom 2. Where geom 1 is the
-    object both are turned round. A finger that touches at several points is refused: points of one fingertip share its springs, and
-    contacts of a :class:`Grasp` have springs of their own.
-    """
-    body = model.body("object").id
-    found: dict[str, Touch] = {}
-    for index, contact in enumerate(data.contact):
-        first, second = (int(model.geom_bodyid[geom]) for geom in contact.geom)
-        if body not in (first, second) or contact.efc_address < 0:
-            continue
-        sign, finger = (1.0, model.body(first).name) if second == body else (-1.0, model.body(second).name)
-        if contact.dim != 3 or contact.friction[0] != contact.friction[1]:
-            raise ValueError(f"{finger}: condim is {contact.dim}, must be 3 with one friction along both tangents")
-        if finger in found:
-            raise ValueError(f"{finger}: touches the object at several points, must be one; give it a round fingertip")
-        frame, force = contact.frame.reshape(3, 3), np.zeros(6)
-        mujoco.mj_contactForce(model, data, index, force)
-        point = contact.pos - data.xipos[body]
-        found[finger] = Touch(finger, point, sign * frame[0], float(contact.friction[0]), sign * force[:3] @ frame, -contact.dist)
-    return [found[finger] for finger in sorted(found)]
-
-
-def grasp_of(model: mujoco.MjModel, held: Sequence[Touch]) -> Grasp:
-    """The grasp of contacts that were read without a load, with the fingers as springs, as a watch needs it.
-
-    ``Grasp.from_mujoco`` has their joints and motors. The origin is the centre of mass, so that a weight is a force alone. Along the normal the
-    actuator is in series with the contact, which gives by its depth under its force. Along the tangents MuJoCo's contact is no spring but the
-    damper that creeps: here it is rigid, and the finger's joints give alone.
-    """
-    numbers = [touch.finger.removeprefix("finger") for touch in held]
-    across, along = ([model.joint(f"{joint}{k}").stiffness[0] for k in numbers] for joint in ("across", "along"))
-    gains = [model.actuator(f"press{k}").gainprm[0] for k in numbers]
-    return Grasp.spatial(
-        [touch.point for touch in held],
-        [touch.normal for touch in held],
-        # The first tangent is level, as the joint `across` is; the second is vertical, as `along` is.
-        tangents=[np.cross([0, 0, 1], touch.normal) for touch in held],
-        finger_stiffness=np.stack([gains, across, along], axis=1),
-        body_stiffness=[[touch.press / touch.depth, np.inf, np.inf] for touch in held],
-        friction=[touch.friction for touch in held],
-        pressed_with=[touch.press for touch in held],
-        names=[touch.finger for touch in held],
-    )
-
-
 def loaded(model: mujoco.MjModel, load: float) -> mujoco.MjData:
     """The squeezed object some time after a load has grown on it, N."""
     data, steps = squeezed(model), round(GROW / model.opt.timestep)
@@ -165,7 +113,7 @@ def drift(model: mujoco.MjModel, load: float) -> Drift:
         mujoco.mj_step(model, data)
         height, now = heights(model, data)
         slip = (first - tips) - (height - now)
-    if len(touches(model, data)) < len(model.actuator_gainprm):
+    if len(touching(model, data, "object")) < len(model.actuator_gainprm):
         raise ValueError(f"load is {load} N, must leave the object between its fingers while it is watched")
     return Drift(1e3 * slip / (data.time - begun), -1e3 * now)
 
@@ -207,7 +155,7 @@ def main(picture: Path = PICTURE, fractions: Sequence[float] = FRACTIONS) -> Non
     models = [(f"{cone} {impratio:g}", scene(cone, impratio)) for cone, impratio in SETTINGS]
     model = models[-1][1]
     data = squeezed(model)
-    grasp, held = Grasp.from_mujoco(model, data, "object"), touches(model, data)
+    grasp, held = Grasp.from_mujoco(model, data, "object"), touching(model, data, "object")
     answer = grasp.onset([0, 0, -1])
     print(answer)
     onset = answer.factor

@@ -6,7 +6,7 @@
 A triangular block of 1.518 kg slides on three points of known place (Zhou, Paolini, Bagnell and Mason, ICRA 2016; the file is described in
 ``tests/support/src/measured_pushes.rs``). Friction of a surface is the median of what its pushes tell. In MuJoCo a push is put on and held for half a
 second, and a bisection finds the least one that moves the block by half a millimetre. Its friction creeps: below the limit the block moves, too, and
-the less the larger ``impratio``.
+the less the larger ``impratio``. Inertia delays it: only pushes beyond the limit, by a part that falls with the square of the time, move it so far.
 """
 
 from __future__ import annotations
@@ -76,24 +76,24 @@ def scene(layout: str, friction: float, step: float, impratio: float) -> mujoco.
     </mujoco>""")
 
 
-def moves(model: mujoco.MjModel, rest: mujoco.MjData, push: Array) -> bool:
-    """Whether the block moves under a push that is put on and held."""
+def moves(model: mujoco.MjModel, rest: mujoco.MjData, push: Array, watch: float) -> bool:
+    """Whether the block moves under a push that is put on and held for a time, s."""
     data = mujoco.MjData(model)
     data.qpos[:], data.qvel[:] = rest.qpos, rest.qvel
     data.xfrc_applied[model.body("block").id] = [push[0], push[1], 0, 0, 0, push[2]]
-    mujoco.mj_step(model, data, round(WATCH / model.opt.timestep))
+    mujoco.mj_step(model, data, round(watch / model.opt.timestep))
     turned = 2.0 * np.arcsin(min(1.0, abs(data.qpos[6])))
     return bool(np.hypot(*(data.qpos[:2] - rest.qpos[:2])) + 0.05 * turned > MOVED)
 
 
-def slides_at(model: mujoco.MjModel, push: Array, predicted: float) -> float:
+def slides_at(model: mujoco.MjModel, push: Array, predicted: float, watch: float = WATCH, halvings: int = HALVINGS) -> float:
     """The part of a push at which the block begins to move, by halving."""
     rest = mujoco.MjData(model)
     mujoco.mj_step(model, rest, round(0.2 / model.opt.timestep))
     low, high = (part * predicted for part in RANGE)
-    for _ in range(HALVINGS):
+    for _ in range(halvings):
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if moves(model, rest, middle * push) else (middle, high)
+        low, high = (low, middle) if moves(model, rest, middle * push, watch) else (middle, high)
     return 0.5 * (low + high)
 
 

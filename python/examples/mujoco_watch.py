@@ -11,11 +11,18 @@ run with the first squeeze stands beside it.
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import mujoco  # type: ignore[import-untyped]
 import numpy as np
-from mujoco_creep import TRAVEL, Array, grasp_of, heights, pull, scene, squeezed, touches
+from mujoco_creep import TRAVEL, heights, pull, scene, squeezed
+from numpy.typing import NDArray
+
+from grasp_lcp import Grasp
+from grasp_lcp.mujoco import Touching, touching
+
+Array = NDArray[np.float64]
 
 # The jar weighs so much before and after it is filled, N, which takes so long, s; then it is watched a while.
 EMPTY, FULL, FILLED, AFTER = 3.0, 20.0, 0.8, 0.4
@@ -49,6 +56,25 @@ class Run:
     """How long each look took, s."""
 
 
+def grasp_of(model: mujoco.MjModel, held: Sequence[Touching]) -> Grasp:
+    """The grasp of contacts that were read without a load, with the fingers as springs: a watch knows no joints.
+
+    Along the normal the actuator is in series with the contact, which gives by its depth under its force. Along the tangents MuJoCo's contact is
+    no spring but the damper that creeps: here it is rigid, and the finger's joints give alone.
+    """
+    springs = [float(model.actuator("press0").gainprm[0]), *(float(model.joint(joint).stiffness[0]) for joint in ("across0", "along0"))]
+    return Grasp.spatial(
+        [touch.point for touch in held],
+        [touch.normal for touch in held],
+        # The first tangent is level, as the joint `across` is; the second is vertical, as `along` is.
+        tangents=[np.cross([0, 0, 1], touch.normal) for touch in held],
+        finger_stiffness=springs,
+        body_stiffness=[[touch.press / touch.depth, np.inf, np.inf] for touch in held],
+        friction=[touch.friction for touch in held],
+        pressed_with=[touch.press for touch in held],
+    )
+
+
 def load(when: float) -> float:
     """What the jar weighs at a time, N."""
     part = min(max(when / FILLED, 0.0), 1.0)
@@ -59,7 +85,7 @@ def run(watched: bool) -> Run:
     """Fills the jar, and presses harder if it is watched."""
     model = scene("elliptic", 1000.0)
     data = squeezed(model)
-    grasp = grasp_of(model, touches(model, data))
+    grasp = grasp_of(model, touching(model, data, "object"))
     watch, holds = grasp.watch(), grasp.onset([0, 0, -1]).factor or 0.0
     # The empty jar is put down on the fingers first.
     for step in range(1, 301):
@@ -75,7 +101,7 @@ def run(watched: bool) -> Run:
         data.ctrl[:] = TRAVEL * squeeze
         mujoco.mj_step(model, data)
         # The sensors.
-        held = touches(model, data)
+        held = touching(model, data, "object")
         lost = len(held) < 3
         if lost:
             break

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from grasp_lcp import Grasp
+from grasp_lcp.mujoco import touching
 
 mujoco = pytest.importorskip("mujoco")
 pytest.importorskip("matplotlib")
@@ -29,7 +30,7 @@ def _example(name: str) -> ModuleType:
     return module
 
 
-creep, pushes = _example("mujoco_creep"), _example("mujoco_pushes")
+creep, pushes, watch = _example("mujoco_creep"), _example("mujoco_pushes"), _example("mujoco_watch")
 PULLS = [[0, 0, -1], [0, 0, 1], [1, 0, 0], [0, 1, 0], [1, 1, -1]]
 # Two jaws with a slide each on a box without weight; the second actuator may be replaced by an equality.
 JAWS = """
@@ -73,7 +74,7 @@ def pressed(grasp: Grasp) -> float:
 def test_the_jar_slides_where_springs_by_hand_say(pull: list[float]) -> None:
     model = creep.scene("elliptic", 1000.0)
     data = creep.squeezed(model)
-    by_hand = creep.grasp_of(model, creep.touches(model, data))
+    by_hand = watch.grasp_of(model, touching(model, data, "object"))
     assert Grasp.from_mujoco(model, data, "object").onset(pull).factor == pytest.approx(by_hand.onset(pull).factor, rel=1e-6)
 
 
@@ -87,9 +88,9 @@ def test_a_pushed_block_slides_where_mujoco_lets_it(number: int) -> None:
     verdict = Grasp.from_mujoco(model, rest, "block").hold([push[0], push[1], 0, 0, 0, push[2]], base=[0, 0, -pushes.MASS * pushes.GRAVITY])
     exact = 0.3 * pushes.limit(pushes.block(row["support"]), push)
     assert verdict.lost == pytest.approx(exact, rel=2e-4)
-    # The bisection halves the range of pushes eight times, and MuJoCo's friction creeps.
-    resolution = (pushes.RANGE[1] - pushes.RANGE[0]) / 2**pushes.HALVINGS
-    assert pushes.slides_at(model, push, exact) == pytest.approx(verdict.lost, rel=1.5 * resolution)
+    # A push that is held for T seconds moves the block half a millimetre if it exceeds the limit by a part in proportion to 1 / T².
+    one, two = (pushes.slides_at(model, push, exact, watch=watch, halvings=15) for watch in (1.0, 2.0))
+    assert (4 * two - one) / 3 == pytest.approx(verdict.lost, rel=2e-4)
 
 
 @pytest.mark.parametrize(("shape", "size", "contacts"), [("sphere", "0.01", 2), ("box", "0.01 0.01 0.01", 8)])

@@ -47,3 +47,16 @@ def test_every_block_runs(page: str) -> None:
         assert given["verdicts"].holds.all()  # type: ignore[attr-defined]
         assert given["needed"].amount == pytest.approx(np.full(count, 0.1))  # type: ignore[attr-defined]
         assert given["slopes"].friction.sum(axis=-1) == pytest.approx(np.full(count, 20.0))  # type: ignore[attr-defined]
+
+
+def test_the_block_for_accelerators_runs() -> None:
+    jnp = pytest.importorskip("jax.numpy")
+    from grasp_lcp.jax import onset_factor
+
+    text = (Path(__file__).parents[1] / "README.md").read_text()
+    (block,) = re.findall(r"```py\n(.*?)```", text, re.DOTALL)
+    points = jnp.array([[[-0.04, 0.0], [0.04, 0.0]]])
+    given = {"onset_factor": onset_factor, "points": points, "normals": -points, "direction": jnp.array([0.0, -1.0]), "mu": 0.5}
+    exec(compile(block, "README.md", "exec"), given)
+    # Two jaws of 8 N each.
+    assert float(given["factor"][0]) == pytest.approx(8.0, rel=1e-6)

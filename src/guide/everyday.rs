@@ -56,7 +56,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need fixture.json
-//! NEEDS 72.764 N at lower left, 68.5957 N at lower right, 76.3178 N at side, 152.135 N at upper clamp and 95.0846 N at side clamp (0.190169 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides. It needs 1.09912 times as much if friction is 10 % less and the squeeze is 5 % less. With less: TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip). Nothing holds all of it within 15.0896 mm and 20.0253° of there
+//! NEEDS 152.135 N at upper clamp and 95.0846 N at side clamp (0.190169 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides. It needs 1.09912 times as much if friction is 10 % less and the squeeze is 5 % less. With less: TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip). Nothing holds all of it within 15.0896 mm and 20.0253° of there
 //! ```
 //!
 //! # How hard do three fingers have to press to carry a full mug of 400 g?

@@ -3,6 +3,7 @@
 mod closed_forms;
 mod coverage;
 mod derivatives;
+mod further_assignments;
 mod measured_pushes;
 mod mistakes;
 mod not_fixed;

@@ -5,3 +5,4 @@ mod kinematics;
 mod mistakes;
 mod robots;
 mod scenes;
+mod shapes;

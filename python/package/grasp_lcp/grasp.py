@@ -9,13 +9,12 @@ from typing import Any, TypedDict
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _grasp_lcp
+from . import _grasp_lcp, drake, mujoco
 from ._bodies import bodies_in_scene
 from ._columns import STIFFNESSES, as_written, columns, dumped, finite, floats, listed, one_each, plain, with_arrays, wrench_json
 from ._drawing import draw_into
 from ._hands import scene_of_hand
 from ._mesh import scene_of_mesh
-from ._mujoco import hand_of_body
 from ._views import Array, Load, Quantity
 from .answers import Answer, Comparison, Identified, Improved, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
@@ -359,7 +358,21 @@ class Grasp:
         :param body: the name or the number of the body that is held.
         :raises ValueError: if nothing presses on it, for unequal friction along tangents, and for free and ball joints behind a contact.
         """
-        return cls.hand(**hand_of_body(model, data, body))
+        return cls.hand(**mujoco.hand_of_body(model, data, body))
+
+    @classmethod
+    def from_drake(cls, plant: Any, context: Any, body: str) -> Grasp:
+        """The grasp of a body in a Drake simulation that is at rest, as :meth:`from_mujoco`. Needs ``drake``.
+
+        Contacts are those between points. Joints have the springs of force elements, actuators the stiffness of their proportional gains and their
+        effort limits. Not taken over: hydroelastic contacts, constraints, and friction and limits of joints.
+
+        :param plant: a finalized ``MultibodyPlant``.
+        :param context: its context.
+        :param body: the name of the body that is held.
+        :raises ValueError: if nothing presses on it, and for joints of several axes behind a contact.
+        """
+        return cls.hand(**drake.hand_of_body(plant, context, body))
 
     def draw(self, ax: Any, state: Equilibrium | None = None) -> None:
         """Draws the grasp into the axes of matplotlib: the object, its contacts, and the forces of an equilibrium.

@@ -55,7 +55,8 @@ pub fn charts_of_cycles<const C: usize>(
     let farthest = largest(&slides, &|slide| slide.farthest);
     // Slips below this part of the longest count as zero.
     let no_slip = 1e-6;
-    let mut order: Vec<_> = chosen(tips.len(), &|k| slides[*k].farthest > no_slip * farthest);
+    let is_link = |tip: usize| grasp.contacts()[tips[tip].contacts.start].link.is_some();
+    let mut order: Vec<_> = chosen(tips.len(), &|k| !is_link(*k) && slides[*k].farthest > no_slip * farthest);
     if order.is_empty() {
         return Ok(Vec::new());
     }
@@ -78,13 +79,17 @@ pub fn charts_of_cycles<const C: usize>(
             loops = loops.series(name, mapped(&of_the_last, &|(_, s, force)| (*s, *force)), stroke);
         }
     }
-    let rest: Vec<_> = chosen(tips.len(), &|tip| !order.contains(tip));
-    if !rest.is_empty() {
-        let names: Vec<_> = mapped(&rest, &|tip| tips[*tip].name.as_str());
-        slips = slips.note(format!(
-            "Not drawn: {} ({others}).",
-            some(&names, CHART.listed_names, CHART.listed_letters)
-        ));
+    let listed = |those: Vec<usize>| {
+        let names: Vec<_> = mapped(&those, &|tip| tips[*tip].name.as_str());
+        (!names.is_empty()).then(|| some(&names, CHART.listed_names, CHART.listed_letters))
+    };
+    let rest = listed(chosen(tips.len(), &|tip| !is_link(*tip) && !order.contains(tip)))
+        .map(|names| format!("Not drawn: {names} ({others})."));
+    let links = listed(chosen(tips.len(), &|tip| is_link(*tip)))
+        .map(|names| format!("Links, such as bolts and straps, do not slide: {names}."));
+    let notes: Vec<_> = rest.into_iter().chain(links).collect();
+    if !notes.is_empty() {
+        slips = slips.note(notes.join(" "));
     }
     let marks = drawn.marks(&path, &events, &tips);
     let slips = marks.into_iter().fold(slips, |chart, (x, label)| chart.mark(x, label));

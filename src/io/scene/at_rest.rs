@@ -11,6 +11,7 @@ use crate::equilibrium::Outcome;
 use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Ramp;
+use crate::need::Quantity;
 use crate::numerics::summed;
 
 impl Setup<3> {
@@ -18,13 +19,16 @@ impl Setup<3> {
     /// question that seeks the forces at rest need not state them.
     /// Without a question, the commands alone decide.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
-        if grasp.presses() {
+        // Links alone need no squeeze.
+        if grasp.presses() || self.entries().next().is_none() {
             return Ok(false);
         }
         for question in &self.questions {
             let is_solved = matches!(question, Question::Solve { load, .. } if *load != Wrench::ZERO);
             let is_sought = matches!(question, Question::Identify(asked) if asked.seeks_carried());
-            if is_solved || is_sought || at_rest(question) != Wrench::ZERO {
+            // Farther out a load may jam an object which it does not press on here.
+            let is_arm = matches!(question, Question::Need(asked) if asked.quantity == Quantity::Arm);
+            if is_solved || is_sought || is_arm || at_rest(question) != Wrench::ZERO {
                 continue;
             }
             let grasp = self.grasp_asked(grasp, question)?;

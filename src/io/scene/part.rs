@@ -59,6 +59,10 @@ pub struct Touches {
     /// Of a rectangle: it is a V of this opening angle, degrees, with its bottom along the second tangent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub v_deg: Option<f64>,
+    /// Of a contact on a link of a robot: the link's collision shapes touch, within the rectangle if it is given. How far along the closing direction
+    /// `from` lies does not matter then.
+    #[serde(default, skip_serializing_if = "core::ops::Not::not")]
+    pub collision_shapes: bool,
     /// Of a rectangle: strips in half of each side, two points each, 2 and 2 if left out; of a disc: annuli and points on a ring, 2 and 8.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strips: Option<[usize; 2]>,
@@ -72,6 +76,9 @@ pub struct Touches {
     /// The part once its mesh is read.
     #[serde(skip)]
     pub part: Option<Arc<Part>>,
+    /// The pad of the collision shapes once the robot is read.
+    #[serde(skip)]
+    pub shape: Option<Arc<Pad>>,
 }
 
 /// An elastic layer, see [`Pad::of_layer`].
@@ -114,7 +121,20 @@ impl Touches {
     #[must_use]
     pub fn rectangle(sides: [f64; 2], from: [f64; 3], closing: [f64; 3]) -> Self {
         let (rectangle, disc, round, v_deg) = (Some(sides), None, None, None);
-        Self { rectangle, disc, round, v_deg, strips: None, from, closing, layer: None, part: None }
+        let (strips, layer, part, shape) = (None, None, None, None);
+        Self {
+            rectangle,
+            disc,
+            round,
+            v_deg,
+            collision_shapes: false,
+            strips,
+            from,
+            closing,
+            layer,
+            part,
+            shape,
+        }
     }
 
     /// The pad.
@@ -123,7 +143,18 @@ impl Touches {
     /// [`Error::Fingertip`] for numbers out of range, and unless it is a rectangle or a disc.
     pub(super) fn pad(&self) -> Result<Pad, Error> {
         let strips = self.strips.unwrap_or([2, if self.disc.is_some() { 8 } else { 2 }]);
+        let has_another_shape = self.disc.or(self.round).or(self.v_deg).is_some();
         let pad = match (self.rectangle, self.disc, self.round, self.v_deg) {
+            // Before the robot is read, the rectangle stands for its link.
+            _ if self.collision_shapes && !has_another_shape => match &self.shape {
+                Some(shape) => Pad::clone(shape),
+                None => Pad::rectangle(self.rectangle.unwrap_or([1.0; 2]), strips)?,
+            },
+            _ if self.collision_shapes => {
+                let fault =
+                    "collision_shapes: with a rectangle at most, and not a disc, a round finger or a V";
+                return Err(Error::Mesh { fault: fault.to_owned() });
+            }
             (Some(sides), None, None, None) => Pad::rectangle(sides, strips)?,
             (Some(sides), None, Some(radius), None) => Pad::cylinder(radius, sides, strips)?,
             (Some(sides), None, None, Some(degrees)) => Pad::v(degrees.to_radians(), sides, strips)?,

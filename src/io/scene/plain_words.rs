@@ -20,7 +20,14 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
         if let Some((name, known)) = message.strip_prefix(&unknown).and_then(|rest| rest.split_once("`, ")) {
             let what = if kind == "field" { "unknown field `" } else { "unknown name `" };
             let allowed = known.strip_prefix("expected ").unwrap_or(known);
-            let meant = alike(name, allowed).map_or(String::new(), |meant| format!(" (`{meant}`?)"));
+            let meant = match name {
+                "mu" if allowed.contains("`friction`") => Some("friction"),
+                _ => alike(name, allowed),
+            };
+            let meant = match name {
+                "comment" | "unit" => " (it stands beside `planar` or `spatial`)".to_owned(),
+                _ => meant.map_or(String::new(), |meant| format!(" (`{meant}`?)")),
+            };
             return format!("{what}{name}`{meant}, must be {allowed}");
         }
     }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
@@ -11,6 +12,7 @@ use super::setup::Setup;
 use crate::error::Error;
 use crate::grasp::Space;
 use crate::robot::{Mover, Robot};
+use crate::touch::Pad;
 
 /// The robot that holds the object, `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "effort": "from file"}`; see
 /// [`Robot`]. Once its file is read, fingers with joints stand in its place.
@@ -105,6 +107,13 @@ impl RobotSetup<3> {
 
 /// A contact from the frame of its link in that of the scene, with the place and the direction of its pad.
 fn placed(robot: &Robot, link: usize, index: usize, mut entry: Fingertip<3>) -> Result<Fingertip<3>, Error> {
+    if let Some(touches) = entry.touches.as_mut().filter(|touches| touches.collision_shapes) {
+        let surface = robot.surface(&robot.links()[link])?;
+        let strips = touches.strips.unwrap_or([4, 4]);
+        let (pad, contact) = Pad::of_surface(&surface, &entry.contact, touches.rectangle, strips)?;
+        touches.shape = Some(Arc::new(pad));
+        entry.contact = contact;
+    }
     entry.contact = robot.placed_on(link, index, &entry.contact)?;
     if let Some(touches) = &mut entry.touches {
         touches.from = std::array::from_fn(|a| entry.contact.point[a]);

@@ -1,5 +1,6 @@
 //! The parts that press in a grasp, and the grasp with the press of one part scaled.
 
+use super::contact::Contact;
 use super::engine::Engine;
 use super::whole_contact::WholeContacts;
 use super::wrench::Wrench;
@@ -18,17 +19,26 @@ pub(crate) struct PressOfPart {
 }
 
 impl Engine {
+    /// Whether a command, a held force or a vacuum of this contact is not zero.
+    pub(crate) fn is_commanded(&self, point: usize) -> bool {
+        let contact = &self.contacts[point];
+        contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
+    }
+
+    /// Whether a command, or a held torque, of a joint or a tendon is not zero, beside those of contacts that are held by a force.
+    pub(crate) fn is_driven(&self) -> bool {
+        let is_pushed =
+            |contact: &&Contact<3>| contact.force.unwrap_or(0.0) != 0.0 && contact.begins_a_whole();
+        let slides = self.contacts.iter().filter(is_pushed).count();
+        self.linkage().is_some_and(|linkage| {
+            let held = linkage.joints.iter().filter(|joint| joint.held != 0.0).count();
+            held > slides || linkage.commands.iter().any(|command| *command != 0.0)
+        })
+    }
+
     /// Whether a command, a held force or torque, or a vacuum is not zero: the squeeze consists of these.
     pub(crate) fn is_squeezed(&self) -> bool {
-        let commanded = |i: usize| {
-            let contact = &self.contacts[i];
-            contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
-        };
-        let by_joints = self.linkage().is_some_and(|linkage| {
-            linkage.commands.iter().any(|command| *command != 0.0)
-                || linkage.joints.iter().any(|joint| joint.held != 0.0)
-        });
-        by_joints || (0..self.len()).any(commanded)
+        self.is_driven() || (0..self.len()).any(|point| self.is_commanded(point))
     }
 
     /// Whether everything that acts beside the loads of questions is in proportion to the squeeze. Then twice the squeeze takes twice the load.

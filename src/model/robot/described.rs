@@ -1,10 +1,12 @@
 //! Links and joints as the file describes them.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, UnitVector3, Vector3};
-use urdf_rs::JointType;
+use urdf_rs::{JointType, Pose};
+
+use super::shapes::Shape;
 
 use crate::error::Error;
 use crate::grasp::{JointKind, Limit};
@@ -19,6 +21,10 @@ pub struct Robot {
     pub(super) carried_by: Vec<Option<usize>>,
     /// Pose of the roots in the frame of the object.
     pub(super) base: Isometry3<f64>,
+    /// Collision shapes of each link.
+    pub(super) shapes: Vec<Vec<Shape>>,
+    /// The folder of the description file, in which meshes are looked for.
+    pub(super) folder: PathBuf,
 }
 
 /// A joint of a [`Robot`]. Positions are in rad, of a joint that slides in m.
@@ -87,10 +93,11 @@ impl Robot {
         let path = path.as_ref();
         let named = |inner: String| fault(format!("{}: {inner}", path.display()));
         let text = fs::read_to_string(path).map_err(|error| named(error.to_string()))?;
-        Self::from_urdf(&text).map_err(|error| match error {
+        let robot = Self::from_urdf(&text).map_err(|error| match error {
             Error::Robot { fault } => named(fault),
             other => other,
-        })
+        })?;
+        Ok(Self { folder: path.parent().unwrap_or(Path::new("")).to_owned(), ..robot })
     }
 
     /// A robot from the text of a URDF, with all joints at zero.
@@ -109,6 +116,8 @@ impl Robot {
             links,
             joints: Vec::new(),
             base: Isometry3::identity(),
+            shapes: read.links.iter().map(shapes_of).collect(),
+            folder: PathBuf::new(),
         };
         let mut is_placed: Vec<bool> = robot
             .links
@@ -179,6 +188,17 @@ impl Robot {
     }
 }
 
+fn shapes_of(link: &urdf_rs::Link) -> Vec<Shape> {
+    link.collision.iter().map(|each| Shape::new(&each.origin, &each.geometry)).collect()
+}
+
+/// A pose of the file.
+pub(super) fn pose_in(pose: &Pose) -> Isometry3<f64> {
+    let [roll, pitch, yaw] = *pose.rpy;
+    let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
+    Isometry3::from_parts(Translation3::from(*pose.xyz), turned)
+}
+
 fn described(joint: &urdf_rs::Joint, parent: usize) -> Result<RobotJoint, Error> {
     let kind = match joint.joint_type {
         JointType::Fixed => None,
@@ -191,15 +211,10 @@ fn described(joint: &urdf_rs::Joint, parent: usize) -> Result<RobotJoint, Error>
     };
     let axis = UnitVector3::try_new(Vector3::from(*joint.axis.xyz), 0.0)
         .ok_or_else(|| fault(format!("joint {}: axis has no direction", joint.name)))?;
-    let [x, y, z] = *joint.origin.xyz;
-    let [roll, pitch, yaw] = *joint.origin.rpy;
     Ok(RobotJoint {
         name: joint.name.clone(),
         parent,
-        origin: Isometry3::from_parts(
-            Translation3::new(x, y, z),
-            UnitQuaternion::from_euler_angles(roll, pitch, yaw),
-        ),
+        origin: pose_in(&joint.origin),
         axis,
         kind,
         range: [joint.limit.lower, joint.limit.upper],

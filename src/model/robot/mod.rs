@@ -1,7 +1,8 @@
 //! A robot from its description file: the hand by which it holds an object (feature `urdf`).
 //!
 //! A [`Robot`] has links and joints as a URDF describes them, in a posture. [`Robot::hand`] makes the [`Hand`](crate::grasp::Hand) of contacts on its
-//! links. Joints that mimic another follow it exactly: they share its coordinate. Collision shapes are not read: contacts are given.
+//! links. Joints that mimic another follow it exactly: they share its coordinate. Contacts are given, or a
+//! link touches a part with its collision shapes: [`Robot::surface`].
 //!
 //! ```
 //! use grasp_lcp::robot::Robot;
@@ -33,6 +34,7 @@
 mod described;
 mod fingers;
 mod posture;
+mod shapes;
 
 pub use described::{Robot, RobotJoint};
 #[cfg(feature = "serde")]

@@ -2,10 +2,14 @@
 
 use core::f64::consts::PI;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
+use super::part::Part;
 use crate::error::{Error, LARGEST};
-use crate::grasp::{Pressure, SoftFingertip};
+use crate::grasp::{Contact, Pressure, SoftFingertip};
+
+/// Points of a surface whose normal has this component along the closing direction, or less, do not touch.
+const TURNED_AWAY: f64 = 0.1;
 
 /// The surface of a jaw or of a fingertip, and its elastic layer.
 ///
@@ -27,6 +31,8 @@ pub struct Pad {
 enum Outline {
     Rectangle([f64; 2]),
     Disc(f64),
+    /// Known at its points alone.
+    Sampled,
 }
 
 /// The section of the pad across its second tangent.
@@ -112,6 +118,63 @@ impl Pad {
         Ok(Self::of_profile(&SoftFingertip::rectangle(sides, strips)?, Outline::Rectangle(sides), profile))
     }
 
+    /// A jaw with this surface, in the frame in which the contact is given: what lies foremost along its normal, within a rectangle about its point with
+    /// sides along its tangents, m, or all of it. Points as those of a rectangle; those beside the surface, and where it turns away, are left out. How
+    /// far along the normal the contact's point lies does not matter.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] as for a rectangle, [`Error::Misses`] if the surface has no point within it, and [`Error::Contact`] with index 0 as for a
+    /// contact.
+    pub fn of_surface(
+        surface: &Part,
+        contact: &Contact<3>,
+        sides: Option<[f64; 2]>,
+        strips: [usize; 2],
+    ) -> Result<(Self, Contact<3>), Error> {
+        let frame = contact.frame(0)?;
+        let (closing, [one, other]) = (frame.column(0), [1, 2].map(|axis| frame.column(axis).into_owned()));
+        let mut contact = contact.clone();
+        let [low, high] = surface.along(&frame);
+        if sides.is_none() {
+            contact.point = frame * (0.5 * (low + high));
+        }
+        let sides = sides.unwrap_or([1, 2].map(|axis| high[axis] - low[axis]));
+        let flat = Self::rectangle(sides, strips)?;
+        // Rays come from in front of the surface.
+        let front = contact.point + closing * (high[0] + surface.size - closing.dot(&contact.point));
+        let seen = Matrix3::from_columns(&[-closing, one, -other]);
+        let hits = surface.met_by(&flat, &seen, &front).hits;
+        let (mut points, mut stretch) = (Vec::new(), 0.0);
+        for (point, hit) in flat.points.iter().zip(hits) {
+            let Some(hit) = hit else { continue };
+            let facing = frame.tr_mul(&-hit.normal);
+            if facing[0] > TURNED_AWAY {
+                let height = high[0] + surface.size - hit.depth;
+                let (offset, share) =
+                    (Vector3::new(height, point.offset[1], -point.offset[2]), point.share / facing[0]);
+                stretch += share;
+                points.push(PadPoint { offset, facing, share });
+            }
+        }
+        let foremost = points.iter().map(|point| point.offset[0]).fold(f64::NEG_INFINITY, f64::max);
+        if points.is_empty() {
+            let fault = "has no surface there: no point of its shape faces the closing direction";
+            return Err(Error::Misses { contact: contact.label(0), fault });
+        }
+        for point in &mut points {
+            (point.share, point.offset[0]) = (point.share / stretch, point.offset[0] - foremost);
+        }
+        contact.point += closing * (foremost - closing.dot(&contact.point));
+        let area = sides[0] * sides[1] * stretch;
+        let (outline, profile) = (Outline::Sampled, Profile::Flat);
+        Ok((Self { points, outline, profile, area, layer: None }, contact))
+    }
+
+    /// The middle, of a pad that is known there.
+    pub(super) fn middle(&self) -> Option<Vector3<f64>> {
+        (self.outline != Outline::Sampled).then(Vector3::zeros)
+    }
+
     /// The points of a flat patch, moved along the closing direction by the height of a profile. Areas are those of the pad's surface.
     fn of_profile(patch: &SoftFingertip<3>, outline: Outline, profile: Profile) -> Self {
         let mut points = Vec::new();
@@ -130,6 +193,7 @@ impl Pad {
         let flat = match outline {
             Outline::Rectangle([one, other]) => one * other,
             Outline::Disc(radius) => PI * radius * radius,
+            Outline::Sampled => 0.0,
         };
         Self { points, outline, profile, area: flat * stretch, layer: None }
     }
@@ -139,6 +203,7 @@ impl Pad {
         let covers = match self.outline {
             Outline::Rectangle([one, other]) => u.abs() <= 0.5 * one && v.abs() <= 0.5 * other,
             Outline::Disc(radius) => u.hypot(v) <= radius,
+            Outline::Sampled => false,
         };
         covers.then(|| self.profile.at(u).0)
     }

@@ -1,6 +1,6 @@
 //! A part: a surface of triangles, with its volume and its mass.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::error::{Error, is_moderate};
 
@@ -126,6 +126,22 @@ impl Part {
     #[must_use]
     pub fn mass(&self) -> Option<f64> {
         self.mass
+    }
+
+    /// Corners of all triangles, m.
+    #[cfg(feature = "urdf")]
+    pub(crate) fn corners(&self) -> impl Iterator<Item = [[f64; 3]; 3]> {
+        self.triangles.iter().map(|triangle| triangle.map(Into::into))
+    }
+
+    /// Least and greatest coordinates along the columns of a frame, m.
+    pub(super) fn along(&self, frame: &Matrix3<f64>) -> [Vector3<f64>; 2] {
+        let mut ends = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+        for corner in self.triangles.iter().flatten() {
+            let there = frame.tr_mul(corner);
+            ends = [ends[0].inf(&there), ends[1].sup(&there)];
+        }
+        ends
     }
 
     /// Number of triangles.

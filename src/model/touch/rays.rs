@@ -33,11 +33,13 @@ pub(super) struct Met {
 }
 
 impl Part {
-    /// Where a pad meets the part: the first hit of the ray of each of its points, and of one in its middle. The columns of `frame` are the closing direction and two tangents, and `from` is the middle of the pad.
+    /// Where a pad meets the part: the first hit of the ray of each of its points, and of one in its
+    /// middle. The columns of `frame` are the closing direction and two tangents, and `from` is the
+    /// middle of the pad.
     pub(super) fn met_by(&self, pad: &Pad, frame: &Matrix3<f64>, from: &Vector3<f64>) -> Met {
         let near = FLUSH * self.size;
         let mut rays: Vec<Vector3<f64>> = mapped(&pad.points, &|point| point.offset);
-        rays.push(Vector3::zeros());
+        rays.extend(pad.middle());
         let mut hits: Vec<Option<Hit>> = vec![None; rays.len()];
         let mut foremost = f64::INFINITY;
         let (mut least, mut most) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
@@ -90,7 +92,7 @@ impl Part {
         for (ray, hit) in rays.iter().zip(&hits) {
             foremost = hit.map_or(foremost, |hit| foremost.min(hit.depth - ray[0]));
         }
-        hits.pop();
+        hits.truncate(pad.points.len());
         Met { hits, foremost }
     }
 }

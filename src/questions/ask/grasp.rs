@@ -250,6 +250,11 @@ impl<const C: usize> Grasp<C> {
         self.engine.is_squeezed()
     }
 
+    /// Whether a command, a held force or a vacuum of a contact presses, and no joint or tendon does.
+    pub(crate) fn is_set_by_itself(&self, point: usize) -> bool {
+        self.engine.is_commanded(point) && !self.engine.is_driven()
+    }
+
     /// Whether everything that acts beside the loads of questions is in proportion to the squeeze.
     pub(crate) fn is_proportional(&self) -> bool {
         self.engine.is_proportional()

@@ -11,7 +11,7 @@ use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Space, mapped};
 use crate::prelude::*;
-use crate::words::{Words, listed, open, opens, printable};
+use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 
 impl<const C: usize> fmt::Display for Verdict<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -19,7 +19,8 @@ impl<const C: usize> fmt::Display for Verdict<C> {
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
-                if self.is_nothing() { f.write_str(", where nothing is put on") } else { self.margins(f) }
+                if self.is_nothing() { f.write_str(", where nothing is put on") } else { self.margins(f) }?;
+                self.cables(f)
             }
             Holding::Slides { contacts } => {
                 f.write_str("HOLDS")?;
@@ -54,7 +55,8 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, "; held up to {}", self.times(self.held_to, " this load", words))
                     }
                     None => Ok(()),
-                }
+                }?;
+                self.cables(f)
             }
             Holding::Loose => {
                 f.write_str("DOES NOT HOLD: no contact presses, the object lies loose between the fingers")
@@ -166,6 +168,17 @@ impl<const C: usize> Verdict<C> {
             (None, Some(lost)) => write!(f, ": {} until {until}", times(lost, " this load")),
             (None, None) => write!(f, " up to {}", times(self.held_to, " this load")),
         }
+    }
+
+    /// The pull of straps and ropes under the whole load, which their user has to choose: "; strap pulls with 2668 N".
+    fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let all = self.state.iter().flat_map(|state| &state.contacts);
+        let cables: Vec<_> = all.filter(|one| one.contact.link == Some(LinkKind::Cable)).collect();
+        let words = Words::of(f);
+        cables.iter().filter(|_| cables.len() <= MOST_NAMES).try_for_each(|cable| {
+            let (name, pull) = (cable.contact.text(), cable.force[0]);
+            write!(f, "; {name} {}", LinkKind::Cable.carries(words, pull, pull, None))
+        })
     }
 
     /// The clause about jumps in which the object slips and is caught.
@@ -287,6 +300,9 @@ impl fmt::Display for NothingNear {
         }
         let words = Words::of(f);
         let (length, angle) = (words.length(self.translation), words.angle(self.rotation));
+        if self.rotation >= core::f64::consts::PI {
+            return write!(f, "Nothing holds all of it within {length} of there, however it turns");
+        }
         write!(f, "Nothing holds all of it within {length} and {angle} of there")
     }
 }

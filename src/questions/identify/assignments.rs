@@ -8,7 +8,7 @@ use core::f64::consts::LN_2;
 use nalgebra::DMatrix;
 
 use super::answer::{Estimate, Identified};
-use super::fit::{FitEnd, Fitted, fitted_from};
+use super::fit::{FitEnd, Fitted, fitted_from, rank};
 use super::model::{Linear, Model};
 use super::spread::told;
 use super::tolerances::INDISTINCT;
@@ -16,36 +16,102 @@ use crate::error::Error;
 use crate::numerics::two_sided;
 use crate::prelude::*;
 
-/// Most pairs of unknowns that change places: all pairs of five.
+/// Most pairs of unknowns that change places from one fit: all pairs of five.
 const MOST_PAIRS: usize = 10;
 /// Most halvings of an unknown until other slips depend on it: to a sixteenth.
 const MOST_HALVINGS: u8 = 5;
+/// Most bisections between two values of an unknown on which different slips depend.
+const MOST_BISECTIONS: usize = 4;
+/// Most fits that are compared, and most points at which slips are predicted beside fits.
+const MOST_FITS: usize = 12;
+const MOST_LOOKS: usize = 240;
 
-/// The answer of the best fit, with the estimates of all assignments that fit as well.
-pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, Error> {
-    let mut fits = vec![first];
-    for (i, j) in pairs(model, &fits[0]) {
-        for (weak, strong) in [(i, j), (j, i)] {
-            for halved in 0..MOST_HALVINGS {
-                let begin = weakened(model, &fits[0].logs, (weak, strong), halved);
-                let is_new = |linear: &Linear| {
-                    let is_known = |fit: &Fitted| {
-                        fit.linear.as_ref().is_some_and(|known| same_assignment(known, linear))
-                    };
-                    !fits.iter().any(is_known)
-                };
-                let Ok(linear) = model.linear(&begin)? else { break };
-                if !is_new(&linear) {
-                    continue;
-                }
-                let fit = fitted_from(model, begin, linear)?;
-                if matches!(fit.end, FitEnd::Converged) && fit.linear.as_ref().is_some_and(is_new) {
-                    fits.push(fit);
-                }
+/// A step off a kink, in the logarithm of one unknown.
+const BESIDE_A_KINK: f64 = 1e-3;
+
+/// The search for other assignments: each that is found is a place from which further ones are looked for.
+struct Assignments<'a> {
+    model: &'a Model<'a>,
+    fits: Vec<Fitted>,
+    looks: usize,
+}
+
+impl Assignments<'_> {
+    /// The slips at a point, while the limit of work lasts.
+    fn look(&mut self, logs: &[f64]) -> Result<Option<Linear>, Error> {
+        if self.looks == MOST_LOOKS || self.fits.len() == MOST_FITS {
+            return Ok(None);
+        }
+        self.looks += 1;
+        Ok(self.model.linear(logs)?.ok())
+    }
+
+    fn is_known(&self, linear: &Linear) -> bool {
+        self.fits.iter().any(|fit| fit.linear.as_ref().is_some_and(|known| same_assignment(known, linear)))
+    }
+
+    /// Fits from a point, if its assignment is new.
+    fn fit(&mut self, begin: Vec<f64>, linear: Linear) -> Result<bool, Error> {
+        if self.is_known(&linear) {
+            return Ok(false);
+        }
+        let fit = fitted_from(self.model, begin, linear)?;
+        let is_new = fit.linear.as_ref().is_some_and(|linear| !self.is_known(linear));
+        if matches!(fit.end, FitEnd::Converged) && is_new {
+            self.fits.push(fit);
+        }
+        Ok(true)
+    }
+
+    /// Assignments between two points: where one unknown falls, slips come to depend on it one after the other.
+    fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
+        for _ in 0..MOST_BISECTIONS {
+            let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).collect();
+            let Some(linear) = self.look(&middle)? else { break };
+            if same_assignment(&linear, ends[0]) {
+                low = middle;
+            } else if same_assignment(&linear, ends[1]) {
+                high = middle;
+            } else {
+                self.fit(middle, linear)?;
                 break;
             }
         }
+        Ok(())
     }
+
+    /// Lowers an unknown from a fit until other slips depend on it.
+    fn weaken(&mut self, at: usize, pair: (usize, usize)) -> Result<(), Error> {
+        let Some(mut before) = self.fits[at].linear.clone() else { return Ok(()) };
+        let mut from = self.fits[at].logs.clone();
+        for halved in 0..MOST_HALVINGS {
+            let begin = weakened(self.model, &self.fits[at].logs, pair, halved);
+            let Some(linear) = self.look(&begin)? else { break };
+            if changes_in_steps(&before, &linear) {
+                self.between(from, begin.clone(), [&before, &linear])?;
+            }
+            if self.fit(begin.clone(), linear.clone())? {
+                break;
+            }
+            (from, before) = (begin, linear);
+        }
+        Ok(())
+    }
+}
+
+/// The answer of the best fit, with the estimates of all assignments that fit as well.
+pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, Error> {
+    let mut search = Assignments { model, fits: vec![first], looks: 0 };
+    let mut at = 0;
+    while at < search.fits.len() {
+        for (i, j) in pairs(model, &search.fits[at])? {
+            for pair in [(i, j), (j, i)] {
+                search.weaken(at, pair)?;
+            }
+        }
+        at += 1;
+    }
+    let mut fits = search.fits;
     if fits.len() == 1 {
         return Ok(told(model, &fits[0]));
     }
@@ -56,8 +122,16 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let mut as_good: Vec<&Fitted> = vec![&best[0]];
     as_good.extend(others.iter().filter(|other| !fits_better(model, &best[0], other)));
     // A fit from which two contacts slip at once stands on the kink between two assignments.
-    let is_on_a_kink = |fit: &Fitted| pairs_of(model).iter().any(|(i, j)| is_on_the_kink(fit, *i, *j));
-    let beside: Vec<&Fitted> = as_good.iter().copied().filter(|fit| !is_on_a_kink(fit)).collect();
+    let mut beside: Vec<&Fitted> = Vec::new();
+    for fit in &as_good {
+        let mut is_on_a_kink = false;
+        for (i, j) in pairs_of(model) {
+            is_on_a_kink = is_on_a_kink || is_on_the_kink(model, fit, i, j)?;
+        }
+        if !is_on_a_kink {
+            beside.push(fit);
+        }
+    }
     if beside.len() > 1 {
         as_good = beside;
     }
@@ -97,29 +171,36 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// Pairs of which a slip depends on one, and none on both; or between which the fit ended on a kink. Slips that depend on both tell them apart on either side.
-fn pairs(model: &Model<'_>, fit: &Fitted) -> Vec<(usize, usize)> {
+/// Pairs of which a slip depends on one, and none on both, as slips that depend on both tell them apart on either side; or between which the fit ended on a kink.
+/// Where slips do not determine every unknown, also pairs of which one slip depends on one alone.
+fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
+    let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
-        return Vec::new();
+        return Ok(pairs);
     };
-    let count = |i: usize, j: usize, row: usize| {
-        usize::from(depends(&linear.jacobian, row, i)) + usize::from(depends(&linear.jacobian, row, j))
-    };
-    let of_one = |i: usize, j: usize| {
-        let most = (0..model.asked.slips.len()).map(|row| count(i, j, row)).max();
-        most == Some(1)
-    };
-    let mut pairs = pairs_of(model);
-    pairs.retain(|(i, j)| of_one(*i, *j) || is_on_the_kink(fit, *i, *j));
-    pairs.truncate(MOST_PAIRS);
-    pairs
+    let is_open = rank(linear) < fit.logs.len();
+    for (i, j) in pairs_of(model) {
+        let on = |row: usize| [i, j].map(|k| depends(&linear.jacobian, row, k));
+        let mut rows = 0..model.asked.slips.len();
+        let on_one = rows.clone().any(|row| on(row)[0] != on(row)[1]);
+        let is_ambiguous = on_one && (is_open || !rows.any(|row| on(row) == [true; 2]));
+        if pairs.len() < MOST_PAIRS && (is_ambiguous || is_on_the_kink(model, fit, i, j)?) {
+            pairs.push((i, j));
+        }
+    }
+    Ok(pairs)
 }
 
-/// Whether two unknowns are equal, and a slip depends on both, as on the mean of two sides of a kink.
-fn is_on_the_kink(fit: &Fitted, i: usize, j: usize) -> bool {
-    let Some(linear) = &fit.linear else { return false };
+/// Whether two unknowns are equal, and a slip depends on both as on the mean of two sides of a kink: beside it depends on one.
+fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
+    let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
-    (fit.logs[i] - fit.logs[j]).abs() <= INDISTINCT && (0..linear.jacobian.nrows()).any(on_both)
+    if (fit.logs[i] - fit.logs[j]).abs() > INDISTINCT || !(0..linear.jacobian.nrows()).any(on_both) {
+        return Ok(false);
+    }
+    let mut beside = fit.logs.clone();
+    beside[i] -= BESIDE_A_KINK;
+    Ok(!model.linear(&beside)?.is_ok_and(|beside| same_assignment(linear, &beside)))
 }
 
 /// Whether a slip depends on an unknown.
@@ -129,9 +210,20 @@ fn depends(jacobian: &DMatrix<f64>, row: usize, unknown: usize) -> bool {
 
 /// Whether every slip depends on the same unknowns.
 fn same_assignment(one: &Linear, other: &Linear) -> bool {
-    let (rows, columns) = one.jacobian.shape();
-    (0..rows)
-        .all(|row| (0..columns).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j)))
+    (0..one.jacobian.nrows()).all(|row| depends_alike(one, other, row))
+}
+
+fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
+    (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
+}
+
+/// Whether slips of different kinds depend on others here and there, so that one kind may change before another.
+fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
+    let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
+    let Some(first) = rows.next() else { return false };
+    let is_of_another_kind =
+        |linear: &Linear, row: usize| linear.jacobian.row(row) != linear.jacobian.row(first);
+    rows.any(|row| is_of_another_kind(one, row) || is_of_another_kind(other, row))
 }
 
 /// Whether a fit is better than another by more than scatter explains, at 95 %.

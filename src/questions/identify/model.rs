@@ -54,6 +54,7 @@ pub(super) struct Predicted {
 }
 
 /// All residuals and derivatives at one point.
+#[derive(Clone)]
 pub(super) struct Linear {
     /// Logarithm of the observed over the predicted value: slips, and behind them known sums.
     pub(super) residuals: Vec<f64>,

@@ -47,7 +47,9 @@ impl fmt::Display for Identified {
         };
         let wide: Vec<_> =
             self.estimates.iter().filter(is_wide).map(|estimate| estimate.name.clone()).collect();
-        if !wide.is_empty() {
+        if !wide.is_empty() && !self.assignments.is_empty() {
+            write!(f, ". On which of {} the slips depend is not fixed", listed(&wide))?;
+        } else if !wide.is_empty() {
             write!(f, ". {} not fixed: the slips scatter too much", capital(&are(&wide)))?;
         }
         let without_error = |estimate: &&Estimate| estimate.is_fixed && estimate.interval.is_none();

@@ -220,8 +220,10 @@ fn presses(grasp: &Grasp<3>, squeeze: f64) -> Result<(Vec<Press>, Vec<String>), 
     let mut presses = Vec::new();
     for part in parts.with(&|_| true) {
         let force = forces[part.contact];
-        let pressure = pressure_of_cup(&squeezed.contacts()[parts.ranges()[part.contact].clone()]);
-        presses.push(Press { part, force, pressure });
+        let points = parts.ranges()[part.contact].clone();
+        let pressure = pressure_of_cup(&squeezed.contacts()[points.clone()]);
+        let is_set = points.into_iter().any(|point| grasp.is_set_by_itself(point));
+        presses.push(Press { part, force, is_set, pressure });
     }
     // Contacts held by a constant force are at their limit by design and are not listed.
     let mut at_their_limit = Vec::new();

@@ -17,6 +17,9 @@ pub struct Press {
     pub part: WholeContact,
     /// Its normal force, N; of a soft fingertip the sum over its points.
     pub force: f64,
+    /// Whether a command, a force or a vacuum of its own presses it; all else presses because of others. False of all where joints or tendons press.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub is_set: bool,
     /// Of a suction cup: the pressure of its vacuum below that of the air around, Pa.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressure: Option<f64>,
@@ -46,10 +49,12 @@ impl Press {
     }
 }
 
-/// The contacts that press at rest; others, such as rests under a part, do so only under the load.
+/// The contacts and cables that a user sets and that press at rest, or all that press if joints and tendons are set.
 fn pressing(presses: &[Press]) -> Vec<&Press> {
+    let is_one_set = presses.iter().any(|press| press.is_set);
     let most = presses.iter().map(|press| press.force).fold(0.0, f64::max);
-    presses.iter().filter(|press| press.force >= ALIKE_IN_WORDS * most).collect()
+    let is_meant = |press: &&Press| (press.is_set || !is_one_set) && press.force >= ALIKE_IN_WORDS * most;
+    presses.iter().filter(is_meant).collect()
 }
 
 /// The normal force that all pressing contacts share, to within [`ALIKE_IN_WORDS`], N.

@@ -46,7 +46,7 @@ impl Demand {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Need<const C: usize> {
     /// The sought quantity.
-    pub(super) quantity: Quantity,
+    pub(crate) quantity: Quantity,
     /// The demand on it: by default that the object is held. Then the answer adds the amount with which nothing slides.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(super) demand: Demand,

@@ -34,15 +34,19 @@ const drawScale = () => {
 const drawAxes = () => {
   // In the corner, turned like the grasp.
   const origin = project(scene.centre), unit = scene.reach / zoom;
-  const corner = [46, canvas.clientHeight - 46];
+  const corner = [46, canvas.clientHeight - 46], letters = [];
   ["x", "y", "z"].forEach((name, k) => {
     const tip = project(add(scene.centre, [0, 1, 2].map((j) => (j === k ? 0.13 * unit : 0))));
     const end = [corner[0] + tip[0] - origin[0], corner[1] + tip[1] - origin[1]];
+    let [x, y] = end.map((at, axis) => at + 4 * Math.sign(at - corner[axis]) + (axis ? 4 : -3));
+    // Where two axes end in one place, the letter of the second stands above the other.
+    while (letters.some((at) => Math.abs(at[0] - x) < 10 && Math.abs(at[1] - y) < 15)) y -= 15;
+    letters.push([x, y]);
     paint(Infinity, () => {
       path([corner, end]);
       [pen.strokeStyle, pen.lineWidth, pen.fillStyle, pen.font] = [scene.grey, 1.5, scene.grey, "13px sans-serif"];
       pen.stroke();
-      pen.fillText(name, end[0] + 4 * Math.sign(end[0] - corner[0]) - 3, end[1] + 4 * Math.sign(end[1] - corner[1]) + 4);
+      pen.fillText(name, ...letters[k]);
     });
   });
 };

@@ -2,45 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from ._touching import Touching, drive, hand_of, pressing
 from ._views import Array
 
-# A contact of MuJoCo is a damper along its tangents. Here it is a spring, stiffer than along the normal by this factor.
-TANGENTIAL = 1e6
 # Equality constraints are rods, stiffer than the stiffest joint by this factor.
 ROD = 1e6
-# Contacts with less force, beside the greatest, are left out.
-TOUCHES = 1e-9
 
 
-@dataclass(frozen=True)
-class Touching:
-    """A contact on the body, in world axes: its point from the centre of mass (m), normal and force (N) into it, and depth (m)."""
-
-    other: int
-    name: str
-    point: Array
-    normal: Array
-    tangent: Array
-    friction: float
-    force: Array
-    depth: float
-
-
-def touching(model: Any, data: Any, body: int) -> list[Touching]:
-    """The contacts on a body and on all that is welded to it, in MuJoCo's order.
+def touching(model: Any, data: Any, body: int | str) -> list[Touching]:
+    """The contacts that press on a body and on all that is welded to it, in MuJoCo's order.
 
     The first row of a MuJoCo frame is the normal, which points from geom 1 to geom 2, and its force acts on geom 2. Where geom 1 is of
     the body both are turned round.
     """
     import mujoco  # type: ignore[import-not-found,import-untyped,unused-ignore]
 
-    found = []
+    body, found = int(model.body(body).id), []
     for index, contact in enumerate(data.contact):
         bodies = [int(model.geom_bodyid[geom]) for geom in contact.geom]
         is_of_body = [model.body_weldid[each] == model.body_weldid[body] for each in bodies]
@@ -59,14 +40,12 @@ def touching(model: Any, data: Any, body: int) -> list[Touching]:
                 name=name,
                 point=contact.pos - data.xipos[body],
                 normal=sign * frame[0],
-                tangent=frame[1],
                 friction=float(contact.friction[0]) if contact.dim > 1 else 0.0,
                 force=sign * force[:3] @ frame,
                 depth=-float(contact.dist),
             )
         )
-    most = max((float(touch.normal @ touch.force) for touch in found), default=0.0)
-    return [touch for touch in found if touch.normal @ touch.force > TOUCHES * most and touch.depth > 0]
+    return pressing(found)
 
 
 def _dense(model: Any, rows: int, values: Any, count: Any, first: Any, columns: Any) -> Array:
@@ -119,8 +98,6 @@ def hand_of_body(model: Any, data: Any, body: int | str) -> dict[str, Any]:
 
     index = int(model.body(body).id)
     held = touching(model, data, index)
-    if not held:
-        raise ValueError(f"body {body!r}: nothing presses on it")
     whole = np.zeros((len(held), 3, model.nv))
     for jacobian, touch in zip(whole, held, strict=True):
         mujoco.mj_jac(model, data, jacobian, None, touch.point + data.xipos[index], touch.other)
@@ -135,46 +112,15 @@ def hand_of_body(model: Any, data: Any, body: int | str) -> dict[str, Any]:
     for joint in joints:
         if int(joint.type[0]) not in (int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE)):
             raise ValueError(f"joint {joint.name!r}: a free or a ball joint is behind a contact, must be hinges and slides")
-    jacobians, forces = whole[:, :, dofs], np.array([touch.force for touch in held])
-    # What holds the joints beside their actuators, with the forces that are there: weights, springs, constraints.
-    torque = np.einsum("nij,ni->j", jacobians, forces)
     springs = np.array([float(np.ravel(joint.stiffness)[0]) for joint in joints])
-    tendons: list[Mapping[str, Any]] = []
+    drives = []
     for actuator, arms in enumerate(moments[:, dofs]):
         stiffness, limit = _actuator(model, data, actuator)
-        if stiffness == 0.0 or not arms.any():
-            continue
-        acts = float(data.actuator_force[actuator])
-        torque -= arms * acts
-        tendon = {"name": model.actuator(actuator).name or f"actuator {actuator}", "arms": arms.tolist(), "stiffness": stiffness}
-        tendon |= {"pull": acts / stiffness, "pushes": True}
-        tendons.append(tendon | ({} if limit is None else {"limit": {"saturates": limit}}))
-    stiffest = max([*springs, *(tendon["stiffness"] * float(np.square(tendon["arms"]).max()) for tendon in tendons)], default=0.0)
+        if stiffness != 0.0 and arms.any():
+            name = model.actuator(actuator).name or f"actuator {actuator}"
+            drives.append(drive(name, arms, stiffness, float(data.actuator_force[actuator]), limit))
+    stiffest = max([*springs, *(each["stiffness"] * float(np.square(each["arms"]).max()) for each in drives)], default=0.0)
     for number, row in enumerate(equalities[:, dofs]):
         if row.any():
-            arms, stiffness = row / np.linalg.norm(row), ROD * (stiffest or 1.0)
-            tendons.append({"name": f"constraint {number}", "arms": arms.tolist(), "stiffness": stiffness, "pushes": True})
-    press = np.array([touch.normal @ touch.force for touch in held])
-    normal = press / [touch.depth for touch in held]
-    second = [np.cross(touch.normal, touch.tangent) for touch in held]
-    along = [[touch.tangent @ touch.force, other @ touch.force] for touch, other in zip(held, second, strict=True)]
-    return {
-        "points": [touch.point for touch in held],
-        "normals": [touch.normal for touch in held],
-        "tangents": [touch.tangent for touch in held],
-        "jacobians": jacobians,
-        "stiffness": springs,
-        "joints": [joint.name or f"joint {joint.id}" for joint in joints],
-        "torque": torque,
-        "tendons": tendons,
-        "friction": [touch.friction for touch in held],
-        "series_stiffness": np.column_stack([normal, TANGENTIAL * normal]),
-        # Each spring is wound up by the force that is there.
-        "command": np.column_stack([press / normal, np.array(along) / (TANGENTIAL * normal)[:, None]]),
-        "names": _apart([touch.name for touch in held]),
-    }
-
-
-def _apart(names: list[str]) -> list[str]:
-    """Names, with a number where several contacts have the same."""
-    return [name if names.count(name) == 1 else f"{name} {names[:place].count(name)}" for place, name in enumerate(names)]
+            drives.append(drive(f"constraint {number}", row / np.linalg.norm(row), ROD * (stiffest or 1.0), 0.0, None))
+    return hand_of(body, held, whole[:, :, dofs], [joint.name or f"joint {joint.id}" for joint in joints], springs, drives)
