@@ -114,7 +114,7 @@ fn write<const C: usize>(
     scene.part(index, [a[0], contact.clearance]);
     a[0] = 0.0;
     if C == 3 {
-        a = frame * a;
+        a = contact.command_across(frame);
     } else {
         // Across the normal, the direction is (n_y, -n_x), whichever way the caller's tangent points.
         let turned = frame[(0, 1)] * frame[(1, 0)] - frame[(1, 1)] * frame[(0, 0)];
