@@ -171,6 +171,54 @@ impl Bordered {
     }
 }
 
+/// The solution of [`Bordered::solve`], to the last bit, for a matrix of `N` rows whose factors are not kept: T column by column, the column and the
+/// row beside it, the corner, and zeros on the right but `last` in the border. With it the smallest pivot divided by the largest. `None` if the matrix
+/// is singular.
+pub(crate) fn solved_once<const N: usize>(
+    stiffness: &[f64],
+    [column, border]: [&Vector; 2],
+    [corner, last]: [f64; 2],
+) -> Option<([f64; N], f64)> {
+    let d = N - 1;
+    let (mut rows, mut x) = ([[0.0; N]; N], [0.0; N]);
+    for i in 0..d {
+        for j in 0..d {
+            rows[i][j] = stiffness[j * d + i];
+        }
+        (rows[i][d], rows[d][i]) = (column[i], border[i]);
+    }
+    (rows[d][d], x[d]) = (corner, last);
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for k in 0..N {
+        let mut pivot = k;
+        for i in k + 1..N {
+            if rows[i][k].abs() > rows[pivot][k].abs() {
+                pivot = i;
+            }
+        }
+        rows.swap(k, pivot);
+        x.swap(k, pivot);
+        let size = rows[k][k].abs();
+        (least, most) = (least.min(size), most.max(size));
+        let (top, inverse) = (rows[k], inverse(rows[k][k])?);
+        rows[k][k] = inverse;
+        for i in k + 1..N {
+            let factor = rows[i][k] * inverse;
+            for j in k + 1..N {
+                rows[i][j] -= factor * top[j];
+            }
+            x[i] -= factor * x[k];
+        }
+    }
+    for j in (0..N).rev() {
+        x[j] *= rows[j][j];
+        for i in 0..j {
+            x[i] -= rows[i][j] * x[j];
+        }
+    }
+    Some((x, least / most))
+}
+
 /// The inverse of a pivot; `None` if the pivot is not a normal number.
 fn inverse(pivot: f64) -> Option<f64> {
     pivot.is_normal().then(|| 1.0 / pivot)
