@@ -223,3 +223,32 @@ pub(crate) fn solved_once<const N: usize>(
 fn inverse(pivot: f64) -> Option<f64> {
     pivot.is_normal().then(|| 1.0 / pivot)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::Draw;
+
+    fn same_bits<const N: usize>(case: u64) {
+        let (size, mut draw) = (Size::of(N - 1), Draw::new([case, N as u64, 0]));
+        let mut stiffness = Square::zeros(size);
+        stiffness.as_mut_slice().iter_mut().for_each(|x| *x = draw.normal());
+        let [column, border] = [0, 1].map(|_| Vector::from_fn(size, |_| draw.normal()));
+        let [corner, last] = [draw.normal(), draw.normal()];
+        let once = solved_once::<N>(stiffness.as_slice(), [&column, &border], [corner, last]);
+        let factors = Bordered::new(&stiffness, &column, &border, corner);
+        let whole = factors.as_ref().map(|factors| factors.solve(&Vector::zeros(), last));
+        let (Some((once, pivots)), Some((x, z))) = (once, whole) else { unreachable!("{case}") };
+        assert!(x.as_slice().iter().chain([&z]).eq(&once), "{case}: {x:?} {z} {once:?}");
+        let least = factors.map_or(0.0, |factors| factors.least_pivot());
+        assert!((pivots / least - 1.0).abs() < 1e-14, "{case}: {pivots} {least}");
+    }
+
+    #[test]
+    fn solved_once_to_the_bits_of_its_factors() {
+        for case in 0..500 {
+            same_bits::<4>(case);
+            same_bits::<7>(case);
+        }
+    }
+}

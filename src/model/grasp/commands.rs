@@ -1,6 +1,6 @@
 //! Commands of a finger: a position or a force, and its clearance.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::contact::Contact;
 
@@ -141,19 +141,10 @@ impl<const C: usize> Contact<C> {
         command
     }
 
-    /// The command across the normal, along the coordinate axes. One that was given along these axes is not turned into the frame and back.
-    pub(crate) fn command_across(&self, frame: &SMatrix<f64, C, C>) -> SVector<f64, C> {
-        match self.command_axes {
-            Axes::Frame => {
-                let mut across = self.command;
-                across[0] = 0.0;
-                frame * across
-            }
-            Axes::World => {
-                let n = frame.column(0);
-                self.command - n * n.dot(&self.command)
-            }
-        }
+    /// The command along the coordinate axes, if it was given along these.
+    #[inline]
+    pub(crate) fn commanded_in_world(&self) -> Option<&SVector<f64, C>> {
+        (self.command_axes == Axes::World).then_some(&self.command)
     }
 
     /// The contact with its command along the axes of its frame, and with its press converted to a command.
