@@ -205,6 +205,8 @@ fn the_free_motion_of_a_pair_in_space_is_always_seen() {
             let pull = Pull::new(&Wrench::ZERO, &spatial::Wrench::new(force, moment)).unwrap();
             match fingers.onset(&pull).verdict() {
                 ScreeningVerdict::NotSticking => {}
+                // Along the line, forces may press the fingers ever more.
+                ScreeningVerdict::Never => assert_eq!(moment, through),
                 ScreeningVerdict::GivesWay => gave_way += usize::from(moment != through),
                 ScreeningVerdict::Leaves => left += usize::from(moment == through),
                 verdict => panic!("{verdict:?} {pair:?}"),
@@ -214,7 +216,7 @@ fn the_free_motion_of_a_pair_in_space_is_always_seen() {
             }
         }
     }
-    assert_met(&[(gave_way, 1000), (left, 1000)]);
+    assert_met(&[(gave_way, 300), (left, 300)]);
 }
 
 /// Three fingers on a disc leave together under a load along its axis; each by its own friction.
