@@ -109,12 +109,7 @@ impl Columns<'_> {
     /// # Errors
     /// A text that is no list of pads; a pad that is out of range, or belongs to the other space.
     pub(crate) fn pads<const C: usize>(&self) -> PyResult<Pads<C>> {
-        let mut pads = Vec::new();
-        let tips = self.soft.map_or_else(|| Ok(Vec::new()), serde_json::from_str::<Vec<Option<Tip>>>);
-        for (index, tip) in tips.map_err(|error| of_json("soft", &error))?.iter().enumerate() {
-            let pad = tip.as_ref().map(Tip::spread::<C>).transpose();
-            pads.push(pad.map_err(|error| wrong(format_args!("soft[{index}]: {error}")))?);
-        }
+        let mut pads = self.soft.map_or_else(|| Ok(Vec::new()), read_pads)?;
         pads.resize_with(self.contacts(), || None);
         Ok(Pads(pads))
     }
@@ -179,6 +174,33 @@ impl<const C: usize> Pads<C> {
     pub(crate) fn counts(&self) -> Vec<usize> {
         self.0.iter().map(|pad| pad.as_ref().map_or(1, |pad| pad.points().len())).collect()
     }
+}
+
+/// The offsets of the points of a pad along the tangents, m, and their shares of the springs.
+type PadPoints = (Vec<Vec<f64>>, Vec<f64>);
+
+/// The points of each pad in a JSON text like that of columns, in the plane or in space; one point where there is no pad.
+#[pyfunction]
+pub(crate) fn points_of_pads(soft: &str, axes: usize) -> PyResult<Vec<PadPoints>> {
+    if axes == 2 { pad_points::<2>(soft) } else { pad_points::<3>(soft) }
+}
+
+fn pad_points<const C: usize>(soft: &str) -> PyResult<Vec<PadPoints>> {
+    let of = |pad: &Option<SoftFingertip<C>>| match pad {
+        Some(pad) => pad.points().map(|(offset, share)| (offset.as_slice()[1..].to_vec(), share)).unzip(),
+        None => (vec![vec![0.0; C - 1]], vec![1.0]),
+    };
+    Ok(read_pads::<C>(soft)?.iter().map(of).collect())
+}
+
+fn read_pads<const C: usize>(soft: &str) -> PyResult<Vec<Option<SoftFingertip<C>>>> {
+    let mut pads = Vec::new();
+    let tips: Vec<Option<Tip>> = serde_json::from_str(soft).map_err(|error| of_json("soft", &error))?;
+    for (index, tip) in tips.iter().enumerate() {
+        let pad = tip.as_ref().map(Tip::spread::<C>).transpose();
+        pads.push(pad.map_err(|error| wrong(format_args!("soft[{index}]: {error}")))?);
+    }
+    Ok(pads)
 }
 
 fn hold_of(code: u8) -> Option<Hold> {

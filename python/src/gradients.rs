@@ -92,11 +92,13 @@ impl<const C: usize> Rows<'_, C> {
                     }
                     Err(status) => slopes.status[place] = *status as u8,
                 },
-                // Malformed contacts, or springs that screening does not support.
+                // Malformed contacts, or springs that screening does not support; a fault of the load comes first.
                 (Err(_), _) => {
                     let status =
                         Grasp::<C>::new(contacts).map_or_else(|error| status_of(&error), |_| Status::Unclear);
-                    slopes.status[place..place + each].fill(status as u8);
+                    for (place, pull) in (place..).zip(&self.pulls[self.of_row(row)]) {
+                        slopes.status[place] = *pull.as_ref().err().unwrap_or(&status) as u8;
+                    }
                 }
             }
         }

@@ -37,6 +37,8 @@ mod _grasp_lcp {
     #[pymodule_export]
     use super::answers::LazyAnswer;
     #[pymodule_export]
+    use super::columns::points_of_pads;
+    #[pymodule_export]
     use super::equilibria::equilibria_of_rows;
     #[pymodule_export]
     use super::friction::solve_friction;

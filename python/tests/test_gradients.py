@@ -4,6 +4,7 @@ import importlib.util
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ EXAMPLE = Path(__file__).parents[1] / "examples" / "improve_grasps.py"
 DOWN = np.array([0.1, 0.2, -1.0, 0.001, -0.002, 0.001])
 
 
-def made(rows: int = 20, contacts: int = 3) -> dict[str, np.ndarray]:
+def made(rows: int = 20, contacts: int = 3) -> dict[str, Any]:
     rng = np.random.default_rng(3)
     grasps = [jar(rng, contacts) for _ in range(rows)]
     normals = np.array([normals for _, normals in grasps])
@@ -33,13 +34,13 @@ def made(rows: int = 20, contacts: int = 3) -> dict[str, np.ndarray]:
     }
 
 
-def turned(data: dict[str, np.ndarray], tilt: np.ndarray) -> dict[str, np.ndarray]:
+def turned(data: dict[str, Any], tilt: np.ndarray) -> dict[str, Any]:
     """Frames that tilt: normals by a vector across them, tangents back along the normals."""
     along = (tilt * data["tangents"]).sum(axis=-1, keepdims=True)
     return data | {"normals": data["normals"] + tilt, "tangents": data["tangents"] - along * data["normals"]}
 
 
-def difference(data: dict[str, np.ndarray], name: str, index: tuple[int, ...], step: float) -> np.ndarray:
+def difference(data: dict[str, Any], name: str, index: tuple[int, ...], step: float) -> np.ndarray:
     factors = []
     for side in (step, -step):
         change = np.zeros_like(data[name])
@@ -55,9 +56,14 @@ def difference(data: dict[str, np.ndarray], name: str, index: tuple[int, ...], s
 STEPS = {"points": 1e-7, "normals": 1e-6, "friction": 1e-6, "series_stiffness": 1e-2, "base": 1e-6, "direction": 1e-6}
 
 
+DISC = {"disc": {"radius": 0.004, "annuli": 1, "points": 4}}
+
+
 @pytest.mark.parametrize("name", STEPS)
-def test_fields_are_differences_of_factors(name: str) -> None:
-    data = made()
+@pytest.mark.parametrize(("contacts", "soft"), [(3, None), (2, DISC), (3, [DISC, None, None])])
+def test_fields_are_differences_of_factors(name: str, contacts: int, soft: Any) -> None:
+    """Also of whole pads, whose points move and tilt with them and share their springs."""
+    data = made(contacts=contacts) | {"soft": soft}
     found = onset_gradients(**data)
     assert (found.status == OnsetStatus.LEAVES).all() and not found.one_sided.any()
     assert (found.factor == onsets(**data).factor).all()
@@ -103,6 +109,31 @@ def test_rows_without_a_factor_say_why() -> None:
     assert found.contact.tolist()[1:] == [-1] * 4 and not found.leaving[1:].any()
     assert np.isnan(found.points[1:]).all() and np.isfinite(found.points[0]).all()
     assert repr(found) == "<OnsetGradients (5,): 1 with a factor, 0 one-sided>"
+
+
+def test_a_faulty_load_comes_before_a_faulty_contact() -> None:
+    data = made(2)
+    data["friction"][:, 0], data["direction"][0, 0] = -1.0, np.nan
+    for asked in (onsets, onset_gradients):
+        assert asked(**data).status.tolist() == [OnsetStatus.NOT_A_NUMBER, OnsetStatus.MALFORMED]
+
+
+def test_rows_of_pads_that_share_loads() -> None:
+    """Each grasp under all loads, squeezed by forces, with two kinds of pads and a finger that leaves first."""
+    jaws = np.broadcast_to([[-0.03, 0.0, 0.0], [0.03, 0.0, 0.0]], (4, 1, 2, 3))
+    data = {
+        "points": jaws, "normals": -jaws, "friction": np.array([0.5, 0.4]), "series_stiffness": [2e4, 1e4],
+        "soft": [{"ring": {"radius": 0.006, "points": 8}}, {"rectangle": {"sides": [0.01, 0.008]}}],
+        "direction": np.array([[0.0, 0.1, -1.0, 0.0, 0.001, 0.0], [0.0, -1.0, -0.2, 0.0, 0.0, 0.0005], [1.0, 0.0, 0.0, 0.0, 0.0, np.nan]]),
+    }  # fmt: skip
+    press = np.linspace(8.0, 11.0, 4)[:, None, None]
+    found, more = (onset_gradients(**data, pressed_with=press + change) for change in (0.0, 1e-6))
+    assert found.factor.shape == (4, 3) and (found.status[:, 2] == OnsetStatus.NOT_A_NUMBER).all() and np.isnan(found.points[:, 2]).all()
+    assert np.array_equal(found.factor, onsets(**data, pressed_with=press).factor, equal_nan=True)
+    assert (found.contact[:, :2] == 1).all() and found.leaving[:, :2, 1].all()
+    # One newton more at both presses by 1 / k_n along both normals.
+    slope = (found.command_world * -data["points"] / 0.03).sum(axis=(-1, -2)) / 2e4
+    assert np.allclose((more.factor - found.factor)[:, :2] / 1e-6, slope[:, :2], rtol=1e-6)
 
 
 def test_ties_are_told() -> None:

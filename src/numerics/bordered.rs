@@ -171,7 +171,84 @@ impl Bordered {
     }
 }
 
+/// The solution of [`Bordered::solve`], to the last bit, for a matrix of `N` rows whose factors are not kept: T column by column, the column and the
+/// row beside it, the corner, and zeros on the right but `last` in the border. With it the smallest pivot divided by the largest. `None` if the matrix
+/// is singular.
+pub(crate) fn solved_once<const N: usize>(
+    stiffness: &[f64],
+    [column, border]: [&Vector; 2],
+    [corner, last]: [f64; 2],
+) -> Option<([f64; N], f64)> {
+    let d = N - 1;
+    let (mut rows, mut x) = ([[0.0; N]; N], [0.0; N]);
+    for i in 0..d {
+        for j in 0..d {
+            rows[i][j] = stiffness[j * d + i];
+        }
+        (rows[i][d], rows[d][i]) = (column[i], border[i]);
+    }
+    (rows[d][d], x[d]) = (corner, last);
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for k in 0..N {
+        let mut pivot = k;
+        for i in k + 1..N {
+            if rows[i][k].abs() > rows[pivot][k].abs() {
+                pivot = i;
+            }
+        }
+        rows.swap(k, pivot);
+        x.swap(k, pivot);
+        let size = rows[k][k].abs();
+        (least, most) = (least.min(size), most.max(size));
+        let (top, inverse) = (rows[k], inverse(rows[k][k])?);
+        rows[k][k] = inverse;
+        for i in k + 1..N {
+            let factor = rows[i][k] * inverse;
+            for j in k + 1..N {
+                rows[i][j] -= factor * top[j];
+            }
+            x[i] -= factor * x[k];
+        }
+    }
+    for j in (0..N).rev() {
+        x[j] *= rows[j][j];
+        for i in 0..j {
+            x[i] -= rows[i][j] * x[j];
+        }
+    }
+    Some((x, least / most))
+}
+
 /// The inverse of a pivot; `None` if the pivot is not a normal number.
 fn inverse(pivot: f64) -> Option<f64> {
     pivot.is_normal().then(|| 1.0 / pivot)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::Draw;
+
+    fn same_bits<const N: usize>(case: u64) {
+        let (size, mut draw) = (Size::of(N - 1), Draw::new([case, N as u64, 0]));
+        let mut stiffness = Square::zeros(size);
+        stiffness.as_mut_slice().iter_mut().for_each(|x| *x = draw.normal());
+        let [column, border] = [0, 1].map(|_| Vector::from_fn(size, |_| draw.normal()));
+        let [corner, last] = [draw.normal(), draw.normal()];
+        let once = solved_once::<N>(stiffness.as_slice(), [&column, &border], [corner, last]);
+        let factors = Bordered::new(&stiffness, &column, &border, corner);
+        let whole = factors.as_ref().map(|factors| factors.solve(&Vector::zeros(), last));
+        let (Some((once, pivots)), Some((x, z))) = (once, whole) else { unreachable!("{case}") };
+        assert!(x.as_slice().iter().chain([&z]).eq(&once), "{case}: {x:?} {z} {once:?}");
+        let least = factors.map_or(0.0, |factors| factors.least_pivot());
+        assert!((pivots / least - 1.0).abs() < 1e-14, "{case}: {pivots} {least}");
+    }
+
+    #[test]
+    fn solved_once_to_the_bits_of_its_factors() {
+        for case in 0..500 {
+            same_bits::<4>(case);
+            same_bits::<7>(case);
+        }
+    }
 }

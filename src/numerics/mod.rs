@@ -86,7 +86,7 @@ mod vector_dispatch;
 mod without_std;
 
 pub(crate) use band::{Band, BandFactors};
-pub(crate) use bordered::Bordered;
+pub(crate) use bordered::{Bordered, solved_once};
 pub(crate) use bordered_band::BorderedBand;
 pub(crate) use cleared_for::cleared_for;
 pub(crate) use complete_pivoting::CompletePivoting;

@@ -66,6 +66,26 @@ fn check<const C: usize, const N: usize>(
     Ok(())
 }
 
+/// A finger that touches without force knows no margin; that another finger slides is clear nevertheless.
+#[test]
+fn a_finger_without_force_does_not_hide_one_that_slides() {
+    let finger = |point: [f64; 3], normal: [f64; 3], command: [f64; 3]| {
+        Contact::<3>::new(point, normal).series_stiffness(1e3, 1e3).friction(0.5).command_world(command)
+    };
+    // Two jaws press with 10 N and are dragged with 10 N each; the finger above carries both.
+    let fingers = [
+        finger([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.01, 0.01, 0.0]),
+        finger([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [-0.01, 0.01, 0.0]),
+        finger([0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, -0.02, 0.0]),
+        finger([0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.0; 3]),
+    ];
+    let screened = Fingers::<3, 4>::new(&fingers).unwrap();
+    let pull = |force: [f64; 3]| Pull::new(&Wrench::ZERO, &spatial::Wrench::force(force)).unwrap();
+    let watched = Grasp::new(fingers.clone()).unwrap().solve(spatial::Wrench::ZERO).unwrap();
+    assert!(!watched.equilibrium().is_some_and(|rest| rest.contacts[0].state == ContactState::Sticking));
+    assert_eq!(screened.onset(&pull([1.0, 0.2, 0.3])).verdict(), ScreeningVerdict::NotSticking);
+}
+
 fn random<const D: usize, const C: usize, const N: usize>(cases: usize, spread: Spread, tally: &Tally) {
     let wrench = || prop::collection::vec(-1.0..1.0_f64, D).prop_map(SVector::<f64, D>::from_vec);
     let question = (

@@ -5,7 +5,7 @@
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Leaver, Ramp};
-use grasp_lcp::screening::{Batch, Fingers, Pull, ScreenedGradient, ScreenedGradients};
+use grasp_lcp::screening::{Batch, Fingers, Pull, ScreenedGradient, ScreenedGradients, ScreeningVerdict};
 use grasp_lcp::sweep::onset_gradients_of_batch;
 use grasp_lcp::{planar, spatial};
 use nalgebra::{SMatrix, SVector};
@@ -179,6 +179,44 @@ fn pairs_in_space_know_what_leaves_their_line() {
     // One millimetre more of one finger presses half of its stiffness.
     assert!((gradient.command(0)[0] - 400.0).abs() < 1e-10);
     assert!(gradient.point(0).iter().chain(gradient.base_load()).all(|number| number.is_nan()));
+}
+
+/// However a pair in space lies, a load that turns the object about its line gives way, and one without a moment about it has a factor or none for
+/// another reason; derivatives by loads are never finite.
+#[test]
+fn the_free_motion_of_a_pair_in_space_is_always_seen() {
+    let mut random = seeded(68);
+    let (mut gave_way, mut left) = (0, 0);
+    for _ in 0..samples(2000) {
+        let (middle, along) = (0.1 * vector::<3>(&mut random), vector::<3>(&mut random).normalize());
+        let pair = [-1.0, 1.0].map(|side: f64| {
+            let normal = -side * along + 0.05 * vector::<3>(&mut random);
+            let stiffness = [0, 1].map(|_| 10_f64.powf(random.between(2.0, 5.0)));
+            let finger = Contact::<3>::new(middle + side * 0.05 * along, normal);
+            finger
+                .series_stiffness(stiffness[0], stiffness[1])
+                .friction(0.6)
+                .pressed_with(random.between(1.0, 9.0))
+        });
+        let fingers = Fingers::<3, 2>::new(&pair).unwrap();
+        let force = vector::<3>(&mut random);
+        let through = middle.cross(&force);
+        for moment in [through, through + 0.01 * along] {
+            let pull = Pull::new(&Wrench::ZERO, &spatial::Wrench::new(force, moment)).unwrap();
+            match fingers.onset(&pull).verdict() {
+                ScreeningVerdict::NotSticking => {}
+                // Along the line, forces may press the fingers ever more.
+                ScreeningVerdict::Never => assert_eq!(moment, through),
+                ScreeningVerdict::GivesWay => gave_way += usize::from(moment != through),
+                ScreeningVerdict::Leaves => left += usize::from(moment == through),
+                verdict => panic!("{verdict:?} {pair:?}"),
+            }
+            for gradient in fingers.onset_gradients(&pull).iter() {
+                assert!(gradient.base_load().iter().chain(&gradient.point(0)).all(|number| number.is_nan()));
+            }
+        }
+    }
+    assert_met(&[(gave_way, 300), (left, 300)]);
 }
 
 /// Three fingers on a disc leave together under a load along its axis; each by its own friction.

@@ -148,11 +148,16 @@ def columns(
     for name in ("friction", "pressed_with", "clearance", "kinetic_friction"):
         made[name] = np.broadcast_to(scalars[name], shape).reshape(rows, contacts) if name in scalars else None
     made["hold"] = None if hold == "unilateral" else np.array([HOLDS[word] for word in words_of_holds(hold, contacts)], dtype=np.uint8)
-    made["soft"] = None
-    if soft is not None:
-        pads = one_each("soft", soft, contacts)
-        made["soft"] = dumped([None if pad is None else as_written(f"soft[{index}]", pad) for index, pad in enumerate(pads)])
+    made["soft"] = text_of_pads(soft, contacts)
     return leading, made
+
+
+def text_of_pads(soft: Any, contacts: int) -> str | None:
+    """The argument ``soft`` as text, a pad or null for each contact."""
+    if soft is None:
+        return None
+    pads = one_each("soft", soft, contacts)
+    return dumped([None if pad is None else as_written(f"soft[{index}]", pad) for index, pad in enumerate(pads)])
 
 
 def plain(name: str, given: Any) -> Any:

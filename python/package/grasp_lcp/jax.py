@@ -3,7 +3,8 @@
     >>> from grasp_lcp.jax import onset_factor
     >>> jax.grad(lambda points: onset_factor(points, normals, down, friction=0.5, series_stiffness=2e3, pressed_with=8.0).sum())(points)
 
-On a processor the crate answers, by callbacks; on an accelerator one program of array operations. No other module of the package imports JAX.
+On a processor the crate answers, by callbacks; on an accelerator, and for pads, one program of array operations. No other module of the package
+imports JAX.
 """
 
 from __future__ import annotations
@@ -18,9 +19,11 @@ import numpy as np
 from jax.custom_derivatives import SymbolicZero
 
 from ._arrays.first_exit import FirstExit
+from ._arrays.pads import spread, takes_array_program
 from ._arrays.program import UNROLLED, Again, Kind, gradients, onsets
 from ._columns import words_of_holds
 from ._learning import SECOND, factors, factors_and_gradients, statuses
+from .batch import Soft
 
 __all__ = ["onset_factor"]
 
@@ -36,6 +39,7 @@ def onset_factor(
     pressed_with: Any = None,
     command_world: Any = None,
     hold: str | Sequence[str] = "unilateral",
+    soft: Soft = None,
     native: bool | None = None,
     with_status: bool = False,
 ) -> Any:
@@ -72,8 +76,9 @@ def onset_factor(
             strict=True,
         )
     ]
-    if _on_an_accelerator(points) if native is None else native:
-        kind = Kind(words_of_holds(hold, contacts[-1]), base is not None, contacts[-1] > UNROLLED)
+    if takes_array_program(native, soft, lambda: _on_an_accelerator(points)):
+        data, words = spread(jnp, soft, data, words_of_holds(hold, contacts[-1]))
+        kind = Kind(words, base is not None, len(words) > UNROLLED)
         rows = [given.reshape(-1, *given.shape[len(leading) :]) for given in data]
         factor, status, _ = _array_program(kind, *rows)
         factor, status = factor.reshape(leading), status.reshape(leading)

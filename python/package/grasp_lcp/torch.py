@@ -17,9 +17,11 @@ from torch import Tensor
 from torch.autograd import Function
 
 from ._arrays.first_exit import FirstExit
+from ._arrays.pads import spread, takes_array_program
 from ._arrays.program import Kind, among_rows, gradients, onsets
 from ._columns import words_of_holds
 from ._learning import SECOND, factors, factors_and_gradients, statuses
+from .batch import Soft
 
 __all__ = ["onset_factor"]
 
@@ -35,13 +37,14 @@ def onset_factor(
     pressed_with: Tensor | Sequence[float] | float | None = None,
     command_world: Tensor | Sequence[float] | None = None,
     hold: str | Sequence[str] = "unilateral",
+    soft: Soft = None,
     native: bool | None = None,
     with_status: bool = False,
 ) -> Any:
     """The factor of a direction at which the first contact of each grasp stops sticking, as a differentiable function of all tensors.
 
     Shapes are as in :func:`grasp_lcp.onsets`. The crate takes grasps of two to five contacts and computes in double precision. The array program
-    takes two or more, each point of a pad being one, computes in the precision of ``points``, and has forward and second derivatives, too. In rows
+    takes two or more, computes in the precision of ``points``, and has forward and second derivatives, too. In rows
     without a factor the result is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` leaves such rows out of a sum. Where a motion of
     the object is free, as for two hard fingers in space, the derivatives by points, normals and loads are NaN. At a kink, where several contacts
     leave together, the derivatives belong to the first of these contacts.
@@ -53,11 +56,13 @@ def onset_factor(
     :param series_stiffness: N/m: one number, or (..., 2) normal and tangential.
     :param pressed_with: squeeze forces along the normals, N. Commands change with normals and stiffness so that these forces stay.
     :param command_world: further commands along the coordinate axes, m. They stay when normals change, and add to the commands of ``pressed_with``.
+    :param soft: pads in place of the points, as in :func:`grasp_lcp.onsets`, by the array program. Derivatives are by the data of whole contacts; a
+        pad turns with the tangents that follow from its normal.
     :param native: ``True`` for the array program, ``False`` for the crate; unless given, the array program for tensors on an accelerator.
     :param with_status: return a pair, factors and the :class:`grasp_lcp.OnsetStatus` of each row.
     """
     kind, place = points.dtype, points.device
-    is_native = place.type != "cpu" if native is None else native
+    is_native = takes_array_program(native, soft, lambda: place.type != "cpu")
     of, there = (kind, place) if is_native else (torch.float64, torch.device("cpu"))
 
     def of_its_kind(given: Any) -> Tensor:
@@ -89,7 +94,8 @@ def onset_factor(
         leading, coordinates = torch.broadcast_shapes(contacts[:-1], along.shape[:-1]), along.shape[-1]
         data = [each.expand(*leading, *each.shape[len(contacts) - 1 :]) for each in data[:5]]
         data += [each.expand(*leading, coordinates) for each in (start, along)]
-        factor, status, _ = _ArrayProgram.apply(Kind(words_of_holds(hold, contacts[-1]), base is not None, True), *data)
+        data, words = spread(torch, soft, data, words_of_holds(hold, contacts[-1]))
+        factor, status, _ = _ArrayProgram.apply(Kind(words, base is not None, True), *data)
         return (factor, status.to(torch.uint8)) if with_status else factor
     factor = _OnsetFactor.apply(hold, *data).to(dtype=kind, device=place)
     if not with_status:

@@ -148,18 +148,23 @@ impl<'s, 'g> Arc<'s, 'g> {
         (t, push)
     }
 
-    /// Factors of the bordered matrix, and the size of its entries. `None` if more than one direction is open.
+    /// Factors of `[T u | -b]` with a row across the path, and the size of its entries. `None` if more than one direction is open.
     pub(super) fn factored(
         &self,
         mut t: PathStiffness,
         push: &Vector,
         across: &Direction,
     ) -> Option<(PathFactors, f64)> {
-        t.scale(self.unit);
-        let scale = t.amax().max(push.amax());
-        let row = &across.twist * (scale / self.unit);
+        let (scale, row) = self.border(&mut t, push, across);
         let bordered = t.bordered(self.segment.grasp.size(), &-push, &row, across.factor * scale)?;
         Some((bordered, scale))
+    }
+
+    /// Scales T, and returns the size of the entries of the bordered matrix, and its row across the path.
+    fn border(&self, t: &mut PathStiffness, push: &Vector, across: &Direction) -> (f64, Vector) {
+        t.scale(self.unit);
+        let scale = t.amax().max(push.amax());
+        (scale, &across.twist * (scale / self.unit))
     }
 
     /// Twist and factor from a solution in scaled coordinates.
@@ -174,8 +179,10 @@ impl<'s, 'g> Arc<'s, 'g> {
         factor: f64,
         along: &Direction,
     ) -> Option<Direction> {
-        let (bordered, scale) = self.bordered(tangents, factor, along)?;
-        let (x, factor) = bordered.solve(&Vector::zeros(), scale);
+        let (mut t, push) = self.balance(tangents, factor);
+        let (scale, row) = self.border(&mut t, &push, along);
+        let ends = [along.factor * scale, scale];
+        let (x, factor) = t.solved_once(self.segment.grasp.size(), [&-&push, &row], ends)?;
         let length = (x.norm_squared() + factor * factor).sqrt();
         // Least cosine of the turn of the tangent within a step, sixty degrees: a longer step might come out reversed.
         let turned = 1.0 / length >= 0.5;

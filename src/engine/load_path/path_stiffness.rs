@@ -5,7 +5,9 @@ use core::ops::Range;
 
 use crate::grasp::Site;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{Band, Bordered, BorderedBand, Size, Square, Vector, mapped, narrow_order, widest};
+use crate::numerics::{
+    Band, Bordered, BorderedBand, Size, Square, Vector, mapped, narrow_order, solved_once, widest,
+};
 use crate::object::uses_band;
 use crate::prelude::*;
 
@@ -95,6 +97,28 @@ impl PathStiffness {
         match self {
             Self::Whole(square) => square.amax(),
             Self::Narrow { band, .. } => band.amax(),
+        }
+    }
+
+    /// The solution with a border and zeros on the right but `last` in the border; `None` if more than one direction is open.
+    pub(super) fn solved_once(
+        self,
+        size: Size,
+        [cover, gradient]: [&Vector; 2],
+        [corner, last]: [f64; 2],
+    ) -> Option<(Vector, f64)> {
+        fn in_place<const N: usize>(
+            square: &Square,
+            sides: [&Vector; 2],
+            ends: [f64; 2],
+        ) -> Option<(Vector, f64)> {
+            let (x, pivots) = solved_once::<N>(square.as_slice(), sides, ends)?;
+            (pivots > LINEARLY_DEPENDENT).then(|| (Vector::from_slice(&x[..N - 1]), x[N - 1]))
+        }
+        match (&self, size.count()) {
+            (Self::Whole(square), 3) => in_place::<4>(square, [cover, gradient], [corner, last]),
+            (Self::Whole(square), 6) => in_place::<7>(square, [cover, gradient], [corner, last]),
+            _ => Some(self.bordered(size, cover, gradient, corner)?.solve(&Vector::zeros(), last)),
         }
     }
 

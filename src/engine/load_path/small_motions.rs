@@ -2,7 +2,7 @@
 //!
 //! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that their largest value is at an end of the
 //! piece. While the load turns, they are trigonometric in its angle, and the first place is a root of a trigonometric polynomial. Steps along sliding
-//! arcs are checked at their ends. Bisection then finds the place within the piece or step.
+//! arcs are checked at their ends. Regula falsi then finds the place within the piece or step.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -12,6 +12,7 @@ use super::stretch::Stretch;
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{AnswerFor, CountedMotion, Standing, TooFar, farthest};
 use crate::grasp::{Engine, Hold};
+use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{FirstZero, Harmonic, Trigonometric};
 use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
@@ -87,29 +88,44 @@ impl<'g> Stretch<'g> {
     /// The first place on a piece where a motion is too large, given a motion that is too large at the end of the piece.
     fn first_too_far(&self, grasp: &'g Engine, answer_for: AnswerFor, at_the_end: CountedMotion) -> Place {
         // A part of a step that cannot be made counts as its end.
-        let too_far = |fraction: f64| {
+        let farthest_at = |fraction: f64| {
             let Some((problem, found)) = self.found_at(grasp, answer_for, fraction) else {
-                return Some(at_the_end);
+                return at_the_end;
             };
             let motions = grasp.counted_motions(&answer_for.small, &Standing::found(&problem, &found));
-            farthest(&motions).filter(|motion| motion.over_the_limit() > 1.0).copied()
+            farthest(&motions).copied().unwrap_or(at_the_end)
         };
-        if let Some(motion) = too_far(self.from) {
-            return (self.from, motion);
+        let excess = |motion: &CountedMotion| motion.over_the_limit() - 1.0;
+        let start = farthest_at(self.from);
+        if excess(&start) > 0.0 {
+            return (self.from, start);
         }
-        let (mut low, mut high, mut which) = (self.from, self.to, at_the_end);
-        // Bisection of one piece down to adjacent floating-point numbers.
+        let (mut low, mut high) = ((self.from, excess(&start)), (self.to, excess(&at_the_end)));
+        let (mut which, mut side) = (at_the_end, 0.0_f64);
+        // Regula falsi by the rule of Illinois, which needs some eight trials; on a step each of them repeats the step. It aims at a rounding beyond
+        // the limit.
         for _ in 0..64 {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
+            let secant = low.0 + (high.0 - low.0) * ((ROUNDED_SUM - low.1) / (high.1 - low.1));
+            let trial = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
+            if trial <= low.0 || trial >= high.0 {
                 break;
             }
-            match too_far(middle) {
-                Some(motion) => (high, which) = (middle, motion),
-                None => low = middle,
+            let motion = farthest_at(trial);
+            let value = excess(&motion);
+            // Twice in a row at the same end, the weight of the other end is halved.
+            if value > 0.0 {
+                (high, which) = ((trial, value), motion);
+                low.1 *= if side > 0.0 { 0.5 } else { 1.0 };
+                if value <= 2.0 * ROUNDED_SUM {
+                    break;
+                }
+            } else {
+                low = (trial, value);
+                high.1 *= if side < 0.0 { 0.5 } else { 1.0 };
             }
+            side = if value > 0.0 { 1.0 } else { -1.0 };
         }
-        (high, which)
+        (high.0, which)
     }
 
     /// The first place where a motion that turns with the load is too large: three angles determine each motion, since it is affine in the harmonics.

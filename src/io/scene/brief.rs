@@ -95,7 +95,7 @@ impl Setup<3> {
         self.check_question(question)?;
         let grasp = &self.grasp_asked(grasp, question)?;
         Ok(match &*self.meant(question)? {
-            Question::Hold { .. } => held_briefly(&grasp.hold(question.ramp()?)?),
+            Question::Hold { .. } => held_briefly(&grasp.hold_briefly(&question.ramp()?)?),
             Question::Need(asked) => needed_briefly(&grasp.need(asked)?),
             Question::Improve(asked) => improved_briefly(&grasp.improve(&self.with_surfaces(asked)?)?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
@@ -229,9 +229,8 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
     let who = first.and_then(|first| first.slide.iter().chain(&first.open).chain(&first.would_pull).next());
     let who = who.map(|part| part.label.clone());
     let factor = verdict.lost.as_ref().map(|lost| lost.factor);
-    let lost_too_far =
-        verdict.lost.as_ref().filter(|_| verdict.state.is_none()).and_then(|lost| lost.too_far.as_ref());
-    let beyond_small_motions = lost_too_far.is_some();
+    let is_lost = matches!(verdict.holding, Holding::Lost);
+    let beyond_small_motions = is_lost && verdict.lost.as_ref().is_some_and(|lost| lost.too_far.is_some());
     Brief { factor, first: who, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 

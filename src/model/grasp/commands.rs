@@ -141,6 +141,12 @@ impl<const C: usize> Contact<C> {
         command
     }
 
+    /// The command along the coordinate axes, if it was given along these.
+    #[inline]
+    pub(crate) fn commanded_in_world(&self) -> Option<&SVector<f64, C>> {
+        (self.command_axes == Axes::World).then_some(&self.command)
+    }
+
     /// The contact with its command along the axes of its frame, and with its press converted to a command.
     pub(super) fn resolved(mut self) -> Self {
         (self.command, self.command_axes, self.press) = (self.commanded(), Axes::Frame, None);

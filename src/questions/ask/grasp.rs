@@ -13,7 +13,7 @@ use crate::grasp::{
     Bodies, Contact, Engine, Face, Finger, Hand, HandPart, WholeContact, WholeContacts, Wrench,
     assert_plane_or_space, frame_outside, inside, outside,
 };
-use crate::hold::Verdict;
+use crate::hold::{Extent, Verdict};
 use crate::load_path::Ramp;
 use crate::numerics::{Once, Space, mapped, numbered};
 use crate::prelude::*;
@@ -268,8 +268,13 @@ impl<const C: usize> Grasp<C> {
     /// A verdict with the largest ratio of a motion to its limit of small motions up to the whole load.
     pub(crate) fn hold_and_measure(&self, load: impl Into<Ramp<C>>) -> Result<(Verdict<C>, f64), Error> {
         let (verdict, farthest) =
-            self.engine.hold_and_measure(&inside(&load.into()), &self.settings, true)?;
+            self.engine.hold_with(&inside(&load.into()), &self.settings, Extent::Measured)?;
         Ok((outside(verdict), farthest))
+    }
+
+    /// A verdict without states, proofs and what only sentences say.
+    pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<Verdict<C>, Error> {
+        Ok(outside(self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?.0))
     }
 
     /// The least margin of friction at rest if every contact stuck, relative to the largest force; `None` where nothing presses or resists.

@@ -34,6 +34,7 @@ mod way_out;
 mod words;
 
 pub use caught::{Caught, MovesTo, SlippedBy};
+pub(crate) use put_on::Extent;
 pub use short::{How, LossVerb, ShortVerdict};
 pub use verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 pub use way_out::WayOut;

@@ -21,19 +21,29 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
+/// The extent of a verdict.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// All of [`Verdict`].
+    Whole,
+    /// A path on which motions cease to be small continues to the whole load, for the largest ratio of a motion to its limit.
+    Measured,
+    /// Without states, proofs and what only sentences say: for [`super::ShortVerdict`].
+    Brief,
+}
+
 impl Engine {
     /// [`Grasp::hold`](crate::ask::Grasp::hold).
     pub(crate) fn hold(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Verdict<3>, Error> {
-        Ok(self.hold_and_measure(ramp, settings, false)?.0)
+        Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
     }
 
-    /// The verdict, and the largest ratio of a motion to its limit while the load is put on. With `measures`, a path on which motions cease to be
-    /// small continues to the whole load for that ratio.
-    pub(crate) fn hold_and_measure(
+    /// The verdict, and the largest ratio of a motion to its limit while the load is put on.
+    pub(crate) fn hold_with(
         &self,
         ramp: &Ramp<3>,
         settings: &Settings,
-        measures: bool,
+        extent: Extent,
     ) -> Result<(Verdict<3>, f64), Error> {
         if !(settings.most_load > 0.0 && is_moderate(settings.most_load)) {
             let (what, allowed) = ("most_load of the settings", "more than 0 and at most 1e50");
@@ -45,7 +55,7 @@ impl Engine {
         let events = path.run_while_small();
         let is_on = matches!(path.end(), Some(PathEnd::Completed)) && path.end_of_small_motions().is_none();
         let state = is_on.then(|| path.state()).flatten();
-        if measures && path.end_of_small_motions().is_some() {
+        if extent == Extent::Measured && path.end_of_small_motions().is_some() {
             path.run();
         }
         let farthest = path.farthest();
@@ -76,6 +86,9 @@ impl Engine {
         });
         let lost = path.end().and_then(PathEnd::loss).filter(|_| too_far.is_none()).map(|loss| {
             let mut lost = self.lost(held_to, loss, path.state());
+            if extent == Extent::Brief {
+                return lost;
+            }
             let at_first =
                 first_slip.as_ref().is_some_and(|first| held_to <= first.factor * (1.0 + NEGLIGIBLE));
             if self.weaker_once_they_slide().next().is_some() {
@@ -91,6 +104,23 @@ impl Engine {
             lost
         });
         let lost = went_too_far.or(lost);
+        if extent == Extent::Brief {
+            let (base, load, caught, left_out) = (ramp.base, ramp.direction, Vec::new(), None);
+            let lost = lost.map(|lost| Lost { state: None, ..lost });
+            let verdict = Verdict {
+                base,
+                load,
+                holding,
+                first_slip,
+                caught,
+                held_to,
+                everything_slides,
+                left_out,
+                lost,
+                state: None,
+            };
+            return Ok((verdict, farthest));
+        }
         let there = state.as_ref().or_else(|| lost.as_ref()?.state.as_deref());
         let rest =
             path.state_at(0, 0.0).filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());

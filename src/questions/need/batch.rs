@@ -220,7 +220,7 @@ impl Asked {
         load: Wrench<C>,
     ) -> Result<Option<f64>, Error> {
         let ramp = Ramp::load(base, load);
-        let Some((mut multiple, is_too_far)) = lost_at(&grasp.hold(&ramp)?) else { return Ok(None) };
+        let Some((mut multiple, is_too_far)) = lost_at(&grasp.hold_briefly(&ramp)?) else { return Ok(None) };
         if self.quantity == Quantity::Load {
             return Ok(self.amount(multiple));
         }
@@ -232,12 +232,14 @@ impl Asked {
             // With the squeeze that is sought the motions may be small: the loss is looked for whatever they are.
             let mut anyhow = self.settings;
             (anyhow.small_motions.rotation, anyhow.small_motions.slip) = (ANY_MOTION, ANY_MOTION);
-            let Some((lost, false)) = lost_at(&grasp.with(&anyhow).hold(&ramp)?) else { return Ok(None) };
+            let Some((lost, false)) = lost_at(&grasp.with(&anyhow).hold_briefly(&ramp)?) else {
+                return Ok(None);
+            };
             multiple = lost;
         }
         let Some(amount) = self.amount(multiple) else { return Ok(None) };
         let enough = grasp.squeezed(amount * (1.0 + BEYOND_STEPS))?.with(&self.settings.with_most_load(1.0));
-        Ok((enough.hold(&ramp)?.holds() == Some(true)).then_some(amount))
+        Ok((enough.hold_briefly(&ramp)?.holds() == Some(true)).then_some(amount))
     }
 }
 

@@ -6,6 +6,7 @@ use super::block::{Block, Layout, count};
 use super::factors::LaneFactors;
 use super::finger::{Force, LaneFinger, moment, world};
 use super::lanes::{Packed, dot};
+use super::pinch::AlongTheLine;
 
 /// Factorised stiffness of the object about the centroid of its contacts.
 #[derive(Debug, Clone, Copy)]
@@ -13,6 +14,8 @@ pub(super) struct RigidBody<const C: usize, X: Packed> {
     centre: [X; C],
     /// Largest coordinate of an arm, m.
     pub(super) reach: X,
+    /// For two contacts in space.
+    line: Option<AlongTheLine<X>>,
     factors: LaneFactors<6, X>,
 }
 
@@ -20,7 +23,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
     /// An empty value that [`Self::ready`] fills.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
-        Self { centre: [zero; C], reach: zero, factors: LaneFactors::none() }
+        Self { centre: [zero; C], reach: zero, line: None, factors: LaneFactors::none() }
     }
 
     /// Computes the centroid and factors from the contacts of a block.
@@ -45,7 +48,11 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
             let finger = self.finger(block, i);
             add(&mut self.factors.entries, &finger);
         }
-        self.factors.factorize(Layout::<C>::COORDINATES);
+        self.line = (const { C == 3 } && contacts == 2).then(|| AlongTheLine::between(&points));
+        if let Some(line) = &self.line {
+            line.exchange(&mut self.factors.entries);
+        }
+        self.factors.factorize(Layout::<C>::COORDINATES, self.line.is_some());
     }
 
     /// A contact of the block, with its arm about the centroid.
@@ -71,7 +78,13 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
     /// The motion `T⁻¹ w`, zero along motions that stretch no spring.
     #[inline(always)]
     pub(super) fn motion(&self, w: &[X; 6]) -> [X; 6] {
-        self.factors.solve(Layout::<C>::COORDINATES, w)
+        let coordinates = Layout::<C>::COORDINATES;
+        match &self.line {
+            Some(line) if const { C == 3 } => {
+                line.exchanged(&self.factors.solve(coordinates, &line.exchanged(w)))
+            }
+            _ => self.factors.solve(coordinates, w),
+        }
     }
 
     /// The load with its moment about the centroid instead of the origin.

@@ -18,9 +18,10 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }
     }
 
-    /// Factorises in place the matrix of `rows` rows whose entries on and below the diagonal are stored.
+    /// Factorises in place the matrix of `rows` rows whose entries on and below the diagonal are stored. The last pivot is rounding where that is known
+    /// beforehand.
     #[inline(always)]
-    pub(super) fn factorize(&mut self, rows: usize) {
+    pub(super) fn factorize(&mut self, rows: usize, last_is_free: bool) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
         let t = &mut self.entries;
         let mut free = zero;
@@ -34,7 +35,8 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
                 scaled[k] = t[k][column];
                 pivot -= t[column][k] * scaled[k];
             }
-            let bound = X::all(LINEARLY_DEPENDENT) * whole;
+            let is_known = last_is_free && column + 1 == rows;
+            let bound = if is_known { X::all(f64::INFINITY) } else { X::all(LINEARLY_DEPENDENT) * whole };
             let inverse = pivot.above(bound, one / pivot, zero);
             free += pivot.above(bound, zero, one);
             t[column][column] = inverse;

@@ -17,8 +17,10 @@ struct Exit<X: Packed> {
     factor: X,
     /// The margin to the edge at factor zero.
     margin: X,
-    /// The margin less its rounding; minus infinity where squares over- or underflow.
-    sure: X,
+    /// The rounding of that margin.
+    rounding: X,
+    /// Minus infinity where squares over- or underflow, else zero.
+    lost: X,
 }
 
 /// The factor at which `F + factor · F'` leaves the cone. The margin at factor zero must not be negative.
@@ -39,7 +41,6 @@ fn exit<const C: usize, X: Packed>(
     let (force, rate) = (&base.of[contact], &rates.of[contact]);
     let (n, dn) = (cone.alpha * force.normal, cone.alpha * rate.normal);
     let (factor, margin);
-    // Minus infinity where squares over- or underflow, so that nothing is certain.
     let mut lost = zero;
     if const { C == 2 } {
         let [t, dt] = [cone.beta * force.tangential[0], cone.beta * rate.tangential[0]];
@@ -59,7 +60,7 @@ fn exit<const C: usize, X: Packed>(
             product.above(X::all(LEAST_PRODUCT), product.above(X::all(MOST_PRODUCT), all, zero), all);
         lost = line.closing.above(noise, squared, zero);
     }
-    Exit { factor, margin, sure: margin - weight * base.of[contact].rounding + lost }
+    Exit { factor, margin, rounding: weight * base.of[contact].rounding, lost }
 }
 
 /// The factor, qualified by the rate at which the margin closes there. It is infinite if that rate is rounding, a code if it is close to rounding.
@@ -93,13 +94,12 @@ fn judged<const C: usize, X: Packed>(
     let infinite = X::all(f64::INFINITY);
     let (contacts, friction) = (count(block.contacts), block.friction());
     let mut factors = [zero; MOST_POINTS];
-    let (mut first, mut margin, mut sure) = (infinite, infinite, infinite);
+    let (mut first, mut start) = (infinite, Start::new(base.free));
     for i in 0..contacts {
         let exit = exit(&StickingCone::of(friction[i]), i, base, rates);
         factors[i] = exit.factor;
         first = first.min(exit.factor);
-        margin = margin.min(exit.margin);
-        sure = sure.min(exit.sure);
+        start.add(exit.margin, exit.rounding, exit.lost);
     }
     let until = X::all(1.0 + SOLVED_ROUNDING) * first;
     // A finger of several points leaves where one of them does.
@@ -112,6 +112,5 @@ fn judged<const C: usize, X: Packed>(
         }
     }
     let unbalanced = base.unbalanced + rates.unbalanced;
-    let start = Start { margin, sure, free: base.free };
     verdicts((first, leaving), &start, unbalanced, rates.free, Screened)
 }

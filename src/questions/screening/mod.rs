@@ -56,6 +56,7 @@ mod method;
 mod moved;
 mod one_grasp;
 mod pair;
+mod pinch;
 mod point_batch;
 mod pull;
 mod put_on;

@@ -114,7 +114,9 @@ fn write<const C: usize>(
     scene.part(index, [a[0], contact.clearance]);
     a[0] = 0.0;
     if C == 3 {
-        a = frame * a;
+        let n = frame.column(0);
+        // A command along the coordinate axes is not turned into the frame and back.
+        a = contact.commanded_in_world().map_or_else(|| frame * a, |u| u - n * n.dot(u));
     } else {
         // Across the normal, the direction is (n_y, -n_x), whichever way the caller's tangent points.
         let turned = frame[(0, 1)] * frame[(1, 0)] - frame[(1, 1)] * frame[(0, 0)];

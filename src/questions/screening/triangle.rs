@@ -93,7 +93,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
             pushed[k] = c_t[head] - c_t[tail];
             turned[k] = c_t[head] * corner[tail] - c_t[tail] * corner[head];
         }
-        factors.factorize(N);
+        factors.factorize(N, false);
         let one_over_square = X::all(1.0) / dot(&across, &across);
         *self = Self { edge, centre, across, one_over_square, ends, begins, pushed, turned, factors };
     }

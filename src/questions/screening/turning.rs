@@ -244,17 +244,17 @@ fn judged<const C: usize, X: Packed>(
     most: f64,
 ) -> X::Each<ScreenedTurn> {
     let (zero, one, infinite) = (X::all(0.0), X::all(1.0), X::all(f64::INFINITY));
-    let (mut margin, mut sure) = (infinite, infinite);
+    let Harmonic { constant, cosine, sine } = forces;
+    let mut start = Start::new(constant.free + cosine.free);
     let contacts = count(friction.len());
     for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
         let waves = Waves::new(&cone, i, forces);
-        let here = waves.margin();
-        margin = margin.min(here);
         // A contact that may be on the edge at angle zero is judged with the rounding of a load that grows.
         let rounding = X::all(ON_THE_EDGE / ZERO_SLACK) * waves.noise;
-        sure = sure.min(here - rounding + waves.lost(&cone));
+        start.add(waves.margin(), rounding, waves.lost(&cone));
     }
+    let sure = start.sure();
     let mut first = MarginZero { cotangent: -infinite, off: zero, doubt: zero };
     let mut cotangents = [zero; MOST_SCREENED];
     for i in 0..contacts {
@@ -276,8 +276,6 @@ fn judged<const C: usize, X: Packed>(
     let within = (angle - off).above(end, infinite, within);
     let code = u.above(X::all(f64::MIN), within, infinite);
     let code = first.doubt.above(zero, X::all(UNCLEAR), code);
-    let Harmonic { constant, cosine, sine } = forces;
-    let start = Start { margin, sure, free: constant.free + cosine.free };
     let unbalanced = constant.unbalanced + cosine.unbalanced + sine.unbalanced;
     verdicts((code, leaving), &start, unbalanced, sine.free, |first| ScreenedTurn { first, most })
 }

@@ -6,12 +6,37 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// The state of scenes at factor or angle zero.
 pub(super) struct Start<X: Packed> {
-    /// The least margin of a contact to the edge of its cone.
-    pub(super) margin: X,
-    /// The least of the margins less their rounding.
-    pub(super) sure: X,
+    /// The least margin of a contact to the edge of its cone, of those whose squares keep their digits.
+    margin: X,
+    /// The least of these margins less their rounding.
+    sure: X,
+    /// Minus infinity where the squares of some contact over- or underflow, so that nothing is certain of it; else zero.
+    lost: X,
     /// Positive if the load works on a motion that no contact resists.
     pub(super) free: X,
+}
+
+impl<X: Packed> Start<X> {
+    /// Without contacts; `free` as above.
+    #[inline(always)]
+    pub(super) fn new(free: X) -> Self {
+        let infinite = X::all(f64::INFINITY);
+        Self { margin: infinite, sure: infinite, lost: X::all(0.0), free }
+    }
+
+    /// Adds a contact with this margin and its rounding.
+    #[inline(always)]
+    pub(super) fn add(&mut self, margin: X, rounding: X, lost: X) {
+        self.margin = self.margin.min(margin - lost);
+        self.sure = self.sure.min(margin - rounding - lost);
+        self.lost = self.lost.min(lost);
+    }
+
+    /// The least margin of all contacts less its rounding; minus infinity where nothing is certain of some contact.
+    #[inline(always)]
+    pub(super) fn sure(&self) -> X {
+        self.sure + self.lost
+    }
 }
 
 /// The verdicts. The factor or angle at which contacts leave first (infinite, or a code) is valid if all of them stick at the start and forces
@@ -19,15 +44,15 @@ pub(super) struct Start<X: Packed> {
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(
     (first, leaving): (X, X),
-    &Start { margin, sure, free }: &Start<X>,
+    start: &Start<X>,
     unbalanced: X,
     freed: X,
     answer: impl Fn(SlipCode) -> A,
 ) -> X::Each<A> {
-    let zero = X::all(0.0);
+    let (zero, &Start { margin, sure, free, .. }) = (X::all(0.0), start);
     // Without forces `sure` is NaN and makes the code NaN. A contact that never leaves has a margin of exactly zero.
     let code = first + X::all(0.0) * sure;
-    let code = (-sure).above(zero, X::all(UNCLEAR), code);
+    let code = (-start.sure()).above(zero, X::all(UNCLEAR), code);
     let code = balanced(unbalanced, code, X::all(UNCLEAR));
     let code = freed.above(zero, X::all(GIVES_WAY), code);
     // The rounding of the least margin is at most `margin - sure`.

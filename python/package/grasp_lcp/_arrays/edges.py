@@ -44,8 +44,8 @@ class Pair:
         taken = [a * n + s * t for a, s, n, t in zip(presses, shears, self.n, self.t, strict=True)]
         self.commanded = taken[0] + taken[1]
         length = sum_of_sizes(p)
-        self.size_of_commands = length * (length * self.one_over_give) * (sum_of_sizes(presses) + sum_of_sizes(shears))
-        scale = 1.0 + length * self.one_over_give * (sum_of_sizes(u) + sum_of_sizes(v))
+        self.size_of_commands = length * (length * self.one_over_give) * sum_of_sizes((presses[0], shears[0], presses[1], shears[1]))
+        scale = 1.0 + length * self.one_over_give * (sum_of_sizes((u[0], v[0])) + sum_of_sizes((u[1], v[1])))
         self.size_of_moment = length * self.one_over_square * scale
         self.size_of_force = self.size_of_moment * sum_of_sizes(self.midpoint) + scale
 
@@ -122,7 +122,7 @@ class Triangle:
         self.size_of_moment = longest * xp.where(square > 0, xp.sqrt(xp.where(square > 0, self.one_over_square, 1.0)), 0.0) * scale
         self.size_of_force = scale + self.size_of_moment * sum_of_sizes(self.centre)
         stiffness = sum_of([dot(edge, edge) * inverse for edge, inverse in zip(self.edge, self.factors.inverse, strict=True)])
-        commands = sum_of([abs(p) + sum_of_sizes(s) for p, s in zip(sites.pressed, sites.sheared, strict=True)])
+        commands = sum_of_sizes([x for p, s in zip(sites.pressed, sites.sheared, strict=True) for x in (p, *s)])
         self.size_of_commands = stiffness * commands
         every = [c for gives in self.gives for c in gives]
         least, most = every[0], every[0]
@@ -139,7 +139,7 @@ class Triangle:
         taken = self._along_normals(sites.pressed)
         for k in range(3):
             tail, head = sites.sheared[(k + 1) % 3], sites.sheared[(k + 2) % 3]
-            taken[k] = taken[k] + dot(self.edge[k], [b - a for a, b in zip(tail, head, strict=True)])
+            taken[k] = sum_of([taken[k], *(e * (b - a) for e, a, b in zip(self.edge[k], tail, head, strict=True))])
         return self._forces(self.factors.solve(taken), None, sites.tolerances.on_the_edge * self.size_of_commands)
 
     def loaded(self, load: Vector) -> Forces:

@@ -2,14 +2,47 @@
 
 from __future__ import annotations
 
-from .sites import Row, Sites
+from typing import Any
+
+from .sites import Row, Sites, Vector
+
+
+class AlongTheLine:
+    """The exchange of a rotation with the last coordinate, for two contacts in space; see ``screening/pinch.rs``."""
+
+    def __init__(self, sites: Sites, point: list[Vector]) -> None:
+        self.sites = sites
+        x, y, z = (abs(p[1] - p[0]) for p in (point[0] if sites.stacked else zip(*point, strict=True)))
+        is_x = ~(sites.larger(y, z) > x)
+        self.is_axis: list[tuple[int, Any]] = [(3, is_x), (4, ~(z > y) & ~is_x)]
+
+    def exchange(self, t: list[list[Row]]) -> None:
+        """Exchanges both coordinates in a matrix given on and below its diagonal."""
+        for k, here in self.is_axis:
+            for other in range(5):
+                (r, c), (s, d) = ((k, k), (5, 5)) if other == k else ((max(k, other), min(k, other)), (5, other))
+                t[r][c], t[s][d] = self._either(here, t[r][c], t[s][d])
+
+    def exchanged(self, w: list[Row]) -> list[Row]:
+        """A load or a motion with both coordinates exchanged."""
+        w = list(w)
+        for k, here in self.is_axis:
+            w[k], w[5] = self._either(here, w[k], w[5])
+        return w
+
+    def _either(self, here: Any, a: Row, b: Row) -> tuple[Row, Row]:
+        where = self.sites.xp.where
+        return where(here, b, a), where(here, a, b)
 
 
 class Factors:
     """L below the diagonal, and ``1/d`` of each pivot; zero where the pivot is rounding."""
 
-    def __init__(self, sites: Sites, t: list[list[Row]], last_is_free: bool = False) -> None:
-        """Factorises the matrix given on and below its diagonal. The last pivot is rounding where that is known beforehand."""
+    def __init__(self, sites: Sites, t: list[list[Row]], line: AlongTheLine | None = None) -> None:
+        """Factorises the matrix given on and below its diagonal. Where the contacts lie on a line its last pivot is known to be rounding."""
+        self.line = line
+        if line is not None:
+            line.exchange(t)
         rows = range(len(t))
         self.below: list[list[Row]] = [[None] * len(t) for _ in rows]
         self.inverse: list[Row] = []
@@ -21,7 +54,7 @@ class Factors:
             for k in range(column):
                 pivot = pivot - self.below[column][k] * scaled[k][column]
             resists = pivot > sites.tolerances.dependent * whole
-            if last_is_free and column == rows[-1]:
+            if line is not None and column == rows[-1]:
                 resists = resists & (pivot < 0)
             self.inverse.append(sites.xp.where(resists, 1.0 / sites.xp.where(resists, pivot, 1.0), 0.0))
             self.free = self.free + sites.xp.where(resists, 0.0, 1.0)
@@ -34,7 +67,7 @@ class Factors:
 
     def solve(self, w: list[Row]) -> list[Row]:
         """``T⁻¹ w``; rows whose pivot is rounding contribute zero."""
-        q, rows = list(w), range(len(w))
+        q, rows = list(w) if self.line is None else self.line.exchanged(w), range(len(w))
         for row in rows:
             for column in range(row):
                 q[row] = q[row] - self.below[row][column] * q[column]
@@ -42,4 +75,4 @@ class Factors:
         for row in reversed(rows):
             for lower in range(row + 1, len(rows)):
                 q[row] = q[row] - self.below[lower][row] * q[lower]
-        return q
+        return q if self.line is None else self.line.exchanged(q)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from .forces import Forces
-from .sites import Row, Sites, cross, dot
+from .sites import Row, Sites, cross, dot, sum_of
 
 LEAVES, NEVER, NOT_STICKING, GIVES_WAY, UNCLEAR, NOT_A_NUMBER, MALFORMED = 0, 1, 2, 3, 4, 7, 8
 """Numbers of :class:`grasp_lcp.OnsetStatus`, which has words for them."""
@@ -27,7 +27,7 @@ class FirstExit(NamedTuple):
 def first_exit(sites: Sites, base: Forces, rates: Forces) -> FirstExit:
     """The exit from the forces at factor zero and their rates."""
     xp, tolerances = sites.xp, sites.tolerances
-    factors, margins, sures = [], [], []
+    factors, margins, sures, all_lost = [], [], [], []
     for i, mu in enumerate(sites.friction):
         exit = _exit_in_plane if sites.axes == 2 else _exit_in_space
         alpha, beta = abs(mu), xp.where(mu > 0, 1.0, 0.0)
@@ -37,11 +37,13 @@ def first_exit(sites: Sites, base: Forces, rates: Forces) -> FirstExit:
         rate = (alpha * rates.normal[i], tuple(beta * t for t in rates.tangential[i]))
         factor, margin, lost = exit(sites, force, rate, noise)
         factors.append(factor)
-        margins.append(margin)
-        sures.append(xp.where(lost, -float("inf"), margin - weight * base.rounding[i]))
+        # Nothing is certain of a contact whose squares over- or underflow; another one may clearly not stick.
+        margins.append(xp.where(lost, float("inf"), margin))
+        sures.append(xp.where(lost, float("inf"), margin - weight * base.rounding[i]))
+        all_lost.append(xp.where(lost, 1.0, 0.0))
     first, margin, sure = sites.least(factors), sites.least(margins), sites.least(sures)
     status = xp.where(first < float("inf"), LEAVES, NEVER)
-    is_sure = (first > 0) & (sure >= 0) & (base.unbalanced + rates.unbalanced < tolerances.solved)
+    is_sure = (first > 0) & (sure >= 0) & (sites.most(all_lost) == 0) & (base.unbalanced + rates.unbalanced < tolerances.solved)
     status = xp.where(is_sure, status, UNCLEAR)
     status = xp.where(rates.free, GIVES_WAY, status)
     # The rounding of the least margin is at most `margin - sure`.
@@ -86,7 +88,7 @@ def _exit_in_space(sites: Sites, force: Any, rate: Any, noise: Row) -> tuple[Row
     a, b, c = closing * (friction_rate + dn), n * dn - dot(t, dt), margin * (n + friction)
     turn = [n * y - dn * x for x, y in zip(t, dt, strict=True)]
     twist = cross(t, dt)
-    gap = dot(turn, turn) - dot(twist, twist)
+    gap = sum_of(x * x - y * y for x, y in zip(turn, twist, strict=True))
     root = xp.where(gap > 0, xp.sqrt(xp.where(gap > 0, gap, 1.0)), 0.0)
     # Of the two forms of the root, that without cancellation.
     last = _ratio(sites, xp.where(b > 0, root + b, c), xp.where(b > 0, a, root - b))

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from functools import reduce
 from typing import Any
 
-from .factors import Factors
-from .sites import Each, Row, Sites, Vector, across, dot, kept, moment, sum_of_sizes, turned, world
+from .factors import AlongTheLine, Factors
+from .sites import Each, Row, Sites, Vector, across, dot, kept, moment, sum_of, sum_of_sizes, turned, world
 
 
 @dataclass(frozen=True)
@@ -53,11 +53,12 @@ class Body:
     def __init__(self, sites: Sites) -> None:
         axes = range(sites.axes)
         self.sites = sites
-        self.centre = tuple(sites.total([p[k] for p in sites.point]) / sites.count for k in axes)
+        self.centre = tuple(sites.total([p[k] * (1.0 / sites.count) for p in sites.point]) for k in axes)
         self.arm = [tuple(p[k] - self.centre[k] for k in axes) for p in sites.point]
         self.reach = reduce(sites.larger, [sites.most([abs(arm[k]) for arm in self.arm]) for k in axes])
-        # Two contacts in space resist no rotation about the line between them, and that line is close to the last axis; see `pinch`.
-        self.factors = Factors(sites, kept(sites.xp, self._stiffness()), last_is_free=(sites.axes, sites.count) == (3, 2))
+        # Two contacts in space resist no rotation about the line between them.
+        line = AlongTheLine(sites, sites.point) if (sites.axes, sites.count) == (3, 2) else None
+        self.factors = Factors(sites, kept(sites.xp, self._stiffness()), line)
         self.factors.inverse, self.factors.below = kept(sites.xp, (self.factors.inverse, self.factors.below))
 
     def _stiffness(self) -> list[list[Row]]:
@@ -65,26 +66,25 @@ class Body:
         sites, axes, rows = self.sites, self.sites.axes, range(self.sites.coordinates)
         lines = [(*n, *moment(arm, n)) for n, arm in zip(sites.normal, self.arm, strict=True)]
         more = [k_n - k_t for k_n, k_t in sites.springs]
-        t = [[sites.total([m * line[r] * line[c] for m, line in zip(more, lines, strict=True)]) for c in range(r + 1)] for r in rows]
         shear = [k_t for _, k_t in sites.springs]
         pulled = [tuple(k * a for a in arm) for k, arm in zip(shear, self.arm, strict=True)]
-        across_all = sites.total(shear)
-        first = [sites.total([p[k] for p in pulled]) for k in range(axes)]
-        square = sites.total([dot(p, arm) for p, arm in zip(pulled, self.arm, strict=True)])
+        back = [tuple(-p for p in each) for each in pulled]
+        square = [dot(p, arm) for p, arm in zip(pulled, self.arm, strict=True)]
+        terms = {(r, c): [[m * line[r] * line[c] for m, line in zip(more, lines, strict=True)]] for r in rows for c in range(r + 1)}
         for k in range(axes):
-            t[k][k] = t[k][k] + across_all
+            terms[k, k].append(shear)
         if axes == 2:
-            t[2][0], t[2][1], t[2][2] = t[2][0] - first[1], t[2][1] + first[0], t[2][2] + square
-            return t
-        for k in range(axes):
+            terms[2, 0].append([p[1] for p in back])
+            terms[2, 1].append([p[0] for p in pulled])
+            terms[2, 2].append(square)
+        for k in range(3 if axes == 3 else 0):
             after, last = (k + 1) % 3, (k + 2) % 3
-            t[3 + k][after] = t[3 + k][after] - first[last]
-            t[3 + k][last] = t[3 + k][last] + first[after]
-            t[3 + k][3 + k] = t[3 + k][3 + k] + square
+            terms[3 + k, after].append([p[last] for p in back])
+            terms[3 + k, last].append([p[after] for p in pulled])
+            terms[3 + k, 3 + k].append(square)
             for other in range(k + 1):
-                both = sites.total([p[k] * arm[other] for p, arm in zip(pulled, self.arm, strict=True)])
-                t[3 + k][3 + other] = t[3 + k][3 + other] - both
-        return t
+                terms[3 + k, 3 + other].append([p[k] * arm[other] for p, arm in zip(back, self.arm, strict=True)])
+        return [[sites.total(*terms[r, c]) for c in range(r + 1)] for r in rows]
 
     def carried(self, load: Vector) -> Vector:
         """The load with its moment about the centroid instead of the origin."""
@@ -102,10 +102,10 @@ class Body:
         sites, axes = self.sites, self.sites.axes
         forces = [world(*each) for each in zip(sites.normal, normal, tangential, strict=True)]
         moments = [moment(arm, force) for arm, force in zip(self.arm, forces, strict=True)]
-        left = [load[k] + sites.total([force[k] for force in forces]) for k in range(axes)]
-        left += [load[axes + k] + sites.total([m[k] for m in moments]) for k in range(len(moments[0]))]
-        size = sum_of_sizes(load[:axes]) + sites.total([sum_of_sizes(force) for force in forces])
-        turning = self.reach * size + sum_of_sizes(load[axes:])
+        left = [sites.total([force[k] for force in forces], start=load[k]) for k in range(axes)]
+        left += [sites.total([m[k] for m in moments], start=load[axes + k]) for k in range(len(moments[0]))]
+        size = sites.total(*([abs(force[k]) for force in forces] for k in range(axes)), start=sum_of_sizes(load[:axes]))
+        turning = sum_of([self.reach * size, *map(abs, load[axes:])])
         worst = reduce(sites.larger, [abs(x) for x in left[:axes]]) / (size + sites.tolerances.tiny)
         worst = worst + reduce(sites.larger, [abs(x) for x in left[axes:]]) / (turning + sites.tolerances.tiny)
         return left, worst + 0.0 * left[0]
@@ -164,9 +164,9 @@ class Body:
         for i, (k_n, k_t) in enumerate(sites.springs):
             force = sites.larger(k_n, k_t) * span
             if commands is not None:
-                force = force + k_n * abs(commands.pressed[i]) + k_t * sum_of_sizes(commands.sheared[i])
+                force = sum_of([force, k_n * abs(commands.pressed[i]), *(k_t * abs(s) for s in commands.sheared[i])])
             stretched.append(force)
-            sizes.append(abs(normal[i]) + sum_of_sizes(tangential[i]))
-        largest = sum_of_sizes(load[:axes]) + sites.total(sizes) + sites.second(stretched)
+            sizes.append(sum_of_sizes((normal[i], *tangential[i])))
+        largest = sites.total(sizes, start=sum_of_sizes(load[:axes])) + sites.second(stretched)
         part = sites.tolerances.slack if commands is None else sites.tolerances.on_the_edge
         return [part * (size + sites.smaller(largest, force)) for size, force in zip(sizes, stretched, strict=True)]

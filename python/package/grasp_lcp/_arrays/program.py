@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 from .first_exit import FirstExit
 from .onset import Scenes
-from .pinch import AlongTheLine
 from .slopes import slopes
 
 Again = Callable[[list[Any]], list[Any]]
@@ -42,7 +41,7 @@ def onsets(xp: Any, epsilon: float, kind: Kind, data: list[Any], among: Among) -
     count, axes = data[0].shape[-2:]
     if (axes, count) == (3, 2):
         # Two contacts in space leave a motion free, which only refined forces tell from a load that works on it.
-        return of(AlongTheLine(xp, data[0]).there(data), kind.stacked).thoroughly()
+        return of(data, kind.stacked).thoroughly()
     # The closed forms for two and three contacts have an array for each of them.
     closed = (axes, count) in ((2, 2), (3, 3))
     found, is_open = of(data, kind.stacked and not closed).quickly()
@@ -57,12 +56,10 @@ def gradients(xp: Any, epsilon: float, kind: Kind, data: list[Any], found: First
     # Elsewhere data may be NaN, which would reach second derivatives.
     leaves = found.contact >= 0
     data = [xp.where(leaves.reshape(*leaves.shape, *(1,) * (each.ndim - leaves.ndim)), each, 1.0) for each in data]
-    line = AlongTheLine(xp, data[0]) if data[0].shape[-2:] == (2, 3) else None
-    given = data if line is None else line.there(data)
-    scenes = Scenes(xp, epsilon, given, kind.hold, loaded=kind.loaded, stacked=kind.stacked)
+    scenes = Scenes(xp, epsilon, data, kind.hold, loaded=kind.loaded, stacked=kind.stacked)
     by = slopes(scenes, found.factor, found.contact, 1)
     by.append(xp.where(leaves, found.factor, 0.0)[..., None] * by[-1])
-    return by if line is None else line.back(by)
+    return by
 
 
 def among_rows(is_open: Any, found: list[Any], data: list[Any], again: Again) -> list[Any]:

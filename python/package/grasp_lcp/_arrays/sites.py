@@ -85,9 +85,13 @@ class Sites:
         """The number of components of loads and of motions of the object."""
         return 3 * (self.axes - 1)
 
-    def total(self, of: Each) -> Row:
-        """The sum over contacts."""
-        return kept(self.xp, self.xp.sum(of[0], axis=0)) if self.stacked else sum_of(of)
+    def total(self, *terms: Each, start: Row = None) -> Row:
+        """The sum over contacts of one or several terms of each, added in the order in which the crate adds them."""
+        if self.stacked:
+            summed = kept(self.xp, self.xp.sum(sum_of(each[0] for each in terms), axis=0))
+            return summed if start is None else start + summed
+        rows = [term for contact in zip(*terms, strict=True) for term in contact]
+        return sum_of(rows if start is None else [start, *rows])
 
     def most(self, of: Each) -> Row:
         """The largest number of a contact."""

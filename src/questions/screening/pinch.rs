@@ -1,0 +1,55 @@
+//! Two contacts in space: the order of coordinates in which their free motion, the rotation about the line between them, has the last pivot.
+//!
+//! That pivot is rounding. With the rotation about the axis nearest to the line last, no other pivot is small, so that rounding does not decide which
+//! motion is free.
+
+use super::lanes::Packed;
+
+/// The exchange of the rotation about the axis nearest to the line with the last coordinate.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AlongTheLine<X: Packed> {
+    /// Positive where the nearest axis is the first, and where it is the second.
+    is: [X; 2],
+}
+
+impl<X: Packed> AlongTheLine<X> {
+    /// For the line between two points.
+    #[inline(always)]
+    pub(super) fn between<const C: usize>(points: &[&[X]; C]) -> Self {
+        let (zero, one) = (X::all(0.0), X::all(1.0));
+        let [x, y, z] = [0, 1, 2 % C].map(|axis| (points[axis][1] - points[axis][0]).abs());
+        let is_x = y.max(z).above(x, zero, one);
+        Self { is: [is_x, z.above(y, zero, one - is_x)] }
+    }
+
+    /// Exchanges both coordinates in a matrix whose entries on and below the diagonal are stored.
+    #[inline(always)]
+    pub(super) fn exchange(&self, t: &mut [[X; 6]; 6]) {
+        for (k, is) in (3..).zip(self.is) {
+            for other in 0..LAST {
+                let [a, b] = if other == k {
+                    [[k, k], [LAST, LAST]]
+                } else {
+                    [[k.max(other), k.min(other)], [LAST, other]]
+                };
+                let (one, two) = (t[a[0]][a[1]], t[b[0]][b[1]]);
+                t[a[0]][a[1]] = is.above(X::all(0.0), two, one);
+                t[b[0]][b[1]] = is.above(X::all(0.0), one, two);
+            }
+        }
+    }
+
+    /// A load or a motion with both coordinates exchanged; once more gives it back.
+    #[inline(always)]
+    pub(super) fn exchanged(&self, w: &[X; 6]) -> [X; 6] {
+        let mut exchanged = *w;
+        for (k, is) in (3..).zip(self.is) {
+            let (one, two) = (exchanged[k], exchanged[LAST]);
+            exchanged[k] = is.above(X::all(0.0), two, one);
+            exchanged[LAST] = is.above(X::all(0.0), one, two);
+        }
+        exchanged
+    }
+}
+
+const LAST: usize = 5;
