@@ -112,6 +112,6 @@ fn an_equilibrium_is_the_one_to_which_the_stuck_grasp_relaxes() -> Result<(), Fa
             several += usize::from(count == 3 && several < 3 && grasp.equilibria(load)?.len() > 1);
         }
     }
-    assert_met(&[(sliding, samples(15)), (several, 3)]);
+    assert_met(&[(sliding, samples(15)), (several, 2)]);
     Ok(())
 }

@@ -79,11 +79,15 @@ pub(crate) fn relaxed_on_cones(problem: &Problem, stuck: &Vector) -> Option<Vect
     }
     let mut contacts = vec![ContactResponse::open(); problem.len()];
     let mut twist = stuck.clone();
+    let mut last = None;
     for _ in 0..RELAXING_STEPS {
         let here = respond(problem, (&twist, 0.0), &mut contacts, &on_cones(problem));
         let step = factors.solve(&here.left);
         twist += &step;
-        if step.norm() <= NEARLY_RELAXED * (&twist - stuck).norm() {
+        let (size, way) = (step.norm(), (&twist - stuck).norm());
+        // Steps that shrink by the factor r go on by r/(1 - r) times the last of them. Past an equilibrium that is not stable they are short, but grow.
+        let shrinks_by = last.replace(size).unwrap_or(size) - size;
+        if size * size <= NEARLY_RELAXED * shrinks_by * way {
             break;
         }
     }
