@@ -19,6 +19,7 @@ mod pinch;
 mod properties_law;
 mod rectangular_pad;
 mod round_cone;
+mod sliding_and_overloaded;
 mod small_motions;
 mod soft_fingertip;
 mod soft_fingertip_torsion;

@@ -38,6 +38,7 @@ mod start_at_rest;
 mod stepped;
 mod stepped_law;
 mod stepped_pads;
+mod steps_allocate_nothing;
 mod story;
 mod told_as_solved;
 mod turning;

@@ -13,8 +13,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::problem::Problem;
 use crate::contact::{LocalLaw, cross, tangential, tangential_norm};
-use crate::grasp::Site;
-use crate::numerics::{Orthogonal, ScaledMap, Vector};
+use crate::numerics::{Orthogonal, ScaledMap};
 use crate::prelude::*;
 
 /// A facet of a friction cone, in units of the tangential length of its row, or the normal force of
@@ -207,36 +206,4 @@ impl Slipping {
 /// `(1, 0…)`.
 pub(crate) fn normal() -> SVector<f64, 3> {
     SVector::from_fn(|axis, _| if axis == 0 { 1.0 } else { 0.0 })
-}
-
-/// The rows `K^{1/2}Gᵀ` of all springs in turn, in reused memory. Returns whether they were there already.
-pub(crate) fn spring_rows(sites: &[Site], rows: &mut Vec<Vector>) -> bool {
-    let (mut count, mut same) = (0, true);
-    for site in sites {
-        for axis in 0..site.springs.axes() {
-            let row = site.map.column(axis) * site.springs.root_along(axis);
-            match rows.get_mut(count) {
-                Some(known) if *known == row => {}
-                Some(known) => (*known, same) = (row, false),
-                None => {
-                    rows.push(row);
-                    same = false;
-                }
-            }
-            count += 1;
-        }
-    }
-    same &= rows.len() == count;
-    rows.truncate(count);
-    same
-}
-
-/// K^{1/2}v for these stretches of the contacts, spring by spring, in reused memory.
-pub(crate) fn stretched_into(sites: &[Site], stretch: impl Fn(usize) -> SVector<f64, 3>, x: &mut Vec<f64>) {
-    x.clear();
-    x.reserve(3 * sites.len());
-    for (contact, site) in sites.iter().enumerate() {
-        let v = stretch(contact);
-        x.extend((0..site.springs.axes()).map(|axis| site.springs.root_along(axis) * v[axis]));
-    }
 }

@@ -42,13 +42,10 @@ mod tresca;
 mod trial;
 
 pub(crate) use band_piece::uses_band;
-pub(crate) use energy_coordinates::{
-    EnergyContact, EnergyCoordinates, Facet, Slipping, normal, spring_rows, stretched_into,
-};
-pub(crate) use free_motions::worked_on;
+pub(crate) use energy_coordinates::{EnergyContact, EnergyCoordinates, Facet, Slipping, normal};
 pub(crate) use lazy_pricing::{LazyPricing, Point, slack};
 pub(crate) use load::Load;
-pub(crate) use newton::{Imbalance, newton, newton_on_cones, relaxed_on_cones, twist_if_all_stick};
+pub(crate) use newton::{Imbalance, newton, newton_on_cones, relaxed_on_cones};
 pub(crate) use piece::{Piece, least_combination, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::{Lists, Problem};

@@ -167,17 +167,3 @@ fn respond(
     in_halves((0..contacts.len(), contacts), &part, &Imbalance::plus)
         .plus(Imbalance { left: problem.wrench.clone(), size: problem.wrench.norm() + beside })
 }
-
-/// The twist at which the load is balanced if every contact sticks; `None` where a motion is free. The memory of `contacts` is reused.
-pub(crate) fn twist_if_all_stick(problem: &Problem, contacts: &mut Vec<ContactResponse>) -> Option<Vector> {
-    contacts.clear();
-    contacts.resize(problem.len(), ContactResponse::open());
-    let sticks = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
-        let local = problem.local(i);
-        let state = local.unjumped();
-        ContactResponse { state, force: local.tangent(&state).force(stretch) }
-    };
-    let at_rest = respond(problem, (&Vector::all_zero(problem.size()), 0.0), contacts, &sticks);
-    let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());
-    factors.is_regular().then(|| factors.solve(&at_rest.left))
-}

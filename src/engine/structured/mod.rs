@@ -11,22 +11,13 @@
 //! | `basis` | a complementary basis as a list of contact states |
 //! | `variables` | the steps after which variables of a contact reach zero |
 //! | `path` | Lemke's path from basis to basis |
-//! | `newton` | Newton's method on cones, from the elastic trial or from an equilibrium on polygons |
-//! | `solution` | an equilibrium in known states, checked |
-//! | `workspace`, `view` | one scene after another in the same memory, and the result |
 //! | `proposal` | contact states for the ladder of `search` |
 
 mod basis;
 mod contact_form;
-mod newton;
 mod path;
 mod proposal;
-mod solution;
 mod tolerances;
 mod variables;
-mod view;
-mod workspace;
 
 pub(crate) use proposal::propose;
-pub use view::{EquilibriumView, Search};
-pub(crate) use workspace::SearchSettings;

@@ -21,7 +21,6 @@ mod squeezes;
 mod statics;
 mod workspace;
 
-pub use crate::structured::{EquilibriumView, Search};
 pub use energy::Energy;
 pub use grasp::Grasp;
 #[cfg(feature = "serde")]
@@ -32,4 +31,4 @@ pub use rows::RowOf;
 pub(crate) use rows::{answers_of_rows, while_sticking};
 pub use sensitivity::Sensitivity;
 pub use statics::Statics;
-pub use workspace::{OnsetWorkspace, Workspace};
+pub use workspace::OnsetWorkspace;

@@ -1,12 +1,11 @@
 //! Costs of the round cone beside polygons, on random grasps in which some contacts slide.
 //!
-//! For each scene four times are measured, in turns. The first is pivoting: the kinematic form and Lemke's method on it, and from 8 contacts on
-//! Lemke's method on contact states. The others are whole answers: on the polygon, with corners along the trial tractions; on the round cone, by
+//! For each scene four times are measured, in turns. The first is pivoting: the kinematic form and Lemke's method on it.
+//! The others are whole answers: on the polygon, with corners along the trial tractions; on the round cone, by
 //! Newton's method; and with every contact bonded, which needs neither.
 
 use std::hint::black_box;
 
-use grasp_lcp::ask::Workspace;
 use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::spatial::{ContactState, Grasp};
 use grasp_lcp::{PolygonCone, Settings};
@@ -17,8 +16,6 @@ use support::loaded::random_fingers;
 use support::splitmix::Random;
 
 const CONTACTS: [usize; 5] = [3, 5, 8, 13, 20];
-/// Number of contacts from which on the ladder pivots on contact states.
-const ON_STATES: usize = 8;
 /// Scenes of each number of contacts; their medians are printed.
 const SCENES: usize = 25;
 
@@ -82,13 +79,8 @@ fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
     }
     let lemke = grasp_lcp::lcp::Settings::default();
     let stuck = Grasp::new(grasp.contacts().iter().map(|c| c.clone().bonded()))?;
-    let mut workspace = Workspace::default();
     let [pivoting, polygon, round, bonded] = best_in_turns([
         &mut || {
-            if count >= ON_STATES {
-                black_box(workspace.solve(&grasp, &load)?);
-                return Ok(());
-            }
             let form = grasp.kinematic_form(load, &PolygonCone::default())?.ok_or("rows to pivot on")?;
             black_box(form.lcp.solve_with(&lemke));
             Ok(())

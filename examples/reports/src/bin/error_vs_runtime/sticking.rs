@@ -3,7 +3,6 @@
 //! Five fingers in space, first with equal springs, then with one finger 10⁶ times as stiff; forces against rational arithmetic.
 
 use grasp_lcp::PolygonCone;
-use grasp_lcp::ask::{Search, Workspace};
 use grasp_lcp::energy::{QpOutcome, QuadraticProgram};
 use grasp_lcp::spatial::{Contact, Grasp, Twist, Wrench};
 use nalgebra::{DVector, Matrix6, Vector3, Vector6};
@@ -66,13 +65,6 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
     let answer = outcome.equilibrium().ok_or("it holds")?;
     let world: Vec<_> = answer.contacts.iter().map(|c| c.force_world).collect();
     panel.add("Grasp::solve, with its answer as physics", "", off(&world), time);
-
-    let mut workspace = Workspace::new(PolygonCone::default());
-    let (world, time) = timed(|| match workspace.solve(&grasp, &load)? {
-        Search::Found(view) => Ok(grasp.frames().zip(view.forces()).map(|(r, f)| r * f).collect::<Vec<_>>()),
-        other => Err(format!("{other:?}").into()),
-    })?;
-    panel.add("structured::Workspace, forces alone", "", off(&world), time);
 
     let (twist, time) = timed(|| textbook(&grasp, &load))?;
     panel.add("textbook, (G K Gᵀ)⁻¹ by Cholesky", "", off(&at(&grasp, &twist, &[])), time);

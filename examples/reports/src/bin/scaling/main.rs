@@ -31,9 +31,6 @@ fn main() -> Outcome {
     equilibria::few_contacts()?;
     equilibria::patches(most)?;
     paths::rows(most)?;
-    if most >= 100_000 {
-        equilibria::growth()?;
-    }
     equilibria::whole_solve(most)?;
     bodies::rows(most)
 }

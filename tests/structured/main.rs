@@ -1,5 +1,0 @@
-//! Lemke's method on contact states.
-
-mod allocation;
-mod pivots;
-mod workspace;
