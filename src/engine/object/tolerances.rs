@@ -31,9 +31,9 @@ pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 /// Most corrections: where a force is exactly zero, each correction leaves 1e-16 of the previous value.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
-/// Most steps towards the equilibrium to which the stuck grasp relaxes. Past one that is not stable some hundreds are needed; with fewer, Newton's method
+/// Most steps towards the equilibrium to which the stuck grasp relaxes. Past one that is not stable 170 were needed; with fewer, Newton's method
 /// goes back to it.
-pub(super) const RELAXING_STEPS: usize = 1000;
+pub(super) const RELAXING_STEPS: usize = 300;
 
 /// The object has nearly relaxed where the way that is left is shorter than this part of the way gone: Newton's method takes it. With ten times as much
 /// another equilibrium may be nearer; with less the steps take longer.
