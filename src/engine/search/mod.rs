@@ -24,6 +24,8 @@ mod enumerate;
 mod ladder;
 mod least_motion;
 mod leaving;
+#[cfg(test)]
+mod pivots;
 mod polish;
 mod proposals;
 #[cfg(feature = "std")]
