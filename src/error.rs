@@ -17,6 +17,15 @@ pub(crate) fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST
 }
 
+/// Refuses the index of a contact beyond their number.
+pub(crate) fn check_contact(contact: usize, count: usize) -> Result<(), Error> {
+    if contact < count {
+        return Ok(());
+    }
+    let (what, allowed) = ("number of the contact", "less than the number of contacts");
+    Err(Error::Argument { what, value: contact as f64, allowed })
+}
+
 /// A fault in a question: its place, its value, and the allowed values. "No equilibrium" is not among them: that is an answer,
 /// [`Outcome::NoEquilibrium`](crate::equilibrium::Outcome::NoEquilibrium).
 ///

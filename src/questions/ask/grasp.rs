@@ -8,7 +8,7 @@ use super::energy::Energy;
 use super::sensitivity::Sensitivity;
 use super::statics::Statics;
 use crate::equilibrium::{Outcome, Settings};
-use crate::error::Error;
+use crate::error::{Error, check_contact};
 use crate::grasp::{
     Bodies, Contact, Engine, Face, Finger, Hand, HandPart, WholeContact, WholeContacts, Wrench,
     assert_plane_or_space, frame_outside, inside, outside,
@@ -398,13 +398,4 @@ fn engine_of_contacts(contacts: Vec<Contact<3>>) -> Result<Engine, Error> {
         return Hand::new(contacts.into_iter().map(Finger::fixed)).engine(None);
     }
     Engine::new(contacts)
-}
-
-/// Refuses the index of a contact beyond their number.
-pub(crate) fn check_contact(contact: usize, count: usize) -> Result<(), Error> {
-    if contact < count {
-        return Ok(());
-    }
-    let (what, allowed) = ("number of the contact", "less than the number of contacts");
-    Err(Error::Argument { what, value: contact as f64, allowed })
 }

@@ -24,8 +24,6 @@ mod workspace;
 pub use energy::Energy;
 pub use grasp::Grasp;
 #[cfg(feature = "serde")]
-pub(crate) use grasp::check_contact;
-#[cfg(feature = "serde")]
 pub(crate) use growing::check_growing;
 pub use rows::RowOf;
 pub(crate) use rows::{answers_of_rows, while_sticking};

@@ -103,42 +103,29 @@ impl Engine {
             }
             lost
         });
-        let lost = went_too_far.or(lost);
-        if extent == Extent::Brief {
-            let (base, load, caught, left_out) = (ramp.base, ramp.direction, Vec::new(), None);
-            let lost = lost.map(|lost| Lost { state: None, ..lost });
-            let verdict = Verdict {
-                base,
-                load,
-                holding,
-                first_slip,
-                caught,
-                held_to,
-                everything_slides,
-                left_out,
-                lost,
-                state: None,
-            };
-            return Ok((verdict, farthest));
-        }
-        let there = state.as_ref().or_else(|| lost.as_ref()?.state.as_deref());
-        let rest =
-            path.state_at(0, 0.0).filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        let left_out = rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
-        let state = state.map(Box::new);
-        let caught = Caught::among(self.contacts(), &events);
-        let verdict = Verdict {
+        let mut verdict = Verdict {
             base: ramp.base,
             load: ramp.direction,
             holding,
             first_slip,
-            caught,
+            caught: Vec::new(),
             held_to,
             everything_slides,
-            left_out,
-            lost,
-            state,
+            left_out: None,
+            lost: went_too_far.or(lost),
+            state: None,
         };
+        if extent == Extent::Brief {
+            verdict.lost.iter_mut().for_each(|lost| lost.state = None);
+            return Ok((verdict, farthest));
+        }
+        let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
+        let rest =
+            path.state_at(0, 0.0).filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
+        verdict.left_out =
+            rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
+        verdict.caught = Caught::among(self.contacts(), &events);
+        verdict.state = state.map(Box::new);
         Ok((verdict, farthest))
     }
 

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::goal::ImproveGoal;
 use super::surface::{Shape, Surface};
 use crate::ask::Grasp;
-use crate::error::{Error, Field, MODERATE, is_moderate};
+use crate::error::{Error, Field, MODERATE, check_contact, is_moderate};
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Turn;
 use crate::numerics::mapped;
@@ -241,10 +241,7 @@ impl Improve<3> {
         let mut named = mapped(&self.surfaces, &|(contact, _)| *contact);
         named.extend(mapped(&self.most, &|(contact, _)| *contact));
         for contact in named {
-            if contact >= contacts.len() {
-                let (what, allowed) = ("number of the contact", "less than the number of contacts");
-                return Err(Error::Argument { what, value: contact as f64, allowed });
-            }
+            check_contact(contact, contacts.len())?;
         }
         if self.surfaces.is_empty() && self.most.is_empty() && self.at_most.is_none() {
             return wrong(

@@ -4,7 +4,7 @@ use super::answer::{PressedBy, Quantity, check_part};
 use super::question::{Demand, Need};
 use crate::ask::Grasp;
 #[cfg(feature = "serde")]
-use crate::ask::check_contact;
+use crate::error::check_contact;
 use crate::error::{Error, is_moderate};
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
