@@ -1,4 +1,4 @@
-//! A verdict in columns: numbers and words that a table of many verdicts has, without lists and states.
+//! A verdict as one row of a table of many verdicts: numbers and words, without lists and states.
 
 use core::fmt;
 
@@ -27,7 +27,7 @@ pub struct ShortVerdict {
     /// [`Verdict::everything_slides`]: gross slip.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub everything_slides: Option<f64>,
-    /// The motion with which the object leaves, where the load is lost as far as it was followed.
+    /// The motion with which the object leaves; `None` if the load is held as far as it was followed.
     pub motion: Option<LossVerb>,
     /// The reason for a verdict that is undecided.
     pub doubt: Option<Doubt>,
