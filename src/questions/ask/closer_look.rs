@@ -133,8 +133,8 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The [kinematic form](crate::forms) under a load. Its unknowns are gaps and slips, added to the elastic trial state in which everything sticks.
-    /// `None` if no contact can open or slide, if the load does work on a motion that no contact resists, or if a number overflows. If `lcp.vector() >=
-    /// 0`, everything sticks and z = 0 is the answer. In the plane `cone` is ignored.
+    /// `None` if no contact can open or slide, if the load does work on a motion that no contact resists, or if a number overflows. If
+    /// `lcp.vector() >= 0`, everything sticks and z = 0 is the answer. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
