@@ -64,7 +64,7 @@ impl Improve<3> {
         let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
-        // The best of 24 random placings for each start become starts.
+        // For each start 24 placings are drawn; the best of all of them become the starts.
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             // A stream apart from the random numbers of other questions.
