@@ -19,8 +19,8 @@ pub enum LeastSqueeze<const C: usize> {
         /// The contact on the edge of its cone at this factor, from 0, and the load under which it is; `None` if no squeeze is needed.
         binding: Option<(usize, Wrench<C>)>,
     },
-    /// No factor suffices. Under this load the contact does not stick with this factor, nor with any larger one. Smaller factors fail for another
-    /// load or contact.
+    /// No factor suffices. With this factor, and with any larger one, the contact does not stick under this load. With a smaller factor another
+    /// condition fails.
     #[non_exhaustive]
     NoFactor {
         /// The contact, from 0.

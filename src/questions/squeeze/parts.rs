@@ -9,7 +9,7 @@ use crate::grasp::{Motion, Wrench};
 use crate::numerics::{Harmonic, Vector, mapped, moved, summed};
 use crate::prelude::*;
 
-/// A condition `row·F >= 0`, its value under a load, and the size of its forces.
+/// A condition `row·F >= 0`, its value under a load, and the size of the summed forces, which bounds their rounding.
 pub(super) struct Condition {
     pub(super) row: SVector<f64, 3>,
     pub(super) value: f64,
