@@ -145,7 +145,7 @@ impl WrenchSet {
         Wrench::among(self.space, &self.space.moved_wrench(&about, &wrench))
     }
 
-    /// The motion on which a wrench does as much work as it reaches along a direction.
+    /// The motion with which a wrench has the power `direction · w`, where w is that wrench in the scale of the set.
     pub(super) fn motion(&self, direction: Vector) -> Twist<3> {
         let about = SVector::from(self.scale.about);
         let direction = scaled(self.space, direction, 1.0 / self.scale.length);
