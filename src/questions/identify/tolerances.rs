@@ -20,5 +20,5 @@ pub(super) const CONVERGED_STEP: f64 = 1e-10;
 
 /// Relative decrease of the loss below which a step is too small: with n slips it is √n 1e-4 standard errors long.
 ///
-/// Sliding arcs have errors of 1e-9, so that the last digits of the loss are not known. Larger, the search ends early.
+/// Sliding arcs have errors of 1e-9, so that the last digits of the loss are not known. If larger, the search ends early.
 pub(super) const CONVERGED_GAIN: f64 = 1e-8;

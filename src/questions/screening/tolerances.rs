@@ -4,22 +4,22 @@
 
 /// A contact whose margin at factor zero is below this part of the forces there may be on the edge of its cone.
 ///
-/// Smaller, rounding would decide whether it sticks. Larger, more grasps would be unclear.
+/// If smaller, rounding would decide whether it sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
 /// If motions are free and more than this part of the load stays unbalanced, the load works on them.
 ///
-/// A load that does not leaves rounding alone. Larger, a load that drives the object away weakly would be called unclear.
+/// A load that does not leaves rounding alone. If larger, a load that drives the object away weakly would be called unclear.
 pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 
 /// Forces whose residual exceeds this part of the load are refined. Rounding alone leaves about 1e-15.
 ///
-/// Smaller, refinement would gain nothing. Larger, forces would lose digits to a soft contact beside a stiff one.
+/// If smaller, refinement would gain nothing. If larger, forces would lose digits to a soft contact beside a stiff one.
 pub(super) const IMPROVABLE: f64 = 1e-14;
 
 /// A margin must close at this multiple of the rounding of its rate.
 ///
-/// A slower one closes at a factor of fewer than six digits, and the verdict is unclear. Larger, more grasps would be unclear.
+/// A slower one closes at a factor of fewer than six digits, and the verdict is unclear. If larger, more grasps would be unclear.
 pub(super) const SHARP_MARGIN: f64 = 1e6;
 
 /// Lower bound of `|F| |F'|` for margins in space: below it squares underflow and lose their digits, and the answer is unclear.

@@ -17,5 +17,5 @@ pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 
 /// Relative change of forces below which a sentence calls them constant, up to the error of steps along arcs.
 ///
-/// Smaller, rounding is reported as a change. Larger, small changes that add up over the cycles are left out.
+/// If smaller, rounding is reported as a change. If larger, small changes that add up over the cycles are left out.
 pub(super) const CONSTANT_FORCES: f64 = 1e-8;

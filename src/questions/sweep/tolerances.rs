@@ -2,7 +2,7 @@
 
 /// Relative accuracy of the factor that holds with a probability.
 ///
-/// Smaller, the search takes more steps, each with the failure probabilities of all contacts. Larger, the factor jumps with the data.
+/// If smaller, the search takes more steps, each with the failure probabilities of all contacts. If larger, the factor jumps with the data.
 pub(super) const PRECISE_FACTOR: f64 = 1e-8;
 
 /// Number of directions around a round cone among which the worst is sought.
