@@ -1,4 +1,4 @@
-//! Forces of contacts that keep their states, source by source, with their changes by errors of the data.
+//! Forces of contacts that keep their states, for each source of force, with their changes by errors of the data.
 
 use nalgebra::{Matrix, SVector};
 
@@ -11,7 +11,7 @@ use crate::numerics::{Size, Vector, largest, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// Forces of all sites, or gaps of open sites, by one source: with data as known, and their changes by each datum.
+/// Forces of all sites (gaps of open sites) due to one source: for the data as given, and their changes by each datum.
 #[derive(Debug, Clone)]
 pub(super) struct Course {
     pub(super) known: Vec<SVector<f64, 3>>,
@@ -45,7 +45,7 @@ impl Course {
     }
 }
 
-/// The courses of commands and constant loads, and of one unit of each component of the load. No contact slides.
+/// The courses of two kinds of sources while no contact slides: commands together with constant loads, and one unit of each component of the load.
 pub(super) fn courses(
     response: &StickingResponse<'_>,
     cone: Cone,
