@@ -105,7 +105,7 @@ impl Engine {
         (elastic, slips)
     }
 
-    /// Adds the geometric stiffness of bodies that are not in the coordinates of the object.
+    /// Adds the geometric stiffness of all bodies other than the object.
     fn turning_bodies(&self, contact: usize, force: &SVector<f64, 3>, geometric: &mut Square) {
         let Some(bodies) = self.bodies() else { return };
         let object = self.space().of_the_object();
