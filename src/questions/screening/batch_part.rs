@@ -53,7 +53,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> 
 }
 
 impl<const C: usize, Q: ScreeningQuestion<C>> BatchPart<'_, C, Q> {
-    /// Answers the questions in memory for the forces of all contacts.
+    /// Answers the questions, with working memory for the forces of all contacts.
     #[inline(always)]
     fn screen<V: Vectors>(self, vectors: V, [squeezed, a, b, c]: [&mut AnyForces<C, Lanes>; 4]) {
         let (contacts, ends) = (self.contacts, self.ends);

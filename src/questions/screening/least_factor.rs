@@ -79,8 +79,8 @@ impl<X: Packed> Margin<X> {
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
-        // A margin that closes for large factors is positive on a bounded interval or nowhere; any other stays positive once it is. Where rounding
-        // decides between the two, the result is clear only if the commands cause no force at all.
+        // A margin that closes for large factors is positive on a bounded interval or nowhere. Any other margin stays positive once it is positive.
+        // Where rounding decides between the two, the result is clear only if the commands cause no force at all.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -121,7 +121,7 @@ pub(super) struct LeastFactor<X: Packed> {
     doubt: X,
     /// Positive if a load works on a motion that no contact resists.
     free: X,
-    /// The contact and the load with the largest lower end, `8 load + contact`.
+    /// The contact and the load with the largest lower end, encoded as `8 load + contact`.
     binding: X,
 }
 

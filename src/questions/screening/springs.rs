@@ -92,7 +92,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The rotation alone of [`Self::moved`]. Forces that were found by motions know it.
+    /// Only the rotation of [`Self::moved`]. It is known already where forces were found by motions.
     #[inline(always)]
     pub(super) fn turned<V: Vectors>(
         &self,

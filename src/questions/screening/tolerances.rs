@@ -1,6 +1,6 @@
 //! The numbers by which screening tells a sure answer from an unclear one.
 //!
-//! All of them are pure numbers. Screening makes single passes, so what a longer computation would refine is called unclear here.
+//! All of them are dimensionless. Screening makes single passes, so an answer that would need a refinement is called unclear.
 
 /// A contact whose margin at factor zero is below this part of the forces there may be on the edge of its cone.
 ///
@@ -9,7 +9,7 @@ pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
 /// If motions are free and more than this part of the load stays unbalanced, the load works on them.
 ///
-/// A load that does not leaves rounding alone. If larger, a load that drives the object away weakly would be called unclear.
+/// If the load does not work on them, only rounding stays unbalanced. If larger, a load that drives the object away weakly would be called unclear.
 pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 
 /// Forces whose residual exceeds this part of the load are refined. Rounding alone leaves about 1e-15.
