@@ -177,7 +177,7 @@ impl<const C: usize> MinimumEnergy<C> {
 }
 
 impl Engine {
-    /// [`Energy::compare`](crate::ask::Energy::compare).
+    /// Implements [`Energy::compare`](crate::ask::Energy::compare).
     pub(crate) fn compare_with_minimum_energy(
         &self,
         load: &Wrench<3>,

@@ -74,7 +74,7 @@ impl<const C: usize> Stability<C> {
 }
 
 impl Engine {
-    /// [`Energy::stability`](crate::ask::Energy::stability).
+    /// Implements [`Energy::stability`](crate::ask::Energy::stability).
     pub(crate) fn stability(&self, equilibrium: &Equilibrium<3>) -> Stability<3> {
         let arms = self.contacts().iter().map(|contact| contact.point);
         let forces = equilibrium.contacts.iter().map(|c| c.force_world);

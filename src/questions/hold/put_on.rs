@@ -33,7 +33,7 @@ pub(crate) enum Extent {
 }
 
 impl Engine {
-    /// [`Grasp::hold`](crate::ask::Grasp::hold).
+    /// Implements [`Grasp::hold`](crate::ask::Grasp::hold).
     pub(crate) fn hold(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Verdict<3>, Error> {
         Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
     }

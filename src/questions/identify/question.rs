@@ -160,7 +160,7 @@ impl<const C: usize> Identify<C> {
 }
 
 impl Identify<3> {
-    /// [`Self::grasp_with`] inside the engine.
+    /// Implements [`Self::grasp_with`] in the engine, with three components.
     fn fitted_grasp(&self, grasp: &Grasp<3>, found: &Identified) -> Result<Grasp<3>, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?;

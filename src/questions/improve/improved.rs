@@ -146,7 +146,7 @@ impl<const C: usize> Improved<C> {
 }
 
 impl Improved<3> {
-    /// [`Self::placed`] inside the engine.
+    /// Implements [`Self::placed`] in the engine, with three components.
     fn placed_inside(&self, grasp: &Grasp<3>) -> Result<Grasp<3>, Error> {
         let (given, expected) = (self.contacts.len(), grasp.len());
         if given != expected {

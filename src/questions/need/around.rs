@@ -33,7 +33,7 @@ impl SearchPlan {
     /// Amounts just inside and outside an end of the statics range; none without that end.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
-            // Closer than the error of the end, both amounts could fall on one side of it.
+            // With a smaller offset than the error of the end, both amounts could fall on one side of it.
             let off = 1e-8;
             [1.0 - off, 1.0 + off].map(|part| if up { end * part } else { end / part })
         };

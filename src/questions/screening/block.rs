@@ -63,7 +63,7 @@ impl<const C: usize> Layout<C> {
         Self::OF_A_CONTACT * contacts + 3
     }
 
-    /// The count of these numbers, with the commands and clearances that questions may need apart.
+    /// The same count, together with the commands and clearances that are also stored apart.
     const fn with_parts(contacts: usize) -> usize {
         Self::numbers(contacts) + 2 * contacts
     }

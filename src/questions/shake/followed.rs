@@ -16,7 +16,7 @@ use crate::search::Settings;
 const KEPT_STATES: usize = 12;
 
 impl Engine {
-    /// [`Grasp::shake`](crate::ask::Grasp::shake).
+    /// Implements [`Grasp::shake`](crate::ask::Grasp::shake).
     pub(crate) fn shake(
         &self,
         base: &Wrench<3>,

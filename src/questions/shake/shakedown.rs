@@ -71,7 +71,7 @@ impl<const C: usize> Shakedown<C> {
 }
 
 impl Engine {
-    /// [`Statics::shakedown`](crate::ask::Statics::shakedown).
+    /// Implements [`Statics::shakedown`](crate::ask::Statics::shakedown).
     pub(crate) fn shakedown(
         &self,
         base: &Wrench<3>,

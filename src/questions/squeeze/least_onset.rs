@@ -69,7 +69,7 @@ struct Share {
 }
 
 impl Engine {
-    /// [`Grasp::least_onset_within`](crate::ask::Grasp::least_onset_within).
+    /// Implements [`Grasp::least_onset_within`](crate::ask::Grasp::least_onset_within).
     pub(crate) fn least_onset_within(
         &self,
         ramp: &Ramp<3>,

@@ -40,7 +40,7 @@ pub enum LeastSqueeze<const C: usize> {
 }
 
 impl Engine {
-    /// [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze).
+    /// Implements [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze).
     pub(crate) fn least_squeeze(
         &self,
         loads: &Loads<3>,

@@ -44,7 +44,7 @@ pub enum WeakestDirection<const C: usize> {
 }
 
 impl Engine {
-    /// [`Grasp::weakest_direction`](crate::ask::Grasp::weakest_direction).
+    /// Implements [`Grasp::weakest_direction`](crate::ask::Grasp::weakest_direction).
     pub(crate) fn weakest_direction(
         &self,
         base: &Wrench<3>,

@@ -41,7 +41,7 @@ pub enum LoadLimit<const C: usize> {
 }
 
 impl Engine {
-    /// [`Statics::load_limit`](crate::ask::Statics::load_limit).
+    /// Implements [`Statics::load_limit`](crate::ask::Statics::load_limit).
     pub(crate) fn load_limit(
         &self,
         base: &Wrench<3>,

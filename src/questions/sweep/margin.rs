@@ -24,7 +24,7 @@ pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 /// Effect of a datum on a force: coefficients of `Σ c_k x^k`, k from 1, where x is the error of the datum over `sigmas`.
 pub(super) type Effect = [SVector<f64, 3>; LOOKED_AT.len()];
 
-/// The polynomial through the changes of a force at the parts `LOOKED_AT`.
+/// The polynomial through the changes of a force that were evaluated at the multiples [`LOOKED_AT`] of `sigmas`.
 pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> Effect {
     let (even, half_even) = (0.5 * (high + low), 0.5 * (half_high + half_low));
     let (odd, half_odd) = (0.5 * (high - low), 0.5 * (half_high - half_low));

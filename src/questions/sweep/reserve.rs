@@ -55,7 +55,7 @@ impl<const C: usize> Reserve<C> {
 }
 
 impl Engine {
-    /// [`Grasp::reserve`](crate::ask::Grasp::reserve).
+    /// Implements [`Grasp::reserve`](crate::ask::Grasp::reserve).
     pub(crate) fn reserve(
         &self,
         base: &Wrench<3>,

@@ -68,7 +68,7 @@ face_of_struct! {
 }
 
 impl Engine {
-    /// [`Grasp::robust_onset`](crate::ask::Grasp::robust_onset).
+    /// Implements [`Grasp::robust_onset`](crate::ask::Grasp::robust_onset).
     pub(crate) fn robust_onset(
         &self,
         ramp: &Ramp<3>,
@@ -83,7 +83,7 @@ impl Engine {
         Ok(RobustOnset { onset, spread })
     }
 
-    /// [`Sensitivity::onset_spread`](crate::ask::Sensitivity::onset_spread).
+    /// Implements [`Sensitivity::onset_spread`](crate::ask::Sensitivity::onset_spread).
     pub(crate) fn onset_spread(
         &self,
         event: &OnsetEvent<3>,
