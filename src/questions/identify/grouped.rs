@@ -83,7 +83,7 @@ impl Grouped {
         let all = || (0..told.len()).flat_map(|g| (0..told.len()).map(move |h| (g, h)));
         let expected = sure + (0..told.len()).map(|g| covariance(g, g)).sum::<f64>();
         let squares: f64 = all().map(|(g, h)| covariance(g, h).powi(2)).sum();
-        // An unknown has no error if a larger share of its variance is in directions of one group alone.
+        // An unknown has no error if more than 1 % of its variance lies in directions that one group alone determines.
         let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
     }

@@ -2,13 +2,13 @@
 //!
 //! All of them are dimensionless: logarithms of unknowns, or fractions of the largest value of their kind.
 
-/// Forces, velocities, singular values and shares of a direction below this part of the largest are zero.
+/// Forces, velocities, singular values and shares of a direction below this fraction of the largest are zero.
 ///
 /// Derivatives from differences are exact to about 1e-8. If smaller, combinations that no slip determines get values whose errors are due to rounding.
 /// If larger, combinations that slips determine weakly are left out.
 pub(super) const INDISTINCT: f64 = 1e-6;
 
-/// Components of a free direction below this part of the largest are zero, so that the sentence names fewer unknowns.
+/// Components of a free direction below this fraction of the largest are zero, so that the sentence names fewer unknowns.
 ///
 /// If smaller, unknowns appear with powers due to rounding. If larger, unknowns that share the direction are not named.
 pub(super) const NO_COMPONENT: f64 = 1e-4;

@@ -47,8 +47,8 @@ pub(super) enum ConstraintKind {
     Force,
 }
 
-/// The conditions that are critical at a force: all facets, or on the round cone that nearest to the friction force; without friction, eight all
-/// around.
+/// The critical conditions at a force: all facets of a polygon; on the round cone the facet nearest to the friction force, or eight facets all around
+/// without such a force.
 fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     let friction = tangential(force);
     edges.rows(&|_| {

@@ -67,7 +67,7 @@ impl Improve<3> {
         // For each start 24 placings are drawn; the best of all of them become the starts.
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
-            // A stream apart from the random numbers of other questions.
+            // The last number selects a random stream that no other question uses.
             let drawn = choice.drawn(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
             // Only places are kept here: the forces of thousands of them would take much memory.
             Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.value, held.placing)))

@@ -96,7 +96,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Whether the least amount is sought: of a squeeze, friction or a force. Of all others the greatest is.
+    /// Whether the least amount is sought: of a squeeze, friction or a force. For all other quantities the greatest amount is sought.
     #[must_use]
     pub fn is_least(self) -> bool {
         matches!(self, Self::Squeeze | Self::Friction | Self::Force)
@@ -213,7 +213,7 @@ pub struct FarEnd {
     pub does: f64,
     /// The insufficient amount beside it; it was tried.
     pub does_not: f64,
-    /// The verdict for `does_not`, in a sentence; why it is undecided, if it is.
+    /// The verdict for `does_not` in a sentence, or the reason why it is undecided.
     pub otherwise: String,
     /// Normal force of each contact at rest with the squeeze `does`, N; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]

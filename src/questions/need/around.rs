@@ -1,4 +1,4 @@
-//! A scan around a bound: up to where the amounts beyond it suffice, and which other amounts suffice.
+//! A scan of amounts around a bound: how far amounts beyond it suffice, and which other amounts do.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, Tries};
@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::numerics::{increasing, mapped, moved};
 use crate::prelude::*;
 
-/// The amounts around a bound.
+/// The result of a scan around a bound.
 #[derive(Debug)]
 pub(super) struct Around {
     /// Number of changes of verdict, the bound included.

@@ -14,8 +14,9 @@
 //! | [`Need::force`] | least load of a body, or command of a contact, cable or joint | multiple of the one given; in the sentence N or N m |
 //! | [`Need::load_at_rest`] | least | multiple of the load at rest given |
 //!
-//! There are four [`Demand`]s. The object is held; the answer then adds the amount with which nothing slides. Nothing slides at all. Under loads that
-//! repeat, the object comes to rest. Or, under such loads, it does not walk.
+//! There are four [`Demand`]s. [`Held`](Demand::Held): the object is held; the answer then adds the amount with which nothing slides.
+//! [`Sticks`](Demand::Sticks): nothing slides at all. [`Rests`](Demand::Rests): under loads that repeat, the object comes to rest.
+//! [`Stays`](Demand::Stays): under loads that repeat, it does not walk.
 //!
 //! Every trial of an amount is a verdict from rest ([`Grasp::hold`](crate::ask::Grasp::hold)). The answer names two amounts that were tried: one
 //! suffices, the other beside it does not. Secants of the carried fraction of the load narrow this bracket to the last digits. Where that fraction

@@ -17,7 +17,7 @@ use crate::words::Words;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Posed {
     pub(super) sought: Sought,
-    /// The loads; for an arm that at displacement 0, for an angle the whole turn.
+    /// The loads; for an arm the load at displacement 0, for an angle the load that turns.
     pub(super) loads: Loads<3>,
     /// The load at rest; constant unless its own multiple is sought.
     pub(super) base: Wrench<3>,
@@ -26,7 +26,7 @@ pub(super) struct Posed {
     pub(super) safety: Safety,
     /// Number of amounts tried around the bound.
     pub(super) scan: usize,
-    /// Digits of numbers in the sentences for other amounts.
+    /// Number of digits in the sentences about insufficient amounts.
     pub(super) words: Words,
 }
 

@@ -71,7 +71,7 @@ pub(super) fn all_alike(words: Words, presses: &[Press]) -> Option<String> {
     pressing(presses).first().map(|press| press.in_words(words))
 }
 
-/// "12 N at left and right"; of different forces each with its contact, and the multiple of the given squeeze, `times`.
+/// "12 N at left and right". If forces differ, each is given with its contact, followed by `times`, the multiple of the given squeeze.
 pub(super) fn in_words(words: Words, presses: &[Press], times: String) -> String {
     let pressing = pressing(presses);
     let names: Vec<_> = mapped(&pressing, &|press| press.part.text());

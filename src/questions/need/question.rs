@@ -100,7 +100,7 @@ pub struct Need<const C: usize> {
     /// Number of amounts tried around the bound.
     #[cfg_attr(feature = "serde", serde(skip, default = "default_scan"))]
     pub(super) scan: usize,
-    /// Digits of numbers in the sentences for other amounts.
+    /// Number of digits in the sentences about insufficient amounts.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) words: Words,
 }
@@ -316,14 +316,14 @@ impl<const C: usize> Need<C> {
         self.if_friction_lower_by(friction).if_squeeze_lower_by(squeeze)
     }
 
-    /// This need with a safe amount for friction that is lower by this part, as for [`Self::if_lower_by`].
+    /// This need with a safe amount for friction that is lower by the fraction `part`, as for [`Self::if_lower_by`].
     #[must_use]
     pub fn if_friction_lower_by(mut self, part: f64) -> Self {
         self.friction_less = Some(part);
         self
     }
 
-    /// This need with a safe amount for a squeeze that is lower by this part, as for [`Self::if_lower_by`].
+    /// This need with a safe amount for a squeeze that is lower by the fraction `part`, as for [`Self::if_lower_by`].
     #[must_use]
     pub fn if_squeeze_lower_by(mut self, part: f64) -> Self {
         self.squeeze_less = Some(part);
@@ -347,7 +347,7 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with other numbers of digits in the sentences of its answer for insufficient amounts (default 6).
+    /// This need with another number of digits in the sentences about insufficient amounts (default 6).
     #[must_use]
     pub fn told_in(mut self, words: Words) -> Self {
         self.words = words;

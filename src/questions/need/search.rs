@@ -11,7 +11,7 @@ use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The trials of amounts.
+/// The two kinds of trial of an amount, whole and quick.
 #[derive(Clone, Copy)]
 pub(super) struct Tries<'t> {
     /// The trial by the whole search for equilibria.

@@ -12,7 +12,7 @@ pub(super) enum Trial {
     Does {
         /// The multiple of the load that is carried, at least 1; infinite where no loss was found.
         carried: f64,
-        /// The margin of small motions for holding, that of sticking at rest for sticking; infinite where it is not known.
+        /// A second margin: for holding that of small motions, for sticking that of friction at rest; infinite where it is not known.
         other: f64,
     },
     DoesNot {

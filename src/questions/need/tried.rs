@@ -32,7 +32,7 @@ pub(super) struct Tried<'q> {
     pub(super) grasp: &'q Grasp<3>,
     pub(super) need: &'q Posed,
     safety: Safety,
-    /// The first amount.
+    /// The first amount of the search.
     pub(super) start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
     /// Trials that skip the enumeration of contact states.

@@ -1,4 +1,4 @@
-//! The data of scenes side by side.
+//! The data of several scenes, side by side in lanes.
 
 use super::lanes::Packed;
 

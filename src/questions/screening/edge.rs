@@ -92,7 +92,7 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// `∂m/∂F` as commands.
+    /// `∂m/∂F` as commands of the fingers.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

@@ -41,7 +41,7 @@ impl<X: Packed> Margin<X> {
         let Self { value, gain, noise, gain_noise } = *self;
         let root = -(value / gain);
         let off = |at: X, rate: X| (noise + at * gain_noise) / rate;
-        // A margin that is broken without squeeze needs some, if squeeze raises it.
+        // A margin that is negative without squeeze vanishes at `root` if squeeze raises it.
         let entered = gain.above(gain_noise, root, infinite);
         let first = self.broken(entered, zero);
         let first_off = self.broken(gain.above(gain_noise, off(root, gain), zero), zero);
@@ -110,11 +110,11 @@ impl<X: Packed> Margin<X> {
 
 /// The conditions of all contacts on the factor, gathered so far.
 pub(super) struct LeastFactor<X: Packed> {
-    /// The largest lower end of all intervals: as computed, at least, and at most.
+    /// The largest lower end of all intervals: as computed, and its lower and upper error bounds.
     first: X,
     first_sure: X,
     first_most: X,
-    /// The least upper end of all intervals: at least, and at most.
+    /// The lower and upper error bounds of the least upper end of all intervals.
     last_sure: X,
     last_most: X,
     /// Positive if some condition is unclear.

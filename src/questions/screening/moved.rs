@@ -1,4 +1,4 @@
-//! The motion of the object while every contact sticks, at its contacts.
+//! Displacements of the object at its contacts while every contact sticks.
 //!
 //! Where forces are found in compliances, the springs give the displacement of the object at each contact, `u = a - C F`. The difference of
 //! displacements along an edge e is `ω × e`, from which the rotation follows.

@@ -7,17 +7,17 @@
 /// If smaller, rounding would decide whether it sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
-/// If motions are free and more than this part of the load stays unbalanced, the load works on them.
+/// If motions are free and more than this fraction of the load stays unbalanced, the load works on them.
 ///
 /// If the load does not work on them, only rounding stays unbalanced. If larger, a load that drives the object away weakly would be called unclear.
 pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 
-/// Forces whose residual exceeds this part of the load are refined. Rounding alone leaves about 1e-15.
+/// Forces whose residual exceeds this fraction of the load are refined. Rounding alone leaves about 1e-15.
 ///
 /// If smaller, refinement would gain nothing. If larger, forces would lose digits to a soft contact beside a stiff one.
 pub(super) const IMPROVABLE: f64 = 1e-14;
 
-/// A margin must close at this multiple of the rounding of its rate.
+/// A margin must close at least at this multiple of the rounding of its rate.
 ///
 /// A slower one closes at a factor of fewer than six digits, and the verdict is unclear. If larger, more grasps would be unclear.
 pub(super) const SHARP_MARGIN: f64 = 1e6;

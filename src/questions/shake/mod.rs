@@ -15,6 +15,7 @@
 //! If e converges, the verdict is that of its limit. In the plane, and on a polygonal cone, e changes from cycle to cycle by an affine map as long as
 //! the events stay the same. A few cycles determine the fixed point of this map (reduced rank extrapolation: the affine combination of them that
 //! changes least), and a cycle from there confirms it. On the round cone this holds up to the error of the steps.
+//!
 //! If [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide, a grasp may repeat itself only after several cycles. Such periods
 //! are found, too.
 //!

@@ -54,7 +54,7 @@ pub struct Shaken<const C: usize> {
 pub enum Repeats<const C: usize> {
     /// No contact slides any more.
     Rests {
-        /// Number of cycles until then; 0 if nothing ever slides.
+        /// Number of cycles until nothing slides any more; 0 if nothing ever slides.
         after: usize,
         /// The contacts that have slid until then.
         slid: Vec<WholeContact>,
@@ -105,7 +105,7 @@ pub enum Repeats<const C: usize> {
     /// The verdict is not known.
     Undecided {
         /// The reason why the path ends in the last cycle; `None` if the [allowed](crate::Settings::most_cycles) number of cycles has passed, and
-        /// they still change.
+        /// cycles still change.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         doubt: Option<Doubt>,
     },
