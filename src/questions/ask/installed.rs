@@ -35,7 +35,7 @@ impl Grasp<3> {
             // Step of the difference quotient, relative to the stretch of the link's spring under its tension. It is small, so that contacts
             // hardly ever change state within it; if none does, the quotient is exact.
             let nudge = 1e-3;
-            // Column k: the change of the missing tensions as the command of link k grows by a small part of the stretch of its spring.
+            // Column k: the change of the missing tensions as the command of link k grows by `nudge` times the stretch of its spring.
             let mut change = DMatrix::zeros(told.len(), told.len());
             for (k, (i, force)) in told.iter().enumerate() {
                 let mut pulled = commands.clone();

@@ -11,7 +11,8 @@ use crate::numerics::Memory;
 ///
 /// From the second question on no memory is allocated if the grasp has no more contacts than before, and one contact stops sticking before all others.
 /// The analysis in rates allocates memory: where several contacts reach the edges of their cones together, a gap closes on the way, or the base does
-/// not clearly stick. So do the factors of a grasp at its first question, and those of more than 256 contacts at every question.
+/// not clearly stick. Memory is also allocated for the factors of a grasp at its first question, and for those of more than 256 contacts at every
+/// question.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, OnsetWorkspace, Ramp, Wrench};

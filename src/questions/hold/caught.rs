@@ -152,7 +152,7 @@ impl fmt::Display for Caught {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let longest = largest(&self.slips, &|slip| slip.distance);
-        // Slips below this fraction of the longest one are rounding. A larger fraction would hide contacts that matter.
+        // Slips below this fraction of the longest one count as rounding. A larger fraction would hide contacts that matter.
         let told = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let told = told.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
         write!(f, "after slipping {}", listed(&told.collect::<Vec<_>>()))

@@ -24,7 +24,7 @@ use crate::prelude::*;
 /// The extent of a verdict.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Extent {
-    /// All of [`Verdict`].
+    /// The whole [`Verdict`].
     Whole,
     /// As `Whole`, but a path that leaves small motions is followed to the whole load, to measure the largest ratio of a motion to its limit.
     Measured,

@@ -104,7 +104,7 @@ pub enum Holding<const C: usize> {
     Loose,
     /// Equilibrium is lost before the whole load is on, or motions cease to be small.
     Lost,
-    /// The grasp has no equilibrium even under the load at rest; the proof.
+    /// The grasp has no equilibrium even under the load at rest. The variant carries the proof.
     NoRest(NoEquilibrium<C>),
     /// The load at rest is lost as it grows from zero together with the commands. A path shows this loss; it is no proof as in [`Self::NoRest`].
     LostAtRest {

@@ -14,6 +14,7 @@
 //! The reserve under the loads is, in the same way, the least of `a·F⁰ + a·F¹`. Both have exact derivatives
 //! ([`Sensitivity::of`](crate::ask::Sensitivity::of)). Each step maximises the least of the linearised values within a trust region, a box, less a
 //! quadratic term with the curvature learnt from earlier steps. The step is accepted if the true value grows. Its multipliers are the certificate:
+//!
 //! ```text
 //! Σ λ_k ∇τ_k + Σ ν_b ∇b = 0,      λ, ν >= 0,      Σ λ_k = 1
 //! ```

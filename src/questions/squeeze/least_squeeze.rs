@@ -53,7 +53,7 @@ impl Engine {
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),
         };
         let (mut factor, mut binding) = (0.0, None);
-        // Each cut raises the factor, with quadratic convergence; beyond this number cuts are rounding.
+        // Each cut raises the factor, with quadratic convergence; beyond this number cuts only follow rounding.
         for _ in 0..1000 {
             let Some((contact, Condition { row, value, load, .. })) = parts.broken(factor) else {
                 return Ok(LeastSqueeze::Factor { factor, binding });

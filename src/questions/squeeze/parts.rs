@@ -73,7 +73,7 @@ impl<'l> Parts<'l> {
         most.map(|(_, contact, condition)| (contact, condition))
     }
 
-    /// The gain of a condition's value by the whole squeeze; zero where it is rounding.
+    /// The gain of a condition's value by the whole squeeze; zero where it is only rounding.
     pub(super) fn gain(&self, contact: usize, row: &SVector<f64, 3>) -> f64 {
         let gain = row.dot(&self.squeeze.of[contact]);
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }

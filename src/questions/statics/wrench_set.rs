@@ -99,7 +99,7 @@ impl WrenchSet {
     pub(super) fn forces(&self, v: &Vector) -> Vec<SVector<f64, 3>> {
         let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
         let mut forces = Vec::with_capacity(self.contacts.len());
-        // The last of the contacts that do most work.
+        // The contact that does most work; the last one among equals.
         let mut best = (0, f64::NEG_INFINITY);
         for (i, contact) in self.contacts.iter().enumerate() {
             let (force, work) = contact.most(v);

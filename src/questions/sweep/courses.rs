@@ -20,7 +20,7 @@ pub(super) struct Course {
 }
 
 impl Course {
-    /// Adds this many times another course.
+    /// Adds `times` times another course.
     pub(super) fn add(&mut self, times: f64, other: &Self) {
         self.known.iter_mut().zip(&other.known).for_each(|(sum, more)| *sum += more * times);
         for (sum, more) in self.off.iter_mut().flatten().zip(other.off.iter().flatten()) {
@@ -39,7 +39,7 @@ impl Course {
         sum
     }
 
-    /// The largest force with data as known.
+    /// The largest force for the data as given.
     pub(super) fn largest(&self) -> f64 {
         largest(&self.known, &Matrix::norm)
     }

@@ -99,7 +99,7 @@ impl UncertainForce<'_> {
                 moved = f64::max(moved, (step * g - *z).abs());
                 *z = step * g;
             }
-            // In standard deviations.
+            // Limit of the step at convergence, in standard deviations.
             arrived = moved < 1e-3;
             if arrived {
                 break;
@@ -135,7 +135,7 @@ impl UncertainForce<'_> {
         loop {
             let there = self.linearise(known, rubs, margin);
             let left = 0.5 * dot(&margin.fails_at, &margin.fails_at) + dear * there.abs();
-            // A step as short as a hundredth is accepted anyway.
+            // A step shortened to a hundredth is accepted in any case.
             if left <= here - SUFFICIENT_DECREASE * part * promised || part <= 1e-2 {
                 return there;
             }

@@ -21,13 +21,13 @@ pub(super) struct StuckGrasp {
     edges: Vec<Edges>,
     /// Forces by each component of the load.
     by_component: Vec<Course>,
-    /// All forces under the base load, and the part of them by that load.
+    /// `base`: all forces under the base load. `by_base_load`: the part of them that this load alone causes.
     base: Course,
     by_base_load: Course,
     /// Failure probability of each contact under the base load.
     fails_at_base: Vec<f64>,
     sigmas: f64,
-    /// σ of friction, and the relative growth of the load at each part of `LOOKED_AT`.
+    /// σ of friction, and the relative growth of the load at each multiple in `LOOKED_AT`.
     friction: f64,
     load: [f64; LOOKED_AT.len()],
     /// Work of each component of the load on the motions that nothing resists.
@@ -164,7 +164,7 @@ impl StuckGrasp {
 
 /// Approximately the β of a failure probability `Φ(-β)`, and as nearly linear in the factor; only differences are used.
 fn reliability(fails: f64) -> f64 {
-    // Smaller probabilities count as this one.
+    // Probabilities below 1e-300 count as 1e-300.
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
 }
 
