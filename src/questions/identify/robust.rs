@@ -5,7 +5,7 @@ use crate::numerics::{normal_density, normal_tail, summed};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The loss, by its transition in standard deviations.
+/// Huber's loss, by the residual at which it becomes linear, in standard deviations.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Huber(pub(super) f64);
 
@@ -67,7 +67,8 @@ mod tests {
     use super::*;
     use crate::numerics::Draw;
 
-    /// Normally distributed numbers have the scale of their distribution for every transition; the mean square is that of limited ones.
+    /// For normally distributed numbers the scale is their standard deviation at every transition, and the mean square is that of numbers limited
+    /// there.
     #[test]
     fn the_scale_is_that_of_a_normal_distribution() {
         let drawn: Vec<f64> = (0..20_000).map(|k| 3.0 * Draw::new([1, 2, k]).normal()).collect();

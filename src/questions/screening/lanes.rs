@@ -32,7 +32,7 @@ pub(super) trait Packed:
     fn each<T: Copy>(of: impl FnMut(usize) -> T) -> Self::Each<T>;
     /// Packs the numbers of the scenes.
     fn of(numbers: Self::Each<f64>) -> Self;
-    /// The number of one scene.
+    /// The number that belongs to the scene in this lane.
     fn lane(self, lane: usize) -> f64;
     fn abs(self) -> Self;
     fn sqrt(self) -> Self;
@@ -132,7 +132,7 @@ impl Lanes {
         self.zip(self, |x, _| f(x))
     }
 
-    /// Sets the lanes from `from` on.
+    /// Sets the lanes from `from` on to `number`.
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]
     pub(super) fn fill(&mut self, from: usize, number: f64) {

@@ -75,7 +75,7 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     triangle.ready(scene);
     let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
-    // Forces along edges caused by forces P, in sizes: `|N| |A⁻¹| |Nᵀ| C P`.
+    // A bound of the forces along edges that forces P cause, by absolute values: `|N| |A⁻¹| |Nᵀ| C P`.
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];
@@ -90,8 +90,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
     let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
-    // With larger forces along edges slowly closing margins would be called unclear; with a smaller limit
-    // more grasps would take twice the time. An even triangle of equal springs has seven.
+    // With larger forces along edges, slowly closing margins would be called unclear; with a smaller limit more grasps would take twice the time. An
+    // equilateral triangle of equal springs has the value seven.
     let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
     Sizes {

@@ -15,7 +15,7 @@
 //! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
-//! Derivatives of the factor of a load by all data of a grasp are [`ScreenedGradients`]; all of them together cost a few values. One grasp:
+//! Derivatives of the factor of a load by all data of a grasp are [`ScreenedGradients`]; all of them together take as long as a few values. One grasp:
 //! [`Fingers::onset_gradients`]. Many: [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
 //!
 //! In a control loop [`Fingers::watch`] evaluates measured forces: their margins, the first slip under a load to come, and the extra squeeze that
@@ -24,8 +24,11 @@
 //! [`Grasp::onset`] and its siblings agree with screening wherever every contact sticks at the start and the numbers are not extreme. Elsewhere the
 //! verdict of screening says why it has no answer ([`ScreeningVerdict`], [`SqueezeVerdict`]). Screening does not follow the grasp beyond the onset.
 //!
-//! One grasp at a time: [`Fingers`]. Many under common loads: [`Batch`], with pads or more contacts [`PointBatch`], and on all cores [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch),
-//! [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
+//! One grasp at a time: [`Fingers`]. Many under common loads: [`Batch`], with pads or more contacts [`PointBatch`], and on all cores
+//! [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch), [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and
+//! [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
+//!
+//! In the code a *scene* is one grasp, a *lane* its place in a vector register, and a *block* as many scenes as there are lanes.
 //!
 //! [`Grasp::onset`]: crate::ask::Grasp::onset
 //! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn

@@ -12,13 +12,13 @@ use crate::prelude::*;
 
 /// One datum, with its error of one σ.
 pub(super) enum UncertainDatum {
-    /// Of a contact, or of all points of the soft fingertip that it begins.
+    /// Errors of a contact, or of all points of the soft fingertip whose first point it is.
     OfContact(usize, ContactErrors),
     /// The logarithm of the stiffness of a joint.
     OfJoint(usize, f64),
 }
 
-/// The contact, or all points of the soft fingertip that it begins.
+/// Indices of this contact, or of all points of the soft fingertip whose first point it is.
 fn points(of: &Engine, contact: usize) -> Range<usize> {
     let further = of.contacts().iter().skip(contact + 1).take_while(|point| !point.begins_a_whole());
     contact..contact + 1 + further.count()
@@ -39,7 +39,7 @@ impl UncertainDatum {
         })
     }
 
-    /// The parameters of which this is a datum, each with its change by one σ.
+    /// The parameters that this datum changes, each with its change by one σ.
     pub(super) fn parameters(&self, of: &Engine) -> Vec<(Parameter, f64)> {
         match self {
             Self::OfContact(contact, errors) => {
@@ -55,7 +55,7 @@ impl UncertainDatum {
 }
 
 impl Engine {
-    /// The uncertain data that change forces; those of the load and of friction do not by themselves.
+    /// The uncertain data that change forces while contacts stick. Friction does not, and the load is one factor on all forces that it causes.
     pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
         let none = ContactErrors::default();
