@@ -21,7 +21,8 @@ pub(super) struct LemkePath {
     /// The perturbation of each basic variable while the dictionary is computed anew.
     pub(super) saved: Vec<f64>,
     pub(super) members: Vec<LemkeVariable>,
-    pub(super) active: Vec<bool>,
+    /// Rows of the slack basis whose slacks leave it while the dictionary is computed anew.
+    pub(super) leaving: Vec<usize>,
     pub(super) defect: Vec<f64>,
     pub(super) terms: Vec<f64>,
 }
@@ -45,7 +46,7 @@ impl LemkePath {
         }
         make_room(&mut self.saved, 2 * n + 1);
         make_room(&mut self.members, n + 1);
-        make_room(&mut self.active, n);
+        make_room(&mut self.leaving, n);
     }
 
     pub(super) fn set_right_hand_side(&mut self, q: &[f64]) {

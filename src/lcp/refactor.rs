@@ -59,8 +59,8 @@ impl LemkePath {
                 self.members.push(*basic);
             }
         }
-        self.active.clear();
-        self.active.extend((0..self.q.len()).map(|i| self.dictionary.is_active(i)));
+        self.leaving.clear();
+        self.leaving.extend((0..self.q.len()).filter(|i| self.dictionary.is_active(*i)));
         self.install(m)?;
         for row in 0..self.q.len() {
             self.dictionary.p[row] = self.saved[index(self.dictionary.basic[row], self.q.len())];
@@ -69,25 +69,24 @@ impl LemkePath {
         Ok(())
     }
 
-    /// The dictionary in which `members` are basic and the w_i with `active[i]` are not.
+    /// The dictionary in which `members` are basic and the slacks of the rows `leaving` are not.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
         for member in 0..self.members.len() {
             let member = self.members[member];
             self.dictionary.enter(member, m, &self.scaling);
             let mut best = (0, 0.0);
-            for (row, (basic, u)) in self.dictionary.basic.iter().zip(&self.dictionary.u).enumerate() {
-                if let LemkeVariable::W(i) = *basic
-                    && self.active[i]
-                    && u.abs() > best.1
-                {
-                    best = (row, u.abs());
+            for (place, row) in self.leaving.iter().enumerate() {
+                let u = self.dictionary.u[*row].abs();
+                if u > best.1 {
+                    best = (place, u);
                 }
             }
             if best.1.is_nan() || best.1 <= ELIMINATED_PIVOT * self.dictionary.entering_size() {
                 return Err(BreakdownCause::SingularBasis);
             }
-            self.dictionary.exchange(member, best.0);
+            let row = self.leaving.remove(best.0);
+            self.dictionary.exchange(member, row);
         }
         self.compute_defect(m);
         self.correct();
@@ -170,10 +169,10 @@ impl LemkePath {
         m: &[f64],
         active: impl Fn(usize) -> bool,
     ) -> Result<(), BreakdownCause> {
-        self.active.clear();
-        self.active.extend((0..self.q.len()).map(&active));
+        self.leaving.clear();
+        self.leaving.extend((0..self.q.len()).filter(|i| active(*i)));
         self.members.clear();
-        self.members.extend((0..self.q.len()).filter(|i| active(*i)).map(LemkeVariable::Z));
+        self.members.extend(self.leaving.iter().map(|i| LemkeVariable::Z(*i)));
         self.install(m)
     }
 }

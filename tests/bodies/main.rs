@@ -20,3 +20,4 @@ mod pointed_arches;
 mod programs;
 mod rigid_limit;
 mod wedges;
+mod weightless_rests;

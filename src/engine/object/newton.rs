@@ -14,7 +14,7 @@ use core::ops::Range;
 use nalgebra::SVector;
 
 use super::problem::Problem;
-use super::tolerances::{NEARLY_RELAXED, RELAXING_STEPS};
+use super::tolerances::{LONGEST_PACE, NEARLY_RELAXED, RELAXING_STEPS, STRAIGHT_ON};
 use crate::contact::ContactResponse;
 use crate::grasp::Site;
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
@@ -69,8 +69,9 @@ fn on_cones(
 /// q <- q + T⁻¹R(q),   T = Σ G_i K_i G_iᵀ
 /// ```
 ///
-/// go as viscous contacts would: what is beyond a cone slips little by little. They end at one equilibrium, which is stable, and which varies with loads,
-/// commands and friction without a jump for as long as it is. Newton's method from afar jumps from one equilibrium to another.
+/// go as viscous contacts would: what is beyond a cone slips little by little. Where they go straight on they are made longer. They end at one
+/// equilibrium, which is stable, and which varies with loads, commands and friction without a jump for as long as it is. Newton's method from afar
+/// jumps from one equilibrium to another.
 /// `None` where a motion of the stuck grasp is free.
 pub(crate) fn relaxed_on_cones(problem: &Problem, stuck: &Vector) -> Option<Vector> {
     let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());
@@ -79,15 +80,25 @@ pub(crate) fn relaxed_on_cones(problem: &Problem, stuck: &Vector) -> Option<Vect
     }
     let mut contacts = vec![ContactResponse::open(); problem.len()];
     let mut twist = stuck.clone();
-    let mut last = None;
+    let (mut last, mut pace): (Option<Vector>, f64) = (None, 1.0);
     for _ in 0..RELAXING_STEPS {
         let here = respond(problem, (&twist, 0.0), &mut contacts, &on_cones(problem));
         let step = factors.solve(&here.left);
-        twist += &step;
-        let (size, way) = (step.norm(), (&twist - stuck).norm());
-        // Steps that shrink by the factor r go on by r/(1 - r) times the last of them. Past an equilibrium that is not stable they are short, but grow.
-        let shrinks_by = last.replace(size).unwrap_or(size) - size;
-        if size * size <= NEARLY_RELAXED * shrinks_by * way {
+        let size = step.norm();
+        // The number of such steps after which a sequence that shrinks by this factor ends. Past an equilibrium that is not stable steps are short, but grow.
+        let (mut whole, mut next) = (f64::INFINITY, 1.0);
+        if let Some(last) = &last {
+            let before = last.norm();
+            if size < before {
+                whole = pace * before / (before - size);
+            }
+            if step.dot(last) >= STRAIGHT_ON * size * before {
+                next = (2.0 * pace).min(LONGEST_PACE).min(whole);
+            }
+        }
+        twist += &step * next;
+        (last, pace) = (Some(step), next);
+        if size == 0.0 || size * whole <= NEARLY_RELAXED * (&twist - stuck).norm() {
             break;
         }
     }

@@ -170,13 +170,8 @@ impl RoundPieces {
             let fails = 1e-14;
             let touches = closing && stretch[0] > fails * problem.span(contact, &twist);
             let (state, force) = (self.states[contact], &mut self.forces[contact]);
-            let next = next_state(
-                &problem.local(contact),
-                &state,
-                force,
-                &stretch,
-                [touches, force[0] < -fails * largest],
-            );
+            let next =
+                next_state(&problem.local(contact), &state, force, (&stretch, touches), fails * largest);
             any |= !next.is_kind_of(&state);
             self.states[contact] = next;
         }
@@ -184,22 +179,23 @@ impl RoundPieces {
     }
 }
 
-/// The next state of a contact; sets its force where it opens or slides on the round cone. An open contact may touch again, and a closed
-/// contact may pull.
+/// The next state of a contact; sets its force where it opens or slides on the round cone. An open contact may touch again. Forces up to
+/// `rounding` are zero.
 fn next_state(
     local: &LocalLaw<'_>,
     state: &State,
     force: &mut SVector<f64, 3>,
-    stretch: &SVector<f64, 3>,
-    [touches, pulls]: [bool; 2],
+    (stretch, touches): (&SVector<f64, 3>, bool),
+    rounding: f64,
 ) -> State {
+    let opened = |force: &mut SVector<f64, 3>| {
+        force.fill(0.0);
+        Mode::Open
+    };
     match state {
         Mode::Open if touches && local.may_open() => Mode::Sticking,
         Mode::Open => Mode::Open,
-        _ if local.may_open() && pulls => {
-            force.fill(0.0);
-            Mode::Open
-        }
+        _ if local.may_open() && force[0] < -rounding => opened(force),
         _ if !local.may_slide() => *state,
         _ => {
             // The stretch of a stiff spring is computed from its force; displacements would only give its rounding.
@@ -210,11 +206,14 @@ fn next_state(
                 );
             let near = state.slide().map_or(0.0, |slide| slide.lambda);
             let answer = local.answer(&known, near);
+            let rubs = state.slide().is_some() || tangential_norm(force) > rounding;
             match answer.state {
                 Mode::Round(_) => {
                     *force = answer.force;
                     answer.state
                 }
+                // Pulled by rounding alone, a contact rubs without a normal force: friction holds nothing.
+                Mode::Open if local.may_open() && rubs => opened(force),
                 _ => Mode::Sticking,
             }
         }
