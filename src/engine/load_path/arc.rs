@@ -225,7 +225,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let begun: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // Most Newton corrections onto the cones. A step violates the cones by its error, and the first correction leaves the square of it.
+            // Maximum number of Newton corrections onto the cones. A step violates the cones by its error, and the first correction leaves the square
+            // of it.
             for _ in 0..6 {
                 let load = self.segment.course.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);

@@ -36,7 +36,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
-    /// The equilibrium continues with these contacts sliding or open. Only after an onset: a path is followed as far as it continues.
+    /// The equilibrium continues with these contacts sliding or open. Only after an onset: a load path is itself followed as far as it continues.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves this, or in the plane and on polygons a trial of every combination of contact
     /// states. On the round cone it may be proved only at a distance beyond the end. The distance is at most a hundredth of the whole load, or of all
@@ -203,8 +203,8 @@ fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> 
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The step of the load factor of which distances beyond the end are parts: [`whole_way`], or the whole leg if there is no load yet. A zero step
-/// would put all of them at the end itself.
+/// The unit of distances beyond the end: the load step [`whole_way`], or the whole leg if there is no load yet. With a zero unit all of them would
+/// lie at the end itself.
 fn way_beyond(here: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(here, rates);
     if way > ZERO_SLACK { way } else { 1.0 }

@@ -229,8 +229,8 @@ impl Node {
             let is = is.unwrap_or(Mode::Open);
             self.sets_out |= is.slide().is_some() && matches!(rates.laws[i], Law::Cone { .. });
             if was.is_open() && !is.is_open() {
-                // The contact closes at the present place of its finger: its friction starts from zero, and its slip has followed the surfaces up to
-                // here.
+                // The contact closes at the present place of its finger, and its friction starts from zero: the displacement of the surfaces so far
+                // becomes slip memory.
                 segment.remember_slip(i, factor, &self.at.twist, &SVector::zeros());
             }
             if let Mode::Round(slide) = &is {

@@ -72,7 +72,7 @@ pub struct OnsetEvent<const C: usize> {
     pub load: Wrench<C>,
     /// The contacts that stop sticking, all at this factor. Contacts that have closed before are not among them.
     pub leaving: Vec<Leaving<C>>,
-    /// Drives of a hand that give way there: joints and tendons at their limit, tendons that slacken.
+    /// Drives of a hand that yield at the onset: joints and tendons at their limit, tendons that slacken.
     pub drives: Vec<PartChange>,
     /// The friction cone for which the event was computed.
     pub cone: Cone,

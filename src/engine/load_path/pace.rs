@@ -36,7 +36,7 @@ impl Pace {
             unit: None,
             refused: 0,
             stiff: false,
-            // Number of explicit steps after an event, and after implicit ones have failed, before implicit ones are tried.
+            // Number of explicit steps after an event before implicit ones are tried.
             patience: 8,
             steps: 0,
             loosened: 0,
@@ -83,7 +83,7 @@ impl Pace {
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
-        // After this many refusals in a row of implicit steps, explicit ones are tried.
+        // After this many refusals in a row of implicit steps, explicit ones are tried for a while.
         if self.stiff && self.refused >= 4 {
             (self.stiff, self.patience) = (false, 64);
         }

@@ -57,7 +57,7 @@ pub(crate) struct Pieces<'g> {
     pub(super) first: Option<Box<Event<3>>>,
     /// The problem at the end of a jump that found no equilibrium.
     pub(super) fallen: Option<Problem<'g>>,
-    /// Where motions cease to be small, if they do.
+    /// The place where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
     /// The largest ratio of a motion to its limit, at the ends of pieces.
     pub(super) farthest: f64,

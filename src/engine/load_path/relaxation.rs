@@ -55,7 +55,7 @@ pub(super) struct Relaxation<'f, 's, 'g> {
 /// The factors of 1 - hJ.
 pub(super) struct Damped {
     length: f64,
-    /// Of `[T' | -b']` with the row of the path below.
+    /// The factors of `[T' | -b']` with the transverse row below.
     bordered: PathFactors,
     /// e, N.
     sizes: Vec<f64>,

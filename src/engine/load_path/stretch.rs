@@ -175,7 +175,7 @@ impl<'g> Stretch<'g> {
     fn part_of_a_step(&self, bend: &Bend, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut here, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = bend.length;
-        // Most parts into which a step is divided if it cannot be repeated at once; each is half as long as the one before.
+        // Maximum number of parts into which a step is divided if it cannot be repeated at once; each is half as long as the one before.
         for _ in 0..60 {
             let flow = Flow::new(segment, &states, from, &here, bend.unit);
             if let Some(reached) = flow.reach_factor(fraction, length, bend.rule) {

@@ -241,13 +241,13 @@ pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vec
     }
 }
 
-/// A contact or a drive of a hand that comes to the edge of its cone or limit without crossing it.
+/// A contact or a drive of a hand that reaches the edge of its cone or its limit without crossing it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct EdgeTouch {
-    /// The contact or drive that touches its edge.
+    /// The contact or drive that reaches its edge or limit.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
     /// The angle, rad.

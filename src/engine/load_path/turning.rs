@@ -104,7 +104,7 @@ impl<'g> Pieces<'g> {
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            // Most times that a step is shortened because a condition may fail within it.
+            // Maximum number of times that a step is shortened because a condition may fail within it.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(here, (part * end.length, 0), end.rule)?;
@@ -119,7 +119,7 @@ impl<'g> Pieces<'g> {
         here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether the path has advanced since events were last gathered at one place.
+    /// Whether the path has advanced since events that accumulate were last moved to one place.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }

@@ -118,7 +118,7 @@ pub(super) fn watch(
                 push(line.force[0], Some([line.rate[0], line.rate_size]), line.force_size);
             }
             Mode::Sticking => {}
-            // Near zero normal force only rounding decides whether the contact sticks: it is not asked.
+            // Near zero normal force only rounding decides whether the contact sticks, so that this condition counts as satisfied.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);

@@ -15,7 +15,7 @@ use crate::words::{Words, opens};
 pub struct WholeChange<const C: usize> {
     /// The contact that changes.
     pub contact: ContactLabel,
-    /// Its behaviour from here on.
+    /// The behaviour of the contact from here on.
     pub what: PadChange<C>,
 }
 

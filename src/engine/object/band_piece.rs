@@ -172,7 +172,7 @@ impl BandPiece {
         let length = |x: &[f64]| summed(x, &|x| x * x).sqrt();
         let mut growth = 1.0_f64;
         let mut q = vec![0.0; self.numbers.len()];
-        // Steps of the power method, which estimates the norm from below.
+        // Number of steps of the power method, which estimates the norm from below.
         for _ in 0..4 {
             let before = length(&x);
             q.fill(0.0);
@@ -186,7 +186,7 @@ impl BandPiece {
             self.factors.solve_transposed(&mut q);
             self.springs.stretch(left, &mut q, |spring, stretch| x[spring] = stretch / after);
         }
-        // Factor by which the estimate may be too small.
+        // The estimate may be too small by this factor.
         2.0 * growth
     }
 

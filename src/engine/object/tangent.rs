@@ -117,7 +117,7 @@ pub(crate) fn balance(
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
-    // Steps of refinement: where one is not enough, the second should be.
+    // Maximum number of refinement steps: if one is not enough, the second should be.
     for _ in 0..4 {
         let Imbalance { left, size } = Imbalance::of(sites, &state.forces, wrench, wrench.norm());
         if left.norm() <= part * size {

@@ -13,7 +13,7 @@
 //! h  <=  Σ c_i x_i + Σ r_i·v_i  +  |(Σ c_i G_i n + Σ G_i r_i)·δ|  +  Σ c_i (|G_i n·δ| - x_i)₊
 //! ```
 //!
-//! Where this bound is below `W·v`, no equilibrium exists. Opposed contacts cancel in the sum; h then grows only once one of them opens.
+//! If this bound is below `W·v`, no equilibrium exists. The terms of opposed contacts cancel in the sum; h then grows only once one of them opens.
 
 use crate::contact::Resistance;
 use crate::grasp::Space;

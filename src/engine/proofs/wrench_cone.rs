@@ -70,8 +70,8 @@ pub(crate) fn nearest_forces(
     let mut nearest = NearestPoint::new(target.as_slice());
     // Generators of round cones that have joined; their tags follow those of the straight ones.
     let mut joined: Vec<Generator> = Vec::new();
-    // Most generators that join: two hundred, and four more for each coordinate. Straight cones rarely need more to carry a load. Near the boundary
-    // of round cones each new generator reduces the distance only by a factor.
+    // Maximum number of generators that join: two hundred, and four more for each coordinate. Straight cones rarely need more to carry a load. Near
+    // the boundary of round cones each new generator reduces the distance only by a factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, against) = loop {

@@ -25,7 +25,7 @@ pub enum RungResult {
 /// One search, with the result of each rung tried alone.
 #[derive(Debug, Clone)]
 pub struct RecordedSearch {
-    /// The number of the rung that decided; `None` where the search stayed undecided.
+    /// The index of the rung that decided; `None` if the search stayed undecided.
     pub decided: Option<usize>,
     /// The result of each rung, and its time, s.
     pub rungs: Vec<(RungResult, f64)>,

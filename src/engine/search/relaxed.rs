@@ -130,7 +130,7 @@ impl BalanceEquation {
         // Generators that have joined since the distance last shrunk; they are not tried again before it shrinks.
         let mut tried: Vec<Tag> = Vec::new();
         let mut least = f64::INFINITY;
-        // Most generators that join, for each row of the equation.
+        // Maximum number of generators that join, for each row of the equation.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
             // A distance below this part of the trial state is zero.
@@ -143,7 +143,7 @@ impl BalanceEquation {
                 tried.clear();
             }
             self.projected(nearest.residual(), &mut projected);
-            // Least work of a generator along the residual, as a part of the residual, with which it joins.
+            // A generator joins if its work along the residual exceeds this part of the residual.
             let (mut best, mut most) = (None, SOLVED_ROUNDING * distance);
             let mut hardest = LEAST_WORK * distance;
             for (tag, work) in Self::works(nearest.residual(), &projected, hulls) {

@@ -206,7 +206,7 @@ impl StateBasis {
         Some(())
     }
 
-    /// All sums, computed afresh.
+    /// All sums, computed from all contacts.
     pub(super) fn sums(&self, form: &ContactForm) -> Sums<3> {
         Sums::over(form.size, form.len(), form.coordinates.rank, &|sums, contact| {
             form.accumulate(sums, contact, self.jumped(contact), 1.0);
