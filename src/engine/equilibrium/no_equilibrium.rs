@@ -44,7 +44,7 @@ pub enum Proof<const C: usize> {
     },
     /// Every combination of contact states was tried; each violates a condition clearly. In the plane and on polygons.
     EveryStateTried {
-        /// Number of combinations.
+        /// Number of combinations of contact states.
         combinations: usize,
     },
     /// On the round cone: contact states were divided into cases, open or closed, sticking or sliding, friction between two angles. In each case a

@@ -23,13 +23,13 @@ pub struct PadAnswer<const C: usize> {
     /// Label of the contact, where a soft fingertip counts as one: as in a scene.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// Index of its first point in the list of contacts of the answer.
+    /// Index of the fingertip's first point in the list of contacts of the answer.
     pub first: usize,
-    /// Number of its points.
+    /// Number of points of the fingertip.
     pub points: usize,
-    /// Number of its sliding points.
+    /// Number of sliding points.
     pub sliding: usize,
-    /// Number of its open points.
+    /// Number of open points.
     pub open: usize,
     /// Force of the finger on the object in the contact frame, N, normal part first, and moment about the middle of the pad, N m. In space the moment
     /// is along the axes of the contact frame, the torsion first, in the plane from x to y.
@@ -82,7 +82,7 @@ impl<const C: usize> PadAnswer<C> {
     }
 }
 
-/// A contact as users count them.
+/// A contact as users count them: a soft fingertip is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WholeAnswer<'a, const C: usize> {
     /// A contact that is a point itself.

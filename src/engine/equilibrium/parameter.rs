@@ -174,7 +174,7 @@ impl StickingResponse<'_> {
         self.piece.free_motions().iter().all(stays_free).then_some(change)
     }
 
-    /// (∂K/∂μ) v of one contact.
+    /// The direct change of a contact's force with its coefficient of friction, (∂K/∂μ) v.
     fn by_friction(&self, contact: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let state = &self.states[contact];
         if !state.slides() {
@@ -183,7 +183,7 @@ impl StickingResponse<'_> {
         self.problem.local(contact).edge(state).pull * force[0]
     }
 
-    /// (∂K/∂k) v of one contact along one axis.
+    /// The direct change of a contact's force with its stiffness along one axis, (∂K/∂k) v.
     fn by_stiffness(&self, contact: usize, axis: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let local = self.problem.local(contact);
         let state = &self.states[contact];

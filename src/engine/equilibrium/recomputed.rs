@@ -161,7 +161,7 @@ impl Engine {
         (sum, size)
     }
 
-    /// Answers at the drives of a hand.
+    /// The solution at the drives of a hand, as if they were contacts.
     fn drives_told<'a>(&self, problem: &Problem, twist: &Vector, found: &'a Found) -> Vec<SiteAnswer<'a>> {
         if self.linkage().is_none() {
             return Vec::new();

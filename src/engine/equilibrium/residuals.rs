@@ -1,4 +1,4 @@
-//! Residuals of an answer.
+//! Residuals of an answer: by how much it violates each condition.
 
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;

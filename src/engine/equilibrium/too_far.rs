@@ -168,7 +168,7 @@ impl Engine {
         }
         let limit = small.slip * self.size_of_grasp();
         for (i, (contact, site)) in self.contacts().iter().zip(self.sites()).enumerate() {
-            // A slack cable is not an opening contact.
+            // A slack cable is open as well, but this is no motion that counts.
             if contact.link == Some(LinkKind::Cable) {
                 continue;
             }

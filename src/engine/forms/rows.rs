@@ -44,7 +44,7 @@ pub enum Row {
     Balance {
         /// The component of the twist and of the equilibrium equation: translations first, then rotations.
         axis: usize,
-        /// Whether z is the positive part.
+        /// Whether z is the positive part of the component, not the negative one.
         positive: bool,
     },
 }

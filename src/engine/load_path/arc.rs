@@ -39,12 +39,12 @@ pub(super) struct Arc<'s, 'g> {
     pub(super) driven: bool,
 }
 
-/// A direction of the path.
+/// A direction of the path in twist and load factor.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
-    /// q'.
+    /// Rate of the twist, q' = dq/ds per unit of arclength.
     pub(super) twist: Vector,
-    /// λ'.
+    /// Rate of the load factor, λ', per unit of arclength.
     pub(super) factor: f64,
 }
 
@@ -130,7 +130,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.factored(stiffness, &push, across)
     }
 
-    /// T and b at a factor.
+    /// The tangent stiffness T and the right side b at a factor.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {

@@ -53,7 +53,7 @@ pub enum Beyond<const C: usize> {
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
     WithoutVacuum {
-        /// The cups.
+        /// The cups whose vacuum is gone.
         cups: Vec<WholeContact>,
     },
     /// The answer could not be decided.
@@ -76,7 +76,7 @@ pub struct Continuation<const C: usize> {
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the factor.
     pub twist_rate: Motion<C>,
-    /// The rule that found the solution.
+    /// The rule that found the solution of the rates.
     pub rule: FoundBy,
 }
 

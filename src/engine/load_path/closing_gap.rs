@@ -28,9 +28,9 @@ use nalgebra::SVector;
 
 /// The free motion up to the gap that closes first.
 struct FreeWay {
-    /// Length, as a multiple of the motion.
+    /// Length of the motion, as a multiple of its direction.
     length: f64,
-    /// Sites whose gaps close at the end.
+    /// Sites whose gaps close at the end of the motion.
     closing: Vec<usize>,
     /// Whether each site stays in place during the motion, although it may be on an edge.
     still: Vec<bool>,

@@ -32,7 +32,7 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 
 /// A jump in progress.
 pub(super) struct JumpInProgress<'g> {
-    /// The leg along which the external force is removed.
+    /// The leg along which the external force that replaces lost friction is removed.
     pub(super) leg: Pieces<'g>,
     /// Slips before the jump, and all states so far of all sites in it.
     fallen: Fallen,

@@ -76,7 +76,7 @@ pub struct OnsetEvent<const C: usize> {
     pub drives: Vec<PartChange>,
     /// The friction cone for which the event was computed.
     pub cone: Cone,
-    /// State from which questions about the event start.
+    /// The engine's state at the onset, from which further questions about it start.
     pub(super) local: StickingState,
 }
 
@@ -162,7 +162,7 @@ pub struct Leaving<const C: usize> {
     /// The contact that stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// How it stops sticking.
+    /// How the contact stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub how: Departure<C>,
 }

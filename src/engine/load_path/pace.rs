@@ -17,7 +17,7 @@ pub(super) struct Pace {
     pub(super) length: Option<f64>,
     /// The displacement that contributes as much to arclength as the whole leg, m; `None` before the first step from a node.
     pub(super) unit: Option<f64>,
-    /// Refusals in a row.
+    /// Number of successive steps that were refused.
     refused: u8,
     /// Whether steps are implicit, because directions turn much faster than the object moves.
     pub(super) stiff: bool,

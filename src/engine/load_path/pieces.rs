@@ -173,7 +173,7 @@ impl<'g> Pieces<'g> {
     /// Starts at the equilibrium of the problem, if there is one.
     pub(super) fn at_start(journey: &Journey<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = journey.start(problem)?;
-        // At rest, load and commands do not change.
+        // The path has not begun to move: load and commands do not change.
         let change = journey.grasp.offset_changes(None, None);
         let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
         let (grasp, answer_for, problem) = (journey.grasp, journey.answer_for(), problem.clone());

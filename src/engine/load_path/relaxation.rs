@@ -28,36 +28,37 @@ use crate::prelude::*;
 struct Turning {
     contact: usize,
     tangent: Tangent,
-    /// |F_t|, N.
+    /// Size of the friction force, |F_t|, N.
     size: f64,
     /// d; zero for a contact without friction force, which has no direction to turn.
     across: SVector<f64, 3>,
     /// v, N for one radian and one unit of arclength.
     change: SVector<f64, 3>,
-    /// G v.
+    /// The wrench G v.
     push: Vector,
-    /// c = Cᵀ d, N/m.
+    /// The row c = Cᵀ d, N/m.
     felt: SVector<f64, 3>,
-    /// G c.
+    /// The wrench G c.
     pull: Vector,
 }
 
-/// J at the start of a step.
+/// The derivative J at the start of a step.
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
     contacts: Vec<Turning>,
-    /// T and b.
+    /// The tangent stiffness T.
     stiffness: PathStiffness,
+    /// The right side b.
     load: Vector,
     way: Direction,
 }
 
-/// The factors of 1 - hJ.
+/// The factors of the matrix 1 - hJ.
 pub(super) struct Damped {
     length: f64,
     /// The factors of `[T' | -b']` with the transverse row below.
     bordered: PathFactors,
-    /// e, N.
+    /// The numbers e of the contacts, N.
     sizes: Vec<f64>,
 }
 

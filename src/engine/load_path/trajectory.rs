@@ -9,12 +9,12 @@ use crate::numerics::Harmonic;
 pub(super) enum Trajectory<X> {
     Straight {
         from: X,
-        /// Rate for one unit of the factor.
+        /// Rate of the load for one unit of the factor.
         rate: X,
     },
     Turn {
         load: Harmonic<X>,
-        /// Angle for one unit of the factor, rad.
+        /// Angle of the load for one unit of the factor, rad.
         angle: f64,
     },
 }

@@ -46,7 +46,7 @@ impl<const C: usize> From<&Self> for Turn<C> {
 }
 
 impl<const C: usize> Turn<C> {
-    /// A turn from its three parts, N and N m; one full turn.
+    /// A load that turns by one full turn, from its three parts in N and N m.
     #[must_use]
     pub fn new(constant: Wrench<C>, cosine: Wrench<C>, sine: Wrench<C>) -> Self {
         Self { load: Harmonic { constant, cosine, sine }, angle: TAU, tilts_bodies_about: None }
@@ -250,7 +250,7 @@ pub struct EdgeTouch {
     /// The contact or drive that reaches its edge or limit.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
-    /// The angle, rad.
+    /// The angle of the load there, rad.
     #[cfg_attr(feature = "serde", serde(rename = "angle_rad", with = "AsComputed::<f64>"))]
     pub angle: f64,
 }

@@ -180,7 +180,8 @@ impl<'g> Pieces<'g> {
         let force_way = here.sizes[0] / here.rate_sizes[0];
         // Forces that would double within this part of the rest of the leg are rounding of vanishing forces.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
-        // First step from an apex, as a part of the way on which forces change by their own size: directions turn by the square of it.
+        // First step from an apex, as a part of the length on which forces change by their own size. Friction directions turn by about the square of
+        // this part meanwhile.
         self.node.sets_out.then_some(1e-6 * way)
     }
 

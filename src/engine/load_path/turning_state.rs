@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// All quantities as harmonics of the load's angle, counted from a place on the path, while contacts keep their states.
 #[derive(Debug)]
 pub(super) struct TurningState {
-    /// Force and stretch of every contact.
+    /// Harmonics of force and stretch of every contact.
     pub(super) waves: Vec<[Wave; 2]>,
     pub(super) twist: Harmonic<Vector>,
     pub(super) load: Harmonic<Vector>,

@@ -6,10 +6,10 @@ use super::trajectory::Trajectory;
 use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::prelude::*;
 
-/// The subject of a condition.
+/// The subject of a watched condition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
-    /// The state of this contact.
+    /// The state of this contact holds.
     Contact(usize),
     /// The rate of the load factor is positive.
     Growth,
@@ -66,7 +66,7 @@ pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
 
-/// The conditions in these states.
+/// The conditions that hold along an arc in these states, evaluated at a point of it.
 pub(super) fn watch(
     segment: &Segment<'_>,
     states: &[State],

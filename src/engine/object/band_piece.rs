@@ -136,7 +136,7 @@ impl BandPiece {
         moved(self.factors.null_vectors(), &motion)
     }
 
-    /// `T⁻¹` times a load.
+    /// The twist `T⁻¹ W` under a load W at zero offsets.
     pub(super) fn solve(&self, load: &Vector) -> Vector {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }

@@ -18,7 +18,7 @@ use crate::prelude::*;
 /// the facet (1, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Facet {
-    /// (κ, c), c of length one.
+    /// The row (κ, c), with c of length one.
     pub(crate) row: SVector<f64, 3>,
     /// Length of `row`, with which units of the facet become those of a row of length one.
     pub(crate) unit: f64,
@@ -32,7 +32,7 @@ impl Facet {
         Self { row, unit: row.norm() }
     }
 
-    /// (0, c).
+    /// The column (0, c): the change of x by slip across this facet.
     pub(crate) fn column(&self) -> SVector<f64, 3> {
         tangential(&self.row)
     }

@@ -18,7 +18,7 @@ use crate::prelude::*;
 /// Null vectors of T, by their meaning (see the top of this file).
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
-    /// Orthonormal, like the other lists.
+    /// Motions that stretch no spring; orthonormal, like the other lists.
     pub(super) free: Vec<Vector>,
     pub(super) neutral: Vec<Vector>,
     pub(super) unbalanced: Vec<Vector>,

@@ -23,7 +23,7 @@ impl Precise {
         Self { high, low }
     }
 
-    /// Component k.
+    /// Component k in twice the working precision.
     #[inline(always)]
     fn at(&self, k: usize) -> DoubleDouble {
         DoubleDouble { high: self.high[k], low: self.low[k] }
@@ -34,7 +34,7 @@ impl Precise {
         (self.high[k], self.low[k]) = (x.high, x.low);
     }
 
-    /// High and low parts in place; `None` with more coordinates than those of one object.
+    /// High and low parts as arrays of fixed size; `None` with more coordinates than those of one object.
     #[inline(always)]
     fn arrays(&self) -> Option<Twice<'_>> {
         Some([self.high.array()?, self.low.array()?])

@@ -146,7 +146,7 @@ impl PushedBack {
         let mut load = vec![0.0; count];
         let size = problem.wrench.norm();
         problem.wrench.iter().zip(&numbers).for_each(|(w, k)| load[*k] = w / size);
-        // ρ in the first round.
+        // The penalty ρ of the first round.
         Some(Self { contacts, numbers, load, band, stiffness: 1e1 })
     }
 
@@ -186,7 +186,7 @@ impl PushedBack {
         Some(norm(&left))
     }
 
-    /// `W + Σ G f - v`.
+    /// The imbalance `W + Σ G f - v`.
     fn missing(&self, v: &[f64]) -> Vec<f64> {
         let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).collect();
         for contact in &self.contacts {

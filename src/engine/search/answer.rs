@@ -139,7 +139,7 @@ pub(crate) enum Settled {
         cases: usize,
         escape: f64,
     },
-    /// Nothing found, nothing proved.
+    /// No equilibrium was found, and no proof that there is none.
     Undecided(Doubt),
 }
 
@@ -147,9 +147,9 @@ pub(crate) enum Settled {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Effort {
     pub(crate) pivots: usize,
-    /// Rows of the largest complementarity problem.
+    /// Number of rows of the largest complementarity problem.
     pub(crate) rows: usize,
     pub(crate) combinations: usize,
-    /// Facets of a contact's polygonal cone.
+    /// Number of facets of a contact's polygonal cone.
     pub(crate) facets: usize,
 }

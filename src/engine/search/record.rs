@@ -14,11 +14,11 @@ use super::ladder::LADDER;
 pub enum RungResult {
     /// The rung does not apply to the search.
     Untried,
-    /// Neither an equilibrium nor a proof.
+    /// The rung found neither an equilibrium nor a proof.
     Nothing,
-    /// An equilibrium.
+    /// The rung found an equilibrium.
     Found,
-    /// A proof that no equilibrium exists.
+    /// The rung proved that no equilibrium exists.
     Proved,
 }
 
@@ -35,7 +35,7 @@ std::thread_local! {
     static RECORD: RefCell<Option<Vec<RecordedSearch>>> = const { RefCell::new(None) };
 }
 
-/// The names of the rungs, from below.
+/// The names of the rungs, in the order in which they are tried.
 #[must_use]
 pub fn names() -> Vec<&'static str> {
     mapped(&LADDER, &|rung| rung.name)

@@ -30,13 +30,13 @@ pub(super) type Tag = (usize, usize);
 
 /// The equation `e + P (f - e) = f⁰`.
 pub(super) struct BalanceEquation {
-    /// P, column by column.
+    /// The projector P, column by column.
     projector: Vec<f64>,
-    /// f⁰ over its length.
+    /// The elastic trial state f⁰, scaled to length one.
     target: Vec<f64>,
-    /// |f⁰|, √J.
+    /// The length of f⁰, √J.
     unit: f64,
-    /// K^{1/2} of each contact.
+    /// The square roots of stiffness, K^{1/2}, of each contact.
     roots: Vec<SVector<f64, 3>>,
 }
 
@@ -97,7 +97,7 @@ impl BalanceEquation {
         }
     }
 
-    /// `P y`.
+    /// The projection `P y`.
     fn projected(&self, y: &[f64], projected: &mut Vec<f64>) {
         let size = y.len();
         projected.clear();

@@ -47,7 +47,7 @@ pub(crate) struct ContactForm {
     pub(super) size: Size,
     /// The number of pairs of all contacts.
     pub(super) pairs: usize,
-    /// The largest |Q_i|.
+    /// The largest norm of a Q_i.
     pub(super) widest: f64,
     /// The covering vector d, entry by entry in the units of the rows. An empty list stands for ones, if rows have length one.
     covering: Vec<f64>,
@@ -87,7 +87,7 @@ impl ContactForm {
         self.coordinates.pairs(&local.contact)
     }
 
-    /// The column of a pair.
+    /// The column of a pair: the change of x by a unit jump.
     pub(super) fn column(&self, local: &PairedContact, pair: usize) -> SVector<f64, 3> {
         let is_gap = local.contact.gap && pair == 0;
         if is_gap { normal() } else { self.pairs_of(local)[pair].column() }

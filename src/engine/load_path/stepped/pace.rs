@@ -21,7 +21,7 @@ pub(super) struct StepPace {
     pub(super) longest: f64,
     /// Whether the last step was refused: the step length then does not grow after the next one.
     pub(super) refused: bool,
-    /// Steps tried.
+    /// Number of steps tried on the leg.
     pub(super) tried: usize,
 }
 

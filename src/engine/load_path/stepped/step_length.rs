@@ -45,7 +45,7 @@ impl<'g> Steps<'g> {
             };
         };
         let part = self.part_of_what_is_allowed(&twice);
-        // Largest ratio of successive step lengths.
+        // Largest ratio of successive step lengths; none grows right after a refusal.
         let fastest = if self.pace.refused { 1.0 } else { 2.0 };
         self.pace.refused = part > 1.0;
         // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of this one.
