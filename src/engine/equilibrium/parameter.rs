@@ -1,7 +1,7 @@
 //! Exact derivatives of forces and motion by one datum, while contacts keep their states.
 //!
-//! In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)` with K_i depending on stiffness, friction and state, so a small
-//! change of any datum p leads to one more solve on the same piece:
+//! In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. A small change of any datum p
+//! leads to one more solve with the same factors:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂p) v_i,      Σ G_i dF_i + dW = 0

@@ -111,7 +111,7 @@ impl CountedMotion {
     }
 }
 
-/// The motion with the largest ratio to its limit.
+/// The motion that is farthest beyond its limit, or nearest to it.
 pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
 }

@@ -49,7 +49,7 @@ pub enum Row {
     },
 }
 
-/// Complementary pairs that a contact has in general, left out because its law does not need them.
+/// Complementary pairs that a contact has in general, left out because they are not needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LeftOut {

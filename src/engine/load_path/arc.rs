@@ -255,8 +255,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If the forces were larger at first than at the end by more than this factor, the state still carries their rounding and is corrected
-            // again.
+            // A state whose forces have shrunk by more than this factor during the correction still carries the rounding of the larger ones, and is
+            // corrected again.
             if begun <= 4.0 * carried {
                 balanced = Some((PieceState { forces, twist: twist.clone() }, factor));
                 if is_on_them {

@@ -7,8 +7,8 @@
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
 //! ```
 //!
-//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is applied as well, and
-//! the leg begins anew from there. Either the leg reaches its end, or equilibrium is lost on it, with a complete [`Loss`]. The external force
+//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is applied as well. The
+//! leg then begins anew from there. Either the leg reaches its end, or equilibrium is lost on it, with a complete [`Loss`]. The external force
 //! represents the damping of a motion that does not overshoot.
 
 use nalgebra::{Matrix, SVector};

@@ -206,7 +206,7 @@ impl BandPiece {
 }
 
 impl SpringLists {
-    /// Calls `visit(spring, felt, range of its row)` for every spring.
+    /// Calls `visit(spring, felt, range of its row)` for every spring; `felt` lists the coordinates with entries.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {
@@ -218,7 +218,7 @@ impl SpringLists {
         }
     }
 
-    /// Calls `visit(k, felt, range of its row)` for every spring k of a contact.
+    /// Calls `visit(k, felt, range of its row)` for every spring k of a contact; `felt` lists the coordinates with entries.
     fn of(&self, contact: usize, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let felt = &self.felt[self.first[contact]..self.first[contact + 1]];
         for k in 0..self.counts[contact] {

@@ -6,8 +6,8 @@
 //! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = right_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
 //! ```
 //!
-//! w is zero along a spring that resists; its other components are gaps and slips. Solving for the residuals gives the error itself, not only a
-//! bound. On the round cone it is of first order, which suffices where Newton's method has converged.
+//! At the solution w is zero along a spring that resists; its other components are gaps and slips. Solving for the residuals gives the error itself,
+//! not only a bound. On the round cone it is of first order, which suffices where Newton's method has converged.
 
 use nalgebra::SVector;
 

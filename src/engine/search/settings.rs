@@ -75,7 +75,7 @@ impl Settings {
         self
     }
 
-    /// These settings with answers for the polygonal cone itself instead of the round one.
+    /// These settings, with answers for the polygonal cone instead of the round one.
     #[must_use]
     pub fn on_the_polygon(mut self) -> Self {
         self.round = false;

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! The contacts are coupled only by y, the motion of the object, with as many entries as the object has degrees of freedom. Rows and columns are
-//! those of `forms/kinematic`, scaled: columns and the rows of gaps have length one. A facet has the row (κ, c), divided by the length of its
-//! tangential part, and the column (0, c). The covering variable z₀ is the parameter of the path, stored as `Point::s`.
+//! those of `forms/kinematic`, scaled: columns and the rows of gaps have length one. A facet has the row (κ, c), scaled so that c has length one, and
+//! the column (0, c). The covering variable z₀ is the parameter of the path, stored as `Point::s`.
 
 use nalgebra::SVector;
 
