@@ -93,7 +93,7 @@ pub(crate) struct CountedMotion {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum MotionOf {
-    /// The rotation of the body with this first coordinate.
+    /// The rotation of a body, given by the index of its first coordinate.
     Body(usize),
     Slip(usize),
     Opening(usize),

@@ -28,12 +28,12 @@ pub(super) struct Arc<'s, 'g> {
     pub(super) states: &'s [State],
     /// The contacts that slide.
     pub(super) sliding: Vec<usize>,
-    /// u, the displacement that counts in arclength as much as the whole leg, m.
+    /// The displacement u that contributes as much to arclength as the whole leg, m.
     unit: f64,
     /// T of the contacts that do not slide. Motions that nothing resists get an artificial stiffness, which keeps them at rest or at the speed at
     /// which contacts without force push.
     fixed: PathStiffness,
-    /// b of the contacts that do not slide, without the rate of the load.
+    /// The part of b from contacts that do not slide, without the rate of the load.
     push: Vector,
     /// Whether commands change.
     pub(super) driven: bool,
@@ -100,12 +100,12 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// b of the contacts that do not slide, at a factor.
+    /// The part of b at a factor from the load and from contacts that do not slide.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.push
     }
 
-    /// `|b|` of the contacts that do not slide, N.
+    /// Norm of the part of b from the load and from contacts that do not slide, N.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }

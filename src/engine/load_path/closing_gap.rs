@@ -97,7 +97,7 @@ impl<'g> Pieces<'g> {
         is_small.then_some(FreeWay { length, closing, still })
     }
 
-    /// Lets contacts on an edge yield along the motion, and returns the changes of state.
+    /// Makes contacts on an edge slide or open along the motion, and returns the changes of state.
     fn yield_along(
         &mut self,
         motion: &Vector,

@@ -50,7 +50,7 @@ impl Rule {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepGoal {
     factor: f64,
-    /// Distance within which the tangent leads to the goal, as a part of the leg.
+    /// Distance to the goal, as a part of the leg, from which a step is extended along the tangent.
     near: f64,
 }
 

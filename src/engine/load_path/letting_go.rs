@@ -249,7 +249,7 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// Whether an equilibrium exists at the load of a jump that found none, with the friction that remains.
+/// Whether any equilibrium exists at the load at which a jump found none, with the friction that remains.
 pub(super) fn beyond_a_jump(fallen: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(fallen, settings).0 {
         Settled::Found(..) => Beyond::Snap,

@@ -5,7 +5,8 @@ use crate::prelude::*;
 
 /// Order of the error of a step in its length.
 const ERROR_ORDER: f64 = 8.0;
-/// The next step aims at a sixth of the allowed error: fewer steps are refused, and errors of many steps add up.
+/// Factor on the step length that the error estimate allows, which leaves a sixth of the error. Fewer steps are refused, and errors of many steps add
+/// up.
 const CAUTION: f64 = 0.8;
 /// Least ratio of successive step lengths, since the estimate holds for small changes.
 const LEAST_RATIO: f64 = 0.2;
@@ -56,7 +57,7 @@ impl Pace {
             // The allowed error grows by this factor, at most twice, since rounding may be the reason for refusals. The path reports the error
             // actually made.
             (self.loosened, self.looser) = (self.loosened + 1, self.looser * 30.0);
-            // First step after such a change, as a part of the rest of the leg.
+            // First step after the allowed error has grown, as a part of the rest of the leg.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
         }
         may

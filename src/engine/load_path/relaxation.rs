@@ -30,9 +30,9 @@ struct Turning {
     tangent: Tangent,
     /// Size of the friction force, |F_t|, N.
     size: f64,
-    /// d; zero for a contact without friction force, which has no direction to turn.
+    /// The direction d in which the friction force can turn; zero for a contact without friction force.
     across: SVector<f64, 3>,
-    /// v, N for one radian and one unit of arclength.
+    /// The change v of the force's rate as the force turns, N for one radian and one unit of arclength.
     change: SVector<f64, 3>,
     /// The wrench G v.
     push: Vector,

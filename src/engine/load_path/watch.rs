@@ -89,7 +89,7 @@ pub(super) fn watch(
     ];
     // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate of zero may grow.
     let straight = matches!(segment.course, Trajectory::Straight { .. });
-    // The rest of a leg counts as at least a hundredth of it. The change of a value over the rest is compared with rounding.
+    // The change of a value over the rest of the leg is compared with rounding; the rest counts as at least a hundredth of the leg.
     let per_length = here.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&here.lines[contact], segment.problem.local(contact));

@@ -24,7 +24,7 @@ struct Bounded {
     cone: Option<Coulomb>,
     /// g of the error `s²(1 - s)² g`, in the unit of the margin.
     bend: f64,
-    /// A margin down to minus this counts as zero.
+    /// A margin above minus this number counts as satisfied.
     nothing: f64,
 }
 

@@ -76,7 +76,7 @@ impl NullMotions {
     }
 }
 
-/// Groups null vectors of T, or of its transpose, given in units of the columns of the first side.
+/// Groups null vectors of T, or of its transpose, by whether they stretch springs. The vectors are given in units of the columns of `side`.
 fn apart(
     band: &BandPiece,
     [side, other]: [&Side; 2],
