@@ -178,7 +178,7 @@ impl Engine {
         found.forces.iter().enumerate().skip(self.len()).map(told).collect()
     }
 
-    /// The largest imbalance of torques at a joint, over the sum of the sizes of its terms.
+    /// The largest imbalance of torques at a joint, over the sum of the sizes of its terms, but at least over `force_size`.
     fn joints_out_of_balance(
         &self,
         load: &Wrench<3>,

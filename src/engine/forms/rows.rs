@@ -89,9 +89,9 @@ pub struct Form {
     pub lcp: Lcp,
     /// The meaning of each row.
     pub rows: Vec<Row>,
-    /// Unit of each z, N or m according to its [`Row`].
+    /// Physical value of ẑ = 1 for each unknown z, N or m according to its [`Row`].
     pub z_unit: Vec<f64>,
-    /// Unit of each w, N or m according to its [`Row`].
+    /// Physical value of ŵ = 1 for each slack w, N or m according to its [`Row`].
     pub w_unit: Vec<f64>,
 }
 

@@ -129,7 +129,7 @@ impl<'g> Cycles<'g> {
         self.path.journey.settings.most_steps = most_steps;
     }
 
-    /// How the path has ended, if not by completing a cycle.
+    /// The end of the path, unless it has completed all legs so far.
     pub(crate) fn end(&self) -> Option<&PathEnd<3>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }

@@ -149,8 +149,9 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether the object moves on while no force changes: the load factor approaches its limit and never reaches it. Rounding turns a friction force
-    /// the more the faster it relaxes, which sticking contacts balance: the tolerance grows with the rate.
+    /// Whether the object moves on while all forces stay constant: the load factor then approaches a limit that it never reaches. Rounding turns a
+    /// friction force the more the faster it relaxes. So its tolerance grows with that rate, and sticking contacts, which balance all others, have
+    /// the largest.
     fn slides_away(&self, here: &PathPoint) -> bool {
         if here.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -163,8 +164,8 @@ impl<'g> Pieces<'g> {
         here.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
-    /// Length of a step along the tangent, if one is short enough for that. From an apex it gives a friction force its direction; close to an apex it
-    /// covers the rest.
+    /// Length of a step along the tangent, if one is to be made: from an apex, where a friction force has no direction yet, or up to the place where
+    /// a normal force that has all but vanished is zero.
     fn straight_length(&self, here: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / here.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {

@@ -28,8 +28,8 @@ struct Bounded {
     nothing: f64,
 }
 
-/// The part of a step after which a sticking or open contact violates its condition, although it may hold again at the end. The part is shorter if
-/// the step is too long for a decision. `None` if all conditions hold within the step. Rates at both ends are per unit of arclength.
+/// The part of a step after which a sticking or open contact violates its condition, although it may hold again at the end. One half if the step is
+/// too long for a decision; `None` if all conditions hold within the step. Rates at both ends are per unit of arclength.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],

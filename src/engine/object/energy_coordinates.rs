@@ -57,7 +57,7 @@ impl EnergyContact {
     }
 }
 
-/// The shared data of a scene's contacts in energy coordinates.
+/// Data that the contacts of a scene share in energy coordinates: their facets, and the scale of their maps.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EnergyCoordinates {
     facets: Vec<Facet>,

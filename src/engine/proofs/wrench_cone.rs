@@ -114,7 +114,7 @@ struct LoadAndCones<'p, 'g> {
 }
 
 impl<'p, 'g> LoadAndCones<'p, 'g> {
-    /// `None` without a load, or where a law is not a cone.
+    /// The load of a problem and its cones; `None` without a load, or if a law is not a cone.
     fn of(problem: &'p Problem<'g>) -> Option<Self> {
         let load = problem.wrench.norm();
         let straight = (load > 0.0).then(|| straight_generators(problem)).flatten()?;
