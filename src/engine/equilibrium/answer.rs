@@ -208,7 +208,7 @@ pub struct WorkDone {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Undecided {
-    /// The reason.
+    /// The reason why the question is undecided.
     pub doubt: Doubt,
     /// Counts of the work of the search; not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]

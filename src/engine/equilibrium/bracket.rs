@@ -31,7 +31,7 @@ pub struct Bracket<const C: usize> {
     pub round: Outcome<C>,
     /// The answer on the polygon with facets that touch the round cone.
     pub circumscribed: Outcome<C>,
-    /// Largest distances between them; `None` unless all three are equilibria.
+    /// Largest distances between the three answers; `None` unless all three are equilibria.
     pub spread: Option<Spread>,
 }
 

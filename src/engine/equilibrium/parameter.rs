@@ -36,14 +36,14 @@ pub enum Parameter {
     Stiffness {
         /// The contact, from 0.
         contact: usize,
-        /// The axis of its frame: 0 normal, then the tangents.
+        /// The axis of the contact's frame: 0 normal, then the tangents.
         axis: usize,
     },
     /// Finger command of a contact, m. (A clearance is a normal command of the opposite sign.)
     Command {
         /// The contact, from 0.
         contact: usize,
-        /// The axis of its frame: 0 normal, then the tangents.
+        /// The axis of the contact's frame: 0 normal, then the tangents.
         axis: usize,
     },
     /// Position of a contact, m, at a fixed frame. Commands and clearance stay along the axes of the frame. Not available for a grasp by a hand,
@@ -51,7 +51,7 @@ pub enum Parameter {
     Point {
         /// The contact, from 0.
         contact: usize,
-        /// The coordinate axis along which it moves, from 0.
+        /// The coordinate axis along which the point moves, from 0.
         axis: usize,
     },
     /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and slip keep their

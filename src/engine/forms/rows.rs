@@ -57,7 +57,7 @@ pub struct LeftOut {
     pub contact: usize,
     /// The number of complementary pairs of a kinematic form that are saved: 1 for the gap, 1 for each facet.
     pub rows: usize,
-    /// The reason why they are not needed.
+    /// The reason why the pairs are not needed.
     pub why: Why,
 }
 

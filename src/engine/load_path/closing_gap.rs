@@ -47,7 +47,7 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // The resistance refers to a unit normal stretch, and the normal velocity reduces it. It counts as complete if slip and friction
+            // The resistance refers to a unit normal stretch, and the normal velocity reduces it. Friction resists fully if slip and friction
             // directions differ by less than √(2·1e-10) rad.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none

@@ -49,7 +49,7 @@ pub(crate) struct CycleRecord {
     /// The smallest gap of each site that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// Successive states of all sites, each with its leg.
+    /// Successive states of all sites, each list with the leg on which it occurs.
     states: Vec<(usize, Vec<State>)>,
 }
 

@@ -174,9 +174,9 @@ pub struct Loss<const C: usize> {
     pub load: Wrench<C>,
     /// The reason for the end of the equilibrium.
     pub kind: LossKind,
-    /// The contacts that are on the edge of their cone there.
+    /// The contacts that are on the edge of their cone at the loss.
     pub contacts: Vec<ContactLabel>,
-    /// The joints and tendons of a hand whose drives have reached their limit there.
+    /// The joints and tendons of a hand whose drives have reached their limit at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
     /// The unit motion with which the object leaves: every contact on an edge slides along its friction force, or opens. `None` if these states do

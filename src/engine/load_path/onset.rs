@@ -39,7 +39,7 @@ pub enum Onset<const C: usize> {
 }
 
 impl<const C: usize> Onset<C> {
-    /// The event, if there is one.
+    /// The onset, if a contact stops sticking.
     #[must_use]
     pub fn event(&self) -> Option<&OnsetEvent<C>> {
         match self {

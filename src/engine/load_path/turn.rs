@@ -250,7 +250,7 @@ pub struct EdgeTouch {
     /// The contact or drive that reaches its edge or limit.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
-    /// The angle of the load there, rad.
+    /// The angle of the load at which the edge or limit is reached, rad.
     #[cfg_attr(feature = "serde", serde(rename = "angle_rad", with = "AsComputed::<f64>"))]
     pub angle: f64,
 }

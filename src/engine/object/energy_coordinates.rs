@@ -166,8 +166,8 @@ impl Slipping {
         }
     }
 
-    /// The z with `row_a·z = d_a` on its facets and `z_n = n`. With d = 0 it is the point x on the edge
-    /// with `x_n = n`.
+    /// The vector z with `z_n = n` and `row_a·z = d_a` on the facets of this state. For d = 0, z is the point x on the edge of the cone with `x_n =
+    /// n`.
     pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, 3> {
         let mut z = SVector::zeros();
         for a in 0..self.count {

@@ -44,7 +44,7 @@ pub(super) struct BalanceEquation {
 pub(super) enum Relaxed {
     /// Stretches (m) and forces (N) of the contacts, as far as the relaxation determines them.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
-    /// Every solution would be larger than the data by at least this factor.
+    /// Every equilibrium of the case would exceed the data by at least this factor.
     Contradicted { escape: f64 },
 }
 
@@ -133,7 +133,7 @@ impl BalanceEquation {
         // Maximum number of generators that join, for each row of the equation.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            // A distance below this part of the trial state is zero.
+            // A distance below this part of the trial state counts as zero.
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }

@@ -22,8 +22,7 @@ pub(super) struct PairedContact {
     pub(super) contact: EnergyContact,
     /// x⁰_i, the elastic trial state of the contact.
     pub(super) trial: SVector<f64, 3>,
-    /// The index of its first pair in the whole problem. Pair 0 of a contact that may open is its
-    /// gap.
+    /// The index of the contact's first pair in the whole problem. Pair 0 of a contact that may open is its gap.
     pub(super) first: usize,
 }
 
