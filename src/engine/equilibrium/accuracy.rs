@@ -1,4 +1,4 @@
-//! Estimated error of an answer, and its dependence on the last digits of the question.
+//! Estimated error of an answer, and its sensitivity to the last digits of the question.
 
 use nalgebra::SVector;
 
@@ -39,14 +39,14 @@ impl Engine {
     /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
-        // Slips along a path on the round cone are integrated: its law is not that of a single state.
+        // Slips along a path on the round cone are integrated, so that the present state alone does not determine them.
         let slides = equilibrium.local.states.iter().any(State::slides);
         if equilibrium.rule == FoundBy::LoadPath && equilibrium.cone == Cone::Round && slides {
             return None;
         }
         let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };
         let twist = PreciseTwist::new(problem.size(), at.twist.clone());
-        // Slides on the round cone follow the present forces and slips.
+        // The direction of each slide on the round cone is recomputed from the present force and slip.
         let states = problem.slid_on(&equilibrium.local.states, &at.forces, &twist);
         let piece = Piece::new(&problem, &states);
         let largest = problem.largest_force(&at.forces, &at.twist);
@@ -55,7 +55,7 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // Displacements are sums of terms of this size, rounded.
+            // A displacement has at least half a rounding of its terms.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {
@@ -66,7 +66,7 @@ impl Engine {
             }
             size(&forces)
         };
-        // Number of sign patterns with which the data are varied.
+        // Number of sign patterns with which all data are varied.
         let most = (0..3).map(varied).fold(0.0, f64::max);
         Some(Accuracy {
             force: size(&missing.forces) + missing.doubt,
@@ -75,7 +75,7 @@ impl Engine {
         })
     }
 
-    /// The local problem that an equilibrium solves; `None` for an equilibrium with another number of contacts.
+    /// The problem that an equilibrium solves; `None` for an equilibrium with another number of contacts.
     pub(crate) fn problem_of(&self, equilibrium: &Equilibrium<3>) -> Option<Problem<'_>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;
@@ -88,11 +88,11 @@ impl Engine {
     }
 }
 
-/// First-order residual of the conditions if every number of the question changes by its own size, up or down by the pattern of signs.
+/// First-order residual of the conditions if every number of the question changes by plus or minus its own value; `pattern` determines the signs.
 struct Variation {
     stretches: Vec<SVector<f64, 3>>,
     load: Vector,
-    /// Change of the friction forces by their coefficients.
+    /// Change of the friction forces due to that of their coefficients, N.
     dragged: Vec<SVector<f64, 3>>,
 }
 
@@ -128,7 +128,7 @@ impl Variation {
                 }
             }
             site.map.push(&variation.dragged[i], &mut variation.load);
-            // The digits of a point count from the origin of its coordinates, not from its neighbours.
+            // The relative error of a point refers to the origin of its coordinates, not to neighbouring points.
             let point = grasp
                 .contacts()
                 .get(i)

@@ -1,4 +1,4 @@
-//! The answer as physics.
+//! The answer to the question for an equilibrium, in physical quantities.
 
 use nalgebra::SVector;
 
@@ -58,15 +58,16 @@ impl<const C: usize> Outcome<C> {
 pub struct Equilibrium<const C: usize> {
     /// The balanced load, about the origin.
     pub load: Wrench<C>,
-    /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). Where `free_motions` are
-    /// left, it is the motion of least norm, unless gaps and slips need more; on a load path the motion nearest to the last place of the object. The
-    /// norm is about the centroid of the contact points, with lengths in units of their root mean square distance from it. A joint's displacement is
-    /// multiplied by a power of two near the longest motion of its contacts.
+    /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain, it
+    /// has the least norm that gaps and slips allow; on a load path it is nearest to the last place of the object. The norm is about the centroid of
+    /// the contact points, with lengths in units of their root mean square distance from it. A joint's displacement counts times a power of two near
+    /// the longest motion of its contacts.
     pub twist: Twist<C>,
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then that of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub bodies: Vec<BodyMotion<C>>,
-    /// Loads on single bodies that a [program](crate::load_path::Leg::body_load_by) has put on beside `load`, without the constant loads of bodies.
+    /// Loads on single bodies that a [program](crate::load_path::Leg::body_load_by) has applied in addition to `load`, without the constant loads of
+    /// bodies.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub body_loads: Vec<BodyLoad<C>>,
     /// The motion that is farthest beyond [small motions](crate::Settings::small_motions). The theory keeps contact points and normals fixed, so
@@ -85,14 +86,14 @@ pub struct Equilibrium<const C: usize> {
     /// The tendons of the hand; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
-    /// Suction cups whose lips are open all around. The answer counts their vacuum, which would be gone: it does not hold for the real
-    /// grasp.
+    /// Suction cups whose lips are open all around. The answer still includes the pull of their vacuum, which would be lost: it does not hold for the
+    /// real grasp.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open_cups: Vec<WholeContact>,
     /// The residuals of the conditions, recomputed from the question.
     pub residuals: Residuals,
-    /// The distance from the exact answer, see [`Grasp::accuracy`](crate::ask::Grasp::accuracy): only in the answer to the question `solve` of a
-    /// scene, else `None`.
+    /// Estimated errors of this answer, see [`Grasp::accuracy`](crate::ask::Grasp::accuracy): only in the answer to the question `solve` of a scene,
+    /// else `None`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub accuracy: Option<Accuracy>,
     /// The friction cone of the answer.
@@ -103,13 +104,13 @@ pub struct Equilibrium<const C: usize> {
     /// Energy stored in the springs, those of joints included, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
-    /// Unit motions that no contact resists in its present state, m and rad: the twist is known up to them, and the forces do not depend on
-    /// them. Their length is one about the centroid of the contact points, with a rotation counted in radians times the root mean square distance
-    /// of the points from it, and joints as in the norm of `twist`. Both signs are allowed. Empty where every motion is resisted.
+    /// Unit motions that no contact resists in its present state, m and rad. They may be added to the twist in any amount, with either sign, and the
+    /// forces do not depend on them. Their length is one about the centroid of the contact points. A rotation counts in radians times the root mean
+    /// square distance of the points from it, and joints as in the norm of `twist`. Empty if every motion is resisted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of
-    /// a whole line. Lengths as for `free_motions`. Empty except at loads where friction just balances on a wedge.
+    /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of a whole line. Lengths as for
+    /// `free_motions`. Empty except at loads at which friction just balances on a wedge.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
     /// On the round cone: the largest change of a contact force, N, from the answer of the polygon with which the search started.
@@ -122,7 +123,7 @@ pub struct Equilibrium<const C: usize> {
     /// Counts of the work of the search; only the pivots are serialised.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub work: WorkDone,
-    /// The local solution, from which further questions about the answer start.
+    /// The engine's solution, from which further questions about the answer start.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) local: LocalAnswer,
 }
@@ -165,20 +166,20 @@ impl Equilibrium<3> {
     }
 }
 
-/// The solution of the local problem behind an answer; empty where the answer was read.
+/// The engine's solution behind an answer; empty if the answer was read from text.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct LocalAnswer {
     pub(crate) states: Vec<State>,
     /// Forces of the drives of a hand.
     pub(crate) drive_forces: Vec<SVector<f64, 3>>,
-    /// In inside coordinates.
+    /// The twist in inside coordinates.
     pub(crate) twist: Coordinates,
     pub(crate) free_motions: Vec<Coordinates>,
-    /// Commanded displacements less clearance and less the slips.
+    /// Commanded displacements less clearance and slips, m, in the contact frames.
     pub(crate) offsets: Vec<SVector<f64, 3>>,
-    /// Slips that the offsets count from.
+    /// The slips that were subtracted from the offsets, m.
     pub(crate) slips: Vec<SVector<f64, 3>>,
-    /// Cones of contacts in place of those at rest: none, or one a contact.
+    /// Present friction cones, narrower at contacts that slide with kinetic friction: empty, or one for each contact.
     pub(crate) cones: Vec<Coulomb>,
 }
 
@@ -193,7 +194,7 @@ pub struct WorkDone {
     /// Complementary pairs of the largest problem that was made.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_made: usize,
-    /// Complementary pairs that a full kinematic formulation would have had besides, and why they were left out.
+    /// Complementary pairs that a full kinematic form would have had in addition, and why they were left out.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_left_out: Vec<LeftOut>,
     /// Combinations of contact states that were tried one by one.
@@ -207,7 +208,7 @@ pub struct WorkDone {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Undecided {
-    /// The reason.
+    /// The reason why the question is undecided.
     pub doubt: Doubt,
     /// Counts of the work of the search; not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]

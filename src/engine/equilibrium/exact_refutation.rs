@@ -1,7 +1,8 @@
 //! Checks a refutation in exact rational arithmetic, on the numbers of the problem.
 //!
-//! Virtual forces are first balanced exactly, by changing six of them. Then every generator of the law's set in a case is tested, with polygons
-//! around arcs of directions. Its work, for its length in √J, must not exceed the gain over [`ESCAPE`] times the data.
+//! Virtual forces are first balanced exactly, by changing six of them. Then every generator of the relaxed contact law in a case is tested, with
+//! polygons around arcs of directions. Its work, divided by its length in √J, must not exceed the gain divided by [`ESCAPE`] and the size of the
+//! data.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -29,7 +30,7 @@ fn dot(a: &[Rational], b: &[Rational]) -> Rational {
 
 /// One contact in rational numbers.
 struct Exact {
-    /// Columns of G.
+    /// The columns of the grasp map G.
     map: [[Rational; 6]; 3],
     stiffness: [Rational; 3],
     friction: Rational,
@@ -48,7 +49,7 @@ impl Exact {
         }
     }
 
-    /// Generators (ξ, F) of the law's set under a label; the contact may open, and slides at finite friction.
+    /// Generators (ξ, F) of the relaxed law under a label. The contact may open, and slides at finite friction.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
         let none = || [zero(), zero(), zero()];
@@ -135,7 +136,7 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     forces
 }
 
-/// Whether the case is contradicted.
+/// Whether motion and forces contradict the case with these labels, in exact arithmetic.
 fn is_contradicted(
     problem: &Problem,
     contacts: &[Exact],

@@ -27,34 +27,36 @@ pub struct NoEquilibrium<const C: usize> {
 pub enum Proof<const C: usize> {
     /// No contact resists this unit motion in any state, and the load works on it.
     FreeMotion {
-        /// The motion, in the direction in which the load drives it; lengths as for [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
+        /// The unit motion, signed so that the load does positive work on it; lengths as for
+        /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
         motion: Motion<C>,
-        /// Work of the load on it, `W·q` > 0, J.
+        /// Work of the load on the motion, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
     /// The load lies outside the friction wrench cone: no admissible contact force works against this unit motion, and
     /// the load drives it. Holds for any stiffness and any command.
     SeparatingMotion {
-        /// The motion, in the direction in which the load drives it; lengths as for [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
+        /// The unit motion, signed so that the load does positive work on it; lengths as for
+        /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
         motion: Motion<C>,
-        /// Work of the load on it, `W·q` > 0, J.
+        /// Work of the load on the motion, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
     /// Every combination of contact states was tried; each violates a condition clearly. In the plane and on polygons.
     EveryStateTried {
-        /// Number of combinations.
+        /// Number of combinations of contact states.
         combinations: usize,
     },
-    /// On the round cone: behaviours of contacts were divided into cases, open or closed, sticking or sliding, friction between two angles. In each
-    /// case a linear combination of the conditions contradicts all that the contact laws allow, and more. Beyond an onset or the end of a path, in
-    /// the plane too, a single case may suffice: nothing responds to a motion when everything on an edge slides.
+    /// On the round cone: contact states were divided into cases, open or closed, sticking or sliding, friction between two angles. In each case a
+    /// linear combination of the conditions contradicts the contact laws, even when these are relaxed to convex sets. Beyond an onset or the end of a
+    /// path, in the plane too, a single case may suffice: once everything on an edge slides, nothing resists a motion.
     EveryCaseContradicted {
         /// Number of cases.
         cases: usize,
-        /// Least factor by which an equilibrium hidden by rounding would have to exceed the data, in √J: stretches and forces of all contacts
-        /// together over those of the elastic trial state. At least 1e4.
+        /// Least factor by which an equilibrium that rounding hides from the proof would have to exceed the data. Both are measured in √J: stretches
+        /// and forces of all contacts together, and those of the elastic trial state. At least 1e4.
         escape: f64,
     },
 }

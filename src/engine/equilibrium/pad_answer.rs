@@ -23,32 +23,32 @@ pub struct PadAnswer<const C: usize> {
     /// Label of the contact, where a soft fingertip counts as one: as in a scene.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// Index of its first point in the list of contacts of the answer.
+    /// Index of the fingertip's first point in the list of contacts of the answer.
     pub first: usize,
-    /// Number of its points.
+    /// Number of points of the fingertip.
     pub points: usize,
-    /// Number of its sliding points.
+    /// Number of sliding points.
     pub sliding: usize,
-    /// Number of its open points.
+    /// Number of open points.
     pub open: usize,
     /// Force of the finger on the object in the contact frame, N, normal part first, and moment about the middle of the pad, N m. In space the moment
-    /// is along the axes of the contact frame, the torsion first, in the plane from x to y.
+    /// is along the axes of the contact frame, the torsion first; in the plane it is positive from x to y.
     pub wrench: Wrench<C>,
-    /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. A force of that size in any
-    /// direction along the surface is carried by the same normal forces, if each point takes as much of it as its own margin. Zero if the pad slides
+    /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. The same normal forces carry an
+    /// additional force of this size in any direction along the surface, if each point takes as much of it as its own margin. Zero if the pad slides
     /// everywhere or is open; infinite if friction is unlimited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
 }
 
 impl<const C: usize> PadAnswer<C> {
-    /// Its points among the contacts of the answer.
+    /// Range of the points among the contacts of the answer.
     #[must_use]
     pub fn range(&self) -> Range<usize> {
         self.first..self.first + self.points
     }
 
-    /// Its state in words: "sticks", "3 of 12 points slide", "slides everywhere", "open".
+    /// State of the fingertip in words: "sticks", "3 of 12 points slide", "slides everywhere", "open".
     #[must_use]
     pub fn doing(&self) -> String {
         let Self { points, sliding, open, .. } = *self;
@@ -62,13 +62,13 @@ impl<const C: usize> PadAnswer<C> {
         }
     }
 
-    /// Its force in the contact frame, N.
+    /// Force of the finger on the object in the contact frame, N.
     #[must_use]
     pub fn force(&self) -> SVector<f64, C> {
         self.wrench.force_part()
     }
 
-    /// Its moment about its middle, N m: one component in the plane, three in space.
+    /// Moment about the middle of the pad, N m: one component in the plane, three in space.
     #[must_use]
     pub fn moment(&self) -> &[f64] {
         &self.wrench.components()[C..]
@@ -82,7 +82,7 @@ impl<const C: usize> PadAnswer<C> {
     }
 }
 
-/// A contact as users count them.
+/// A contact as users count them: a soft fingertip is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WholeAnswer<'a, const C: usize> {
     /// A contact that is a point itself.
@@ -92,7 +92,7 @@ pub enum WholeAnswer<'a, const C: usize> {
 }
 
 impl<const C: usize> WholeAnswer<'_, C> {
-    /// Its name.
+    /// The name of the contact.
     #[must_use]
     pub fn text(&self) -> String {
         match self {
@@ -101,7 +101,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
-    /// Kind of the link between bodies that it represents, if it is no contact.
+    /// The kind of link between bodies, if this is a link and no contact.
     #[must_use]
     pub fn link(&self) -> Option<LinkKind> {
         match self {
@@ -121,7 +121,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
         Some(self.link()?.carries(words, force(self.force()[0]), force(self.force().norm()), moment))
     }
 
-    /// Its state in words: "sticks".
+    /// State of the contact in words: "sticks".
     #[must_use]
     pub fn doing(&self) -> String {
         match self {
@@ -224,7 +224,7 @@ impl Engine {
                 add(axes + turn, space.displacement_of(&arm, &unit).dot(&contact.force_world));
             }
         }
-        // Size of a sum, over the sizes of its terms, below which it is rounding.
+        // A sum below this part of the sizes of its terms is rounding.
         let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= 1e-14 * size { 0.0 } else { *sum };
         Wrench::among(space, &Vector::from_slice(&sums.iter().map(clean).collect::<Vec<_>>()))
     }

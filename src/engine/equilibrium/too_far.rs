@@ -93,7 +93,7 @@ pub(crate) struct CountedMotion {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum MotionOf {
-    /// The rotation of the body with this first coordinate.
+    /// The rotation of a body, given by the index of its first coordinate.
     Body(usize),
     Slip(usize),
     Opening(usize),
@@ -111,12 +111,12 @@ impl CountedMotion {
     }
 }
 
-/// The motion with the largest ratio to its limit.
+/// The motion that is farthest beyond its limit, or nearest to it.
 pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
 }
 
-/// Contacts in known states, with the offsets of their springs.
+/// Contacts in known states, with their forces and the offsets of their springs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing<'s> {
     pub(crate) offsets: &'s [SVector<f64, 3>],
@@ -135,7 +135,7 @@ impl<'s> Standing<'s> {
 }
 
 impl Engine {
-    /// The root mean square distance of contact points from their centroid, of several bodies the largest; infinite where all are at one point.
+    /// The root mean square distance of contact points from their centroid, for several bodies the largest; infinite if all points coincide.
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
         let far = largest(self.contacts(), &|contact| contact.point.amax());
@@ -168,14 +168,14 @@ impl Engine {
         }
         let limit = small.slip * self.size_of_grasp();
         for (i, (contact, site)) in self.contacts().iter().zip(self.sites()).enumerate() {
-            // A slack cable is not an opening contact.
+            // A slack cable is open as well, but this is no motion that counts.
             if contact.link == Some(LinkKind::Cable) {
                 continue;
             }
             let moved = site.map.tr_mul(standing.twist);
             let (mut shift, mut of) = (SVector::zeros(), MotionOf::Slip(i));
             if standing.states[i].is_open() {
-                // A command that leads a finger away from the object is no motion of the object.
+                // An opening that a retracting command causes is no motion of the object, and does not count.
                 (shift[0], of) = (moved[0] - standing.offsets[i][0].max(0.0), MotionOf::Opening(i));
             } else {
                 let mut slip = standing.slips[i];

@@ -44,12 +44,12 @@ pub enum Row {
     Balance {
         /// The component of the twist and of the equilibrium equation: translations first, then rotations.
         axis: usize,
-        /// Whether z is the positive part.
+        /// Whether z is the positive part of the component, not the negative one.
         positive: bool,
     },
 }
 
-/// Rows that a full form would have and this one does not.
+/// Complementary pairs that a contact has in general, left out because they are not needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LeftOut {
@@ -57,7 +57,7 @@ pub struct LeftOut {
     pub contact: usize,
     /// The number of complementary pairs of a kinematic form that are saved: 1 for the gap, 1 for each facet.
     pub rows: usize,
-    /// The reason why they are not needed.
+    /// The reason why the pairs are not needed.
     pub why: Why,
 }
 
@@ -77,7 +77,7 @@ pub enum Why {
     Bonded,
 }
 
-/// A linear complementarity problem with the meaning of its rows.
+/// A linear complementarity problem of a grasp, with the meaning of its rows.
 ///
 /// The problem is stated in scaled variables (square roots of energy), which hide stiffness ratios:
 /// physical `z_i = z_unit[i] · ẑ_i`, physical `w_i = w_unit[i] · ŵ_i`. Made by
@@ -89,14 +89,14 @@ pub struct Form {
     pub lcp: Lcp,
     /// The meaning of each row.
     pub rows: Vec<Row>,
-    /// Unit of each z, N or m according to its [`Row`].
+    /// Physical value of ẑ = 1 for each unknown z, N or m according to its [`Row`].
     pub z_unit: Vec<f64>,
-    /// Unit of each w, N or m according to its [`Row`].
+    /// Physical value of ŵ = 1 for each slack w, N or m according to its [`Row`].
     pub w_unit: Vec<f64>,
 }
 
 impl Form {
-    /// The row with this meaning, if it was made.
+    /// The index of the row with this meaning, if the form has it.
     #[must_use]
     pub fn position(&self, row: Row) -> Option<usize> {
         self.rows.iter().position(|r| *r == row)

@@ -1,4 +1,4 @@
-//! A cycle of legs that is repeated again and again.
+//! A cycle of legs that is followed repeatedly.
 
 use nalgebra::{Matrix, SVector};
 
@@ -33,7 +33,7 @@ pub(crate) struct CycleState {
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
-    /// Whether each site slides with less friction than at rest; empty where no contact has kinetic friction.
+    /// Whether each site slides with kinetic friction below its static friction; empty if no contact has kinetic friction.
     pub(crate) weaker: Vec<bool>,
 }
 
@@ -44,17 +44,17 @@ pub(crate) struct CycleRecord {
     pub(crate) slid: Vec<f64>,
     /// Heat from friction, J.
     pub(crate) dissipated: f64,
-    /// The largest force on the way, N.
+    /// The largest force during the cycle, N.
     pub(crate) largest: f64,
-    /// The smallest gap of each site that was open all the way, m; `None` for others.
+    /// The smallest gap of each site that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// Successive states of all sites, each with its leg.
+    /// Successive states of all sites, each list with the leg on which it occurs.
     states: Vec<(usize, Vec<State>)>,
 }
 
 impl CycleRecord {
-    /// Adds the next cycle to this record.
+    /// Adds the totals of the next cycle, so that this record covers both.
     pub(crate) fn append(&mut self, next: &Self) {
         self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
         self.dissipated += next.dissipated;
@@ -79,7 +79,7 @@ fn are_alike(a: &[State], b: &[State]) -> bool {
 }
 
 impl<'g> Cycles<'g> {
-    /// Before the first cycle, at the equilibrium under the base load.
+    /// The program before its first cycle, at the equilibrium under the base load.
     ///
     /// # Errors
     /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back.
@@ -89,12 +89,12 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, Pieces::at_start)?;
-        // A cycle is closed if its end differs from its beginning by at most this part of the largest load or command on the way.
+        // A cycle is closed if its end differs from its beginning by at most this part of the largest load or command along it.
         path.journey.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, gone: 0 })
     }
 
-    /// Before a cycle that begins in another state; `None` if that state is no equilibrium of the grasp with these slips.
+    /// The program at the beginning of a cycle, from the given state; `None` if this state is no equilibrium of the grasp with its slips.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -103,9 +103,9 @@ impl<'g> Cycles<'g> {
             slipped.offsets.iter_mut().zip(&from.slips).for_each(|(offset, slip)| *offset -= slip);
             slipped.slips.clone_from(&from.slips);
             slipped.cones = from.cones(grasp);
-            // If a contact would have to slide at once, no search is needed.
+            // A state in which a contact would have to slide at once is refused without a search.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
-                // Forces of a rebuilt state must agree with the given ones within this part of the largest.
+                // A condition of sticking that is violated by more than this part of the largest force means sliding.
                 slipped
                     .local(i)
                     .edges(&Mode::Sticking)
@@ -129,7 +129,7 @@ impl<'g> Cycles<'g> {
         self.path.journey.settings.most_steps = most_steps;
     }
 
-    /// How the path has ended, if not completed.
+    /// The end of the path, unless it has completed all legs so far.
     pub(crate) fn end(&self) -> Option<&PathEnd<3>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
@@ -140,19 +140,19 @@ impl<'g> Cycles<'g> {
         (leg - self.gone.saturating_sub(1) * self.legs.len(), fraction)
     }
 
-    /// The equilibrium there.
+    /// The equilibrium at the present place.
     pub(crate) fn state(&self) -> Option<Equilibrium<3>> {
         self.path.state()
     }
 
-    /// Follows one cycle; `None` if the path [ends](Self::end) on the way.
+    /// Follows one cycle; `None` if the path [ends](Self::end) before.
     pub(crate) fn go(&mut self) -> Option<CycleRecord> {
         if self.gone > 0 && self.path.end().is_some() {
             self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
             self.path.continue_with(&self.legs).ok()?;
         }
         self.gone += 1;
-        // The present state is computed from the piece that led to it, which is no part of this cycle.
+        // The last piece of the previous cycle is still stored, since the present state is computed from it; it is no part of this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         self.end().is_none().then_some(())?;
@@ -171,7 +171,7 @@ impl<'g> Cycles<'g> {
             states: Vec::new(),
         };
         for (k, stretch) in behind.iter().enumerate().skip(before) {
-            // Slips up to a jump; the jump adds its own.
+            // Slips at the end of the piece; those of a jump that follows are added with the jump.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.fallen.as_ref().map_or(&next.problem.slips, |fallen| &fallen.slips));
@@ -202,7 +202,7 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction of each site: kinetic where it slides with less friction. Empty if `weaker` is.
+    /// The friction of each site: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).collect()
@@ -210,7 +210,7 @@ impl CycleState {
 }
 
 impl CycleRecord {
-    /// Adds a piece of the way, with the slips after it.
+    /// Adds a piece of the path, with the slips after it.
     fn add(&mut self, piece: &Stretch<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(fallen) = &piece.fallen {

@@ -10,8 +10,9 @@ use crate::numerics::{Harmonic, mapped};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, and under a load
-/// that turns they turn with it, so that every integral is exact. Where contacts slide on the round cone, works are integrated along with the slips.
+/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, under a load that
+/// turns they are harmonics of its angle, and every integral is exact. Where contacts slide on the round cone, works are integrated along with the
+/// slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -53,7 +54,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of another part of the way.
+    /// Adds the energies of another part of the leg.
     pub(super) fn add_part(&mut self, part: &Self) {
         self.load_work += part.load_work;
         self.finger_work += part.finger_work;
@@ -98,7 +99,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of a piece along which everything turns with the load: works of one harmonic on another.
+    /// Adds the energies of a piece on which all quantities are harmonics of the load's angle.
     fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {

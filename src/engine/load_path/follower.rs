@@ -1,4 +1,4 @@
-//! The interface of every follower of a load program, however it advances.
+//! The interface of every method of following a load program.
 
 use core::fmt::Debug;
 
@@ -21,13 +21,13 @@ use crate::search::Settings;
 pub(crate) enum Advance<T> {
     /// The follower has reached an event or a step to report.
     Reached(T),
-    /// Nothing to report yet.
+    /// The follower has advanced, with nothing to report.
     OnTheWay,
     /// The leg is complete, and everything on it has been reported.
     EndOfLeg,
 }
 
-/// The contacts at the present place, and the rates of those on an edge.
+/// The state at the present place, and the problem in rates for the contacts on an edge.
 #[derive(Debug)]
 pub(crate) struct StandAtEdge<'g> {
     pub(super) segment: Segment<'g>,
@@ -35,13 +35,13 @@ pub(crate) struct StandAtEdge<'g> {
     pub(super) forces: Vec<SVector<f64, 3>>,
 }
 
-/// A way to follow a program: piece by piece for a few contacts, or in steps for thousands. The follower knows its place on the
-/// present leg and the slip so far; the path keeps the leg and those that follow.
+/// A method of following a program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place on the present leg
+/// and the slip so far; the path stores the legs.
 pub(crate) trait Follower<'g>: Debug {
-    /// The type of reports on the way.
+    /// The type of the reports, events or steps.
     type Report;
 
-    /// Starts the present leg of the journey.
+    /// Starts the present leg of the program.
     ///
     /// # Errors
     /// How the path ends if it cannot start.
@@ -56,16 +56,16 @@ pub(crate) trait Follower<'g>: Debug {
     /// The fraction of the leg already followed.
     fn fraction(&self) -> f64;
 
-    /// The equilibrium there; `None` where rounding keeps it from being computed.
+    /// The equilibrium at the present place; `None` if rounding prevents its computation.
     fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>>;
 
-    /// Contact forces there, N, in the contact frames.
+    /// Contact forces at the present place, N, in the contact frames.
     fn forces(&self, journey: &Journey<'g>) -> Vec<SVector<f64, 3>>;
 
-    /// The contacts on an edge there, with their rates.
+    /// The contacts on an edge at the present place, with their problem in rates.
     fn edge(&self, journey: &Journey<'g>) -> StandAtEdge<'g>;
 
-    /// The situation beyond a jump that nothing caught, from a follower with falling friction; `None` where the path did not end in one.
+    /// The situation beyond a jump that found no equilibrium, from a follower with kinetic friction; `None` if the path did not end in one.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<3>> {
         None
     }
@@ -85,7 +85,7 @@ pub(crate) trait Follower<'g>: Debug {
         false
     }
 
-    /// The equilibrium at a fraction of a leg already passed; `None` where rounding keeps it from being computed.
+    /// The equilibrium at a fraction of a leg already passed; `None` if rounding prevents its computation.
     fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<3>> {
         None
     }

@@ -19,9 +19,9 @@ use crate::serial::AsComputed;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Onset<const C: usize> {
-    /// The onset lies at this factor.
+    /// The first contact stops sticking at the factor of this event.
     At(Box<OnsetEvent<C>>),
-    /// Everything keeps sticking however far the load goes along its direction; for a turn, up to its last angle.
+    /// Everything keeps sticking at every factor; for a turn, up to its last angle.
     Never,
     /// A contact slides already at factor 0: the equilibrium there. (A contact on the edge of its cone sticks, and may leave at factor 0.)
     AlreadySliding(Box<Equilibrium<C>>),
@@ -39,7 +39,7 @@ pub enum Onset<const C: usize> {
 }
 
 impl<const C: usize> Onset<C> {
-    /// The event, if there is one.
+    /// The onset, if a contact stops sticking.
     #[must_use]
     pub fn event(&self) -> Option<&OnsetEvent<C>> {
         match self {
@@ -48,8 +48,8 @@ impl<const C: usize> Onset<C> {
         }
     }
 
-    /// The load factor up to which everything that touches sticks: the factor of the event, or the one from which on nothing resists; infinite for
-    /// [`Self::Never`]. `None` where there is no sticking equilibrium to start from, or where the answer is undecided.
+    /// The load factor up to which everything that touches sticks: the factor of the event, or the one from which on nothing resists the load;
+    /// infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {
@@ -61,39 +61,39 @@ impl<const C: usize> Onset<C> {
     }
 }
 
-/// The first contact stops sticking. The equilibrium there is computed on request ([`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset)), and
-/// so is the continuation ([`Grasp::beyond`](crate::ask::Grasp::beyond)).
+/// The event at which the first contact stops sticking. The equilibrium there is computed on request
+/// ([`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset)), and so is the continuation ([`Grasp::beyond`](crate::ask::Grasp::beyond)).
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct OnsetEvent<const C: usize> {
     /// Load factor τ of a ramp, or the angle of a turn in rad, exact up to rounding.
     pub factor: f64,
-    /// The load there.
+    /// The load at the onset.
     pub load: Wrench<C>,
-    /// The contacts that leave, all at once. Contacts that close on the way do not count.
+    /// The contacts that stop sticking, all at this factor. Contacts that have closed before are not among them.
     pub leaving: Vec<Leaving<C>>,
-    /// Drives of a hand that give way there: joints and tendons at their limit, tendons that slacken.
+    /// Drives of a hand that yield at the onset: joints and tendons at their limit, tendons that slacken.
     pub drives: Vec<PartChange>,
     /// The friction cone for which the event was computed.
     pub cone: Cone,
-    /// State from which questions about the event start.
+    /// The engine's state at the onset, from which further questions about it start.
     pub(super) local: StickingState,
 }
 
-/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp from there. Loads are in inside
-/// coordinates.
+/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp there. Loads are in inside coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: Kept,
     pub(super) rule: FoundBy,
+    /// The active set of each site: the edges of its cone that it has reached.
     pub(super) stands: Vec<ActiveSet>,
-    /// The sites that leave.
+    /// The sites that stop sticking.
     pub(super) leaving: Vec<usize>,
     pub(super) wrench: Coordinates,
     pub(super) wrench_rate: Coordinates,
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) offset_rates: Vec<SVector<f64, 3>>,
-    /// Slips of contacts that have closed on the way.
+    /// Slips of contacts that have closed before the onset.
     pub(super) slips: Vec<SVector<f64, 3>>,
 }
 
@@ -129,12 +129,12 @@ impl OnsetEvent<3> {
 }
 
 impl Leaving<3> {
-    /// The departure of a site, which has no name yet.
+    /// The departure of a site, whose label is filled in later.
     pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
 
-    /// The departure of a contact that the load drives out of its cone, where no equilibrium shows its direction.
+    /// The departure of a contact that the load drives out of its cone, if no continuation determines its direction.
     pub(super) fn driven_out(
         site: usize,
         stand: &ActiveSet,
@@ -159,10 +159,10 @@ impl Leaving<3> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Leaving<const C: usize> {
-    /// The contact that leaves.
+    /// The contact that stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// How it leaves.
+    /// How the contact stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub how: Departure<C>,
 }
@@ -176,14 +176,14 @@ pub struct Leaving<const C: usize> {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Departure<const C: usize> {
-    /// It slides, `|F_t| = μ F_n`.
+    /// The contact slides, `|F_t| = μ F_n`.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
-    /// It opens, F_n = 0.
+    /// The contact opens, F_n = 0.
     Opens,
-    /// It is kept closed and would have to pull, F_n = 0, which its friction does not allow.
+    /// The contact is kept closed and would have to pull, F_n = 0, which its friction does not allow.
     WouldPull,
 }

@@ -1,11 +1,12 @@
-//! Lengths of the steps along a sliding arc.
+//! Step control along a sliding arc.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
 /// Order of the error of a step in its length.
 const ERROR_ORDER: f64 = 8.0;
-/// The next step aims at a sixth of the allowed error: fewer steps are refused, and errors of many steps add up.
+/// Factor on the step length that the error estimate allows. It reduces the error to a sixth, so that few steps are refused, and leaves a reserve for
+/// errors that add up.
 const CAUTION: f64 = 0.8;
 /// Least ratio of successive step lengths, since the estimate holds for small changes.
 const LEAST_RATIO: f64 = 0.2;
@@ -15,9 +16,9 @@ const LEAST_RATIO: f64 = 0.2;
 pub(super) struct Pace {
     /// Length of the next step, in arclength.
     pub(super) length: Option<f64>,
-    /// The displacement that counts in arclength as the whole leg does, m; `None` before the first step from a node.
+    /// The displacement that contributes as much to arclength as the whole leg, m; `None` before the first step from a node.
     pub(super) unit: Option<f64>,
-    /// Refusals in a row.
+    /// Number of successive steps that were refused.
     refused: u8,
     /// Whether steps are implicit, because directions turn much faster than the object moves.
     pub(super) stiff: bool,
@@ -36,7 +37,7 @@ impl Pace {
             unit: None,
             refused: 0,
             stiff: false,
-            // Number of explicit steps after an event, and after implicit ones have failed, before implicit ones are tried.
+            // Number of explicit steps after an event before implicit ones are tried.
             patience: 8,
             steps: 0,
             loosened: 0,
@@ -44,27 +45,27 @@ impl Pace {
         }
     }
 
-    /// At an event the step length is chosen anew.
+    /// The control after an event, with a new choice of step length.
     pub(super) fn at_node(self) -> Self {
         Self { steps: self.steps, ..Self::new() }
     }
 
-    /// Allows a larger error where steps die out. Whether that was possible.
+    /// Allows a larger error if steps become too short to advance. Returns whether this was possible.
     pub(super) fn loosen(&mut self, rest: f64) -> bool {
         let may = self.loosened < 2;
         if may {
-            // Where steps die out, the allowed error grows by this factor, at most twice: rounding may be the reason for refusals. The path reports
-            // the error actually made.
+            // The allowed error grows by this factor, at most twice, since rounding may be the reason for refusals. The path reports the error
+            // actually made.
             (self.loosened, self.looser) = (self.loosened + 1, self.looser * 30.0);
-            // First step after such a change, as a part of the rest of the leg.
+            // First step after the allowed error has grown, as a part of the rest of the leg.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
         }
         may
     }
 
-    /// Records a step, given its error as a part of the allowed one. A step shortened to end at an event does not speak against longer ones.
+    /// Records a step, given its error as a part of the allowed one. A step that was shortened to end at an event does not reduce the next length.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // Largest ratio of successive step lengths, for the same reason as the least one.
+        // Largest ratio of successive step lengths, since the error estimate holds for small changes.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
@@ -73,7 +74,7 @@ impl Pace {
         self.steps += 1;
     }
 
-    /// Whether steps have been explicit for a while, and so short that more than fifty of them remain.
+    /// Whether steps have been explicit for a while, and are so short that more than fifty of them remain.
     pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
         // An implicit step costs as much as a few explicit ones, and is as long as hundreds.
         self.patience == 0 && stable * 50.0 < rest
@@ -83,8 +84,7 @@ impl Pace {
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
-        // Where implicit steps do not help, an explicit one may.
-        // After this many refusals in a row the other kind of step is tried.
+        // After this many refusals in a row of implicit steps, explicit ones are tried for a while.
         if self.stiff && self.refused >= 4 {
             (self.stiff, self.patience) = (false, 64);
         }

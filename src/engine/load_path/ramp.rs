@@ -30,34 +30,35 @@ pub struct Ramp<const C: usize> {
 }
 
 impl<const C: usize> Ramp<C> {
-    /// The load changes while finger commands stay. Base in N and N m, direction in the same for each unit of the factor.
+    /// A ramp of the load, with constant finger commands. Base in N and N m, direction in N and N m per unit of the factor.
     #[must_use]
     pub fn load(base: Wrench<C>, direction: Wrench<C>) -> Self {
         Self { base, direction, command_change: None, joint_change: None }
     }
 
-    /// The finger commands change while the load stays: one displacement a contact for each unit of the factor, each in its contact frame (m), the
-    /// normal part positive into the object. All points of a soft fingertip follow one displacement, unless there is one for each point.
+    /// A ramp of the finger commands, with a constant load. `change` has one displacement a contact per unit of the factor, in its contact frame (m),
+    /// the normal part positive into the object. All points of a soft fingertip follow one displacement, unless there is one for each point.
     #[must_use]
     pub fn commands(load: Wrench<C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self::load(load, Wrench::ZERO).with_commands(change)
     }
 
-    /// Finger commands change along with the load, as for [`Self::commands`].
+    /// This ramp, along which the finger commands also change, as for [`Self::commands`].
     #[must_use]
     pub fn with_commands(mut self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         self.command_change = Some(vectors(change));
         self
     }
 
-    /// Joint commands of a hand change along with the load: one displacement for each joint and then each tendon, for each unit of the factor, rad or m.
+    /// This ramp, along which the joint commands of a hand also change: one displacement for each joint and then each tendon, per unit of the factor,
+    /// rad or m.
     #[must_use]
     pub fn with_joint_commands(mut self, change: impl IntoIterator<Item = f64>) -> Self {
         self.joint_change = Some(change.into_iter().collect());
         self
     }
 
-    /// Multiplies base and direction of the load by a factor; changes of commands stay.
+    /// Multiplies base and direction of the load by a factor; changes of commands stay as they are.
     ///
     /// ```
     /// use grasp_lcp::planar::{Ramp, Wrench};
@@ -73,7 +74,7 @@ impl<const C: usize> Ramp<C> {
         self
     }
 
-    /// This ramp with all its rates multiplied by a factor; backwards for a negative one.
+    /// This ramp with all its rates multiplied by a factor; a negative factor reverses it.
     pub(crate) fn times(&self, factor: f64) -> Self {
         let times = |change: &Vec<SVector<f64, C>>| mapped(change, &|a| a * factor);
         Self {
@@ -84,7 +85,7 @@ impl<const C: usize> Ramp<C> {
         }
     }
 
-    /// Refuses changes that are not as many as there are contacts and drives (joints, then tendons), and a ramp along which nothing changes.
+    /// Refuses changes whose number is not that of contacts or of drives (joints, then tendons), and a ramp along which nothing changes.
     #[cfg(feature = "serde")]
     pub(crate) fn check_changes(&self, [contacts, drives, _]: [usize; 3]) -> Result<(), Error> {
         if let Some(change) = &self.command_change {
@@ -138,7 +139,7 @@ impl<const C: usize> Ramp<C> {
     }
 }
 
-/// The load alone, starting from zero.
+/// A ramp of the load alone, from zero to this load at factor 1.
 impl<const C: usize> From<Wrench<C>> for Ramp<C> {
     fn from(load: Wrench<C>) -> Self {
         Self::load(Wrench::ZERO, load)

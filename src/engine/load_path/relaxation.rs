@@ -1,14 +1,15 @@
-//! How directions of sliding relax along an arc, to first order: the derivative J of the rates of a [`Flow`](super::flow::Flow).
+//! Relaxation of the directions of sliding along an arc, to first order: the derivative J of the rates of a [`Flow`](super::flow::Flow).
 //!
-//! A friction force along p that turns by the angle φ towards d changes the tangent C of its contact, and with it the rate `r = C s` of its own
-//! force. Through balance the motion of the object changes, which affects all contacts. With φ = d·Δ / |F_t| for a change Δ of the friction forces
+//! A friction force along p that turns by the angle φ towards d changes the tangent C of its contact. So it changes the rate `r = C s` of its own
+//! force, with the rate s of the stretch. Balance then changes the motion of the object, which affects all contacts. With φ = d·Δ / |F_t| for a
+//! change Δ of the friction forces
 //!
 //! ```text
 //! (J Δ)_i = v_i φ_i + C_i s_i',     v = (∂C/∂φ) s,     s_i' = a_i' δλ - G_iᵀ δq
 //! T δq - b δλ = Σ G_i v_i φ_i,      (δq, δλ) across the path
 //! ```
 //!
-//! J is one number a contact beside a matrix of rank D + 1, and so is the inverse of 1 - hJ. With c = Cᵀ d
+//! J is a diagonal with one number for each contact, plus a matrix of rank D + 1, and so is the inverse of 1 - hJ. With c = Cᵀ d
 //!
 //! ```text
 //! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
@@ -27,36 +28,37 @@ use crate::prelude::*;
 struct Turning {
     contact: usize,
     tangent: Tangent,
-    /// |F_t|, N.
+    /// Size of the friction force, |F_t|, N.
     size: f64,
-    /// d; zero for a contact without friction force, which has no direction to turn.
+    /// The direction d in which the friction force can turn; zero for a contact without friction force.
     across: SVector<f64, 3>,
-    /// v, N for one radian and one unit of arclength.
+    /// The change v of the force's rate as the force turns, N for one radian and one unit of arclength.
     change: SVector<f64, 3>,
-    /// G v.
+    /// The wrench G v.
     push: Vector,
-    /// c = Cᵀ d, N/m.
+    /// The row c = Cᵀ d, N/m.
     felt: SVector<f64, 3>,
-    /// G c.
+    /// The wrench G c.
     pull: Vector,
 }
 
-/// J at the start of a step.
+/// The derivative J at the start of a step.
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
     contacts: Vec<Turning>,
-    /// T and b.
+    /// The tangent stiffness T.
     stiffness: PathStiffness,
+    /// The right side b.
     load: Vector,
     way: Direction,
 }
 
-/// The factors of 1 - hJ.
+/// The factors of the matrix 1 - hJ.
 pub(super) struct Damped {
     length: f64,
-    /// Of `[T' | -b']` with the row of the path below.
+    /// The factors of `[T' | -b']` with the transverse row below.
     bordered: PathFactors,
-    /// e, N.
+    /// The numbers e of the contacts, N.
     sizes: Vec<f64>,
 }
 
@@ -108,8 +110,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Some(Damped { length, bordered, sizes })
     }
 
-    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and factor. Works stay unchanged: no rate depends on them, and their own rates
-    /// follow from the states within a step.
+    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and factor. Works stay unchanged, since no rate depends on them.
     pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();

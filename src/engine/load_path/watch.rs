@@ -1,4 +1,4 @@
-//! The conditions that must stay positive along a sliding arc.
+//! The conditions that must hold along a sliding arc: each is a value that must stay positive.
 
 use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};
@@ -6,14 +6,14 @@ use super::trajectory::Trajectory;
 use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::prelude::*;
 
-/// The subject of a condition.
+/// The subject of a watched condition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
-    /// The state of this contact.
+    /// The state of this contact holds.
     Contact(usize),
-    /// The load factor grows.
+    /// The rate of the load factor is positive.
     Growth,
-    /// The leg is not at its end.
+    /// The rest of the leg is positive.
     Leg,
 }
 
@@ -28,29 +28,29 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Clearly negative.
+    /// Whether the value is clearly negative.
     pub(super) fn is_violated(&self) -> bool {
         self.value < -SLACK_ON_AN_ARC * self.size
     }
 
-    /// Zero up to rounding and the error of steps.
+    /// Whether the value is zero up to rounding and the error of steps.
     pub(super) fn is_met(&self) -> bool {
         self.value.abs() <= SLACK_ON_AN_ARC * self.size
     }
 
-    /// Negative by far more than rounding and the errors of steps explain.
+    /// Whether the value is negative by far more than rounding and the errors of steps explain.
     pub(super) fn is_broken(&self) -> bool {
         // Multiple of the tolerance for zero beyond which a negative value is certain.
         self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
 
-    /// Decreasing by more than rounding, or with an unknown rate. A constant value does not fall: contacts at rest stay at their edge while others
-    /// slide.
+    /// Whether the value decreases by more than rounding, or has an unknown rate. A constant value does not decrease: contacts at rest stay at their
+    /// edge while others slide.
     pub(super) fn falls(&self) -> bool {
         self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }
 
-    /// The length of the path until the value is zero along the tangent.
+    /// The length of the path until the value is zero, extrapolated linearly.
     pub(super) fn way(&self) -> Option<f64> {
         self.rate.map(|[rate, _]| self.value / -rate).filter(|way| way.is_finite())
     }
@@ -66,7 +66,7 @@ pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
 
-/// The conditions in these states.
+/// The conditions that hold along an arc in these states, evaluated at a point of it.
 pub(super) fn watch(
     segment: &Segment<'_>,
     states: &[State],
@@ -89,7 +89,7 @@ pub(super) fn watch(
     ];
     // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate of zero may grow.
     let straight = matches!(segment.course, Trajectory::Straight { .. });
-    // The rest of a leg counts as at least a hundredth of it. The change of a value over the rest is compared with rounding.
+    // The change of a value over the rest of the leg is compared with rounding; the rest counts as at least a hundredth of the leg.
     let per_length = here.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&here.lines[contact], segment.problem.local(contact));
@@ -118,7 +118,7 @@ pub(super) fn watch(
                 push(line.force[0], Some([line.rate[0], line.rate_size]), line.force_size);
             }
             Mode::Sticking => {}
-            // Rounding decides whether a contact with a vanishing force sticks on the way there.
+            // Near zero normal force only rounding decides whether the contact sticks, so that this condition counts as satisfied.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);

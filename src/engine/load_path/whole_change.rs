@@ -1,4 +1,4 @@
-//! Events of whole contacts: a soft fingertip begins to slide with its first point, and slides everywhere with its last one.
+//! Events of whole contacts: a soft fingertip begins to slide with its first point, and slides everywhere once its last point slides.
 
 use core::fmt;
 
@@ -9,39 +9,40 @@ use crate::numerics::picked;
 use crate::prelude::*;
 use crate::words::{Words, opens};
 
-/// A change at an event, with the points of one soft fingertip together.
+/// A change of one contact at an event; the points of a soft fingertip count as one contact.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct WholeChange<const C: usize> {
     /// The contact that changes.
     pub contact: ContactLabel,
-    /// Its behaviour from here on.
+    /// The behaviour of the contact from here on.
     pub what: PadChange<C>,
 }
 
-/// The behaviour of a contact from an event on. Point contacts are described by their change, soft fingertips by their first and last points.
+/// The behaviour of a contact from an event on. A point contact has its own change; a soft fingertip is described by its first and its last points to
+/// change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum PadChange<const C: usize> {
-    /// A contact that is a single point changes.
+    /// A point contact changes its state.
     Point(Change<C>),
-    /// The first points slide.
+    /// The first points of a fingertip slide.
     BeginsToSlide,
-    /// The last points that touch slide.
+    /// The last closed points of a fingertip slide.
     SlidesEverywhere,
-    /// Some points stick again, others slide on.
+    /// Some points of a fingertip stick again, others slide on.
     SticksInPart,
-    /// No point slides any more.
+    /// No point of a fingertip slides any more.
     SticksAgain,
-    /// All points that slide slide back.
+    /// All sliding points of a fingertip reverse their direction.
     SlidesBack,
-    /// The first points open.
+    /// The first points of a fingertip open.
     BeginsToOpen,
-    /// The last points open.
+    /// The last points of a fingertip open.
     Opens,
-    /// The first points touch.
+    /// The first points of a fingertip touch.
     Touches,
-    /// The last points touch.
+    /// The last points of a fingertip touch.
     TouchesEverywhere,
     /// The contact is kept closed and would have to pull.
     WouldPull,
@@ -78,7 +79,7 @@ impl<const C: usize> fmt::Display for WholeChange<C> {
 }
 
 impl<const C: usize> WholeChange<C> {
-    /// What the contact does, without the direction of a slip: "slides", "begins to open".
+    /// The verb for the contact, without the direction of a slip: "slides", "begins to open".
     #[must_use]
     pub fn verb(&self) -> String {
         self.verb_in(Words::default())
@@ -97,8 +98,8 @@ impl<const C: usize> WholeChange<C> {
 }
 
 impl<const C: usize> Event<C> {
-    /// The changes, with the points of one soft fingertip together, described by the first and the last of them. Empty where only points in between
-    /// change.
+    /// The changes, with the points of a soft fingertip taken together and described by the first and the last of them. Empty if only points in
+    /// between change.
     #[must_use]
     pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
         whole_changes(&self.state, &self.changes)
@@ -122,7 +123,7 @@ impl<const C: usize> fmt::Display for Event<C> {
     }
 }
 
-/// The changes relative to a state, with the points of one soft fingertip together, in the order of the first change of each.
+/// The changes relative to `state`, with the points of a soft fingertip taken together, in the order of the first change of each contact.
 pub(crate) fn whole_changes<const C: usize>(
     state: &Equilibrium<C>,
     changes: &[ContactChange<C>],
@@ -202,7 +203,7 @@ impl PadAtEvent {
     }
 }
 
-/// The state of a point.
+/// The state of a point of a fingertip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum PointState {
     Open,
@@ -219,7 +220,7 @@ impl PointState {
         }
     }
 
-    /// The states before and after a change. At the very start of a path the states given are those after it.
+    /// The states before and after a change. At the very start of a path `state` is the one after it.
     fn change<const C: usize>(change: &Change<C>, state: Self) -> [Self; 2] {
         match change {
             Change::Slides { .. } => [Self::Sticks, Self::Slides],

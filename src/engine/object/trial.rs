@@ -12,13 +12,13 @@ impl Problem<'_> {
     pub(crate) fn trial(&self) -> Arc<Piece> {
         let make = || Piece::new(self, &self.unjumped());
         match self.trial {
-            // Grasps of more sites than this do not keep their factors: many sites take memory, and most repeated questions concern few.
+            // Larger grasps do not keep these factors, which take memory; repeated questions are mostly about small grasps.
             Some(kept) if self.len() <= 256 => kept.get(make),
             _ => Arc::new(make()),
         }
     }
 
-    /// The piece of these states, or the elastic trial's piece if the states are its own.
+    /// The piece with these states; that of the elastic trial, which may be stored, if they are its states.
     pub(crate) fn piece(&self, states: &[State]) -> Arc<Piece> {
         let unjumped = || self.locals().zip(states).all(|(local, state)| local.unjumped() == *state);
         if self.trial.is_some() && unjumped() { self.trial() } else { Arc::new(Piece::new(self, states)) }

@@ -1,7 +1,7 @@
-//! A proof that no equilibrium exists near the point where one was lost, for any slips so far.
+//! A proof that no equilibrium exists near the point where one was lost, whatever the contacts have slipped.
 //!
-//! For any virtual motion v with `u_i = G_iᵀv` balance gives `W·v = -Σ F_i·u_i`, and no contact works against v by more than its
-//! [`Resistance`]. Only the normal stretches enter, which the motion q of the object alone determines:
+//! For any virtual motion v with `u_i = G_iᵀv`, equilibrium gives `W·v = -Σ F_i·u_i`. No contact works against v by more than its [`Resistance`],
+//! which depends only on normal stretches, and so only on the motion q of the object:
 //!
 //! ```text
 //! W·v  <=  h(q) = Σ c_i (a_n,i - n·G_iᵀq)₊  +  Σ r_i·(a_i - G_iᵀq)
@@ -13,7 +13,7 @@
 //! h  <=  Σ c_i x_i + Σ r_i·v_i  +  |(Σ c_i G_i n + Σ G_i r_i)·δ|  +  Σ c_i (|G_i n·δ| - x_i)₊
 //! ```
 //!
-//! Where this bound is below `W·v`, no equilibrium exists. Opposed contacts cancel in the sum; h then grows only once one of them opens.
+//! If this bound is below `W·v`, no equilibrium exists. The terms of opposed contacts cancel in the sum; h then grows only once one of them opens.
 
 use crate::contact::Resistance;
 use crate::grasp::Space;
@@ -21,15 +21,15 @@ use crate::numerics::{Vector, increasing, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, turns the object by at
-/// most ρ over the inside unit of length, and moves each further coordinate by at most ρ. Infinite where no equilibrium exists at all; `None` where
-/// nothing is proved even at q*.
+/// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, and turns the object by at
+/// most ρ over the inside unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if nothing
+/// is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // Contacts that may open: the ρ from which they do, and the additional growth of the bound from there.
+    // For each contact that may open: the ρ at which it opens, and the increase of the bound's slope from there.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);
@@ -70,7 +70,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     Some((rho + left / growth) * (1.0 - rounding))
 }
 
-/// The largest product of a row with a δ of ρ = 1: the norms of its translation and its rotation, and the sizes of all other entries.
+/// The largest product of a row with a δ of ρ = 1: the sum of the norms of its translation and rotation parts and the sizes of all other entries.
 fn reach(space: Space, row: &Vector) -> f64 {
     let (axes, object) = (space.axes(), space.of_the_object());
     let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();

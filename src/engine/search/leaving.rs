@@ -1,7 +1,7 @@
-//! Lemke's method on the few contacts that leave the state of the elastic trial, where there are many contacts.
+//! Lemke's method for many contacts, of which few leave the state of the elastic trial: only these pivot.
 //!
-//! A contact that breaks a condition enters the pivoting set; all others keep their states. The states found may make others break a condition: these
-//! join, until no contact does. Where many contacts leave the trial, Tresca friction gives nearer states; again few contacts break a condition.
+//! A contact that breaks a condition enters the pivoting set; all others keep their states. The new states may make other contacts break a condition.
+//! These join, until no contact does. If many contacts leave the trial, Tresca friction gives nearer states, in which few break a condition.
 
 use alloc::sync::Arc;
 
@@ -16,7 +16,7 @@ use crate::numerics::chosen;
 use crate::object::{Piece, PieceState, Problem, states_by_tresca};
 use crate::prelude::*;
 
-/// States that all contacts keep except the pivoting set, whose contacts stick, with their solved piece.
+/// The start of a path: states in which the contacts of the pivoting set stick, with the solution of their piece.
 struct Base {
     states: Vec<State>,
     piece: Arc<Piece>,
@@ -24,14 +24,14 @@ struct Base {
 }
 
 impl Base {
-    /// The base with these states; `None` where no forces of these states balance the load.
+    /// The start with these states; `None` if no forces of these states balance the load.
     fn of(problem: &Problem, states: Vec<State>) -> Option<Self> {
         let piece = problem.piece(&states);
         let at = piece.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
         Some(Self { states, piece, at })
     }
 
-    /// The base with the contacts `among` sticking; itself if they stick already. `None` where its tangent stiffness is singular.
+    /// This start with the contacts `among` sticking; unchanged if they stick already. `None` if the tangent stiffness is then singular.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut Moved) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
@@ -61,7 +61,7 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // Most contacts in the pivoting set, neighbours included, of a path from nearer states.
+        // Maximum number of contacts in the pivoting set, neighbours included, of a path from these nearer states.
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }
@@ -78,7 +78,7 @@ fn pivoted(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let mut moved = Moved::default();
-    // Rounds in which further contacts may join: a disturbance spreads from contact to contact, and fades.
+    // Maximum number of rounds in which contacts join: a disturbance spreads from contact to contact, and fades.
     for _ in 0..32 {
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
@@ -118,10 +118,10 @@ fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
     chosen(problem.len(), &|i| felt(*i).any(|k| is_near[k]))
 }
 
-/// The states, with further contacts sticking until no motion is loose. For each loose motion the contact with the largest displacement sticks,
-/// among the contacts that do not. `None` if motions are still loose after all rounds.
+/// Makes further contacts stick until the tangent stiffness is regular. For each motion in which it is singular, the contact that moves most sticks,
+/// among those that do not stick yet. `None` if it is still singular after all rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
-    // Most rounds of sticking further contacts before the states are given up.
+    // Maximum number of rounds in which further contacts are made to stick.
     for _ in 0..8 {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
         if loose.is_empty() {

@@ -1,4 +1,4 @@
-//! A record of what every rung of the ladder makes of each search, for the report `rungs`.
+//! A record of which rung of the ladder decides each search, for the report `rungs`.
 
 use crate::numerics::mapped;
 
@@ -14,18 +14,18 @@ use super::ladder::LADDER;
 pub enum RungResult {
     /// The rung does not apply to the search.
     Untried,
-    /// Neither an equilibrium nor a proof.
+    /// The rung found neither an equilibrium nor a proof.
     Nothing,
-    /// An equilibrium.
+    /// The rung found an equilibrium.
     Found,
-    /// A proof that no equilibrium exists.
+    /// The rung proved that no equilibrium exists.
     Proved,
 }
 
-/// One search: what each rung makes of it alone.
+/// One search, with the result of each rung tried alone.
 #[derive(Debug, Clone)]
 pub struct RecordedSearch {
-    /// The number of the rung that decided; `None` where the search stayed undecided.
+    /// The index of the rung that decided; `None` if the search stayed undecided.
     pub decided: Option<usize>,
     /// The result of each rung, and its time, s.
     pub rungs: Vec<(RungResult, f64)>,
@@ -35,7 +35,7 @@ std::thread_local! {
     static RECORD: RefCell<Option<Vec<RecordedSearch>>> = const { RefCell::new(None) };
 }
 
-/// The names of the rungs, from below.
+/// The names of the rungs, in the order in which they are tried.
 #[must_use]
 pub fn names() -> Vec<&'static str> {
     mapped(&LADDER, &|rung| rung.name)
@@ -48,7 +48,7 @@ pub fn recorded<T>(ask: impl FnOnce() -> T) -> (T, Vec<RecordedSearch>) {
     (answer, RECORD.take().unwrap_or_default())
 }
 
-/// Records a search that this rung has decided, if the thread records any: each rung is climbed once more, alone.
+/// Records a search and the rung that decided it, if this thread keeps a record. For this every rung that applies is tried once more, alone.
 pub(super) fn record(scene: &ElasticTrial<'_, '_>, decided: Option<usize>) {
     if RECORD.with_borrow(Option::is_none) {
         return;

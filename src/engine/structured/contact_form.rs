@@ -6,10 +6,9 @@
 //! x_i = u_i + B_i z_i,   u_i = x⁰_i - Q_i y,   Σ Q_iᵀ(x_i - x⁰_i) = 0,   0 <= z ⟂ w = L x + d z₀ >= 0
 //! ```
 //!
-//! The contacts are coupled only by y, the motion of the object, with as many entries as the object
-//! has degrees of freedom. Rows and columns are those of `forms/kinematic`. Columns and the rows of
-//! gaps have length one; a facet has the row (κ, c), over its tangential length, and the column (0,
-//! c). The covering variable z₀ drives the path: it is the s of the path's points.
+//! The contacts are coupled only by y, the motion of the object, with as many entries as the object has degrees of freedom. Rows and columns are
+//! those of `forms/kinematic`, scaled: columns and the rows of gaps have length one. A facet has the row (κ, c), scaled so that c has length one, and
+//! the column (0, c). The covering variable z₀ is the parameter of the path, stored as `Point::s`.
 
 use nalgebra::SVector;
 
@@ -21,10 +20,9 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(super) struct PairedContact {
     pub(super) contact: EnergyContact,
-    /// x⁰_i.
+    /// x⁰_i, the elastic trial state of the contact.
     pub(super) trial: SVector<f64, 3>,
-    /// The index of its first pair in the whole problem. Pair 0 of a contact that may open is its
-    /// gap.
+    /// The index of the contact's first pair in the whole problem. Pair 0 of a contact that may open is its gap.
     pub(super) first: usize,
 }
 
@@ -34,13 +32,13 @@ impl PairedContact {
         unit * generic(self.first + pair)
     }
 
-    /// u = x⁰ - Q y.
+    /// The stretch `u = x⁰ - Q y` of the contact.
     pub(super) fn stretch(&self, y: &Vector) -> SVector<f64, 3> {
         self.trial - &self.contact.seen * y
     }
 }
 
-/// The kinematic form.
+/// The kinematic form, contact by contact.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ContactForm {
     pub(super) locals: Vec<PairedContact>,
@@ -48,16 +46,15 @@ pub(crate) struct ContactForm {
     pub(super) size: Size,
     /// The number of pairs of all contacts.
     pub(super) pairs: usize,
-    /// The largest |Q_i|.
+    /// The largest norm of a Q_i.
     pub(super) widest: f64,
-    /// The covering vector d entry by entry, in the units of the rows; empty for ones on rows of
-    /// length one.
+    /// The covering vector d, entry by entry in the units of the rows. An empty list stands for ones, if rows have length one.
     covering: Vec<f64>,
 }
 
 impl ContactForm {
-    /// Writes the form for the trial state in which every contact sticks, from the factor of its
-    /// springs and x⁰, spring by spring.
+    /// Sets up the form on the trial state in which every contact sticks. `factor` is the orthogonal factor of the trial, and `x` lists x⁰ spring by
+    /// spring.
     pub(crate) fn assign(&mut self, problem: &Problem, factor: &Orthogonal, x: &[f64]) {
         let Self { locals, coordinates, size, pairs, widest, covering } = self;
         *size = problem.size();
@@ -83,14 +80,13 @@ impl ContactForm {
         self.locals.len()
     }
 
-    /// The pairs of a contact: the row of each, and the factor that converts an entry for a row of length one to
-    /// the row's unit.
+    /// The pairs of a contact: the row of each, and the factor that converts an entry from a row of length one to the row's unit.
     #[inline]
     pub(super) fn pairs_of(&self, local: &PairedContact) -> &[Facet] {
         self.coordinates.pairs(&local.contact)
     }
 
-    /// The column of a pair.
+    /// The column of a pair: the change of x by a unit jump.
     pub(super) fn column(&self, local: &PairedContact, pair: usize) -> SVector<f64, 3> {
         let is_gap = local.contact.gap && pair == 0;
         if is_gap { normal() } else { self.pairs_of(local)[pair].column() }
@@ -102,8 +98,7 @@ impl ContactForm {
         self.covering.get(local.first + pair).copied().unwrap_or(unit)
     }
 
-    /// Sets the covering vector to fixed numbers without structure, different for every attempt: entries between 1/8 and
-    /// 8. Attempt 0 has all ones.
+    /// Sets the covering vector to reproducible generic numbers between 1/8 and 8, different for every attempt. Attempt 0 has all ones.
     pub(super) fn scatter(&mut self, attempt: usize) {
         let mut covering = core::mem::take(&mut self.covering);
         covering.clear();
