@@ -35,7 +35,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`planar`], [`spatial`] | the types of a grasp in the plane and in space, under short names |
-//! | [`guide`] | choosing a question, several equilibria, rays, facets, hands |
+//! | [`guide`] | which answer to trust, several equilibria, rays, facets, hands |
 //! | [`ask`] | a [`Grasp`](ask::Grasp), and a table of the questions that it answers |
 //! | [`grasp`] | the parts of a question: contacts, soft fingertips, stiffness, friction, hands, bodies, wrench and twist; vectors of other libraries |
 //! | [`hold`] | does it hold: the verdict on a load that is applied from rest, as one sentence |

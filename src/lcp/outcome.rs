@@ -186,7 +186,7 @@ pub struct Ray {
     pub pivots: usize,
 }
 
-/// The reason why a solve broke down. The first three are invalid settings; the others arise in the arithmetic.
+/// The reason why a solve broke down. The first three are invalid settings; the others arise during the solve.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]

@@ -49,8 +49,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// This contact with its normal tilted towards its tangents by these angles, rad; the frame rotates with it. The angle of rotation is the
-    /// norm of the tangential components, about the axis normal to both. The first component is ignored.
+    /// This contact with its normal tilted towards its tangents by these angles, rad; the frame rotates with it. The axis of rotation is
+    /// orthogonal to the normal and to the tilt, and the angle is the norm of the tilt. The first component is ignored.
     pub(crate) fn tilted(mut self, tilt: &SVector<f64, C>) -> Self {
         // A contact without a frame is refused later, when its grasp is made.
         let Ok(frame) = self.frame(0) else { return self };
