@@ -8,8 +8,7 @@ use nalgebra::DVector;
 use thiserror::Error;
 
 /// The end of a solve, and the conclusion that it allows. S is the type of a solution: of an [`Lcp`](super::Lcp), of a problem with free
-/// variables
-/// ([`MixedSolution`](super::MixedSolution)), or one that borrows the memory of a solver ([`OutcomeView`]).
+/// variables ([`MixedSolution`](super::MixedSolution)), or one that borrows the memory of a solver ([`OutcomeView`]).
 ///
 /// The first four variants state a fact about the problem; the last three leave it undecided. `Display` writes one line.
 #[derive(Debug, Clone, PartialEq)]
