@@ -1,4 +1,4 @@
-//! Contacts as users count them: a soft fingertip is one, with several points.
+//! Contacts as users count them: a soft fingertip is one contact with several points.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -13,33 +13,33 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
-/// A contact in an answer, or some of the points of a soft fingertip.
+/// A contact in an answer; of a soft fingertip, possibly only some of its points.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct WholeContact {
-    /// Its place in the list of contacts, from 0; a soft fingertip counts as one.
+    /// Position in the list of contacts, from 0; a soft fingertip counts as one.
     pub contact: usize,
-    /// Its name, or "contact" and its place.
+    /// The user's name, or "contact" and the position.
     pub label: String,
-    /// Kind of the link between bodies that it represents; omitted for a contact.
+    /// Kind of the link between bodies that this contact represents; omitted for an ordinary contact.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub link: Option<LinkKind>,
-    /// Number of its points that the answer is about: 1 for a contact that is a point itself.
+    /// Number of points to which the answer applies; 1 for a contact that is a single point.
     pub points: usize,
-    /// Number of all its points.
+    /// Number of all points of the contact.
     pub of: usize,
 }
 
 impl WholeContact {
-    /// Whether the answer is about all of its points.
+    /// Whether the answer applies to all points of the contact.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         self.points == self.of
     }
 
-    /// Its name, made safe to print.
+    /// The name, safe to print.
     pub(crate) fn text(&self) -> Cow<'_, str> {
         printable(&self.label)
     }
@@ -53,7 +53,7 @@ impl fmt::Display for WholeContact {
     }
 }
 
-/// The contacts of a grasp, with the points of each soft fingertip as one part.
+/// The contacts of a grasp, grouped so that the points of a soft fingertip form one part.
 pub(crate) struct WholeContacts<'c, const C: usize> {
     contacts: &'c [Contact<C>],
     ranges: Vec<Range<usize>>,
@@ -71,12 +71,12 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         Self { contacts, ranges }
     }
 
-    /// Range of contacts of each part.
+    /// Range of contact points of each part.
     pub(crate) fn ranges(&self) -> &[Range<usize>] {
         &self.ranges
     }
 
-    /// The parts with points for which `is_meant` is true, in order.
+    /// The parts that have points for which `is_meant` is true, in order.
     pub(crate) fn with(&self, is_meant: &dyn Fn(usize) -> bool) -> Vec<WholeContact> {
         let mut parts = Vec::new();
         for (contact, range) in self.ranges.iter().enumerate() {
@@ -112,29 +112,29 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         mapped(&self.ranges, &|range| range.clone().map(of).sum())
     }
 
-    /// Kind of link of a part, if it is one.
+    /// Kind of link that a part represents, if any.
     fn link(&self, number: usize) -> Option<LinkKind> {
         self.contacts[self.ranges[number].start].link
     }
 
-    /// The name of a part, if it has one.
+    /// The user's name of a part, if any.
     fn name(&self, number: usize) -> Option<&str> {
         self.contacts[self.ranges[number].start].whole_name()
     }
 
-    /// The name of a part, or its number.
+    /// The user's name of a part, or its number.
     pub(crate) fn label(&self, number: usize) -> String {
         self.name(number).map_or_else(|| format!("contact {number}"), |name| printable(name).into_owned())
     }
 }
 
 impl<const C: usize> Contact<C> {
-    /// Whether it is the first point of a soft fingertip, or a contact of its own.
+    /// Whether the contact is the first point of a soft fingertip, or a single point.
     pub(crate) fn begins_a_whole(&self) -> bool {
         self.point_of_pad.unwrap_or(0) == 0
     }
 
-    /// Its name; for a point of a soft fingertip that of the fingertip.
+    /// The user's name; for a point of a soft fingertip, the name of the fingertip.
     pub(crate) fn whole_name(&self) -> Option<&str> {
         let name = self.name.as_deref()?;
         let of_the_pad = self.point_of_pad.and_then(|point| name.strip_suffix(&format!(" {point}")));
