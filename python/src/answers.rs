@@ -5,6 +5,7 @@ use std::sync::Arc;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Onset, TurnOnset};
+use grasp_lcp::scene::Setup;
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray2};
 use pyo3::prelude::*;
@@ -167,11 +168,11 @@ where
     }
 
     fn json(&self) -> PyResult<String> {
-        let (grasp, setup) = (self.kept.without_joints("answers").map_err(refused)?, &self.kept.setup);
+        let grasp = self.kept.without_joints("answers").map_err(refused)?;
         match &self.raw {
-            Raw::Solved(outcome, load) => json(&setup.tell_outcome(grasp, load, outcome).map_err(refused)?),
-            Raw::Onset(onset) => json(&setup.tell_onset(grasp, onset).map_err(refused)?),
-            Raw::Turn(turn) => json(&setup.tell_onset_of_turn(grasp, turn).map_err(refused)?),
+            Raw::Solved(outcome, load) => json(&Setup::tell_outcome(grasp, load, outcome).map_err(refused)?),
+            Raw::Onset(onset) => json(&Setup::tell_onset(grasp, onset)),
+            Raw::Turn(turn) => json(&Setup::tell_onset_of_turn(grasp, turn)),
         }
     }
 

@@ -197,8 +197,7 @@ where
         let load = wrench("load", load)?;
         let grasp = self.without_joints("equilibria").map_err(refused)?;
         let all = py.detach(|| grasp.with(&self.setup.settings).equilibria(load)).map_err(refused)?;
-        let told: Result<Vec<_>, _> = all.iter().map(|state| self.setup.tell_equilibrium(state)).collect();
-        json(&told.map_err(refused)?)
+        json(&all.iter().map(|state| Setup::tell_equilibrium(grasp, state)).collect::<Vec<_>>())
     }
 
     fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>> {

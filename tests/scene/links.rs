@@ -36,7 +36,7 @@ fn it_is_written_as_it_was_read() {
     assert_eq!(scene(&written), clamp);
     let Space::Planar(setup) = &clamp.space else { panic!("planar") };
     assert_eq!(setup.links[0].comment.as_deref(), Some("of steel"));
-    assert_eq!((setup.links.len(), setup.points().expect("well posed")), (3, 6));
+    assert_eq!((setup.links.len(), setup.grasp().expect("well posed").len()), (3, 6));
 }
 
 #[test]

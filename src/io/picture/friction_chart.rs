@@ -1,7 +1,7 @@
 //! The part of its friction that each contact uses along the path of a load; a soft fingertip counts as one contact.
 
 use super::chart::Chart;
-use super::fingertip::{ContactGroup, fingertips, without_rounding};
+use super::fingertip::without_rounding;
 use super::layout::CHART;
 use super::palette::PALETTE;
 use super::series::{ChartSeries, Stroke};
@@ -9,7 +9,7 @@ use super::words::shortened;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::error::Error;
-use crate::grasp::{Contact, Hold, Wrench};
+use crate::grasp::{Contact, ContactPoints, Hold, WholeContacts, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
 use crate::numerics::{largest, mapped, moved};
 use crate::words::opens;
@@ -32,16 +32,16 @@ impl<const C: usize> Drawn<'_, C> {
     pub(super) fn chart(&self, title: &str) -> Result<Chart, Error> {
         let mut path = self.grasp.follow(self.start, self.legs)?;
         let events = path.run();
-        let tips = fingertips(self.grasp.contacts());
+        let tips = self.grasp.engine.wholes();
         let states = self.states(&path, &events);
-        let curve = |tip: &ContactGroup| -> Vec<(f64, f64)> {
+        let curve = |tip: &ContactPoints| -> Vec<(f64, f64)> {
             let used =
                 |(x, state): &(f64, Equilibrium<C>)| (*x, part_used(tip, self.grasp.contacts(), state));
             mapped(&states, &used)
         };
-        let named = tips.iter().map(|tip| {
-            (tip, ChartSeries { name: tip.name.clone(), points: curve(tip), stroke: Stroke::Line })
-        });
+        let named = tips
+            .iter()
+            .map(|tip| (tip, ChartSeries { name: tip.text(), points: curve(tip), stroke: Stroke::Line }));
         let mut chart = Chart::new(title, self.axis, "friction used, |F_t| / (μ F_n)");
         let Shared { drawn, left_out } = shared(named.collect(), self.grasp.contacts());
         for (k, series) in drawn.iter().enumerate() {
@@ -52,7 +52,7 @@ impl<const C: usize> Drawn<'_, C> {
         if !left_out.is_empty() && !states.is_empty() {
             chart = chart.note(format!("Not drawn: {}.", left_out.join("; ")));
         }
-        let marks = self.marks(&path, &events, &tips);
+        let marks = self.marks(&path, &events);
         Ok(marks.into_iter().fold(chart, |chart, (x, label)| chart.mark(x, label)))
     }
 
@@ -92,12 +92,8 @@ impl<const C: usize> Drawn<'_, C> {
         on_the_way.chain(at_the_end).collect()
     }
 
-    pub(super) fn marks(
-        &self,
-        path: &LoadPath<C>,
-        events: &[Event<C>],
-        tips: &[ContactGroup],
-    ) -> Vec<(f64, String)> {
+    pub(super) fn marks(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, String)> {
+        let tips = self.grasp.engine.wholes();
         let left = events
             .iter()
             .find_map(|event| Some(((self.place)(event.leg, event.fraction), left_by(event, tips)?)));
@@ -105,10 +101,10 @@ impl<const C: usize> Drawn<'_, C> {
         let to = (self.place)(last, part);
         let end = match path.end() {
             Some(PathEnd::Lost(loss)) => {
-                let edge = |tip: &&ContactGroup| {
-                    loss.contacts.iter().any(|contact| tip.contacts.contains(&contact.index))
+                let edge = |tip: &&ContactPoints| {
+                    loss.contacts.iter().any(|contact| tip.range.contains(&contact.index))
                 };
-                let names: Vec<_> = tips.iter().filter(edge).map(|tip| tip.name.as_str()).collect();
+                let names: Vec<_> = tips.iter().filter(edge).map(ContactPoints::text).collect();
                 let names = some(&names, 2, CHART.mark_letters);
                 let who = if left.is_none() { format!(": {names} on the edge") } else { String::new() };
                 Some((to, format!("lost{who}")))
@@ -127,8 +123,8 @@ impl<const C: usize> Drawn<'_, C> {
 }
 
 /// The part of their friction that the points of a fingertip use together: 1 where all of them slide. NaN where it is not defined.
-fn part_used<const C: usize>(tip: &ContactGroup, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
-    let (answers, contacts) = (&state.contacts[tip.contacts.clone()], &contacts[tip.contacts.clone()]);
+fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
+    let (answers, contacts) = (&state.contacts[tip.range.clone()], &contacts[tip.range.clone()]);
     // The ratio is meaningless for forces that are rounding.
     let force = largest(answers, &|answer| answer.force.norm());
     if force > 0.0 && without_rounding(force, state) == 0.0 {
@@ -159,14 +155,14 @@ struct Shared {
 }
 
 /// All curves, or the highest of them if there are more than colours allow.
-fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &[Contact<C>]) -> Shared {
+fn shared<const C: usize>(curves: Vec<(&ContactPoints, ChartSeries)>, contacts: &[Contact<C>]) -> Shared {
     let most = |series: &ChartSeries| series.points.iter().map(|(_, y)| *y).fold(f64::NEG_INFINITY, f64::max);
     let mut left_out = Vec::new();
     let (mut drawn, none): (Vec<_>, Vec<_>) =
         curves.into_iter().partition(|(_, series)| most(series).is_finite());
     for why in ["no friction", "glued", "friction without limit", "never touches"] {
-        let those = none.iter().filter(|(tip, _)| no_curve(&contacts[tip.contacts.start]) == why);
-        let names: Vec<_> = those.map(|(tip, _)| tip.name.as_str()).collect();
+        let those = none.iter().filter(|(tip, _)| no_curve(&contacts[tip.range.start]) == why);
+        let names: Vec<_> = those.map(|(tip, _)| tip.text()).collect();
         if !names.is_empty() {
             left_out.push(format!("{} ({why})", some(&names, CHART.listed_names, CHART.listed_letters)));
         }
@@ -182,7 +178,7 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
             room -= usize::from(is_kept);
             is_kept
         });
-        let names: Vec<_> = mapped(&lower, &|(tip, _)| tip.name.as_str());
+        let names: Vec<_> = mapped(&lower, &|(tip, _)| tip.text());
         left_out.push(format!(
             "{} that use no more than {least:.3} of their friction: {}",
             names.len(),
@@ -218,7 +214,7 @@ fn no_curve<const C: usize>(contact: &Contact<C>) -> &'static str {
 }
 
 /// The names joined by commas, each shortened to `letters`; beyond `most` of them only their number.
-pub(super) fn some(names: &[&str], most: usize, letters: usize) -> String {
+pub(super) fn some(names: &[String], most: usize, letters: usize) -> String {
     let more = names.len().saturating_sub(most);
     let shown: Vec<_> = mapped(&names[..names.len() - more], &|name| shortened(name, letters));
     let shown = shown.join(", ");
@@ -226,10 +222,9 @@ pub(super) fn some(names: &[&str], most: usize, letters: usize) -> String {
 }
 
 /// The first contact or drive that leaves at an event in words, such as "left slides"; `None` if all of them stay.
-fn left_by<const C: usize>(event: &Event<C>, tips: &[ContactGroup]) -> Option<String> {
-    let name = |index: usize| tips.iter().find(|tip| tip.contacts.contains(&index));
+fn left_by<const C: usize>(event: &Event<C>, tips: &WholeContacts) -> Option<String> {
     let contact = event.changes.iter().find_map(|change| {
-        let tip = name(change.contact.index)?;
+        let tip = tips.at(change.contact.index);
         let does = match (&change.what, tip.is_soft()) {
             (Change::Slides { .. }, false) => "slides",
             (Change::Opens, false) => opens(change.contact.link),
@@ -237,7 +232,7 @@ fn left_by<const C: usize>(event: &Event<C>, tips: &[ContactGroup]) -> Option<St
             (Change::Opens, true) => "begins to open",
             _ => return None,
         };
-        Some(format!("{} {does}", shortened(&tip.name, CHART.mark_letters)))
+        Some(format!("{} {does}", shortened(&tip.text(), CHART.mark_letters)))
     });
     contact.or_else(|| event.drives.first().map(|drive| format!("{} gives way", drive.part.text())))
 }

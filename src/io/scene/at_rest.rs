@@ -89,15 +89,15 @@ impl Setup<3> {
     fn otherwise_under(&self, grasp: &Grasp<3>, base: &Wrench<3>) -> Result<Vec<Warning>, Error> {
         let Ok(Outcome::Equilibrium(state)) = grasp.solve(base) else { return Ok(Vec::new()) };
         let mut warnings = Vec::new();
-        let (mut first, mut pressed) = (0, 0);
+        let (mut pressed, wholes) = (0, grasp.engine.wholes());
         for (contact, entry) in self.entries().enumerate() {
-            let points = first..first + entry.count()?;
-            first = points.end;
             let Some(told) = entry.contact.press else { continue };
             pressed += 1;
             // A pad that touches a curved part presses along its closing direction.
             let along = entry.contact.frame(contact)?.column(0).into_owned();
-            let force = summed(&state.contacts[points], &|point| point.force_world.dot(&along));
+            let force = summed(&state.contacts[wholes[contact].range.clone()], &|point| {
+                point.force_world.dot(&along)
+            });
             if (force - told).abs() > OTHERWISE_PRESSED * told {
                 let name = entry.contact.label_text(contact);
                 warnings.push(Warning::PressesOtherwise { contact, name, told, force });
@@ -107,14 +107,13 @@ impl Setup<3> {
             // If no contact presses with its force, one common reason is stated instead, if known.
             warnings = self.same_side().map_or(warnings, |why| vec![why]);
         }
+        let contacts = self.entries().count();
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
-            let points = link.contacts_in(self.space, link.kind().name())?.len();
-            let (told, site) = (link.pretension, first);
-            first += points;
+            let told = link.pretension;
             if told == 0.0 || link.tension.is_some() {
                 continue;
             }
-            let force = state.contacts[site].normal_force();
+            let force = state.contacts[wholes[contacts + number].range.start].normal_force();
             if (force - told).abs() > OTHERWISE_PRESSED * told.abs() {
                 let (link, name) = (number, link.called(number));
                 warnings.push(Warning::PullsOtherwise { link, name, told, force });

@@ -82,30 +82,27 @@ impl<const C: usize> Setup<C> {
 impl Setup<3> {
     /// [`Self::brief_answers`] in the plane or in space.
     pub(crate) fn answered_briefly(&self) -> Result<Vec<Brief>, Error> {
-        let (grasp, labels) = (self.grasp_checked()?, self.labels()?);
-        tried(&self.questions, &|question| self.brief(&grasp, &labels, question))
+        let grasp = self.grasp_checked()?;
+        tried(&self.questions, &|question| self.brief_answer(&grasp, question))
     }
 
     /// The short answer to one question.
     pub(super) fn brief_answer(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Brief, Error> {
-        self.brief(grasp, &self.labels()?, question)
-    }
-
-    fn brief(&self, grasp: &Grasp<3>, labels: &SceneNames, question: &Question<3>) -> Result<Brief, Error> {
         self.check_question(question)?;
         let grasp = &self.grasp_asked(grasp, question)?;
+        let labels = SceneNames(grasp);
         Ok(match &*self.meant(question)? {
             Question::Hold { .. } => held_briefly(&grasp.hold_briefly(&question.ramp()?)?),
             Question::Need(asked) => needed_briefly(&grasp.need(asked)?),
-            Question::Improve(asked) => improved_briefly(&grasp.improve(&self.with_surfaces(asked)?)?),
+            Question::Improve(asked) => improved_briefly(&grasp.improve(&self.with_surfaces(grasp, asked))?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
             Question::Compare { base, load } => {
-                compared_briefly(&labels.compared(grasp, base, load, Words::default())?)
+                compared_briefly(&labels.compared(base, load, Words::default())?)
             }
-            Question::Onset { .. } => labels.onset_briefly("onset", grasp, &grasp.onset(&question.ramp()?)?),
+            Question::Onset { .. } => labels.onset_briefly("onset", &grasp.onset(&question.ramp()?)?),
             Question::OnsetOfTurn(turn) => {
                 let found = grasp.onset_of_turn(turn)?;
-                let mut brief = labels.onset_briefly("onset_of_turn", grasp, &found.onset);
+                let mut brief = labels.onset_briefly("onset_of_turn", &found.onset);
                 brief.angle = brief.factor.take();
                 brief
             }
@@ -149,7 +146,7 @@ impl Brief {
     }
 }
 
-impl SceneNames {
+impl SceneNames<'_> {
     fn solved_briefly(&self, question: &'static str, outcome: &Outcome<3>) -> Brief {
         match outcome {
             Outcome::Equilibrium(state) => self.tightest(Brief::new(question, "equilibrium"), state),
@@ -165,20 +162,20 @@ impl SceneNames {
         let margins = state.contacts.iter().enumerate().filter(|(_, contact)| contact.margin.is_finite());
         let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
         let Some((site, contact)) = least else { return brief };
-        let (margin, first) = (Some(contact.margin), Some(self.0[site].text()));
+        let (margin, first) = (Some(contact.margin), Some(self.label(site).text()));
         Brief { margin, first, does: Some(doing(&contact.state)), ..brief }
     }
 
-    fn onset_briefly(&self, question: &'static str, grasp: &Grasp<3>, onset: &Onset<3>) -> Brief {
+    fn onset_briefly(&self, question: &'static str, onset: &Onset<3>) -> Brief {
         match onset {
             Onset::At(event) => {
                 let contact = event
                     .leaving
                     .first()
-                    .map(|leaving| (self.0[leaving.contact.index].text(), leaving.verb()));
+                    .map(|leaving| (self.label(leaving.contact.index).text(), leaving.verb()));
                 let part = || event.drives.first().map(|change| (change.part.text(), drive(change.what)));
                 let (first, does) = contact.or_else(part).unzip();
-                let beyond_small_motions = is_far(grasp.state_at_onset(event).as_ref());
+                let beyond_small_motions = is_far(self.0.state_at_onset(event).as_ref());
                 let factor = Some(event.factor);
                 Brief { factor, first, does, beyond_small_motions, ..Brief::new(question, "at") }
             }
@@ -201,7 +198,7 @@ impl SceneNames {
         match end {
             Some(PathEnd::Completed) => brief("completed"),
             Some(PathEnd::Lost(loss)) => {
-                let first = loss.contacts.first().map(|contact| self.0[contact.index].text());
+                let first = loss.contacts.first().map(|contact| self.label(contact.index).text());
                 Brief { first, ..brief("lost") }
             }
             Some(PathEnd::NoStart(_)) => brief("no_start"),

@@ -56,7 +56,7 @@ pub struct NeedAnswer {
     pub needed: Needed,
 }
 
-impl SceneNames {
+impl SceneNames<'_> {
     pub(super) fn verdict(&self, mut verdict: Verdict<3>, words: Words) -> HoldAnswer<3> {
         let says = said(&verdict, words);
         let at_the_loss = verdict.lost.as_mut().and_then(|lost| lost.state.as_mut());
@@ -225,7 +225,7 @@ impl<const C: usize> ShakedownAnswer<C> {
     }
 }
 
-impl SceneNames {
+impl SceneNames<'_> {
     pub(super) fn shaken(&self, mut shaken: Shaken<3>, words: Words) -> ShakeAnswer<3> {
         let says = said(&shaken, words);
         if let Some(state) = shaken.state.as_mut() {

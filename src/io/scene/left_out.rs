@@ -146,7 +146,7 @@ impl Setup<3> {
             }
             Question::Need(asked) => Ok(vec![grasp.need(asked)?.amount.bound().unwrap_or(f64::INFINITY)]),
             Question::Improve(asked) => {
-                Ok(vec![grasp.improve(&self.with_surfaces(asked)?)?.after.unwrap_or(f64::INFINITY)])
+                Ok(vec![grasp.improve(&self.with_surfaces(grasp, asked))?.after.unwrap_or(f64::INFINITY)])
             }
             Question::Solve { load, .. } => Ok(match grasp.solve(load)? {
                 Outcome::Equilibrium(state) => mapped(&state.contacts, &ContactAnswer::normal_force),

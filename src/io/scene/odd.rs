@@ -64,10 +64,9 @@ impl Setup<3> {
             }
         }
         warnings.extend(self.outwards(&entries));
-        let (mut first, mut is_wide) = (0, false);
-        for (i, entry) in entries.iter().enumerate() {
-            let points: Vec<_> = mapped(&grasp.contacts()[first..first + entry.count()?], &|c| c.point);
-            first += points.len();
+        let mut is_wide = false;
+        for (i, (entry, contact)) in entries.iter().zip(grasp.engine.wholes().iter()).enumerate() {
+            let points: Vec<_> = mapped(&grasp.contacts()[contact.range.clone()], &|c| c.point);
             let wide = spread(&points);
             if size > 0.0 && wide > 10.0 * size && !is_wide {
                 is_wide = true;

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::labels::SceneNames;
-use crate::ask::Grasp;
 use crate::equilibrium::{Doubt, Equilibrium, NoEquilibrium, Undecided, WorkDone};
 use crate::grasp::Wrench;
 use crate::load_path::{
@@ -137,18 +136,13 @@ pub struct TurnAnswer<const C: usize> {
     pub touches: Vec<EdgeTouch>,
 }
 
-impl SceneNames {
-    pub(super) fn onset<At>(
-        &self,
-        grasp: &Grasp<3>,
-        onset: &path::Onset<3>,
-        at: impl Fn(f64) -> At,
-    ) -> OnsetAnswer<3, At> {
+impl SceneNames<'_> {
+    pub(super) fn onset<At>(&self, onset: &path::Onset<3>, at: impl Fn(f64) -> At) -> OnsetAnswer<3, At> {
         let undecided = |doubt| OnsetAnswer::Undecided(Undecided { doubt, work: WorkDone::default() });
         match onset {
             path::Onset::At(event) => {
                 // Both exist, since the event belongs to this grasp.
-                let (Some(beyond), Some(state)) = (grasp.beyond(event), grasp.state_at_onset(event)) else {
+                let (Some(beyond), Some(state)) = (self.0.beyond(event), self.0.state_at_onset(event)) else {
                     return undecided(Doubt::Inaccurate);
                 };
                 let (load, drives, state) = (event.load, event.drives.clone(), self.equilibrium(state));
@@ -171,13 +165,13 @@ impl SceneNames {
         }
     }
 
-    pub(super) fn onset_of_turn(&self, grasp: &Grasp<3>, found: &path::TurnOnset<3>) -> TurnAnswer<3> {
+    pub(super) fn onset_of_turn(&self, found: &path::TurnOnset<3>) -> TurnAnswer<3> {
         let mut touches = found.touches.clone();
         for touch in &mut touches {
             if let EdgeOf::Contact(contact) = &mut touch.of {
                 self.name(contact);
             }
         }
-        TurnAnswer { onset: self.onset(grasp, &found.onset, |angle| Angle { angle }), touches }
+        TurnAnswer { onset: self.onset(&found.onset, |angle| Angle { angle }), touches }
     }
 }

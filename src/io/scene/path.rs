@@ -88,7 +88,7 @@ pub struct BalancedEnergy {
     pub residual: f64,
 }
 
-impl SceneNames {
+impl SceneNames<'_> {
     /// A path that was followed to its end, and the events on the way.
     pub(super) fn path(&self, path: &LoadPath<'_, 3>, events: Vec<Event<3>>) -> PathAnswer<3> {
         let balanced = |energy: &LegEnergy| BalancedEnergy {

@@ -211,14 +211,6 @@ impl<const C: usize> Setup<C> {
         all.into_iter()
     }
 
-    /// Number of point contacts of the grasp: soft fingertips and links count with all their points.
-    ///
-    /// # Errors
-    /// [`Error::Fingertip`] for a patch that cannot be built.
-    pub fn points(&self) -> Result<usize, Error> {
-        inside(self).all_points()
-    }
-
     /// Whether there are fingers, tendons or contacts held by a force; the grasp is then that of a [`Hand`], see [`Self::hand`].
     #[must_use]
     pub fn is_held_by_a_hand(&self) -> bool {
@@ -245,7 +237,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::points`] in the plane or in space.
+    /// Number of point contacts of the grasp: soft fingertips and links count with all their points.
     pub(crate) fn all_points(&self) -> Result<usize, Error> {
         let points = self.entries().map(Fingertip::count).sum::<Result<usize, _>>()?;
         Ok(points + self.points_of_links()?.len())

@@ -4,7 +4,6 @@ use serde::{Deserialize, Serialize};
 
 use super::held::HoldAnswer;
 use super::labels::SceneNames;
-use crate::ask::Grasp;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -23,11 +22,10 @@ pub struct SolveAnswer<const C: usize> {
     pub from_rest: Option<HoldAnswer<C>>,
 }
 
-impl SceneNames {
+impl SceneNames<'_> {
     /// The answer to a question; if the search does not decide whether the load is held, with the answer of a path from rest.
     pub(super) fn solve(
         &self,
-        grasp: &Grasp<3>,
         load: &Wrench<3>,
         outcome: Outcome<3>,
         words: Words,
@@ -37,7 +35,7 @@ impl SceneNames {
             Outcome::NoEquilibrium(_) => true,
             Outcome::Undecided(_) => false,
         };
-        let from_rest = if tells { None } else { Some(self.verdict(grasp.hold(*load)?, words)) };
-        Ok(SolveAnswer { outcome: self.solved(grasp, outcome), from_rest })
+        let from_rest = if tells { None } else { Some(self.verdict(self.0.hold(*load)?, words)) };
+        Ok(SolveAnswer { outcome: self.solved(outcome), from_rest })
     }
 }

@@ -10,8 +10,8 @@ use super::statics::Statics;
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{
-    Bodies, Contact, Engine, Face, Finger, Hand, HandPart, WholeContact, WholeContacts, Wrench,
-    assert_plane_or_space, frame_outside, inside, outside,
+    Bodies, Contact, Engine, Face, Finger, Hand, HandPart, WholeContact, Wrench, assert_plane_or_space,
+    frame_outside, inside, outside,
 };
 use crate::hold::{Extent, Verdict};
 use crate::load_path::Ramp;
@@ -149,16 +149,16 @@ impl<const C: usize> Grasp<C> {
     /// The contacts for which `is_meant` is true, counted as users do: a soft fingertip is one contact, with the number of its points among them.
     #[must_use]
     pub fn whole_contacts(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
-        WholeContacts::of(self.contacts()).with(&is_meant)
+        self.engine.wholes().with(&is_meant)
     }
 
     /// Indices of the points of contacts, counted as users do.
     pub(crate) fn points_of(&self, contacts: &[usize]) -> Result<Vec<usize>, Error> {
-        let parts = WholeContacts::of(self.contacts());
+        let parts = self.engine.wholes();
         let mut points = Vec::new();
         for contact in contacts {
-            check_contact(*contact, parts.ranges().len())?;
-            points.extend(parts.ranges()[*contact].clone());
+            check_contact(*contact, parts.len())?;
+            points.extend(parts[*contact].range.clone());
         }
         Ok(points)
     }

@@ -68,17 +68,18 @@ impl Picture<'_> {
     /// Writes name, state and force of a fingertip behind the finger, away from the object.
     fn write_tip(&self, tip: &Tip, axes: &EqualScales, paper: &mut Sheet, labels: &mut Labels) {
         let at = axes.place(tip.middle - tip.frame.column(0) * (PLANAR.finger * self.span));
+        let name = tip.of.text();
         match &tip.does {
             // With more fingertips only names are written, without state and force.
             Some(does) if self.tips.len() <= PLANAR.most_told && tip.link.is_some() => {
                 let force = format!("{} N", short(does.force.norm()));
-                labels.write(paper, at, &[&tip.of.name, &force], PLANAR.letters);
+                labels.write(paper, at, &[&name, &force], PLANAR.letters);
             }
             Some(does) if self.tips.len() <= PLANAR.most_told => {
                 let force = format!("|F| = {} N", short(does.force.norm()));
-                labels.write(paper, at, &[&tip.of.name, does.word, &force], PLANAR.letters);
+                labels.write(paper, at, &[&name, does.word, &force], PLANAR.letters);
             }
-            _ => labels.write(paper, at, &[&tip.of.name], PLANAR.letters),
+            _ => labels.write(paper, at, &[&name], PLANAR.letters),
         }
     }
 }

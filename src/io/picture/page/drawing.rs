@@ -5,10 +5,10 @@ use nalgebra::{Vector3, Vector6};
 use super::frame::Frame;
 use super::solid::bodies;
 use super::spatial_page::SpatialPage;
+use crate::grasp::ContactPoints;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::picture::error::PictureError;
-use crate::picture::fingertip::{ContactGroup, fingertips};
 use crate::picture::force_scale::metres_per_newton;
 use crate::picture::round_numbers::round_down;
 use crate::picture::words::short;
@@ -16,7 +16,7 @@ use crate::spatial::{Contact, ContactState, Equilibrium, Twist, Wrench};
 
 pub(super) struct Drawing<'p> {
     pub(super) page: &'p SpatialPage,
-    pub(super) tips: Vec<ContactGroup>,
+    pub(super) tips: &'p [ContactPoints],
     /// Convex parts of the object.
     pub(super) bodies: Vec<Vec<[f64; 3]>>,
     pub(super) centre: Vector3<f64>,
@@ -93,7 +93,7 @@ impl<'p> Drawing<'p> {
         let span = if high == low { 1.0 } else { (high - low).amax() };
         let mut drawing = Self {
             page,
-            tips: fingertips(page.grasp.contacts()),
+            tips: page.grasp.engine.wholes(),
             bodies: bodies(&page.outlines),
             centre: (low + high) / 2.0,
             span,
@@ -137,7 +137,7 @@ impl<'p> Drawing<'p> {
     fn largest<'s>(&self, states: impl IntoIterator<Item = &'s Equilibrium>) -> Largest {
         let mut most = Largest::default();
         for state in states {
-            for tip in &self.tips {
+            for tip in self.tips {
                 let resultant = tip.resultant(self.page.grasp.contacts(), state);
                 most.force = most.force.max(resultant.force.norm());
                 most.displacement = most.displacement.max(resultant.displacement.norm());
@@ -156,11 +156,11 @@ impl<'p> Drawing<'p> {
         let grasp = &self.page.grasp;
         let frames: Vec<_> = grasp.frames().collect();
         let scale = |state: &Equilibrium| {
-            let push = |tip: &ContactGroup| {
+            let push = |tip: &ContactPoints| {
                 let pushed = tip.resultant(grasp.contacts(), state).normal_force;
-                (tip.middle(grasp.contacts()), frames[tip.contacts.start].column(0).into_owned(), pushed)
+                (tip.middle(grasp.contacts()), frames[tip.range.start].column(0).into_owned(), pushed)
             };
-            let pushes: Vec<_> = mapped(&self.tips, &push);
+            let pushes: Vec<_> = mapped(self.tips, &push);
             metres_per_newton(&pushes, self.size, largest)
         };
         // Without an equilibrium the load is the only force.

@@ -4,9 +4,10 @@ use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
+use crate::grasp::ContactPoints;
 use crate::numerics::mapped;
 use crate::picture::contact_look::{STATES, ink, word};
-use crate::picture::fingertip::{ContactGroup, Resultant};
+use crate::picture::fingertip::Resultant;
 use crate::picture::layout::{LEGEND, SPATIAL};
 use crate::picture::painting::{Painting, flat};
 use crate::picture::palette::{BROWN, GREY, PINK, SKY, VERMILION};
@@ -111,11 +112,11 @@ fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
 /// The states of fingertips and their points, each once.
 fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
-    let resultant = |tip: &ContactGroup| tip.resultant(contacts, state);
-    let tips: Vec<Resultant<3>> = mapped(&drawing.tips, &resultant);
+    let resultant = |tip: &ContactPoints| tip.resultant(contacts, state);
+    let tips: Vec<Resultant<3>> = mapped(drawing.tips, &resultant);
     let mut points = Vec::new();
     for tip in drawing.tips.iter().filter(|tip| tip.is_soft()) {
-        points.extend(state.contacts[tip.contacts.clone()].iter().map(word).filter(|what| tip.shows(what)));
+        points.extend(state.contacts[tip.range.clone()].iter().map(word).filter(|what| tip.shows(what)));
     }
     let mut entries = Vec::new();
     for what in STATES {

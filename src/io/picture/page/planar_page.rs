@@ -5,11 +5,10 @@ use std::fmt::Write;
 use super::frame::{Frame, change_last};
 use super::html::{ANSWERS_SCRIPT, closed, opened, write_choice};
 use super::table;
-use crate::grasp::{Motion, inside};
+use crate::grasp::{ContactPoints, Motion, inside};
 use crate::numerics::mapped;
 use crate::picture::actuators::Actuators;
 use crate::picture::error::PictureError;
-use crate::picture::fingertip::{ContactGroup, fingertips};
 use crate::picture::grasp_picture::stills_of_a_page;
 use crate::picture::planar_picture::{Outline, PlanarPicture};
 use crate::planar::{Equilibrium, Grasp, Wrench};
@@ -107,8 +106,7 @@ impl PlanarPage {
         let (grasp, frames) = (inside(&self.grasp), mapped(&self.frames, &Frame::widened));
         table::write_says(&mut page, &frames);
         write_choice(&mut page, &frames);
-        let tips = fingertips(self.grasp.contacts());
-        if tips.iter().any(ContactGroup::is_soft) {
+        if grasp.engine.wholes().iter().any(ContactPoints::is_soft) {
             page.push_str(super::html::POINTS_CHOICE);
         }
         let pictures: Vec<_> =
@@ -120,7 +118,7 @@ impl PlanarPage {
             let _ =
                 writeln!(page, "<section class=\"still\" data-frame=\"{k}\"{hidden}>\n{picture}</section>");
         }
-        table::write(&mut page, &grasp, &tips, &Actuators::of(&grasp), &frames)?;
+        table::write(&mut page, &grasp, &Actuators::of(&grasp), &frames)?;
         closed(&mut page, &format!("{ANSWERS_SCRIPT}onChoice(choose);\n"));
         Ok(page)
     }
