@@ -1,4 +1,4 @@
-//! Estimated error of an answer, and its dependence on the last digits of the question.
+//! Estimated error of an answer, and its sensitivity to the last digits of the question.
 
 use nalgebra::SVector;
 
@@ -39,7 +39,7 @@ impl Engine {
     /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
-        // Slips along a path on the round cone are integrated: its law is not that of a single state.
+        // Slips along a path on the round cone are integrated, so that the present state alone does not determine them.
         let slides = equilibrium.local.states.iter().any(State::slides);
         if equilibrium.rule == FoundBy::LoadPath && equilibrium.cone == Cone::Round && slides {
             return None;
@@ -88,11 +88,11 @@ impl Engine {
     }
 }
 
-/// First-order residual of the conditions if every number of the question changes by its own size, up or down by the pattern of signs.
+/// First-order residual of the conditions if every number of the question changes by plus or minus its own value; `pattern` determines the signs.
 struct Variation {
     stretches: Vec<SVector<f64, 3>>,
     load: Vector,
-    /// Change of the friction forces by their coefficients.
+    /// Change of the friction forces due to that of their coefficients, N.
     dragged: Vec<SVector<f64, 3>>,
 }
 
@@ -128,7 +128,7 @@ impl Variation {
                 }
             }
             site.map.push(&variation.dragged[i], &mut variation.load);
-            // The digits of a point count from the origin of its coordinates, not from its neighbours.
+            // The relative error of a point refers to the origin of its coordinates, not to neighbouring points.
             let point = grasp
                 .contacts()
                 .get(i)

@@ -1,4 +1,4 @@
-//! The answer as physics.
+//! The answer to the question for an equilibrium, in physical quantities.
 
 use nalgebra::SVector;
 
@@ -58,10 +58,10 @@ impl<const C: usize> Outcome<C> {
 pub struct Equilibrium<const C: usize> {
     /// The balanced load, about the origin.
     pub load: Wrench<C>,
-    /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). Where `free_motions` are
-    /// left, it is the motion of least norm, unless gaps and slips need more; on a load path the motion nearest to the last place of the object. The
-    /// norm is about the centroid of the contact points, with lengths in units of their root mean square distance from it. A joint's displacement is
-    /// multiplied by a power of two near the longest motion of its contacts.
+    /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain, it
+    /// has the least norm that gaps and slips allow; on a load path it is nearest to the last place of the object. The norm is about the centroid of
+    /// the contact points, with lengths in units of their root mean square distance from it. A joint's displacement counts times a power of two near
+    /// the longest motion of its contacts.
     pub twist: Twist<C>,
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then that of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -122,7 +122,7 @@ pub struct Equilibrium<const C: usize> {
     /// Counts of the work of the search; only the pivots are serialised.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub work: WorkDone,
-    /// The local solution, from which further questions about the answer start.
+    /// The engine's solution, from which further questions about the answer start.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) local: LocalAnswer,
 }
@@ -165,7 +165,7 @@ impl Equilibrium<3> {
     }
 }
 
-/// The solution of the local problem behind an answer; empty where the answer was read.
+/// The engine's solution behind an answer; empty if the answer was read from text.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct LocalAnswer {
     pub(crate) states: Vec<State>,
@@ -174,11 +174,11 @@ pub(crate) struct LocalAnswer {
     /// In inside coordinates.
     pub(crate) twist: Coordinates,
     pub(crate) free_motions: Vec<Coordinates>,
-    /// Commanded displacements less clearance and less the slips.
+    /// Commanded displacements less clearance and slips, m, in the contact frames.
     pub(crate) offsets: Vec<SVector<f64, 3>>,
-    /// Slips that the offsets count from.
+    /// The slips that were subtracted from the offsets, m.
     pub(crate) slips: Vec<SVector<f64, 3>>,
-    /// Cones of contacts in place of those at rest: none, or one a contact.
+    /// Present friction cones, narrower at contacts that slide with kinetic friction: empty, or one for each contact.
     pub(crate) cones: Vec<Coulomb>,
 }
 
@@ -193,7 +193,7 @@ pub struct WorkDone {
     /// Complementary pairs of the largest problem that was made.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_made: usize,
-    /// Complementary pairs that a full kinematic formulation would have had besides, and why they were left out.
+    /// Complementary pairs that a full kinematic form would have had in addition, and why they were left out.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_left_out: Vec<LeftOut>,
     /// Combinations of contact states that were tried one by one.

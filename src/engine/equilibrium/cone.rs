@@ -8,7 +8,7 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Settings, SmallMotions};
 
-/// What an answer is for.
+/// The friction cone and the limits of small motions to which an answer refers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct AnswerFor {
     pub(crate) cone: Cone,
@@ -37,7 +37,7 @@ pub enum Cone {
 }
 
 impl Cone {
-    /// The cone of answers.
+    /// The friction cone of answers under these settings.
     pub(crate) fn of(space: Space, settings: &Settings) -> Self {
         if settings.is_round(space) { Self::Round } else { Self::polygonal(space, settings) }
     }
@@ -58,7 +58,7 @@ impl Cone {
 }
 
 impl Engine {
-    /// The problem at rest of answers on this cone.
+    /// The problem at rest on this cone.
     pub(crate) fn problem_on(&self, cone: Cone, offsets: Vec<SVector<f64, 3>>, load: &Load) -> Problem<'_> {
         let facets = if let Cone::Polygon(facets) = cone { facets } else { PolygonCone::default() };
         self.problem(Polygon::shared(self.space(), &facets), cone == Cone::Round, offsets, load)

@@ -20,14 +20,14 @@ impl Engine {
         let forces = equilibrium.site_forces();
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites(), &problem.offsets, twist, problem.wrench.norm(), sizes);
-        // Value of a condition, over the estimated error, below which it may be that error.
+        // A condition may be zero if its value is below ten times the estimated error.
         let part = |error: f64, size: f64| if size > 0.0 { 10.0 * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State)| {
             let at = problem.at(i, &forces[i], twist, largest);
             let of_forces = part(force_error, largest);
             let of_displacements = part(displacement_error, at.span);
-            // Value of a condition, over the size of its terms, below which it may be rounding of the data. Normals, arms and their products carry a
-            // few units of 1e-16, which well-posed grasps magnify a hundred times and more.
+            // A condition may be zero if its value is below this part of its terms, the rounding of the data. Normals, arms and their products carry
+            // a few units of 1e-16, which well-posed grasps magnify a hundred times and more.
             let least = SOLVED_ROUNDING.max(match state {
                 Mode::Open => of_displacements,
                 Mode::Sticking => of_forces,

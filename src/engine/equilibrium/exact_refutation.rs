@@ -1,7 +1,8 @@
 //! Checks a refutation in exact rational arithmetic, on the numbers of the problem.
 //!
-//! Virtual forces are first balanced exactly, by changing six of them. Then every generator of the law's set in a case is tested, with polygons
-//! around arcs of directions. Its work, for its length in √J, must not exceed the gain over [`ESCAPE`] times the data.
+//! Virtual forces are first balanced exactly, by changing six of them. Then every generator of the relaxed contact law in a case is tested, with
+//! polygons around arcs of directions. Its work, divided by its length in √J, must not exceed the gain divided by [`ESCAPE`] and the size of the
+//! data.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -48,7 +49,7 @@ impl Exact {
         }
     }
 
-    /// Generators (ξ, F) of the law's set under a label; the contact may open, and slides at finite friction.
+    /// Generators (ξ, F) of the relaxed law under a label. The contact may open, and slides at finite friction.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
         let none = || [zero(), zero(), zero()];

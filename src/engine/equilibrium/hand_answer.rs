@@ -82,7 +82,7 @@ pub enum DriveState {
     Absent,
 }
 
-/// State of all drives of one owner together.
+/// State of all drives of one joint or tendon together.
 struct Own {
     carried: f64,
     state: DriveState,
@@ -148,7 +148,7 @@ impl Engine {
     }
 }
 
-/// Limit of a drive in reserve.
+/// Distance of a drive from its limit, N m or N.
 fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
     match named.limit {
         None => f64::INFINITY,

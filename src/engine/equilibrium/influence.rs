@@ -1,4 +1,4 @@
-//! The influence of a force at a point, of any direction, on each contact.
+//! The influence of a force of any direction at a point on each contact.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -15,7 +15,7 @@ pub(crate) struct Influence {
 }
 
 impl Influence {
-    /// `Aᵀa`: the decrease of a condition by 1 N against each axis; zero where it is rounding.
+    /// `Aᵀ row`: the change of the condition `row·F` by 1 N along each coordinate axis; zero if it is within rounding.
     pub(crate) fn felt(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
         let felt = self.of.tr_mul(row);
         if felt.norm() > ZERO_SLACK * row.norm() * self.size { felt } else { SVector::zeros() }
@@ -23,7 +23,7 @@ impl Influence {
 }
 
 impl StickingResponse<'_> {
-    /// The influence of forces through a point on each contact, or a motion on which one works though nothing resists it.
+    /// The influence of forces at a point on each contact. The error is a motion along which such a force does work and nothing resists.
     pub(crate) fn influences(&self, point: &[f64; 3]) -> Result<Vec<Influence>, Motion<3>> {
         let mut influences = Vec::new();
         influences.resize_with(self.edges.len(), || Influence { of: SMatrix::zeros(), size: 0.0 });
@@ -61,7 +61,7 @@ mod tests {
         Engine::new(vec![finger(0.3, 9.0), finger(2.2, 11.0), finger(4.4, 10.0)]).expect("three fingers")
     }
 
-    /// A new question: the direction of a force of 2 N that leaves the least margin at the thumb.
+    /// The direction of a force of 2 N at `point` that leaves the least margin at the thumb, and that margin.
     fn worst_for_the_thumb(grasp: &Engine, weight: &Wrench<3>, point: [f64; 3]) -> (SVector<f64, 3>, f64) {
         let response = StickingResponse::new(grasp, &Settings::default());
         let force = response.forces(&grasp.offsets(), &grasp.load_unchecked(weight)).expect("resists").of[0];
@@ -72,7 +72,7 @@ mod tests {
         (-influence.felt(&worst).normalize(), margin(&worst))
     }
 
-    /// Equilibria under forces of many directions leave more, and the one of this direction leaves just that.
+    /// Equilibria under forces of many other directions leave a larger margin, and the worst direction leaves exactly the computed one.
     #[test]
     fn no_equilibrium_leaves_less_at_the_thumb() {
         let (grasp, weight, point) =

@@ -1,4 +1,4 @@
-//! Equilibrium under a load: the ladder on the `d x d` structure, and the answer as physics.
+//! Equilibrium under a load: the conditions, the order of the methods that solve them, and the answer in physical quantities.
 //!
 //! Sought are the twist q and the contact forces that satisfy the law of the [crate page](crate#the-problem). With given states of all contacts, and
 //! given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations:
@@ -16,8 +16,9 @@
 //! Proposed states are solved for again, every condition is checked, and residuals are recomputed from the question, before the answer is called an
 //! [`Equilibrium`].
 //!
-//! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is a motion that nothing
-//! resists, a motion that separates the load from all that friction can do, all states tried, or all cases contradicted ([`Refutation`]).
+//! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is one of four: a motion that
+//! nothing resists, a motion that separates the load from all admissible contact forces, all states tried, or all cases contradicted
+//! ([`Refutation`]).
 
 mod accuracy;
 mod answer;

@@ -47,14 +47,14 @@ pub enum Proof<const C: usize> {
         /// Number of combinations.
         combinations: usize,
     },
-    /// On the round cone: behaviours of contacts were divided into cases, open or closed, sticking or sliding, friction between two angles. In each
-    /// case a linear combination of the conditions contradicts all that the contact laws allow, and more. Beyond an onset or the end of a path, in
-    /// the plane too, a single case may suffice: nothing responds to a motion when everything on an edge slides.
+    /// On the round cone: contact states were divided into cases, open or closed, sticking or sliding, friction between two angles. In each case a
+    /// linear combination of the conditions contradicts the contact laws, even when these are relaxed to convex sets. Beyond an onset or the end of a
+    /// path, in the plane too, a single case may suffice: once everything on an edge slides, nothing resists a motion.
     EveryCaseContradicted {
         /// Number of cases.
         cases: usize,
-        /// Least factor by which an equilibrium hidden by rounding would have to exceed the data, in √J: stretches and forces of all contacts
-        /// together over those of the elastic trial state. At least 1e4.
+        /// Least factor by which an equilibrium that rounding hides from the proof would have to exceed the data. Both are measured in √J: stretches
+        /// and forces of all contacts together, and those of the elastic trial state. At least 1e4.
         escape: f64,
     },
 }

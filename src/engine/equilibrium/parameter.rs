@@ -150,8 +150,8 @@ impl StickingResponse<'_> {
         Some(solved)
     }
 
-    /// dG of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` also where the changed geometry
-    /// would hold a motion that is free in this one: small changes do not determine how far it goes then.
+    /// dG of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` also if the changed geometry would
+    /// resist a motion that is free in this one: the derivative of that motion is then not defined.
     fn map_change(&self, contact: usize, by: Parameter) -> Option<Map> {
         let site = &self.problem.sites[contact];
         let change = match by {
@@ -168,7 +168,7 @@ impl StickingResponse<'_> {
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let felt = self.state(&offsets, &Vector::zeros());
-            // Forces below this part of the stiffest spring's force, if the whole motion stretched it, are rounding.
+            // Forces below this part of the force that the whole motion would cause in the stiffest spring are rounding.
             felt.is_some_and(|felt| felt.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone))
         };
         self.piece.free_motions().iter().all(stays_free).then_some(change)

@@ -1,4 +1,4 @@
-//! Questions about equilibria.
+//! The questions for one equilibrium and for all equilibria under a load.
 
 use super::answer::{Equilibrium, Outcome, Undecided, WorkDone};
 use super::cone::{AnswerFor, Cone};
@@ -30,7 +30,7 @@ impl Engine {
         Ok(outcome)
     }
 
-    /// Refuses sliding contacts with kinetic friction, since an equilibrium is computed with friction at rest.
+    /// Refuses sliding contacts with kinetic friction, since an equilibrium is computed with static friction.
     fn refuse_kinetic_slides(&self, question: &'static str, state: &Equilibrium<3>) -> Result<(), Error> {
         let slides = |i: &usize| matches!(state.contacts[*i].state, ContactState::Sliding { .. });
         match self.weaker_once_they_slide().find(slides) {
@@ -138,10 +138,10 @@ fn accurate(equilibrium: &Equilibrium<3>) -> bool {
     equilibrium.residuals.worst() <= most
 }
 
-/// Whether two solutions are the same equilibrium, or places along the same free motion.
+/// Whether two solutions are the same equilibrium, apart from a free motion.
 fn same(problem: &Problem, a: &Found, b: &Found) -> bool {
     let size = |found: &Found| problem.largest_force(&found.forces, &found.twist);
-    // Difference of forces and of motions, over the largest, below which two solutions are the same.
+    // Solutions are the same if forces and motions differ by less than this part of the largest.
     let force = NEGLIGIBLE * size(a).max(size(b));
     let motion = NEGLIGIBLE * a.twist.norm().max(b.twist.norm());
     let moves_freely = !a.free_motions.is_empty() && !b.free_motions.is_empty();

@@ -95,7 +95,7 @@ impl Engine {
         let object = self.space().of_the_object();
         let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
         let translated = self.space().object_alone(twist);
-        // The law is about the slip since the state from which the offsets count.
+        // The contact law concerns the slip since the state from which the offsets count.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drives_told(problem, twist, found);
         let mut travels: Vec<f64> = numbered(self.len(), &|i| {
@@ -112,8 +112,8 @@ impl Engine {
             let moved = self.sites()[i].map.norm() * found.twist.norm();
             travels.push((problem.offsets[i].norm() + give + moved).max(travel_terms).max(SMALLEST));
         }
-        // If nothing is commanded and the object stays, the displacements here are rounding of displacements elsewhere.
-        // Least size of the displacements at a contact, over the largest of the scene.
+        // Displacements of a contact that hardly moves are rounding of larger ones elsewhere. Their size is therefore taken as at least this part of
+        // the largest of the scene.
         let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
         for travel in &mut travels {
             *travel = travel.max(still);
@@ -178,7 +178,7 @@ impl Engine {
         found.forces.iter().enumerate().skip(self.len()).map(told).collect()
     }
 
-    /// Torques out of balance at the joints, over the largest of their terms.
+    /// The largest imbalance of torques at a joint, over the sum of the sizes of its terms.
     fn joints_out_of_balance(
         &self,
         load: &Wrench<3>,
@@ -238,7 +238,7 @@ impl Engine {
             force_size += contact.suction;
             moment_size += contact.point.norm() * contact.suction;
         }
-        // If no contact carries a force, forces are rounding of those that the springs could have.
+        // If no contact carries a force, the computed forces are rounding of those that the springs could have.
         force_size += spring_force;
         // A moment is compared with the moments, and with the forces at the distance of the contacts.
         moment_size += force_size * self.length();

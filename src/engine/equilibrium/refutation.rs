@@ -9,10 +9,10 @@ use crate::search::{self, Settings};
 
 /// A proof that no equilibrium exists on the round cone, which can be kept and checked.
 ///
-/// Behaviours of contacts are divided into cases: open or closed, sticking or sliding, friction between two angles. Each case is contradicted by a
-/// virtual motion of the object and virtual forces of the contacts that balance one another. Together they do work on every equilibrium that no
-/// contact can do in that case. [`Self::check`] repeats that from the data, in closed form for every contact, and checks that no case is left out; it
-/// does not depend on how the proof was found.
+/// Contact states are divided into cases: open or closed, sticking or sliding, friction between two angles. Each case is contradicted by a virtual
+/// motion of the object and virtual contact forces that balance one another. Equilibrium and compatibility make their total work positive, while in
+/// that case no contact can contribute a positive part. [`Self::check`] recomputes this from the data, in closed form for every contact, and checks
+/// that no case is left out. It does not depend on how the proof was found.
 #[derive(Debug, Clone)]
 pub struct Refutation<const C: usize> {
     steps: Arc<[ProofStep]>,

@@ -1,4 +1,4 @@
-//! The response of a grasp whose contacts keep their states: linear in loads, commands and data, so that one factorisation serves every source.
+//! The response of a grasp whose contacts keep their states. It is linear in loads, commands and data, so that one factorisation serves every source.
 //!
 //! Each source gives forces of all sites, contacts first and then the drives of a hand. Where everything sticks, the columns of the response to unit
 //! loads are the influence matrix of the grasp. [`Edges`] are the conditions on any sum of these forces.
@@ -21,7 +21,7 @@ pub(crate) struct StickingResponse<'g> {
     pub(super) problem: Problem<'g>,
     pub(crate) states: Vec<State>,
     pub(crate) piece: Arc<Piece>,
-    /// The conditions of each site that keep it sticking, or open.
+    /// The conditions under which each site keeps sticking, or stays open.
     pub(crate) edges: Vec<Edges>,
 }
 
@@ -61,12 +61,12 @@ impl<'g> StickingResponse<'g> {
         self.problem.local(contact)
     }
 
-    /// Drives without commands.
+    /// Zero offsets of all sites: no commands.
     pub(crate) fn at_rest(&self) -> Vec<SVector<f64, 3>> {
         vec![SVector::zeros(); self.problem.len()]
     }
 
-    /// Forces with these offsets under a load in inside coordinates, or a motion on which the load works though nothing resists it.
+    /// Forces with these offsets under a load in inside coordinates. The error is a motion along which the load does work and nothing resists.
     pub(crate) fn forces(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -84,7 +84,7 @@ impl<'g> StickingResponse<'g> {
         }
     }
 
-    /// Forces by a load alone.
+    /// Forces under a load alone, without commands.
     pub(crate) fn by_load(&self, load: &Wrench<3>) -> Result<ContactForces, Motion<3>> {
         self.forces(&self.at_rest(), &self.grasp.inside_unchecked(load))
     }
@@ -96,8 +96,8 @@ impl<'g> StickingResponse<'g> {
 }
 
 impl Engine {
-    /// The least value of a condition of sticking under a load, if every contact stuck, relative to the largest force. `None` where nothing resists the
-    /// load, and without forces.
+    /// The least margin of a condition of sticking under a load, over the largest force, computed as if every contact stuck. `None` if nothing
+    /// resists the load, or without forces.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
         let forces = sticking.forces(&self.offsets(), &self.load_alone(load, "load").ok()?).ok()?.of;

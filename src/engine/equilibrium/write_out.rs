@@ -141,15 +141,15 @@ struct SolvedContact<'s> {
     bonded: bool,
     state: &'s State,
     force: SVector<f64, 3>,
-    /// Offset counted from the slip so far, which is `memory`.
+    /// Commanded displacement less clearance and less the accumulated slip `memory`, m.
     offset: SVector<f64, 3>,
     memory: SVector<f64, 3>,
-    /// Displacement of the body's core relative to the finger's, as far as joints move the finger.
+    /// Displacement of the body's core in the contact frame, less that of the finger by its joints, m.
     moved: SVector<f64, 3>,
 }
 
 impl SolvedContact<'_> {
-    /// State of the contact, and its slip since the memory.
+    /// State of the contact, and its slip beyond `memory`.
     fn state(&self) -> (ContactState<3>, SVector<f64, 3>) {
         let slip = self.local.springs.slip(&(self.offset - self.moved), &self.force);
         match self.state {
@@ -167,7 +167,7 @@ impl SolvedContact<'_> {
         }
     }
 
-    /// The answer of the contact. The finger's own motion with joints counts against the body's.
+    /// The answer of the contact. `moved_with_joints` is the part of `moved` that joints cause: it belongs to the finger, not to the body.
     fn answer(
         &self,
         (contact, index): (&Contact<3>, usize),
@@ -195,7 +195,7 @@ impl SolvedContact<'_> {
             Stiffness::Series(_) => (None, None),
         };
         let gap = self.moved[0] - self.offset[0];
-        // A contact that touches has a gap of the rounding of the two displacements.
+        // The gap of a touching contact is computed as the rounding of two displacements, and counts as zero.
         let is_none = gap <= ZERO_SLACK * (self.moved.norm() + self.offset.norm());
         ContactAnswer {
             contact: contact.label(index),

@@ -12,8 +12,8 @@ use crate::numerics::{Map, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The force form, or `None` for rates with contacts on an edge (they have no copositive force form) and if a
-/// number overflows.
+/// The force form. `None` if a number overflows, or for a problem in rates with a contact on the edge of its cone: such a contact has no copositive
+/// force form.
 pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
@@ -80,7 +80,7 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
     problem.locals().enumerate().map(state).collect()
 }
 
-/// Units of the twist components: a unit twist stretches the springs by order one, in root energy.
+/// Units of the twist components: one unit along a component stores spring energy of order one.
 fn twist_units(problem: &Problem) -> Vector {
     let mut sums = Vector::all_zero(problem.size());
     for site in problem.sites {
@@ -98,7 +98,7 @@ struct Builder<'p, 'g> {
     w_unit: Vec<f64>,
     /// The first row of each contact.
     first: Vec<usize>,
-    /// Σ G k Gᵀ of the springs that act both ways, and the load plus the forces of their offsets.
+    /// `Σ G k Gᵀ` of the springs that act both ways, and the load `W + Σ G k a` with the forces of their offsets.
     stiffness: Square,
     load: Vector,
 }
@@ -153,7 +153,7 @@ impl<'p, 'g> Builder<'p, 'g> {
             row
         });
         let facets = local.facets().len();
-        // Couples a wrench v to the split, scaled twist in one row and, if `skew`, its negative to the force in the balance rows.
+        // Adds `v·q` to a row, with the twist q scaled and split in two; if `skew`, also adds the negative transpose to the balance rows.
         let couple = |m: &mut DMatrix<f64>, row: usize, v: Vector, skew: bool| {
             for (axis, entry) in v.component_mul(unit).iter().enumerate() {
                 let column = twist_columns + 2 * axis;

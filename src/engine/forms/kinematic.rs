@@ -17,7 +17,7 @@ use crate::numerics::{mapped, numbered};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// One row in energy coordinates, x = K^{-1/2} F: `ŵ = row · x`, and x jumps by `column ẑ`.
+/// One row and column of the form in energy coordinates x = K^{-1/2} F: the slack is `ŵ = row · x`, and the unknown ẑ adds `column ẑ` to x.
 struct Jump {
     contact: usize,
     row: SVector<f64, 3>,
@@ -26,7 +26,7 @@ struct Jump {
     z_unit: f64,
 }
 
-/// The rows that these contacts need, on the trial state in which every contact sticks.
+/// The rows that these contacts need, with their columns.
 fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
     let (mut rows, mut jumps) = (Vec::new(), Vec::new());
     for &contact in contacts {
@@ -77,7 +77,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
     form(problem, state, rows, &jumps, &|i, j| seen[i][0].dot(&seen[j][1]))
 }
 
-/// Motions of the coordinates by jumps along the columns of the kinematic form computed so far, by contact.
+/// Displacements of the coordinates under unit jumps, kept by contact: forms of other sets of contacts reuse them.
 #[derive(Debug, Default)]
 pub(crate) struct Moved(Vec<Option<Vec<Vec<f64>>>>);
 
@@ -115,7 +115,7 @@ pub(crate) fn kinematic_form_among(
     form(problem, state, rows, &jumps, &|i, j| trial.felt(jumps[i].contact, &jumps[i].row, moved[j]))
 }
 
-/// The form of these rows; `felt(i, j)` is the product of row i with `Q Qᵀ` and the column of row j.
+/// Assembles the form; `felt(i, j)` returns the product of row i with `Q Qᵀ` and column j.
 fn form(
     problem: &Problem,
     state: &PieceState,

@@ -12,7 +12,7 @@
 //! rows of L: e_n and μ e_n - h_j;   columns of B: e_n and -h_j;   P = K - K Gᵀ (G K Gᵀ)⁻¹ G K
 //! ```
 //!
-//! It is small, and solved by z = 0 exactly when everything sticks. Its matrix is not copositive: with strong friction Lemke's method can end on a
+//! It is small, and z = 0 solves it exactly when every contact sticks. Its matrix is not copositive: with strong friction Lemke's method can end on a
 //! ray although an equilibrium exists, so a ray proves nothing.
 //!
 //! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances are on the diagonal, the twist is
@@ -25,7 +25,8 @@
 //! q free:   Σ G_i F_i + W = 0
 //! ```
 //!
-//! It is about twice as large, and copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0 at all contacts has W·q > 0.
+//! It is about twice as large. Its matrix is copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0 at all contacts has W·q
+//! > 0.
 //!
 //! Rows that a contact does not need are left out ([`Why`]). [`Form`] gives the meaning of each row ([`Row`]) and its units.
 

@@ -49,7 +49,7 @@ pub enum Row {
     },
 }
 
-/// Rows that a full form would have and this one does not.
+/// Complementary pairs that a contact has in general, left out because its law does not need them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LeftOut {
@@ -77,7 +77,7 @@ pub enum Why {
     Bonded,
 }
 
-/// A linear complementarity problem with the meaning of its rows.
+/// A linear complementarity problem of a grasp, with the meaning of its rows.
 ///
 /// The problem is stated in scaled variables (square roots of energy), which hide stiffness ratios:
 /// physical `z_i = z_unit[i] · ẑ_i`, physical `w_i = w_unit[i] · ŵ_i`. Made by

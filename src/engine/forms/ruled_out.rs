@@ -1,5 +1,5 @@
-//! A quick test that excludes contact states which clearly break a row of the kinematic form. It evaluates a few rows; to show that states hold takes
-//! a solution of the whole scene.
+//! A quick test that excludes contact states which clearly break a row of the kinematic form. It evaluates few rows: states that pass may still be
+//! wrong, which only a solution of the whole scene shows.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -8,8 +8,8 @@ use crate::contact::{Mode, State};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// Whether these states clearly break a row of the form; `largest` is the largest force of the trial state in units of the rows. If a contact slips
-/// across two facets, the result is `false`.
+/// Whether these states clearly break a row of the form; `largest` is the largest force of the trial state in units of the rows. Slip across two
+/// facets of a contact is not covered: the result is then `false`.
 pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], largest: f64) -> bool {
     let (mut slack, mut jumps) = (Vec::new(), Vec::new());
     for (i, row) in form.rows.iter().enumerate() {
@@ -20,7 +20,7 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
             }
             (Mode::Sticking | Mode::Facet(_), _) => slack.push(i),
             (Mode::Open, Row::Gap { .. }) => jumps.push((i, true)),
-            // In the plane the slip of an open contact is that of facet 0, with any sign.
+            // In the plane the tangential displacement of an open contact is the unknown of facet 0, with either sign.
             (Mode::Open, Row::Slip { facet: 0, .. }) if is_planar => jumps.push((i, false)),
             (Mode::Open, Row::Slip { .. }) if is_planar => {}
             _ => return false,
@@ -32,13 +32,13 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
     let solved = if jumps.is_empty() { Some(pushed) } else { of_jumps.full_piv_lu().solve(&pushed) };
     let Some(z) = solved else { return false };
     let most = z.iter().fold(0.0, |most: f64, z| if z.abs() <= most { most } else { z.abs() });
-    // Written so that NaN fails, too.
-    // Jumps larger than this multiple of the forces show that rows depend on each other; the test then excludes nothing.
+    // Jumps larger than this multiple of the forces show that rows are linearly dependent; the test then excludes nothing. The comparison is false
+    // for NaN.
     let known = most <= 1e8 * largest;
     if !known {
         return false;
     }
-    // A row is clearly broken if it is below zero by this part of the largest force or jump. The form is accurate to some 1e-14.
+    // A row is clearly broken if it is negative by more than this part of the largest force or jump. The form is accurate to some 1e-14.
     let broken = -NEGLIGIBLE * largest.max(most);
     let w = |i: usize| q[i] + jumps.iter().zip(z.iter()).map(|((j, _), z)| m[(i, *j)] * z).sum::<f64>();
     jumps.iter().zip(z.iter()).any(|((_, has_sign), z)| *has_sign && *z < broken)

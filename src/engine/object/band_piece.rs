@@ -1,13 +1,13 @@
-//! A linear piece of many coordinates, where every contact couples only a few.
+//! The linear problem in known contact states for many coordinates, of which every contact couples only a few.
 //!
 //! ```text
 //! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
 //! ```
 //!
-//! T has an entry where a contact couples two coordinates, near its diagonal in a good order. Its factors cost a few thousandths of orthogonal ones.
-//! They lose twice the digits where stiffnesses lie far apart. Corrections from residuals in twice the working precision restore the digits, or show
-//! that they cannot. Where some motions stretch no spring, and equally many are balanced by no spring, T is singular in these alone. Every other
-//! nearly singular T is left to orthogonal factors.
+//! T has an entry where a contact couples two coordinates; a suitable order puts these near its diagonal. Its factors cost a few thousandths of
+//! orthogonal ones, but lose twice as many digits where stiffnesses differ widely. Iterative refinement in twice the working precision restores the
+//! digits, or shows that it cannot. T may be singular along motions that stretch no spring, if equally many motions are balanced by no spring. Every
+//! other nearly singular T is left to orthogonal factors.
 
 use crate::numerics::{
     Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,
@@ -23,15 +23,15 @@ use crate::prelude::*;
 
 /// Whether factors in a band pay off for this number of coordinates.
 pub(crate) fn uses_band(coordinates: Size) -> bool {
-    // With fewer coordinates orthogonal factors cost no more, and determine the rank. With them four bodies in space take a third less time, nine
-    // bricks in the plane more than twice as much.
+    // With fewer coordinates orthogonal factors cost no more, and determine the rank. Measured with orthogonal factors in place of the band: four
+    // bodies in space take a third less time, nine bricks in the plane more than twice as much.
     coordinates.count() >= 36
 }
 
-/// T with its factors.
+/// The tangent stiffness T with its factors in a band.
 #[derive(Debug, Clone)]
 pub(crate) struct BandPiece {
-    /// The number of each coordinate in a narrow order of the band.
+    /// Position of each coordinate in the order that makes the band narrow.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
     /// A.
@@ -41,25 +41,25 @@ pub(crate) struct BandPiece {
     pub(super) factors: BandFactors,
 }
 
-/// The coordinates that the springs of each contact feel.
+/// For each contact the coordinates that its springs feel, those with entries in its grasp map.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
-    /// Felt coordinates by their numbers, contact after contact.
+    /// Felt coordinates by their position in the narrow order, contact after contact.
     felt: Vec<usize>,
-    /// The first entry of each contact in `felt`; at the end their number.
+    /// The first entry of each contact in `felt`; the last number is the length of `felt`.
     first: Vec<usize>,
     /// Number of springs of each contact.
     pub(super) counts: Vec<usize>,
-    /// The first entry of each contact in the rows of its springs.
+    /// The first entry of each contact in [`Side::rows`].
     first_rows: Vec<usize>,
 }
 
-/// Rows of springs.
+/// The rows of all springs: A or B.
 #[derive(Debug, Clone)]
 pub(super) struct Side {
     /// Entries for the felt coordinates, spring after spring.
     rows: Vec<f64>,
-    /// The reciprocal length of each column; one for a zero column.
+    /// Factors that scale each column to length one; one for a zero column.
     units: Vec<f64>,
     /// Length of the longest row.
     pub(super) longest: f64,
@@ -127,7 +127,7 @@ impl BandPiece {
         self.factors.is_singular()
     }
 
-    /// Motions in which T is singular.
+    /// Null vectors of T, as motions.
     pub(super) fn loose_motions(&self) -> Vec<Vector> {
         let motion = |q: Vec<f64>| {
             let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
@@ -206,7 +206,7 @@ impl BandPiece {
 }
 
 impl SpringLists {
-    /// `visit(spring, felt, place of its row)` for every spring.
+    /// Calls `visit(spring, felt, range of its row)` for every spring.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {
@@ -218,7 +218,7 @@ impl SpringLists {
         }
     }
 
-    /// `visit(which of its springs, felt, place of its row)` for every spring of a contact.
+    /// Calls `visit(k, felt, range of its row)` for every spring k of a contact.
     fn of(&self, contact: usize, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let felt = &self.felt[self.first[contact]..self.first[contact + 1]];
         for k in 0..self.counts[contact] {
@@ -238,7 +238,7 @@ impl SpringLists {
         Side { rows, units: moved(squares, &unit), longest: longest.sqrt() }
     }
 
-    /// Adds the pushes of springs to q and scales q by the units of the columns.
+    /// Adds the forces x of the springs to q and scales q by the units of the columns.
     pub(super) fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, felt, range| {
             felt.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
@@ -246,7 +246,7 @@ impl SpringLists {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
     }
 
-    /// Scales q back by the units of the columns, and visits the stretch of each spring.
+    /// Scales q by the units of the columns, and calls `visit(spring, stretch)` for every spring.
     pub(super) fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, felt, range| {

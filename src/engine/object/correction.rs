@@ -1,13 +1,13 @@
-//! The distance of forces and a twist from the solution of their piece.
+//! The error of given forces and twist: their difference from the exact solution with the same contact states.
 //!
-//! The residuals of the contact law and of equilibrium are evaluated in twice the working precision and solved for:
+//! The residuals of the contact law and of equilibrium are evaluated in twice the working precision, and the linear problem is solved for them:
 //!
 //! ```text
 //! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = right_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
 //! ```
 //!
-//! A spring that resists has no w along it; gaps and slips are the remaining parts of w. Solving again gives the distance to the solution,
-//! not only a bound of it; on the round cone to first order, which is exact where Newton's method has converged.
+//! w is zero along a spring that resists; its other components are gaps and slips. Solving for the residuals gives the error itself, not only a
+//! bound. On the round cone it is of first order, which suffices where Newton's method has converged.
 
 use nalgebra::SVector;
 
@@ -19,20 +19,19 @@ use crate::contact::{LocalLaw, Mode, Spring, State};
 use crate::numerics::{DoubleDouble, Vector, mapped, without};
 use crate::prelude::*;
 
-/// The difference between a solution and given forces and twist.
+/// Exact solution less given forces and twist.
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
     /// Without free motions.
     pub(crate) twist: Vector,
-    /// Uncertainty of the forces, N: the last change by a solution, unless the next would change nothing, and rounding of the stiffest
-    /// springs in twice the working precision. Large where the piece is singular at working precision.
+    /// Uncertainty of the forces, N: the last correction if refinement did not converge, plus rounding of the stiffest springs in twice the working
+    /// precision. Large where the piece is singular at working precision.
     pub(crate) doubt: f64,
 }
 
 impl Piece {
-    /// The difference between the solution of this piece, made of `states`, and these forces and twist. `size` is the size of the largest
-    /// force of the scene.
+    /// The exact solution of this piece, made of `states`, less these forces and twist. `size` is the largest force of the scene, N.
     pub(crate) fn correction(
         &self,
         problem: &Problem,
@@ -49,7 +48,7 @@ impl Piece {
             let left = self.left_over(problem, states, &mut forces, &twist, &mut change);
             let push = |(spring, x): (&Spring, &f64)| spring.left.amax() * x.abs();
             let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
-            // A stiff spring feels the rounding of the twist. Its trace in e must not show in the change.
+            // Stiff springs amplify the rounding of the twist. Refinement continues until this noise is small beside the correction.
             let noise = f64::EPSILON * largest(&change);
             twist.add(&self.respond(&mut change, &left));
             for (contact, springs, range) in self.of_each_contact() {
@@ -77,7 +76,7 @@ impl Piece {
         Correction { forces: forces.iter().zip(at).map(missing).collect(), twist: way, doubt }
     }
 
-    /// Puts sliding contacts on their cones, writes e, spring by spring, and returns ρ.
+    /// Moves forces of sliding contacts onto their cones, writes the residual e of each spring, and returns the residual ρ of equilibrium.
     fn left_over(
         &self,
         problem: &Problem,
@@ -116,8 +115,8 @@ impl Piece {
     }
 }
 
-/// `c·w` across the force of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`. The force itself defines the direction,
-/// since w is long before convergence.
+/// The component `c·w` perpendicular to the friction of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`. The force defines the
+/// direction, since w may be large before convergence.
 struct Across {
     along: [DoubleDouble; 3],
     length: f64,
@@ -138,7 +137,7 @@ impl Across {
         self.sum.add_product_of_twice((along.high, along.low), w);
     }
 
-    /// The product with the root of the stiffness of the spring across.
+    /// `c·w` times the square root of the stiffness of the spring in that direction.
     fn times(&self, spring: Option<&Spring>) -> DoubleDouble {
         let root = spring.map_or(0.0, |spring| spring.right.norm());
         let part = if self.length > 0.0 { root / self.length } else { 0.0 };
@@ -146,7 +145,7 @@ impl Across {
     }
 }
 
-/// Removes the rounding between a sliding contact's force and the edge of its cone.
+/// Moves a sliding contact's force exactly onto the edge of its cone, which it misses by rounding.
 fn put_on_cone(local: &LocalLaw<'_>, state: &State, force: &mut [DoubleDouble; 3]) {
     let mut limit = DoubleDouble::default();
     limit.add_product_of_twice((local.cone().limit(1.0), 0.0), force[0]);
@@ -154,7 +153,7 @@ fn put_on_cone(local: &LocalLaw<'_>, state: &State, force: &mut [DoubleDouble; 3
     match state {
         Mode::Open | Mode::Sticking => {}
         Mode::Round(_) => {
-            // Corrects |F_t| by the difference of the squares.
+            // The error of |F_t| follows from the difference of squares, `limit² - |F_t|²`, without cancellation.
             let length = force[1].high.hypot(force[2].high);
             let mut squares = DoubleDouble::default();
             squares.add_product_of_twice((limit.high, limit.low), limit);

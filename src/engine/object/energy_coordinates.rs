@@ -1,13 +1,11 @@
-//! Contacts in energy coordinates: their maps of the motion, and the slips across their facets.
+//! Contacts in energy coordinates: the maps from the motion of the object to each contact, and the slips across their facets.
 //!
 //! ```text
 //! x = K^{-1/2}F,   K^{1/2}Gᵀ = QR,   u = x⁰ - Q y,   x = P u
 //! ```
 //!
-//! x⁰ is the elastic trial state in which every contact sticks, and y the motion of the object on
-//! top of it. P is the projection by the contact's state. A facet is `κ x_n + c·x_t >= 0` with
-//! c of length one; slip across it moves x along (0, c). Equal contacts that follow each other
-//! share their facets.
+//! x⁰ is the elastic trial state in which every contact sticks, and y the further motion of the object. P is the projection by the contact's state. A
+//! facet is `κ x_n + c·x_t >= 0` with c of length one; slip across it moves x along (0, c). Consecutive equal contacts share their facets.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -16,18 +14,18 @@ use crate::contact::{LocalLaw, cross, tangential, tangential_norm};
 use crate::numerics::{Orthogonal, ScaledMap};
 use crate::prelude::*;
 
-/// A facet of a friction cone, in units of the tangential length of its row, or the normal force of
-/// a contact that may open, as a facet (1, 0).
+/// A facet of a friction cone, scaled so that the tangential part c of its row has length one. The condition `x_n >= 0` of a contact that may open is
+/// the facet (1, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Facet {
     /// (κ, c), c of length one.
     pub(crate) row: SVector<f64, 3>,
-    /// One over the length of the tangential part of the row of length one.
+    /// Length of `row`, with which units of the facet become those of a row of length one.
     pub(crate) unit: f64,
 }
 
 impl Facet {
-    /// The facet `μ F_n - h·F_t = 0`, with the roots of the stiffnesses.
+    /// The facet `μ F_n - h·F_t = 0`; `root` holds the square roots of the stiffnesses.
     fn new(law: &LocalLaw<'_>, root: &SVector<f64, 3>, h: &SVector<f64, 3>) -> Self {
         let row = root.component_mul(&law.cone().facet_row(h));
         let row = row / tangential_norm(&row);
@@ -45,7 +43,7 @@ impl Facet {
 pub(crate) struct EnergyContact {
     /// Q_i, scaled so that the mean of |Q_i|² over the contacts is one.
     pub(crate) seen: ScaledMap,
-    /// The first of its entries in the list of facets: the normal force if it may open, then its facets.
+    /// Index of its first entry in the list of facets: `x_n >= 0` if it may open, then its facets.
     first: u32,
     pub(crate) facet_count: u16,
     /// Whether the contact may open.
@@ -65,13 +63,12 @@ pub(crate) struct EnergyCoordinates {
     facets: Vec<Facet>,
     /// The factor that turns the scaled `QᵀQ` into the identity.
     pub(crate) weight: f64,
-    /// Entries of y from here on move nothing.
+    /// Rank of Q: components of y from this index on move nothing.
     pub(crate) rank: usize,
 }
 
 impl EnergyCoordinates {
-    /// Lays out the contacts of a scene with the factor Q of their springs, and visits them in
-    /// order.
+    /// Computes the energy coordinates of all contacts from the orthogonal factor of their springs, and calls `visit` for each contact in order.
     pub(crate) fn lay_out(
         &mut self,
         problem: &Problem<'_>,
@@ -111,7 +108,7 @@ impl EnergyCoordinates {
     }
 
     fn add_facets(&mut self, law: &LocalLaw<'_>) -> (u32, u16) {
-        // No memory holds more facets than `u32::MAX`.
+        // No machine has memory for more than `u32::MAX` facets.
         let first = u32::try_from(self.facets.len()).unwrap_or(u32::MAX);
         if law.may_open() {
             self.facets.push(Facet { row: normal(), unit: 1.0 });
@@ -125,7 +122,7 @@ impl EnergyCoordinates {
         (first, count)
     }
 
-    /// The normal force of a contact if it may open, and its facets.
+    /// The conditions of a contact: `x_n >= 0` if it may open, then its facets.
     #[inline]
     pub(crate) fn pairs(&self, contact: &EnergyContact) -> &[Facet] {
         let first = contact.first as usize;
@@ -137,7 +134,7 @@ impl EnergyCoordinates {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slipping {
     rows: [SVector<f64, 3>; 2],
-    /// Tangents z_a with `z_a·c_b = 1` where a and b are the same facet, else 0.
+    /// Dual basis of the facets' tangents c: `z_a·c_b` is 1 for a = b, else 0.
     pub(crate) across: [SVector<f64, 3>; 2],
     pub(crate) count: usize,
 }
@@ -158,7 +155,7 @@ impl Slipping {
         slipping
     }
 
-    /// Slips across any facets; `None` where they are not independent.
+    /// Slips across given facets; `None` for more than two, or for nearly parallel ones.
     pub(crate) fn independent<'f>(mut facets: impl Iterator<Item = &'f Facet>) -> Option<Self> {
         let pair = [facets.next(), facets.next()];
         match pair {
@@ -190,7 +187,7 @@ impl Slipping {
         z
     }
 
-    /// P.
+    /// The projection P of this state.
     pub(crate) fn hold(&self) -> SMatrix<f64, 3, 3> {
         if self.count + 1 == 3 {
             // Every tangential direction slips, so the projection must remove u_t without rounding.

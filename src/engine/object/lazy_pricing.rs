@@ -1,19 +1,16 @@
-//! Lazy pricing: the contacts that can reach the end of their state within a step at all.
+//! Lazy pricing: a step evaluates only those contacts that can reach the end of their state within it.
 //!
-//! While every contact keeps its state, all is affine in the motion y of the object and the
-//! parameter s that drives the path. So the path is a piecewise straight curve in d + 1 dimensions.
-//! As a rule its direction e changes little from one event to the next. Split the path's length in
-//! two: a along e, and b across e. A condition of value v and gradient
-//! g is not used up as long as `max(-g·e, 0) a + |g| b < v`, and with the clock t = a + b/ε that
-//! holds until
+//! While every contact keeps its state, every condition is affine in the motion y of the object and the parameter s that drives the path. So the path
+//! is a piecewise straight curve in d + 1 dimensions, whose direction e mostly changes little from one event to the next. Split the path's length in
+//! two: a along e, and b across e. A condition of value v and gradient g stays positive as long as `max(-g·e, 0) a + |g| b < v`. With the clock t = a
+//! + b/ε this is certain until
 //!
 //! ```text
 //! t = min over the conditions of   v / max(-g·e, ε |g|)
 //! ```
 //!
-//! Contacts wait in an event queue, and a step evaluates only contacts whose time has come. When the
-//! path has turned away from e, so that the clock runs fast, all contacts are queued again for its
-//! new direction.
+//! Contacts wait in an event queue, ordered by this time; a step evaluates only contacts whose time has come. Once the path has turned away from e
+//! the clock runs fast, and all contacts are queued again for the new direction.
 
 use super::tolerances::PRICED_ACROSS;
 use crate::numerics::Vector;
@@ -53,31 +50,29 @@ impl Point {
     }
 }
 
-/// The time until a condition can be used up, from its value, its rate along e and the size of its
-/// gradient.
+/// The clock time during which a condition is certain to stay positive, from its value, its rate along e and the norm of its gradient.
 #[inline]
 pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
     let fastest = (-rate).max(PRICED_ACROSS * gradient);
     if fastest > 0.0 { value.max(0.0) / fastest } else { f64::INFINITY }
 }
 
-/// Contacts queued by the time until their conditions may be used up.
+/// Contacts in a queue, ordered by the time until which their conditions are certain to hold.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LazyPricing {
     pub(crate) line: EventQueue,
-    /// e.
+    /// The reference direction e of the path.
     pub(crate) towards: Point,
     contacts: usize,
     /// Length and steps of the path since all contacts were queued.
     length: f64,
     steps: usize,
-    /// Contacts that the present step has evaluated, and others that have to be queued.
+    /// Contacts evaluated in the present step, and others that have to be queued again.
     pub(crate) looked: Vec<u32>,
 }
 
 impl LazyPricing {
-    /// Queues all contacts for a path in this direction; `slack` gives stamp and time of
-    /// each contact for e.
+    /// Queues all contacts for a path in this direction; `slack(contact, e)` returns the stamp and the waiting time of a contact.
     pub(crate) fn line_up(
         &mut self,
         contacts: usize,
@@ -105,11 +100,11 @@ impl LazyPricing {
         self.steps += 1;
     }
 
-    /// Whether the path has turned far enough from e for a new one.
+    /// Whether the path has turned so far from e that the queue is worth rebuilding for its new direction.
     pub(crate) fn has_turned(&self) -> bool {
         // If the clock advances by more than this multiple of the path's length, a new e is due.
         let turned = 1.25;
-        // Contacts per step before the queue may be rebuilt: a rebuild evaluates every contact.
+        // A rebuild evaluates every contact. It has to wait until steps times this number exceed the number of contacts.
         let again = 16;
         self.line.clock > turned * self.length && self.steps * again > self.contacts
     }

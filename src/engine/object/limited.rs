@@ -1,4 +1,4 @@
-//! A contact with Tresca friction, whose limit is given: its force at a stretch, and the springs that resist.
+//! A contact with Tresca friction, whose limit is independent of the normal force: its force at a stretch, and its tangent stiffness.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -13,16 +13,16 @@ pub(super) struct Limited {
     opens: bool,
     slides: Slides,
     cone: Coulomb,
-    /// Whether the contact is one of rates, whose limit may be negative.
+    /// Whether the law is one of rates, whose limit may be negative.
     is_rate: bool,
 }
 
 /// The directions in which the contact may slide.
 enum Slides {
     Never,
-    /// In the plane, on the facets backwards and forwards.
+    /// In the plane: the facets of slip along -t and along +t, if they exist.
     Along([Option<u16>; 2]),
-    /// In space, on the facets of a polygon, `h·F_t = r`, that meet in these corners.
+    /// In space, on the facets `h·F_t = r` of a polygon with these corners.
     OnPolygon {
         normals: Vec<SVector<f64, 3>>,
         corners: Vec<SVector<f64, 3>>,
@@ -34,7 +34,7 @@ enum Slides {
 /// Response of a contact at the limit of its friction.
 struct AtLimit {
     friction: SVector<f64, 3>,
-    /// The springs that still resist.
+    /// Tangent stiffness of the springs that still resist, N/m.
     holds: SMatrix<f64, 3, 3>,
     state: Mode<u16>,
 }
@@ -42,15 +42,15 @@ struct AtLimit {
 /// Response of a contact at a stretch.
 pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
-    /// The springs that resist, and the springs that yield.
+    /// Tangent stiffness of the springs that resist, and the stiffness of those that yield, N/m.
     pub(super) holds: SMatrix<f64, 3, 3>,
     pub(super) gives: SMatrix<f64, 3, 3>,
     pub(super) state: Mode<u16>,
 }
 
 impl Limited {
-    /// The contact on the polygon in place of a round cone, or on the cone itself. `None` if it keeps its tangential force until it opens, or for an
-    /// edge in rates in space.
+    /// The contact on its polygon if `on_polygons`, otherwise on the round cone. `None` for a contact that may open but never slides, and in space
+    /// for rates on an edge of the cone.
     pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {
@@ -112,7 +112,7 @@ impl Limited {
 
     /// The response where friction exceeds its limit; `None` where it stays below.
     fn at_limit(&self, force: &SVector<f64, 3>, limit: f64) -> Option<AtLimit> {
-        // Along the limit, friction follows the motion.
+        // Stiffness projected onto the directions along the limit, in which friction still follows the motion.
         let along = |normal: &SVector<f64, 3>| {
             let mut across = SMatrix::<f64, 3, 3>::identity() - normal * normal.transpose();
             across[(0, 0)] = 0.0;

@@ -5,7 +5,7 @@ use crate::numerics::Vector;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
-/// A load in inside coordinates, and its rounding error from the move to the centroid.
+/// A load in inside coordinates (moments about the centroid of the contacts, scaled arms), and the rounding error of its conversion.
 #[derive(Debug, Clone)]
 pub(crate) struct Load {
     pub(crate) wrench: Vector,

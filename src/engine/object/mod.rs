@@ -1,25 +1,23 @@
-//! The motion of the object, which couples the contacts: d coordinates without a stiffness of their
-//! own.
+//! The motion of the object, which couples the contacts. It has d coordinates, and no stiffness except that of the contacts.
 //!
-//! With every contact in a known state, twist and forces follow from one `d x d` system. All rooms
-//! above obtain them here.
+//! With every contact in a known state, twist and forces follow from one `d x d` system. The other modules of the engine solve it here.
 //!
 //! | file | idea |
 //! |---|---|
-//! | `problem` | laws, offsets and load: the local problem, at rest and in rates |
+//! | `problem` | laws, offsets and load: the problem that the engine solves, at rest and in rates |
 //! | `piece` | the linear problem in known states, by orthogonal factors |
 //! | `band_piece` | the same problem of very many coordinates, by the tangent stiffness in a narrow band |
-//! | `null_motions` | the motions in which the band is singular |
-//! | `solution` | its forces and twist, to the last digits |
+//! | `null_motions` | null vectors of the tangent stiffness in a band |
+//! | `solution` | forces and twist of the linear problem, by iterative refinement |
 //! | `free_motions` | motions that no spring resists |
-//! | `energy_coordinates` | contacts where stiffness ratios do not show |
-//! | `sums` | balance there, as sums that change by a few terms |
-//! | `lazy_pricing` | the contacts that can reach the end of their state within a step |
-//! | `tangent` | the tangent stiffness, and balance by steps on it |
-//! | `newton` | Newton's method for balance, with contacts that respond one by one |
-//! | `correction` | the distance of forces and a twist from the solution of their piece |
-//! | `precise`, `load` | twist, balance and load in twice the working precision |
-//! | `sizes` | sizes that scale rounding |
+//! | `energy_coordinates` | contacts scaled by the square roots of their stiffnesses, so that stiffness ratios cancel |
+//! | `sums` | equilibrium in energy coordinates, as sums over contacts that are updated term by term |
+//! | `lazy_pricing` | a queue that skips contacts which cannot reach the end of their state within a step |
+//! | `tangent` | the tangent stiffness, and equilibrium by Newton steps on it |
+//! | `newton` | Newton's method for equilibrium, in which each contact's force is explicit in the twist |
+//! | `correction` | the error of given forces and twist in given contact states |
+//! | `precise`, `load` | twist, equilibrium and load in twice the working precision |
+//! | `sizes` | magnitudes that scale rounding errors |
 
 mod band_piece;
 mod correction;

@@ -1,4 +1,4 @@
-//! The motions in which the T of a band is singular, and their meaning.
+//! Null vectors of the tangent stiffness T = BᵀA of a band, and their mechanical meaning.
 //!
 //! ```text
 //! A n = 0             no spring feels n: free
@@ -15,18 +15,18 @@ use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{BandFactors, Size, Vector, dot, orthonormalise_against};
 use crate::prelude::*;
 
-/// Motions in which T is singular.
+/// Null vectors of T, by their meaning (see the top of this file).
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
     /// Orthonormal, like the other lists.
     pub(super) free: Vec<Vector>,
     pub(super) neutral: Vec<Vector>,
     pub(super) unbalanced: Vec<Vector>,
-    /// Each motion with its stretches by the rows of B; the lists of stretches are orthonormal.
+    /// Each motion z with its stretches B z; the lists of stretches are orthonormal.
     unanswered: Vec<(Vector, Vec<f64>)>,
 }
 
-/// Null vectors in two groups: motions that no spring feels, and the others with the stretches of springs.
+/// Null vectors in two groups: motions that stretch no spring, and the others with the stretches of the springs.
 struct Apart {
     unfelt: Vec<Vector>,
     felt: Vec<(Vector, Vec<f64>)>,
@@ -54,7 +54,7 @@ impl NullMotions {
         Some(found)
     }
 
-    /// The sum of the motions without response, each weighted by the work of these stretches and a load on it; `None` without work.
+    /// The sum of the motions without response, each weighted by the work of the stretches x and the load on it; `None` without work.
     pub(super) fn worked_on(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.unanswered {
@@ -63,7 +63,7 @@ impl NullMotions {
         (sum.norm() > 0.0).then_some(sum)
     }
 
-    /// Whether stretches and load work on such a motion by more than rounding times `growth`.
+    /// Whether stretches and load do work on a motion without response, beyond rounding amplified by `growth`.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
         self.unanswered.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
@@ -88,8 +88,7 @@ fn apart(
     for mut q in vectors {
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
         springs.stretch(side, &mut q, |spring, stretch| stretches[spring] = stretch);
-        // Removes the residual stretches that stem from rounding of T and its factors.
-        // Corrections of a null vector by the residual of its stretches.
+        // Two corrections remove the residual stretches of a null vector, which stem from rounding of T and its factors.
         for _ in 0..2 {
             let mut back = vec![0.0; q.len()];
             springs.add(other, &stretches, &mut back);
@@ -98,7 +97,7 @@ fn apart(
             q.iter_mut().zip(&back).for_each(|(q, back)| *q -= back);
         }
         let mut v = Vector::from_fn(Size::of(q.len()), |k| q[band.numbers[k]]);
-        // Orthonormal, in two passes.
+        // Gram–Schmidt orthogonalisation; the second pass removes the rounding of the first.
         for _ in 0..2 {
             for (known, of_known) in &found {
                 let along = v.dot(known);
@@ -125,7 +124,7 @@ fn apart(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        // A unit motion is free if it stretches springs by at most this part of the longest row. The softest springs stretch by more than 1e-6.
+        // A unit motion is free if its stretches are at most this part of the longest row. Even the softest springs stretch by more than 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unfelt.push(v);
             continue;
@@ -133,8 +132,7 @@ fn apart(
         let mut left = vec![0.0; band.numbers.len()];
         springs.add(other, &stretches, &mut left);
         let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // This comparison also refuses NaN.
-        // T is singular in a motion if the product of T and the motion is at most this part of its stretches.
+        // T is singular along a motion if Bᵀ times its stretches is at most this part of their norm. The comparison is false for NaN.
         let singular = left <= LINEARLY_DEPENDENT * length;
         if !singular {
             return None;

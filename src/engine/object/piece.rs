@@ -20,24 +20,24 @@ use crate::grasp::{Site, size_of};
 use crate::numerics::{CompletePivoting, Once, Orthogonal, orthonormalise_against, without};
 use crate::prelude::*;
 
-/// One linear piece of the contact law: a state for every contact.
+/// The linear problem in which every contact keeps one known state.
 #[derive(Debug, Clone)]
 pub(crate) struct Piece {
     pub(super) springs: Vec<Spring>,
-    /// The first spring of each contact; at the end their number.
+    /// Index of the first spring of each contact; the last entry is the number of springs.
     first: Vec<usize>,
     /// Orthonormal motions that stretch no spring of this piece.
     pub(super) free: Vec<Vector>,
-    /// Orthonormal motions that no left factor balances: a load with work on one has no solution in this piece.
+    /// Orthonormal motions in the null space of B: a load that does work along one of them cannot be balanced.
     pub(super) unbalanced: Vec<Vector>,
-    /// The band, with many coordinates, unless T is nearly, but not exactly, singular.
+    /// Factors of the tangent stiffness T = BᵀA in a band, with many coordinates. `None` if T is nearly, but not exactly, singular.
     pub(super) band: Option<(BandPiece, NullMotions)>,
-    /// Orthogonal factors; with many coordinates they are computed on first use.
+    /// Orthogonal factors of A and B; with many coordinates they are computed on first use.
     orthogonal: Once<OrthogonalPiece>,
     size: Size,
 }
 
-/// Orthogonal factors of a piece.
+/// Orthogonal factors of A, and of B if a contact slides.
 #[derive(Debug, Clone)]
 pub(super) struct OrthogonalPiece {
     pub(super) right: Orthogonal,
@@ -52,7 +52,7 @@ impl Piece {
         })
     }
 
-    /// The piece in which every contact has the springs, at most one an axis, that `add` adds to the list for it.
+    /// A piece of given springs: `add(contact, list)` appends the springs of a contact, at most one per axis.
     pub(crate) fn of_springs(sites: &[Site], add: &dyn Fn(usize, &mut Vec<Spring>)) -> Self {
         let mut springs = Vec::with_capacity(3 * sites.len());
         let mut first = Vec::with_capacity(sites.len() + 1);
@@ -87,7 +87,7 @@ impl Piece {
         Self { springs, first, free, unbalanced, band: None, orthogonal: Once::from(factors), size }
     }
 
-    /// Its orthogonal factors.
+    /// The orthogonal factors, computed on first use.
     pub(super) fn orthogonal(&self) -> &OrthogonalPiece {
         self.orthogonal.get_or_init(|| {
             let [right, left] = self.band.as_ref().map_or_else(|| [None, None], |(band, _)| band.rows());
@@ -100,13 +100,13 @@ impl Piece {
         self.size
     }
 
-    /// The factors of K^{1/2}Gᵀ, row by row the springs of the contacts in order.
+    /// Orthogonal factors of A, whose rows are the springs in the order of contacts; while everything sticks A = K^{1/2}Gᵀ.
     pub(crate) fn factor(&self) -> &Orthogonal {
         &self.orthogonal().right
     }
 
-    /// The rows of Q of a contact whose springs lie along the axes of its frame: a column for each axis,
-    /// zero along axes without a spring.
+    /// The rows of the orthogonal factor Q that belong to a contact whose springs lie along its axes. Column a belongs to axis a, and is zero without
+    /// a spring.
     pub(crate) fn seen(&self, contact: usize) -> Map {
         let mut seen = Map::zeros(self.size);
         for spring in self.first[contact]..self.first[contact + 1] {
@@ -115,12 +115,12 @@ impl Piece {
         seen
     }
 
-    /// Whether the piece has factors in a band.
+    /// Whether the piece has factors in a band, and so many coordinates.
     pub(crate) fn is_banded(&self) -> bool {
         self.band.is_some()
     }
 
-    /// Displacements of the coordinates where a sticking contact pushes along its axes, in units of its springs; `None` with orthogonal factors.
+    /// Displacements of the coordinates if a sticking contact pushes along its axes, in units of its springs; `None` without a band.
     pub(crate) fn moved_by(&self, contact: usize, pushes: &SVector<f64, 3>) -> Option<Vec<f64>> {
         Some(self.band.as_ref()?.0.moved_by(contact, &self.along_springs(contact, pushes)[..]))
     }
@@ -132,14 +132,14 @@ impl Piece {
             .map_or(0.0, |(band, _)| band.felt(contact, &self.along_springs(contact, times)[..], moved))
     }
 
-    /// For each spring of a contact the entry of its axis.
+    /// The entries of `axes` in the order of the contact's springs.
     fn along_springs(&self, contact: usize, axes: &SVector<f64, 3>) -> Vec<f64> {
         mapped(&self.springs[self.first[contact]..self.first[contact + 1]], &|spring| {
             axes[spring.right.iamax()]
         })
     }
 
-    /// The least motion with the coordinates R q.
+    /// The motion q of least norm with given `R q`.
     pub(crate) fn motion(&self, coordinates: &Vector) -> Vector {
         without(self.factor().preimage(coordinates), self.free_motions())
     }
@@ -166,8 +166,8 @@ impl Piece {
         motions
     }
 
-    /// A virtual motion y without response, on which offsets and load work the most: `Σ G_i C_iᵀG_iᵀ y = 0` with the
-    /// tangents C_i of this piece.
+    /// The virtual motion y in the left null space of the tangent stiffness, `Σ G_i C_iᵀG_iᵀ y = 0`, on which offsets and load do the most work.
+    /// `None` if they do no work on any.
     pub(crate) fn unanswered(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<Vector> {
         let worked = |basis: &[Vector], work: &Vector| {
             let part = basis.iter().fold(Vector::zeros(), |sum: Vector, v| sum + v * v.dot(work));
@@ -189,7 +189,7 @@ impl Piece {
         Some(left.preimage(&worked(&kernel, &(pushed + left.load_coordinates(load)))?))
     }
 
-    /// Growth of relative rounding errors in this piece, at least 1.
+    /// Factor by which this piece amplifies relative rounding errors, at least 1.
     pub(crate) fn growth(&self) -> f64 {
         match &self.band {
             Some((band, _)) => band.growth(),
@@ -202,7 +202,7 @@ impl Piece {
         worked_on(&self.unbalanced, wrench).is_none()
     }
 
-    /// The springs of every contact that has any, with their range in the whole list.
+    /// The springs of every contact that has any, with their index range in the list of springs.
     pub(super) fn of_each_contact(&self) -> impl Iterator<Item = (usize, &[Spring], Range<usize>)> {
         self.first.windows(2).enumerate().filter(|(_, range)| range[0] < range[1]).map(|(contact, range)| {
             let range = range[0]..range[1];
@@ -232,8 +232,7 @@ impl OrthogonalPiece {
     }
 }
 
-/// The smallest forces (least squares, contact frames) of the contacts that carry any which balance a load:
-/// `F = -G⁺W` over the axes that resist.
+/// The smallest forces (least squares, contact frames) that balance a load on the contacts in `carries`:
 pub(crate) fn least_forces(sites: &[Site], carries: &[bool], wrench: &Vector) -> Vec<SVector<f64, 3>> {
     let axes: Vec<(usize, usize)> = (0..sites.len())
         .filter(|&i| carries[i])

@@ -34,7 +34,7 @@ impl Precise {
         (self.high[k], self.low[k]) = (x.high, x.low);
     }
 
-    /// Its parts, for the coordinates of one object.
+    /// High and low parts in place; `None` with more coordinates than those of one object.
     #[inline(always)]
     fn arrays(&self) -> Option<Twice<'_>> {
         Some([self.high.array()?, self.low.array()?])
@@ -98,7 +98,7 @@ impl PreciseTwist {
     }
 }
 
-/// `v - g·q` over the first N numbers, all in twice the working precision: their high and their low parts.
+/// `v - g·q` over the first N components, in twice the working precision.
 #[inline(always)]
 fn less_products<const N: usize>(mut v: DoubleDouble, g: Twice<'_>, q: Twice<'_>) -> DoubleDouble {
     for k in 0..N {
@@ -107,10 +107,10 @@ fn less_products<const N: usize>(mut v: DoubleDouble, g: Twice<'_>, q: Twice<'_>
     v
 }
 
-/// Numbers for up to as many coordinates as one object has, in twice the working precision: their high and their low parts.
+/// High and low parts of a vector that has at most the coordinates of one object.
 type Twice<'v> = [&'v [f64; WHOLE]; 2];
 
-/// Forces and moments in twice the working precision.
+/// Resultant force and moment in twice the working precision.
 pub(super) struct PreciseBalance(Precise);
 
 impl PreciseBalance {
@@ -145,7 +145,7 @@ impl PreciseBalance {
     }
 }
 
-/// Adds a multiple of the first N numbers.
+/// Adds `times` g to the first N components.
 #[inline(always)]
 fn add_multiple<const N: usize>(
     g: Twice<'_>,
@@ -153,7 +153,7 @@ fn add_multiple<const N: usize>(
     high: &mut [f64; WHOLE],
     low: &mut [f64; WHOLE],
 ) {
-    // In copies, which lie apart from all else for the compiler, so that it adds several at once.
+    // Copies cannot alias other data, so that the compiler adds several components at once.
     let (mut new_high, mut new_low) = (*high, *low);
     for k in 0..N {
         let mut sum = DoubleDouble { high: new_high[k], low: new_low[k] };

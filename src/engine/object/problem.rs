@@ -1,10 +1,11 @@
-//! The local problem, the same for all rooms above: a law and a commanded offset for each contact, and a load.
+//! The problem that the engine solves: a law and a commanded offset for each contact, and a load.
 //!
 //! ```text
 //! v_i = a_i - G_iᵀq,      F_i from v_i by the law of contact i,      Σ G_i F_i + W = 0
 //! ```
 //!
-//! At rest the offsets a_i are commanded displacements and the laws are whole; in rates both describe what happens next.
+//! At rest, a_i are commanded displacements and each contact has its full law. In rates, a_i are their derivatives, and each law is that of the rates
+//! at the present state ([`Law`]).
 
 use crate::numerics::{Size, Vector, indexed};
 use alloc::sync::Arc;
@@ -19,33 +20,33 @@ use crate::grasp::{Engine, Remembered, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
-/// Laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`.
+/// Laws, commanded offsets a_i and load of the equation `Σ G_i F_i + W = 0`, in inside coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
     /// The polygon of every contact without a polygon of its own.
     pub(crate) polygon: Arc<Polygon>,
-    /// Polygons turned to the traction: empty, or one for each contact.
+    /// Polygons rotated so that a corner lies along the friction force of the elastic trial: empty, or one for each contact.
     pub(crate) turned: Vec<Polygon>,
-    /// Cones in place of the cones at rest: empty, or one for each contact.
+    /// Present friction cones, narrower at contacts that slide with kinetic friction: empty, or one for each contact.
     pub(crate) cones: Vec<Coulomb>,
     pub(crate) laws: Vec<Law>,
-    /// Commanded displacement less clearance and less the slip so far.
+    /// Commanded displacement less clearance and accumulated slip, m, in the contact frames.
     pub(crate) offsets: Vec<SVector<f64, 3>>,
-    /// The slip so far, in the contact frames.
+    /// Accumulated slip, m, in the contact frames.
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) wrench: Vector,
-    /// Rounding error of the load from the move to the centroid.
+    /// Rounding error of the load, from moving its moment to the centroid.
     pub(crate) wrench_rest: Vector,
-    /// Contacts with infinite friction get facets, as with a very large finite one.
+    /// Whether contacts with infinite friction get facets, as contacts with a very large coefficient do.
     pub(crate) infinite_friction_has_edges: bool,
     /// In space: the round cone limits sticking contacts, and the polygon only proposes states.
     pub(crate) round: bool,
-    /// The place of the factors of the elastic trial, at rest.
+    /// Cache of the factors of the elastic trial; `None` in rates.
     pub(crate) trial: Option<&'g Remembered>,
 }
 
-/// The lists of a problem, one entry for each contact, as memory for another problem.
+/// Lists of a problem with one entry for each contact, whose memory another problem can reuse.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lists {
     pub(crate) laws: Vec<Law>,
@@ -66,7 +67,7 @@ impl Engine {
         self.problem_in(lists, polygon, round, load)
     }
 
-    /// [`Self::problem`] in reused lists, with the offsets in them.
+    /// [`Self::problem`] in reused lists; `lists.offsets` holds the offsets.
     pub(crate) fn problem_in(
         &self,
         lists: Lists,
@@ -78,7 +79,7 @@ impl Engine {
         Problem { trial, ..Problem::at_rest(self.sites(), polygon, round, lists, load) }
     }
 
-    /// The problem at rest under a load of the caller's, with polygons in place of round cones.
+    /// The problem at rest under the caller's load, with polygons in place of round cones.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
@@ -90,7 +91,7 @@ impl Engine {
 }
 
 impl<'g> Problem<'g> {
-    /// Every contact with its whole law, on the round cone if `round`.
+    /// Every contact has its full law. In space the round cone limits friction if `round`, otherwise the polygon.
     pub(crate) fn at_rest(
         sites: &'g [Site],
         polygon: Arc<Polygon>,
@@ -156,13 +157,13 @@ impl<'g> Problem<'g> {
         self.turned.get(contact).unwrap_or_else(|| own())
     }
 
-    /// The friction cone of a contact: the cone at rest, unless it slides with less friction.
+    /// The friction cone of a contact: that of static friction, unless it slides with less.
     #[inline]
     pub(crate) fn cone(&self, contact: usize) -> Coulomb {
         self.cones.get(contact).copied().unwrap_or(self.sites[contact].friction)
     }
 
-    /// Which contacts slide with less friction than at rest; empty without such friction.
+    /// Whether each contact slides with kinetic friction below its static value; empty if no contact has kinetic friction.
     pub(crate) fn weaker(&self) -> Vec<bool> {
         self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).collect()
     }
@@ -205,13 +206,13 @@ impl<'g> Problem<'g> {
         self.each(|local| local.unjumped())
     }
 
-    /// The states in which contacts on an edge slide along it and contacts at the apex open: in rates the common case, found by one
-    /// solve.
+    /// The states in which contacts on an edge of the cone slide along it and contacts at its apex open. In rates this is the most common solution,
+    /// and one linear solve checks it.
     pub(crate) fn yielding(&self) -> Vec<State> {
         self.each(|local| local.yielding())
     }
 
-    /// The states with updated slides on the round cone, from these friction forces and the slip at this twist.
+    /// `states`, with the slide of each contact on the round cone recomputed from its friction force and its slip at `twist`.
     pub(crate) fn slid_on(
         &self,
         states: &[State],
@@ -232,7 +233,7 @@ impl<'g> Problem<'g> {
         indexed(states, &slid_on)
     }
 
-    /// The slip of a contact with this friction force, in twice the working precision: for a stiff contact it is a small difference.
+    /// The slip of a contact with this friction force, in twice the working precision: at a stiff contact it is a small difference of large numbers.
     fn precise_slip(
         &self,
         contact: usize,
@@ -251,7 +252,7 @@ impl<'g> Problem<'g> {
     }
 }
 
-/// The laws of all contacts, in order. Adapters of iterators are compiled once for this type, instead of once for a closure.
+/// Iterates over the laws of all contacts, in order. Iterator adapters are compiled once for this named type, not once for each closure.
 pub(crate) struct Locals<'p> {
     problem: &'p Problem<'p>,
     next: usize,

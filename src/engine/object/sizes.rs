@@ -1,4 +1,4 @@
-//! Sizes of a scene that scale the rounding of forces and displacements.
+//! Magnitudes that scale the rounding errors of forces and displacements.
 
 use nalgebra::SVector;
 
@@ -11,12 +11,12 @@ use crate::grasp::Site;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// The least force that a spring of the scene could have from displacements of these sizes, contact by contact.
+/// The least product of softest stiffness and displacement size over all contacts, N; `spans` are the displacement sizes, m.
 pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
 
-/// Size of the largest force of a scene.
+/// Largest of the load and the contact forces, N, but at least [`NO_FORCE`] times the least force that displacements could cause in a spring.
 pub(crate) fn largest_force(
     sites: &[Site],
     offsets: &[SVector<f64, 3>],
@@ -25,7 +25,7 @@ pub(crate) fn largest_force(
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
     let largest = forces.fold(load, f64::max);
-    // The least force is at most the first one, which mostly shows that it is too small to matter.
+    // The minimum over contacts is at most its first term, which mostly suffices to show that the minimum does not matter.
     let least_of = |count: usize| {
         let norm = twist.norm();
         let spans = sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm));
@@ -35,7 +35,7 @@ pub(crate) fn largest_force(
 }
 
 impl Problem<'_> {
-    /// Size of the largest force of the scene with these forces and this twist.
+    /// Largest force of the scene, N, for these contact forces and this twist.
     pub(crate) fn largest_force(&self, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         largest_force(self.sites, &self.offsets, twist, self.wrench.norm(), sizes)
@@ -57,7 +57,7 @@ impl Problem<'_> {
         self.sites[contact].span(&self.offsets[contact], twist)
     }
 
-    /// Stretch, force and sizes of a contact, for its conditions.
+    /// Stretch, force and magnitudes of a contact, from which the conditions of its state are evaluated.
     pub(crate) fn at<'s>(
         &self,
         contact: usize,
@@ -81,7 +81,7 @@ impl Problem<'_> {
         SpringState { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
-    /// `|Σ G_i F_i + W|` and `Σ |F_i|`.
+    /// The norm of the imbalance, `|Σ G_i F_i + W|`, and the sum of the sizes of its terms.
     pub(crate) fn imbalance(&self, forces: &[SVector<f64, 3>]) -> (f64, f64) {
         let Imbalance { left, size } = Imbalance::of(self.sites, forces, &self.wrench, 0.0);
         (left.norm(), size)

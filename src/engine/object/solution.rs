@@ -1,6 +1,6 @@
-//! Forces and twist of a piece, to the last digits.
+//! Forces and twist of a [`Piece`], accurate to the last digits.
 //!
-//! The residuals of a solution are evaluated in twice the working precision and solved for again:
+//! Residuals are evaluated in twice the working precision, and the linear problem is solved for them again (iterative refinement):
 //!
 //! ```text
 //! e_r = right_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i left_r x_r + W
@@ -18,10 +18,10 @@ use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
 use crate::prelude::*;
 
-/// Forces and a twist of one linear piece.
+/// Forces and twist of one linear piece.
 #[derive(Debug, Clone)]
 pub(crate) struct PieceState {
-    /// F_i in the contact frames.
+    /// F_i in the contact frames, N.
     pub(crate) forces: Vec<SVector<f64, 3>>,
     /// The twist of least norm, in inside coordinates.
     pub(crate) twist: Vector,
@@ -43,13 +43,13 @@ pub(crate) struct SolutionMemory {
 /// The reason why a piece has no solution under a load.
 #[derive(Debug, Clone)]
 pub(crate) struct Unbalanced {
-    /// The unit motion on which the load works and no contact of this piece resists. `None` when springs
-    /// resist it, but friction does not let them push in that direction.
+    /// A unit motion along which the load does work and no contact of this piece resists. `None` if such a motion does stretch springs, but friction
+    /// keeps them from balancing the load.
     pub(crate) motion: Option<Vector>,
 }
 
 impl Piece {
-    /// Forces and the twist of least norm under these offsets and this load, with the sites of this piece.
+    /// Forces and the twist of least norm under these offsets and this load. `sites` are those from which this piece was made.
     pub(crate) fn solve(
         &self,
         sites: &[Site],
@@ -81,8 +81,7 @@ impl Piece {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // Each correction may leave a constant part of the one before. A later correction by less than this part of the largest force is the
-            // last.
+            // Corrections shrink by a constant factor. Refinement ends when one is below this part of the largest force.
             if self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
@@ -98,7 +97,7 @@ impl Piece {
             None => pushed + &pulled,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &pulled));
-                // Near a solution the sum is a difference, accurate to the rounding of its terms.
+                // The two terms may cancel; their sum is accurate to the rounding of the larger one.
                 let known = NO_WORK * pushed.amax().max(pulled.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });
@@ -115,8 +114,8 @@ impl Piece {
         Ok(())
     }
 
-    /// Solves again for the residuals. Returns whether the first correction was below [`NEARLY_CORRECTED`] of the largest force, or a later one below
-    /// the part `sharp`.
+    /// Iterative refinement. Returns whether it converged: the first correction was below [`NEARLY_CORRECTED`] of the largest force, or a later one
+    /// below the part `sharp`.
     fn refine(
         &self,
         sites: &[Site],
@@ -143,8 +142,8 @@ impl Piece {
         false
     }
 
-    /// Forces and the twist of least norm where all contacts stick and every motion is resisted, without corrections in twice the precision.
-    /// The projection is applied twice, which leaves a few roundings of the largest force.
+    /// [`Self::solve`] without refinement, for a piece in which all contacts stick and every motion is resisted. The projection is applied twice; the
+    /// remaining error is a few roundings of the largest force.
     pub(crate) fn solve_roughly(&self, offsets: &[SVector<f64, 3>], wrench: &Vector) -> PieceState {
         let mut state = PieceState::default();
         self.solve_roughly_into(offsets, wrench, (&mut SolutionMemory::default(), &mut state));
@@ -185,20 +184,20 @@ impl Piece {
         }
     }
 
-    /// Forces of these stretches of the contacts under this load, as far as this piece balances it.
+    /// Contact forces that result from given stretches of the contacts and a load. A part of the load that the piece cannot balance is ignored.
     pub(crate) fn forces_of(&self, stretches: &[SVector<f64, 3>], load: &Vector) -> Vec<SVector<f64, 3>> {
         let mut x = self.stretched(|contact| stretches[contact]);
         self.respond(&mut x, load);
         self.forces(&x, stretches.len())
     }
 
-    /// Change of the forces along a motion of the object with everything else at rest.
+    /// Change of the contact forces if the object moves by `motion` at constant offsets.
     pub(crate) fn forces_along(&self, problem: &Problem, motion: &Vector) -> Vec<SVector<f64, 3>> {
         let x = self.stretched(|contact| -problem.sites[contact].map.tr_mul(motion));
         self.forces(&x, problem.len())
     }
 
-    /// x for these stretches of the contacts.
+    /// `x_r = right_r · v` of every spring, from the stretches v of the contacts.
     pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);
@@ -231,7 +230,7 @@ impl Piece {
         }
     }
 
-    /// Writes e, spring by spring, and returns ρ.
+    /// Writes the residual e of each spring and returns the residual ρ of equilibrium, both as defined at the top of this file.
     fn excess(
         &self,
         sites: &[Site],
@@ -242,7 +241,7 @@ impl Piece {
         let mut balance = PreciseBalance::new(self.size(), load);
         for (contact, springs, range) in self.of_each_contact() {
             let (site, x) = (&sites[contact], &x[range.clone()]);
-            // A contact has at most one spring an axis.
+            // A contact has at most one spring per axis.
             let mut left = [DoubleDouble::default(); 3];
             for (left, x) in left.iter_mut().zip(x) {
                 left.add(-x);

@@ -1,5 +1,4 @@
-//! Balance of the object in energy coordinates: sums over contacts of which an event changes a few
-//! terms.
+//! Equilibrium of the object in energy coordinates, as sums over contacts. A change of one contact's state changes only the terms of that contact.
 //!
 //! With every contact in a known state, forces balance the load where `Σ Qᵀ(x - x⁰) = 0`. With `x =
 //! P u` these are d equations for the motion y on top of the elastic trial motion. Each other
@@ -20,12 +19,11 @@ use crate::numerics::in_halves;
 
 /// Whether sums over this number of contacts have changed too often to be accurate.
 pub(crate) fn are_stale(changes: usize, contacts: usize) -> bool {
-    // Sums are recomputed after this number of changes plus a quarter of the number of contacts. A change leaves a rounding; new sums evaluate
-    // each contact.
+    // Each change leaves a rounding error, while new sums evaluate every contact. Sums are recomputed after this number of changes.
     changes > 64 + contacts / 4
 }
 
-/// T and R sides.
+/// T and its right sides b_r; R is their number.
 #[derive(Debug, Clone)]
 pub(crate) struct Sums<const R: usize> {
     pub(crate) stiffness: Square,
@@ -33,7 +31,7 @@ pub(crate) struct Sums<const R: usize> {
 }
 
 impl<const R: usize> Default for Sums<R> {
-    /// [`Self::sticking`], without coordinates yet for no coordinates.
+    /// [`Self::sticking`] with no coordinates.
     fn default() -> Self {
         Self::sticking(Size::default())
     }
@@ -53,8 +51,7 @@ impl<const R: usize> Sums<R> {
         self.sides.iter_mut().for_each(|side| *side = Vector::zeros());
     }
 
-    /// The sums over this number of contacts, with the terms from `add`. Entries of y from `rank` on move
-    /// nothing.
+    /// The sums over all contacts; `add(sums, contact)` adds the terms of one. Components of y from `rank` on move nothing and get a unit diagonal.
     pub(crate) fn over(
         size: Size,
         contacts: usize,
@@ -77,8 +74,8 @@ impl<const R: usize> Sums<R> {
         sums
     }
 
-    /// Adds the terms of a contact, times `weight`: its map `seen` of y, the projection `hold` by its state
-    /// (`None`: identity), and p for each side.
+    /// Adds the terms of a contact, times `weight`. `seen` maps y to the contact, `hold` is the projection P of its state (`None`: identity), and
+    /// `pushed` holds p_r of each right side.
     pub(crate) fn add(
         &mut self,
         seen: &ScaledMap,

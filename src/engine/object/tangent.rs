@@ -1,12 +1,11 @@
-//! The tangent stiffness: to first order every contact is a few springs, which give the change of its force with the twist.
+//! The tangent stiffness T. To first order every contact is a few springs, whose stiffness C_i is the derivative of its force by its stretch.
 //!
 //! ```text
 //! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq
 //! ```
 //!
-//! The forces are corrected instead of recomputed from the twist: the force of a spring that hardly gives follows from
-//! equilibrium, not from displacements. After a step R is its own rounding, so that a few steps balance
-//! to the last digits where T is regular; where T is singular, see [`super::Piece`].
+//! The forces are corrected, not recomputed from the twist: the force of a very stiff spring follows from equilibrium, not from its tiny stretch.
+//! After a step R is mere rounding, so that a few steps give the last digits where T is regular. For a singular T see [`super::Piece`].
 
 use crate::numerics::{Square, Vector};
 use core::ops::Range;
@@ -37,7 +36,7 @@ impl TangentFactors {
         }
     }
 
-    /// Motions in which the T of a band is singular.
+    /// Null vectors of T, as motions; none are reported without a band.
     pub(crate) fn loose_motions(&self) -> Vec<Vector> {
         match self {
             Self::Whole(_) => Vec::new(),
@@ -80,7 +79,7 @@ impl Problem<'_> {
 /// C_i of a contact: the derivative of its force by its stretch.
 pub(crate) type SpringTangent = SMatrix<f64, 3, 3>;
 
-/// T of these contacts with these C_i, by number.
+/// T of these contacts; `springs(i)` returns C_i of contact i.
 pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> SpringTangent + Sync) -> Square {
     let part = |contacts: Range<usize>| {
         let mut t = Square::zeros(size_of(sites));
@@ -107,8 +106,8 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects forces and twist until the imbalance R is at most the part `part` of the sizes of its terms. Returns the sum of the largest
-/// changes of a force; `None` if the steps do not suffice.
+/// Corrects forces and twist until the imbalance R is at most the part `part` of the sizes of its terms. Returns the sum over all steps of the
+/// largest change of a force, N; `None` if the steps do not suffice.
 pub(crate) fn balance(
     sites: &[Site],
     springs: &[SpringTangent],

@@ -1,4 +1,4 @@
-//! Approximate states of many contacts by Tresca friction, whose limits are given.
+//! Approximate states of many contacts by Tresca friction: each contact has a given friction limit, independent of its normal force.
 //!
 //! Where the limits r_i of friction do not depend on normal forces, all forces come from a convex energy,
 //!
@@ -6,8 +6,9 @@
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
 //! ```
 //!
-//! and Newton's method finds its minimum from any start. Each step keeps a part of the stiffness of yielding springs, less from step to step. Limits
-//! of friction from the resulting normal forces come next, until no contact changes its state. The states are a proposal: some may be wrong.
+//! and Newton's method finds its minimum from any start. As regularisation each step keeps a part of the stiffness of yielding springs, which
+//! decreases from step to step. Then new limits follow from the normal forces, until no contact changes its state. The states are a proposal: some
+//! may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.
@@ -22,13 +23,13 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{PositiveBand, Vector, dot, mapped, moved, narrow_order, paired, widest};
 use crate::prelude::*;
 
-/// All contacts with given limits of friction, in a narrow order of coordinates.
+/// All contacts with given friction limits, and their coordinates in an order that makes the band narrow.
 struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
-    /// The coordinates that each contact feels, with the rows of its map.
+    /// The coordinates with nonzero entries in each contact's grasp map, and these entries.
     felt: Vec<(usize, SVector<f64, 3>)>,
-    /// The number of each coordinate in the narrow order.
+    /// Position of each coordinate in the narrow order.
     numbers: Vec<usize>,
     first: Vec<usize>,
     load: Vec<f64>,
@@ -42,7 +43,7 @@ struct Answers {
     left: Vec<f64>,
 }
 
-/// States in the plane and on polygons in which forces are nearly balanced, and friction is nearly at the limits of its normal forces. `None` with
+/// Proposed contact states, in the plane or on polygons: forces nearly balance, and friction limits nearly agree with the normal forces. `None` with
 /// few coordinates, free motions or infinite friction.
 pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !uses_band(problem.size()) {
@@ -58,7 +59,8 @@ pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     Some(moved(states, &state))
 }
 
-/// The motion on the round cone with nearly balanced forces, and friction nearly at the limits of its normal forces.
+/// The proposed motion on the round cone: forces nearly balance, and friction limits nearly agree with the normal forces. `None` as for
+/// [`states_by_tresca`], and without a round cone.
 pub(crate) fn twist_by_tresca(problem: &Problem<'_>) -> Option<Vector> {
     if !problem.round || !uses_band(problem.size()) {
         return None;
@@ -135,7 +137,7 @@ impl GivenLimits {
         band.factor()
     }
 
-    /// The final states, and the motion.
+    /// Iterates limits and motion until they agree. Returns the states and the motion.
     fn settled(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
         let stuck = |contact: &Limited, stretch: &SVector<f64, 3>| {
             let holds = SMatrix::from_diagonal(&contact.stiffness);
@@ -149,8 +151,8 @@ impl GivenLimits {
         self.band.solve(&mut q);
         answers = self.answers_by(&q, |i, stretch| stuck(&self.contacts[i], stretch));
         self.limits = self.limits_of(&answers.of);
-        // The Newton matrix keeps a part of the stiffness of yielding springs (regularisation): half at first, at least 1e-4 before each round.
-        // Newton's method ends at an imbalance of 1e-2 of the initial one in the first round.
+        // The Newton matrix keeps a part of the stiffness of yielding springs (regularisation): half at first, and at least 1e-4 at the start of
+        // later rounds. Newton's method ends at an imbalance of 1e-2 of the initial one in the first round.
         let (mut kept, mut enough) = (0.5, 1e-2 * size);
         let mut states: Vec<Mode<u16>> = Vec::new();
         // Outer iterations, each with new limits.
@@ -178,10 +180,10 @@ impl GivenLimits {
         self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).collect()
     }
 
-    /// Newton's method from a motion to the least energy with the given limits.
+    /// Newton's method from a motion to the minimum of energy with the given limits.
     fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
         let mut here = self.answers(q);
-        // Newton's steps for given limits.
+        // Most Newton steps for the same limits.
         for _ in 0..10 {
             if norm(&here.left) <= enough {
                 break;
@@ -195,8 +197,8 @@ impl GivenLimits {
                 let next: Vec<f64> = paired(q, &step, &|(q, step)| q + step * part);
                 here = self.answers(&next);
                 let rises = -dot(&here.left, &step);
-                // A step is reduced at most eight times. It is reduced while the energy rises at its end by more than this part of its initial rate
-                // of decrease.
+                // Line search: the step is reduced, at most eight times, while the energy still rises at its end. A slope below this part of the
+                // initial descent is tolerated.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
                     *q = next;
                     break;
@@ -204,7 +206,7 @@ impl GivenLimits {
                 part *= (falls / (falls + rises)).clamp(0.1, 0.9);
             }
             if part > 0.5 {
-                // The lower limit of the part that is kept.
+                // Long steps reduce the regularisation, down to this limit.
                 *kept = (*kept * 0.3).max(1e-6);
             } else if part < 0.2 {
                 *kept = (*kept * 4.0).min(1.0);

@@ -12,7 +12,7 @@ impl Problem<'_> {
     pub(crate) fn trial(&self) -> Arc<Piece> {
         let make = || Piece::new(self, &self.unjumped());
         match self.trial {
-            // Grasps of more sites than this do not keep their factors: many sites take memory, and most repeated questions concern few.
+            // Larger grasps do not keep these factors, which take memory; repeated questions are mostly about small grasps.
             Some(kept) if self.len() <= 256 => kept.get(make),
             _ => Arc::new(make()),
         }

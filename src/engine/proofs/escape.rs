@@ -5,11 +5,10 @@
 
 use super::tolerances::{ESCAPE, LEAST_WORK};
 
-/// Whether a contradiction counts on the way from a load on which y does the work `here` to a load with the work `past`. Generators do up to
-/// `against` along -y, and the data have the size `data`. At the part t of the way the work is `here + t (past - here)`, so that an escape
-/// exceeds the data by [`ESCAPE`] from some t on.
+/// Whether a contradiction by y counts on the line between two loads, from very near its start on. y does the work `here` on the first load and
+/// `past` on the second. `against` is the most work of a generator against y, `data` the size of the data. At the part t of the line the work is
+/// `here + t (past - here)`: from some t on an escape exceeds the data by [`ESCAPE`].
 pub(crate) fn counts_from_here_on(here: f64, past: f64, against: f64, data: f64) -> bool {
-    // A contradiction of all loads beyond a load counts from this part of the way to the next load on. The rest is rounding of the place where
-    // the path ended.
+    // Largest such t. Loads before it lie within the rounding of the load at which the path ended.
     ESCAPE * data * against.max(LEAST_WORK) - here <= 1e-6 * (past - here)
 }

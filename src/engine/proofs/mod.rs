@@ -4,10 +4,10 @@
 //! |---|---|
 //! | `wrench_cone` | the load lies outside the cone of all contact forces: a separating motion |
 //! | `separating_many` | the same proof with many coordinates, in a band |
-//! | `escape` | the margin with which a contradiction counts |
+//! | `escape` | forces that escape a proof through rounding must be far larger than the data |
 //! | `refutation` | case by case on the round cone, as a certificate that can be checked |
-//! | `nothing_near` | no equilibrium within a radius of the point where one was lost |
-//! | `opening_cases` | for each choice of open contacts a convex problem without friction's direction |
+//! | `nothing_near` | a radius around a lost equilibrium within which no other exists |
+//! | `opening_cases` | a linear problem for each choice of open contacts, with friction of any direction |
 
 mod escape;
 mod nothing_near;

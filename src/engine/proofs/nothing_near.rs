@@ -1,7 +1,7 @@
-//! A proof that no equilibrium exists near the point where one was lost, for any slips so far.
+//! A proof that no equilibrium exists near the point where one was lost, whatever the contacts have slipped.
 //!
-//! For any virtual motion v with `u_i = G_iᵀv` balance gives `W·v = -Σ F_i·u_i`, and no contact works against v by more than its
-//! [`Resistance`]. Only the normal stretches enter, which the motion q of the object alone determines:
+//! For any virtual motion v with `u_i = G_iᵀv`, equilibrium gives `W·v = -Σ F_i·u_i`. No contact works against v by more than its [`Resistance`],
+//! which depends only on normal stretches, and so only on the motion q of the object:
 //!
 //! ```text
 //! W·v  <=  h(q) = Σ c_i (a_n,i - n·G_iᵀq)₊  +  Σ r_i·(a_i - G_iᵀq)
@@ -70,7 +70,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     Some((rho + left / growth) * (1.0 - rounding))
 }
 
-/// The largest product of a row with a δ of ρ = 1: the norms of its translation and its rotation, and the sizes of all other entries.
+/// The largest product of a row with a δ of ρ = 1: the sum of the norms of its translation and rotation parts and the sizes of all other entries.
 fn reach(space: Space, row: &Vector) -> f64 {
     let (axes, object) = (space.axes(), space.of_the_object());
     let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();

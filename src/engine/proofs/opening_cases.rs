@@ -1,5 +1,5 @@
-//! A proof that no equilibrium exists beyond a load, where contacts are too many to try all their states: each choice of open
-//! contacts leaves a convex problem.
+//! A proof that no equilibrium exists beyond a load, for contacts that are too many to try all their states. Each choice of open contacts leaves a
+//! convex problem.
 //!
 //! With the closed contacts chosen, forces that balance the load exist only if there are a motion q and friction forces with
 //!
@@ -21,11 +21,11 @@ use crate::numerics::{Vector, chosen, largest, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether no forces hold any load between a load (not included) and another a little beyond.
+/// Whether no load on the line from `here` (not included) to `past`, a little beyond, can be balanced.
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
-    // Most contacts that may open: all choices of open ones among them are tried.
+    // Most contacts that may open: all 2ⁿ choices of open ones are tried.
     whole
         && free.len() <= 8
         && (0..1_usize << free.len()).all(|choice| {
@@ -37,7 +37,7 @@ pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
         })
 }
 
-/// Whether a contact has a row. Rows of inequalities follow the balance, contact by contact in the order of the problem, also in [`constant`].
+/// Whether a contact has an inequality. Inequalities follow the rows of equilibrium, in the order of contacts, also in [`constant`].
 fn has_row(local: &LocalLaw<'_>) -> bool {
     local.pairs() > 0
 }
@@ -46,12 +46,12 @@ fn rows(problem: &Problem) -> usize {
     problem.size().count() + problem.locals().filter(has_row).count()
 }
 
-/// Number of axes with springs of a closed contact; friction is a separate force.
+/// Number of axes along which the force of a closed contact follows from its springs. Friction is a separate unknown.
 fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }
 
-/// Entries of the rows from stretches of the contacts and a load.
+/// The rows' entries that result from stretches of the contacts and a load.
 fn response(
     problem: &Problem,
     open: &[bool],
@@ -77,7 +77,7 @@ fn response(
     w
 }
 
-/// Entries of the rows from the offsets and the load, w.
+/// The constant part w: the rows' entries that result from offsets and load.
 fn constant(problem: &Problem, open: &[bool]) -> DVector<f64> {
     response(problem, open, &|i| problem.offsets[i], problem.wrench.clone())
 }

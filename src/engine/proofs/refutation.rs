@@ -8,8 +8,7 @@
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
 //! ```
 //!
-//! for every q. If under the labels of the case no contact can make its part of the left side positive, the case has no
-//! equilibrium.
+//! for every q. If the labels of the case keep every contact's term on the left side from being positive, the case has no equilibrium.
 
 use nalgebra::SVector;
 
@@ -20,7 +19,7 @@ use crate::numerics::Vector;
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
-/// A step of the proof. A division is followed by its second case with all steps below it, then by its first.
+/// A step of the proof, depth first: a division is followed by all steps of its second case, then by those of its first.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
     /// The state of a contact lies in one of two halves.
@@ -29,8 +28,8 @@ pub(crate) enum ProofStep {
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
-/// The least factor by which an equilibrium hidden by rounding would exceed the data, both in √J. `None` where the steps
-/// omit a case, or contradict one too weakly to count.
+/// Checks a proof. Returns the least factor by which an equilibrium that escapes the proof through rounding would exceed the data, both in √J. `None`
+/// if the steps omit a case, or contradict one too weakly to count.
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -61,8 +60,8 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// The proof in a single case that nothing balances offsets and load. The most yielding states do not respond to a virtual motion, and
-/// do the least work against it. Virtual forces `-C_iᵀG_iᵀy` balance one another in these states.
+/// A proof with a single case that no forces balance offsets and load. In the states that yield most, some virtual motion y meets no response. In
+/// these states contacts also do the least work against y, and the virtual forces `-C_iᵀG_iᵀy` balance one another.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).unanswered(&problem.offsets, &problem.wrench)?;
@@ -76,7 +75,8 @@ pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
-/// The size of stretches and forces of the case, in √J, that would make up for the contradiction.
+/// The least size of stretches and forces, in √J, at which an equilibrium of the case could escape the contradiction through rounding. `None` if
+/// there is no contradiction.
 fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVector<f64, 3>]) -> Option<f64> {
     if forces.len() != problem.len() {
         return None;
@@ -94,9 +94,8 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
-    // Forces that do not balance one another prove nothing about equilibria far away.
-    // Tolerance of the virtual forces' balance, relative to them and to the forces that the virtual motion would cause. Through the rest an
-    // equilibrium could escape whose motion is larger than the data by the reciprocal.
+    // Tolerance of the balance of virtual forces, relative to them and to the forces that the virtual motion would cause. The imbalance can only hide
+    // an equilibrium whose motion exceeds the data by the reciprocal of this tolerance.
     let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

@@ -1,14 +1,14 @@
-//! A separating motion of many coordinates: the residual of a load after the best response of contact forces.
+//! A separating motion in many coordinates: the part of the load that no admissible contact forces balance.
 //!
-//! The nearest sum of contact forces to a load leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian finds it: contacts respond to a
-//! motion by forces in their cones, shifted by multipliers λ_i, the forces of the last round,
+//! The sum of contact forces that comes nearest to balancing a load leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian finds it: each
+//! contact responds to a motion by a force in its cone, shifted by a multiplier λ_i, its force in the last round,
 //!
 //! ```text
 //! f_i = P_i(λ_i - ρ G_iᵀv),      v - Σ G_i f_i = W,      λ_i <- f_i,
 //! ```
 //!
-//! with the projection P_i onto the cone. Each round is a convex problem without constraints, solved by Newton's method in a narrow band, as contacts
-//! couple few coordinates. The result is checked like any other motion.
+//! with the projection P_i onto the cone. Each round is a convex problem without constraints. Newton's method solves it with a narrow band matrix,
+//! since each contact couples few coordinates. The result is checked like a motion from any other source.
 //!
 //! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1
 //! (1976).
@@ -22,12 +22,13 @@ use crate::numerics::{PositiveBand, Vector, dot, mapped, narrow_order, paired, u
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The cone of one contact that responds to motions by forces.
+/// The cone of one contact, which responds to a motion by a force.
 struct Pushing {
-    /// The coordinates that the contact feels, with the rows of its map, scaled to length one.
+    /// The coordinates with entries in the contact's map, and these entries, scaled to length one.
     felt: Vec<(usize, SVector<f64, 3>)>,
-    /// μ of a round cone; else a ray along the first axis.
+    /// μ of a round cone; `None` for a ray along the first axis.
     cone: Option<f64>,
+    /// The multiplier λ_i.
     told: SVector<f64, 3>,
 }
 
@@ -64,13 +65,13 @@ impl Pushing {
 struct PushedBack {
     contacts: Vec<Pushing>,
     numbers: Vec<usize>,
-    /// Of length one.
+    /// The load, scaled to length one.
     load: Vec<f64>,
     band: PositiveBand,
     stiffness: f64,
 }
 
-/// The residual of a load of many coordinates after the best response of contact forces.
+/// The part of a load of many coordinates that no admissible contact forces balance.
 pub(super) enum Left {
     /// The residual is a separating motion.
     Proof(Vector),
@@ -89,11 +90,11 @@ pub(super) fn left_of_many(problem: &Problem, judged: &dyn Fn(&Vector) -> bool) 
     let (mut more, mut clearer, mut proof) = (0, 0, None);
     // Six rounds after the last growth of ρ, and four after the first proof: those remove rounding from its motion, which is shown to users.
     while more < 6 && clearer < 4 {
-        // Imbalance at which a round ends: 1e-3 over ρ, but no less than 1e-14, which holds after a proof.
+        // Imbalance at which a round ends: 1e-3 over ρ before a proof is found, then 1e-14, the least value.
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.stiffness).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
-        // A load whose residual is below this part of it counts as balanced: its residual is no motion.
+        // A residual below this part of the load counts as zero: the load is balanced.
         if left < 1e-5 {
             return Left::Nothing;
         }
@@ -149,7 +150,8 @@ impl PushedBack {
         Some(Self { contacts, numbers, load, band, stiffness: 1e1 })
     }
 
-    /// Moves v to the motion balanced by its responses up to `enough`, and updates the multipliers. Returns the length of the residual load.
+    /// Solves for the v at which the contacts' responses balance the load up to `enough`, and updates the multipliers. Returns the norm of the
+    /// residual load.
     fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
         let mut missing = self.missing(v);
         // Most Newton steps of a round.
@@ -166,8 +168,8 @@ impl PushedBack {
                 let next: Vec<f64> = paired(v, &step, &|(v, step)| v + step * part);
                 missing = self.missing(&next);
                 let rises = -dot(&missing, &step);
-                // A step is reduced at most twelve times. It is reduced while the energy rises at its end by more than this part of its initial
-                // rate of decrease.
+                // Line search: the step is reduced, at most twelve times, while the energy still rises at its end. A slope below this part of the
+                // initial descent is tolerated.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 12 {
                     *v = next;
                     break;

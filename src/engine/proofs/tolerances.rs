@@ -1,11 +1,11 @@
 //! The numbers that proofs of no equilibrium share: when a contradiction counts, and what is rounding.
 
-/// Least factor of an escape over the data with which a contradiction counts.
+/// A contradiction counts if an equilibrium that escapes it through rounding exceeds the data by at least this factor.
 ///
 /// Smaller, contradictions count that rounding could have made; larger, clear ones are refused.
 pub(crate) const ESCAPE: f64 = 1e4;
 
-/// Assumed least work of a generator of length one along a unit y: rounding.
+/// Rounding error of the work of a generator of length one along a unit motion y. Smaller computed works are replaced by it.
 ///
 /// Smaller, rounded work makes contradictions seem clear; larger, clear ones are refused.
 pub(crate) const LEAST_WORK: f64 = 1e-15;
@@ -15,6 +15,6 @@ pub(crate) const LEAST_WORK: f64 = 1e-15;
 /// Smaller, a load on the boundary seems to separate; larger, true proofs are refused.
 pub(super) const CLEAR_RESIDUAL: f64 = 1e-9;
 
-/// With more coordinates at most 200 generators join. Each takes a time that grows with the square of the number of coordinates, and all would take
-/// seconds.
+/// With more coordinates at most 200 generators join the nearest forces. The time for each grows with the square of the number of coordinates; more
+/// would take seconds.
 pub(super) const MOST_COORDINATES: usize = 600;

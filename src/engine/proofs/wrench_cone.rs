@@ -24,7 +24,7 @@ use crate::numerics::{NearestPoint, Size, Vector, unit};
 use crate::object::{Problem, uses_band};
 use crate::prelude::*;
 
-/// A force of one contact whose wrench is one unit long.
+/// A force of one contact, scaled so that its wrench has length one.
 #[derive(Debug, Clone)]
 pub(crate) struct Generator {
     pub(crate) contact: usize,
@@ -40,8 +40,8 @@ impl Generator {
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Work against a motion while the normal force grows by the length of this generator. Of much friction a small part of the length is normal, so
-    /// that forces of the size of the load have large shares.
+    /// Work against a motion per unit of normal force. With large friction the force is mostly tangential: normal forces of the size of the load then
+    /// need large multiples of this generator.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -58,7 +58,7 @@ pub(crate) struct NearestForces {
     pub(crate) shares: Vec<(Generator, f64)>,
 }
 
-/// The nearest sum of the given straight generators, and of generators of round cones that `round` adds where needed.
+/// The nearest sum of generators: those of `straight` cones, which are not round, and those that `round` returns for a motion, on round cones.
 pub(crate) fn nearest_forces(
     size: Size,
     straight: &[Generator],
@@ -68,10 +68,10 @@ pub(crate) fn nearest_forces(
     let mut target = target.clone();
     target.reach(size);
     let mut nearest = NearestPoint::new(target.as_slice());
-    // By its number a straight generator joins once; generators of round cones are all different.
+    // Generators of round cones that have joined; their tags follow those of the straight ones.
     let mut joined: Vec<Generator> = Vec::new();
-    // Most generators that join: two hundred, and four more for each coordinate. As a rule straight cones need no more to carry a load. Near the
-    // boundary of round cones each new generator reduces the distance only by a part.
+    // Most generators that join: two hundred, and four more for each coordinate. Straight cones rarely need more to carry a load. Near the boundary
+    // of round cones each new generator reduces the distance only by a factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, against) = loop {
@@ -108,8 +108,8 @@ struct LoadAndCones<'p, 'g> {
     problem: &'p Problem<'g>,
     straight: Vec<Generator>,
     load: f64,
-    /// Size of load and squeeze together, to which an escape is compared. Where fingers squeeze, forces may be far larger than the load:
-    /// their work through rounding must not make up for the work of the load.
+    /// Size of load and squeeze together, with which an escape is compared. Squeezing fingers may carry forces far larger than the load, and the
+    /// rounding of their work must not outweigh the work of the load.
     data: f64,
 }
 
@@ -121,7 +121,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
     }
 
-    /// The residual of the load after the nearest forces, as a unit motion, if it is a clear proof.
+    /// The residual of the load and its nearest forces, as a unit motion, if it is a clear proof.
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
         let round = |v: &Vector| round_generators(self.problem, v).collect();
@@ -130,7 +130,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         self.is_proof(&v).then(|| v.normalize())
     }
 
-    /// Whether any given motion separates.
+    /// Whether a motion from any source separates the load from all admissible forces, clearly beyond rounding.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut against = 0.0_f64;
         self.straight.iter().for_each(|g| against = against.max(g.works_against(v)));
@@ -148,7 +148,7 @@ pub(crate) fn separating_motion_of_few(problem: &Problem) -> Option<Vector> {
 
 /// The unit separating motion in inside coordinates, if there is a clear one.
 ///
-/// With many coordinates the augmented Lagrangian looks for it. Where its residual proves nothing, the nearest forces decide, for at most
+/// With many coordinates the augmented Lagrangian searches for it. If its residual proves nothing, the nearest forces decide, for at most
 /// [`MOST_COORDINATES`] coordinates.
 pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     let all = LoadAndCones::of(problem)?;
@@ -162,7 +162,7 @@ pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     }
 }
 
-/// The sum of the wrenches of springs that the commands alone stretch.
+/// Sum of the norms of the springs' wrenches if the commands act and the object does not move.
 fn squeeze(problem: &Problem) -> f64 {
     let pushed =
         |(site, offset): (&Site, &SVector<f64, 3>)| site.map.pushed_norm(&site.springs.force(offset));
@@ -188,7 +188,7 @@ pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
     let against = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
-    // The next load is larger by the size of load and squeeze together.
+    // The second load exceeds the first by the size of load and squeeze together.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
     gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)

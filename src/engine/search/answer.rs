@@ -7,7 +7,7 @@ use crate::grasp::Coordinates;
 use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 
-/// By which rule a solution was found; with several equilibria this says which one it is.
+/// The rule by which a solution was found; if several equilibria exist, it says which one this is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -15,18 +15,18 @@ use crate::prelude::*;
 pub enum FoundBy {
     /// Everything sticks: the elastic trial state satisfies every condition. No complementarity problem was made.
     EverythingSticks,
-    /// Everything that touches sticks: with the contacts open that would pull, the rest satisfies every condition stuck. No
-    /// complementarity problem was made.
+    /// Everything that touches sticks: contacts that would pull are open, and all others satisfy every condition while they stick. No complementarity
+    /// problem was made.
     EverythingTouchingSticks,
     /// Lemke's method on the kinematic form: the end of a path of jumps from the trial state.
     KinematicForm,
-    /// Newton's method on the forces with which the contacts answer a motion of the object. On the round cone, with few contacts, it starts where the
-    /// stuck grasp relaxes to, and so finds that one of several equilibria; otherwise at the trial state.
+    /// Newton's method for the motion of the object, of which each contact force is a function. On the round cone with few contacts it starts near
+    /// the equilibrium to which the stuck grasp relaxes, and so finds that one of several; otherwise it starts at the trial state.
     Newton,
     /// Lemke's method on the force form: the end of a path of forces from zero.
     ForceForm,
-    /// The first combination of contact states that satisfies every condition; on the round cone, the first case of contact states and
-    /// directions of friction from which Newton's method arrives. Also what [`Grasp::equilibria`](crate::ask::Grasp::equilibria) finds that way.
+    /// The first combination of contact states that satisfies every condition; on the round cone, the first case of contact states and directions of
+    /// friction from which Newton's method converges. [`Grasp::equilibria`](crate::ask::Grasp::equilibria) finds some of its equilibria in this way.
     Enumeration,
     /// Following a load path: the states come from the path's history.
     LoadPath,
@@ -44,13 +44,13 @@ pub enum Doubt {
     /// Some combination of contact states fails so narrowly that rounding may have decided. The load is then on the
     /// boundary of the loads that the grasp can hold, up to the working precision.
     OnTheBoundary,
-    /// Contact states were found, but arms or stiffnesses of the scene lie farther apart than the working precision. Forces and
-    /// twist cannot be written down accurately: residuals exceed 1e-10 (1e-12 on the round cone).
+    /// Contact states were found, but arms or stiffnesses of the scene differ by more than the working precision resolves. Forces and twist cannot be
+    /// computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
     /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
     OutOfPivots,
-    /// On a load path: a leg takes more than [`Settings::most_steps`](crate::Settings::most_steps) steps along sliding arcs of the round cone,
-    /// or as many jumps.
+    /// On a load path: a leg needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps along sliding arcs of the round cone, or
+    /// more jumps from static to kinetic friction.
     OutOfSteps,
 }
 
@@ -62,10 +62,10 @@ pub(crate) struct Found {
     pub(crate) twist: Vector,
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
-    /// On a path, the sizes of the forces, N, and displacements, m, whose sums these are: rounding is relative to them where the sums vanish.
+    /// On a path, the sizes of the forces, N, and displacements, m, that were added up to this solution. They scale rounding where the sums vanish.
     /// Zero for a solution without a path.
     pub(crate) sizes: [f64; 2],
-    /// On the round cone, the largest change of a contact force from the polygon's answer.
+    /// On the round cone, the largest change of a contact force from the answer on polygons, N.
     pub(crate) from_polygon: Option<f64>,
 }
 
@@ -133,7 +133,8 @@ pub(crate) enum Settled {
     Separating(Vector),
     /// Each combination of contact states fails clearly; their number.
     NoneOf(usize),
-    /// On the round cone, each case contradicts itself. An escape from this proof is larger than the data by the factor `escape`.
+    /// On the round cone, each case contradicts itself. An equilibrium that escapes this proof through rounding would exceed the data by the factor
+    /// `escape`.
     Contradicted {
         cases: usize,
         escape: f64,

@@ -19,11 +19,11 @@ pub(crate) enum Judged {
         /// Whether the violation is small enough to be rounding.
         doubtful: bool,
     },
-    /// No forces of these states balance the load.
+    /// No forces balance the load in these states.
     Unbalanced,
 }
 
-/// Solves the piece with these states and checks every inequality.
+/// Solves the linear problem of these states and checks every inequality.
 pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
     if problem.locals().zip(&states).any(|(local, state)| local.excludes(state)) {
         return Judged::Violated { doubtful: false };
@@ -38,7 +38,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
     }
 }
 
-/// A proposal that does not hold, returned unchanged.
+/// A proposal that breaks a condition, with its solution.
 pub(super) struct Refused {
     pub(super) states: Vec<State>,
     pub(super) at: PieceState,
@@ -46,7 +46,7 @@ pub(super) struct Refused {
     doubtful: bool,
 }
 
-/// Checks every inequality for a solution of the piece with these states.
+/// Checks every inequality for the solution `at` of the piece with these states.
 pub(super) fn admit(
     problem: &Problem,
     states: Vec<State>,
@@ -55,7 +55,7 @@ pub(super) fn admit(
 ) -> Result<Found, Refused> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
-    // Most verdicts do not depend on the growth of errors, which costs as much as the factorisation: it is computed on demand.
+    // Most verdicts do not need the amplification of errors, which costs as much as the factorisation: it is computed on demand.
     let exceeds = |worst: f64, part: f64| {
         // Upper bound of the tolerance, however badly conditioned the piece is.
         worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| piece.growth())
@@ -63,8 +63,8 @@ pub(super) fn admit(
     let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    // An inequality may be violated by this part of its size, times the growth of errors in the piece. Ties are the normal case in symmetric
-    // grasps: a slack that is exactly zero comes out as a few roundings of 1e-16.
+    // An inequality may be violated by this part of its size, times the amplification of errors by the piece. In symmetric grasps ties are normal: a
+    // slack that is exactly zero comes out as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // The piece has a family of solutions. The one of least norm is not admissible, but another one may be.
         let free = free_motions.iter().map(|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
@@ -79,14 +79,14 @@ pub(super) fn admit(
                     *f += change * *tau;
                 }
             }
-            // Violations are relative to the sizes before the shift: a shift so long that its rounding shows is refused.
+            // Violations are relative to the sizes before the shift, so that a shift is refused if it is so long that its rounding shows.
             let values = slacks(problem, &states, there).0;
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
     }
     if exceeds(worst, ZERO_SLACK) {
-        // A violation below this (times growth) is neither rounding nor clearly a violation. The proposal is not accepted, but its failure proves
-        // nothing either.
+        // A violation below this part (times the amplification) is neither rounding nor clear. The proposal is refused, but its failure proves
+        // nothing.
         return Err(Refused { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
@@ -98,11 +98,11 @@ pub(super) fn admit(
     Ok(Found { free_motions, neutral_motions, ..Found::new(states, forces, twist) })
 }
 
-/// Checks balanced forces of a regular piece: it has one solution, and rounding does not grow in it.
+/// Checks the solution of a regular piece, which is unique and does not amplify rounding.
 pub(super) fn admit_regular(problem: &Problem, states: Vec<State>, state: PieceState) -> Option<Found> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
-        // This comparison also refuses NaN.
+        // The comparison is false for NaN.
         holds &= value >= -ZERO_SLACK * size;
     });
     holds.then(|| Found::new(states, state.forces, state.twist))
@@ -138,8 +138,8 @@ pub(crate) fn for_each_condition(
     }
 }
 
-/// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. Where commands alone move a statically determinate grasp, no force changes.
-/// Its forces are rounding. The sizes therefore include the part `NO_FORCE` of the least force that its springs could have.
+/// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. If commands alone move a statically determinate grasp, its computed forces are rounding
+/// of zero. The sizes therefore include the part `NO_FORCE` of the least force that its springs could have.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;
@@ -189,8 +189,8 @@ fn least_admissible_shift(
             let stretch = -site.map.tr_mul(motion);
             let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, |rate, rate_size| {
-                // A rate of an inequality along a unit motion below this part of its size is rounding of zero: a very long motion must not satisfy
-                // the inequality with it.
+                // A rate of an inequality along a unit motion below this part of its size is rounding of zero: otherwise a very long motion could
+                // seem to satisfy the inequality.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {
                     rows[i].1[k] = rate / sizes[i];
                 }

@@ -12,7 +12,7 @@ use crate::numerics::mapped;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// A search for an equilibrium, with its elastic trial state.
+/// A search for an equilibrium: the problem, and the solution of its elastic trial, in which everything sticks.
 pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
@@ -36,7 +36,7 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         Self { problem, settings, unjumped, trial, state, proposing, with_edges }
     }
 
-    /// The problem on which Lemke's method proposes. For the round cone its polygons are turned to the trial tractions.
+    /// The problem for Lemke's method. On the round cone it has polygons, rotated to the friction forces of the trial.
     pub(super) fn proposing(&self) -> &Problem<'g> {
         if !self.problem.round {
             return self.problem;
@@ -44,8 +44,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         self.proposing.get_or_init(|| on_polygons(self.problem, self.settings.cone, &self.state.forces))
     }
 
-    /// [`Self::proposing`] with facets for infinite friction, if any contact has it. Such a contact loses its tangential force when it
-    /// opens, which only facets can express.
+    /// [`Self::proposing`] with facets for infinite friction, if any contact has it. Such a contact loses its tangential force when it opens, and
+    /// only facets can express this.
     pub(super) fn with_edges(&self) -> Option<&Problem<'g>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =
@@ -76,8 +76,8 @@ pub(super) struct Log {
     pub(super) doubt: Doubt,
 }
 
-/// The problem with each contact's polygon turned so that one corner lies along the trial traction. While the traction
-/// keeps this direction, the polygon is as good as the round cone.
+/// The problem with each contact's polygon rotated so that one corner lies along the friction force of the trial. While friction keeps this
+/// direction, the polygon is as good as the round cone.
 pub(super) fn on_polygons<'g>(
     problem: &Problem<'g>,
     cone: PolygonCone,

@@ -35,7 +35,7 @@ pub(crate) struct Enumerated {
     pub(crate) found: Vec<Found>,
     /// Combinations tried.
     pub(crate) tried: usize,
-    /// Some combination failed so narrowly that rounding could have done it.
+    /// Whether some combination failed so narrowly that rounding may be the cause.
     pub(crate) doubtful: bool,
 }
 

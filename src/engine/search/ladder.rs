@@ -23,7 +23,7 @@ use crate::object::{Problem, newton_on_cones, relaxed_on_cones, twist_by_tresca}
 use crate::prelude::*;
 use crate::proofs;
 
-/// A rung: its name, when it is tried, and what its equilibria are found by.
+/// A rung: a method, the condition under which it is tried, and the [`FoundBy`] of its equilibria.
 pub(super) struct Rung {
     #[cfg_attr(
         not(feature = "std"),
@@ -51,7 +51,7 @@ pub(super) const LADDER: [Rung; 8] = [
     },
     Rung { name: "everything yields", applies: is_on_an_edge, climb: everything_yields, finds: None },
     Rung {
-        // Of many contacts or coordinates a separating motion is cheaper than any path, and its absence is soon known.
+        // With many contacts or coordinates the search for a separating motion is cheaper than any pivoting path, and fails early if there is none.
         name: "separating motion of many",
         applies: is_large,
         climb: separating_motion,
@@ -66,7 +66,7 @@ pub(super) const LADDER: [Rung; 8] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        // With few contacts in a band, too: there the residual of the augmented Lagrangian vanishes before the nearest forces are sharp.
+        // Also with few contacts and many coordinates: the augmented Lagrangian takes small residuals for zero that the nearest forces still resolve.
         applies: |scene| !has_many_contacts(scene),
         climb: separating_motion_of_few,
         finds: None,
@@ -127,7 +127,7 @@ fn is_large(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || scene.trial.is_banded()
 }
 
-/// Whether a form is solved with a dense matrix: of many contacts it must be affordable.
+/// Whether a form is solved with a dense matrix. With many contacts it must be affordable.
 fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
@@ -137,7 +137,8 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt
     Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
 }
 
-/// Newton's method on the forces with which contacts respond to a motion of the object, from where the stuck grasp relaxes to, or from the elastic trial.
+/// Newton's method for the motion of the object, of which each contact force is a function. It starts where the stuck grasp relaxes to, or at the
+/// elastic trial.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut Log| {
@@ -148,11 +149,11 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
         return Attempt::of(climb(scene.proposing(), &propose, log));
     }
     let from = |twist| polish_from(scene.problem, twist);
-    // With many contacts Newton's method takes less time than the steps of relaxation.
+    // With many contacts the steps of relaxation would take longer than Newton's method from the trial.
     let relaxed =
         if has_many_contacts(scene) { None } else { relaxed_on_cones(scene.problem, &scene.state.twist) };
     let found = relaxed.and_then(from).or_else(|| from(scene.state.twist.clone()));
-    // With many coordinates Tresca friction leads to a nearer twist.
+    // With many coordinates the twist by Tresca friction is nearer to the solution than that of the trial.
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
@@ -168,15 +169,15 @@ fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// The same by the nearest forces.
+/// The same motion, searched for among the nearest forces only.
 fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. Of many coordinates it pivots on the contacts that leave the trial, then on a dense matrix, and on lists of
-/// contact states only where a matrix is too large. Of few coordinates a pivot on lists costs a few numbers a contact: lists come first. Facets for
-/// infinite friction come last.
+/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the trial, then on a dense matrix. It
+/// pivots on lists of contact states only if a matrix is too large. With few coordinates lists come first, since a pivot on them costs a few
+/// operations a contact. Facets for infinite friction come last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let (problem, dense) = (scene.proposing(), may_be_dense(scene));
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
@@ -189,8 +190,8 @@ fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     if scene.trial.is_banded() {
         found = climb(problem, &of_the_leaving, log);
     }
-    // With few contacts the path on the matrix is kept: another covering vector may end in another of several equilibria. With many coordinates a pivot
-    // on lists solves a system of all of them, and costs more than one on a matrix that is affordable.
+    // With few contacts only the matrix is used: other pivots may end in another of several equilibria. With many coordinates a pivot on lists solves
+    // a system of all coordinates, which costs more than a pivot on an affordable matrix.
     let lists = problem.len() >= 8 && !(dense && scene.trial.is_banded());
     if lists && found.is_none() {
         found = climb(problem, &on_states, log);
@@ -215,7 +216,7 @@ fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     Attempt::of(climb(scene.proposing(), &propose, log))
 }
 
-/// Every case, where they are few. On the round cone branch and bound divides contact states and directions of friction; elsewhere cases are
+/// Tries every case, if they are few. On the round cone branch and bound divides contact states and directions of friction; elsewhere cases are
 /// combinations of contact states.
 fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let (most, problem) = (most_cases(scene.problem, scene.settings), scene.proposing());

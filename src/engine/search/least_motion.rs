@@ -1,8 +1,8 @@
-//! The nearest place of the object where its states leave motions free.
+//! The position of the object that is reported if its contact states leave motions free: the nearest admissible one.
 //!
-//! Forces do not depend on free motions V. Any place `q = q₀ + V z` is a solution as long as gaps and slips keep their signs, which are
-//! conditions `c + g·z >= 0`. The place q₀ closes the gaps of contacts that touched before anything moved, in the sense of least squares.
-//! From q₀ the place of least |z| is unique. It depends neither on the rung that found the states nor on the frame.
+//! Forces do not depend on free motions V. Any position `q = q₀ + V z` is a solution as long as gaps and slips keep their signs, which are conditions
+//! `c + g·z >= 0`. The position q₀ closes the gaps of contacts that touched before anything moved, in the sense of least squares. From q₀ the
+//! position of least |z| is unique. It depends neither on the rung that found the states nor on the frame.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -14,7 +14,7 @@ use crate::numerics::{Vector, chosen, least_distance, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The solution with the shortest admissible part along its free motions.
+/// The solution shifted along its free motions to the admissible position nearest to q₀.
 pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found {
     // On the round cone conditions along a slide are not linear, as the direction depends on the slip.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {

@@ -1,7 +1,7 @@
-//! Lemke's method on the few contacts that leave the state of the elastic trial, where there are many contacts.
+//! Lemke's method for many contacts, of which few leave the state of the elastic trial: only these pivot.
 //!
-//! A contact that breaks a condition enters the pivoting set; all others keep their states. The states found may make others break a condition: these
-//! join, until no contact does. Where many contacts leave the trial, Tresca friction gives nearer states; again few contacts break a condition.
+//! A contact that breaks a condition enters the pivoting set; all others keep their states. The new states may make other contacts break a condition.
+//! These join, until no contact does. If many contacts leave the trial, Tresca friction gives nearer states, in which few break a condition.
 
 use alloc::sync::Arc;
 
@@ -16,7 +16,7 @@ use crate::numerics::chosen;
 use crate::object::{Piece, PieceState, Problem, states_by_tresca};
 use crate::prelude::*;
 
-/// States that all contacts keep except the pivoting set, whose contacts stick, with their solved piece.
+/// The start of a path: states in which the contacts of the pivoting set stick, with the solution of their piece.
 struct Base {
     states: Vec<State>,
     piece: Arc<Piece>,
@@ -61,7 +61,7 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // Most contacts in the pivoting set, neighbours included, of a path from nearer states.
+        // Most contacts in the pivoting set, neighbours included, of a path from these nearer states.
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }

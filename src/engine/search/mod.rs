@@ -1,21 +1,21 @@
-//! The search for contact states: the ladder, its rungs, and the check that every proposal must pass.
+//! The search for contact states: a ladder of methods, its rungs, and the check that every proposed solution must pass.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `answer` | the end of a search, and its effort |
 //! | `settings` | limits and tolerances that the caller may set |
-//! | `record` | what every rung makes of each search, for a report |
+//! | `record` | which rung decides each search, for a report |
 //! | `elastic_trial` | input and result of a rung |
-//! | `ladder` | each way to find an equilibrium or a proof, in the order in which they are tried |
-//! | `leaving` | Lemke's method on the few of many contacts that leave the trial |
-//! | `touching` | all contacts that touch stick |
-//! | `proposals` | Lemke's method proposes states |
-//! | `candidate` | a proposal solved and checked |
-//! | `round_pieces`, `polish` | to the round cone, from the trial or from a polygon's answer |
+//! | `ladder` | the methods that find an equilibrium or a proof, in the order in which they are tried |
+//! | `leaving` | with many contacts: Lemke's method on those that leave the elastic trial |
+//! | `touching` | the equilibrium in which all closed contacts stick |
+//! | `proposals` | contact states proposed by Lemke's method |
+//! | `candidate` | proposed contact states, solved and checked |
+//! | `round_pieces`, `polish` | Newton's method on the round cone, from the elastic trial or from an answer on polygons |
 //! | `enumerate` | every combination of states |
-//! | `solution_interval` | a twist that is one end of an interval |
-//! | `without_force` | what touches without force is open |
-//! | `tree`, `relaxed` | on the round cone: branch and bound over what contacts do |
+//! | `solution_interval` | a solution that is one end of an interval of solutions |
+//! | `without_force` | contacts that touch without force are reported as open |
+//! | `tree`, `relaxed` | on the round cone: branch and bound over contact states |
 
 mod answer;
 mod candidate;

@@ -1,8 +1,8 @@
-//! From the polygon to the round cone: Newton's method on the return map, then the last digits.
+//! From an answer on polygons to the round cone: Newton's method on the return map, then the last digits.
 //!
-//! From the twist of a polygon's answer a few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) lead to the states
-//! of the contacts on the round cone. Their piece gives the last digits ([`super::round_pieces`]). Where stiffnesses lie so far apart that the twist
-//! does not determine the forces, Newton's method fails; then the pieces are followed from the polygon's answer.
+//! From the twist of that answer a few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) lead to the states of the
+//! contacts on the round cone. Solving their linear problem gives the last digits ([`super::round_pieces`]). Newton's method fails if stiffnesses
+//! differ so widely that the twist does not determine the forces. Then `round_pieces` starts from the states of the polygons.
 
 use super::answer::Found;
 use super::candidate::{Judged, try_states};

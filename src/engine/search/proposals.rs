@@ -74,20 +74,20 @@ pub(super) fn propose_dense(
 ) -> Option<Vec<State>> {
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // On the round cone the tree comes next, which decides more than another path would. Combinations are better enumerated as contact
-    // states, where each costs one d × d system and is checked against the contact law.
+    // On the round cone one path suffices: branch and bound comes next, and decides more than another path. Elsewhere contact states are enumerated
+    // next, not bases of the complementarity problem: each costs one d × d system and is checked against the contact law.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
-    // A limit above the solver's own default is left to the solver.
+    // If the affordable number exceeds the solver's own default limit, the default applies.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
     let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
     let lcp_settings = if most_cases(problem, settings) > 0 {
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        // Covering vectors tried after a ray where there are too many contacts to try every combination.
+        // Covering vectors tried after a ray, if there are too many contacts to try every combination.
         let retries = if few { COVERING_VECTORS } else { 16 };
-        // Further paths share the work that one rung may cost.
+        // All paths together may cost no more than the work allowed for one rung.
         let paths = most_work / form.rows.len().pow(3).max(1);
         let retries = paths.saturating_sub(1).min(retries);
         lcp::Settings { prove_infeasible: problem.len() < MANY_CONTACTS, retries, ..one_path }

@@ -1,4 +1,4 @@
-//! A record of what every rung of the ladder makes of each search, for the report `rungs`.
+//! A record of which rung of the ladder decides each search, for the report `rungs`.
 
 use crate::numerics::mapped;
 
@@ -22,7 +22,7 @@ pub enum RungResult {
     Proved,
 }
 
-/// One search: what each rung makes of it alone.
+/// One search, with the result of each rung tried alone.
 #[derive(Debug, Clone)]
 pub struct RecordedSearch {
     /// The number of the rung that decided; `None` where the search stayed undecided.
@@ -48,7 +48,7 @@ pub fn recorded<T>(ask: impl FnOnce() -> T) -> (T, Vec<RecordedSearch>) {
     (answer, RECORD.take().unwrap_or_default())
 }
 
-/// Records a search that this rung has decided, if the thread records any: each rung is climbed once more, alone.
+/// Records a search and the rung that decided it, if this thread keeps a record. For this every rung that applies is tried once more, alone.
 pub(super) fn record(scene: &ElasticTrial<'_, '_>, decided: Option<usize>) {
     if RECORD.with_borrow(Option::is_none) {
         return;

@@ -1,4 +1,4 @@
-//! Equilibrium with the law of each contact replaced by its convex hull: a point of a polyhedral cone.
+//! Equilibrium with the law of each contact relaxed to its convex hull: a point of a polyhedral cone.
 //!
 //! In energy units, `e = K^{1/2}v` and `f = K^{-1/2}F`, with P the orthogonal projector on the span of `K^{1/2}Gᵀ` and f⁰ the
 //! elastic trial state, balance of forces and compatibility of stretches say
@@ -28,7 +28,7 @@ use crate::proofs::{ESCAPE, LEAST_WORK};
 /// A generator: the number of its contact, and its number among the generators of that contact.
 pub(super) type Tag = (usize, usize);
 
-/// The equation.
+/// The equation `e + P (f - e) = f⁰`.
 pub(super) struct BalanceEquation {
     /// P, column by column.
     projector: Vec<f64>,
@@ -40,7 +40,7 @@ pub(super) struct BalanceEquation {
     roots: Vec<SVector<f64, 3>>,
 }
 
-/// The result of a relaxation.
+/// The result of relaxing a case.
 pub(super) enum Relaxed {
     /// Stretches (m) and forces (N) of the contacts, as far as the relaxation determines them.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
@@ -107,7 +107,7 @@ impl BalanceEquation {
         }
     }
 
-    /// What each generator does along y: with `(1 - P) y` on its stretch and `P y` on its force.
+    /// Work of each generator along y: that of its stretch with `(1 - P) y` and of its force with `P y`.
     fn works<'r>(
         y: &'r [f64],
         projected: &'r [f64],
@@ -127,7 +127,7 @@ impl BalanceEquation {
     pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.settle(&self.target);
-        // Generators that brought nothing since the distance has last shrunk.
+        // Generators that have joined since the distance last shrunk; they are not tried again before it shrinks.
         let mut tried: Vec<Tag> = Vec::new();
         let mut least = f64::INFINITY;
         // Most generators that join, for each row of the equation.
@@ -137,7 +137,7 @@ impl BalanceEquation {
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
-            // A distance that shrinks by less than this part has not shrunk: generators tried since then are not tried again.
+            // A distance that shrinks by less than this part counts as unchanged.
             if distance < least * (1.0 - NEGLIGIBLE) {
                 least = distance;
                 tried.clear();
@@ -167,7 +167,7 @@ impl BalanceEquation {
                 nearest.settle(&self.target);
             }
         }
-        // Whatever ended the search: nothing is contradicted clearly, and to go on dividing is always sound.
+        // Nothing is clearly contradicted. The case is divided further, which is always sound.
         self.sum(hulls, nearest)
     }
 

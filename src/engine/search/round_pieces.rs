@@ -1,8 +1,8 @@
-//! Newton's method in forces and twist together, from piece to piece of the contact law on the round cone.
+//! Newton's method in forces and twist together on the round cone. Each step solves the linear problem of the present contact states.
 //!
-//! The force of a spring 1e10 times as stiff as the others is 1e10 times as sensitive to the twist. Computed from the twist alone
-//! (`object/newton`), its rounding would decide the contact state. Here forces are unknowns, too. Each contact keeps its state while the
-//! piece is solved, in twice the working precision (`object/correction`), and leaves it where the solution breaks an inequality.
+//! The force of a spring 1e10 times as stiff as the others is 1e10 times as sensitive to the twist. Computed from the twist alone (`object/newton`),
+//! its rounding would decide the contact state. Here forces are unknowns, too. The linear problem of the present states is solved in twice the
+//! working precision (`object/correction`); then contacts whose inequalities fail change their states.
 
 use nalgebra::SVector;
 
@@ -14,7 +14,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, PreciseTwist, Problem, newton_on_cones};
 use crate::prelude::*;
 
-/// A state for every contact, with forces and a twist that need not solve their piece yet.
+/// A state for every contact, with forces and a twist that need not solve the linear problem of these states yet.
 #[derive(Debug, Clone)]
 pub(super) struct RoundPieces {
     states: Vec<State>,
@@ -34,7 +34,7 @@ struct Progress {
 }
 
 impl RoundPieces {
-    /// The limit of Newton's method on the twist from `from`, each contact free to change its state.
+    /// Converges by Newton's method on the twist from `from`, with every contact free to change its state.
     pub(super) fn arrived(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
         // Imbalance, as a part of the forces, at which Newton's method on the twist ends; steps on the pieces reduce the rest.
@@ -43,7 +43,7 @@ impl RoundPieces {
         Some(Self { states, forces, twist: PreciseTwist::new(problem.size(), twist) })
     }
 
-    /// The solution of the polygons' piece with these states.
+    /// Starts from a solution on polygons, with its states carried over to the round cone.
     pub(super) fn on_polygons(problem: &Problem, states: &[State], near: &PieceState) -> Self {
         let state = |(local, (state, force)): (LocalLaw<'_>, (&State, &SVector<f64, 3>))| {
             if state.slides() && !local.is_on_an_edge() {
@@ -70,8 +70,8 @@ impl RoundPieces {
         let most_steps = 20;
         for step in 1..=most_steps {
             let Progress { sharp, near, settled } = self.step(problem, &piece);
-            // Farthest answer from the start, as a multiple of the twist and offsets there: beyond, hardly a digit of the contacts' stretch is left.
-            // Beside a locking angle steps lead there, where another rung finds an equilibrium close by.
+            // Longest twist, as a multiple of the initial twist and offsets: beyond, hardly a digit of the contacts' stretch is left. Near a locking
+            // angle steps run away like this, although another rung finds an equilibrium close by.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }
@@ -79,13 +79,13 @@ impl RoundPieces {
             if last && let Some(found) = self.admitted(problem, &piece) {
                 return Some(found);
             }
-            // While a motion is free, gaps along it are arbitrary.
+            // While a motion is free, gaps along it are arbitrary, and open contacts stay open.
             let closing = sharp || piece.free_motions().is_empty();
             let left = self.leave_states(problem, closing);
             if sharp && !left {
                 return None;
             }
-            // Close to the solution the old tangent is accurate enough: the next step is smaller by the same factor.
+            // Close to the solution the old tangent is accurate enough: each step is smaller than the one before by the same factor.
             if left || !near {
                 piece = Piece::new(problem, &self.states);
             }
@@ -131,7 +131,7 @@ impl RoundPieces {
     fn admitted(&self, problem: &Problem, piece: &Piece) -> Option<Found> {
         let Self { states, forces, twist } = self.clone();
         let at = PieceState { forces, twist: twist.value() };
-        // Steps leave an imbalance only along loads that no spring of the piece resists.
+        // An imbalance remains only along motions that no spring of the piece resists.
         if !piece.resists(&problem.wrench) || !balanced(problem, &at) {
             return None;
         }
@@ -145,8 +145,8 @@ impl RoundPieces {
         admit(problem, states, piece, at).ok()
     }
 
-    /// Whether a motion turns the friction of a sliding contact. It is then not free, but resisted by less than rounding of the stiffest
-    /// spring, and its end is unknown.
+    /// Whether a motion turns the friction of a sliding contact. Such a motion is not free: its resistance is only lost in the rounding of the
+    /// stiffest spring, and its length is unknown.
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide| slide.across().dot(&site.map.tr_mul(motion)).abs();
@@ -155,8 +155,8 @@ impl RoundPieces {
         })
     }
 
-    /// Changes states that do not hold and turns each slide into the direction of the contact's stretch. Returns whether a state was left.
-    /// Open contacts close only if `closing`.
+    /// Changes states whose inequalities fail, and turns each slide into the direction of the contact's stretch. Returns whether a contact changed
+    /// its kind of state. Open contacts close only if `closing`.
     fn leave_states(&mut self, problem: &Problem, closing: bool) -> bool {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
@@ -166,7 +166,7 @@ impl RoundPieces {
             let precise =
                 |axis: usize| self.twist.stretch(site, axis, problem.offsets[contact][axis]).value();
             let stretch = SVector::<f64, 3>::from_fn(|axis, _| precise(axis));
-            // A state is left where its inequality fails by more than this part of its terms.
+            // A state changes if its inequality fails by more than this part of its terms.
             let fails = 1e-14;
             let touches = closing && stretch[0] > fails * problem.span(contact, &twist);
             let (state, force) = (self.states[contact], &mut self.forces[contact]);
@@ -184,8 +184,8 @@ impl RoundPieces {
     }
 }
 
-/// The next state of a contact; sets its force where it opens or slides on the round cone. An open contact may touch again, and a closed
-/// contact may pull.
+/// The next state of a contact; sets its force if it opens or slides on the round cone. `touches` says that an open contact touches again, `pulls`
+/// that a closed contact pulls.
 fn next_state(
     local: &LocalLaw<'_>,
     state: &State,

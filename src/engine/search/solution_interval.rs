@@ -1,6 +1,6 @@
-//! A twist at one end of an interval of solutions, completed by the motion along which others hold as well.
+//! A solution at one end of an interval of solutions is reported with the free motion along that interval.
 //!
-//! Where friction is exhausted at every contact that could resist a motion, forces do not determine the object's place along it. States in which one
+//! If friction is exhausted at every contact that could resist a motion, forces do not determine the object's position along it. States in which one
 //! of these contacts sticks belong to the end of the interval at which it has not slipped: they hold, but show no free motion.
 
 use nalgebra::{Matrix, SVector};
@@ -17,7 +17,7 @@ use crate::prelude::*;
 /// The same forces in states that show the free motions: contacts on an edge of their cone slide, contacts without force part. `found` itself if
 /// these states do not hold.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
-    // In space, springs across the slip resist; in the plane no tangential direction is left.
+    // In space the springs perpendicular to the slip resist, and leave no such motion.
     if problem.space() == Space::Spatial {
         return found;
     }
@@ -36,7 +36,8 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found
     }
 }
 
-/// The states in which every sticking contact that may yield does: without force it opens, on an edge it slides. `None` if no contact may.
+/// The states in which every sticking contact at a limit yields: without force it opens, on an edge of its cone it slides. `None` if no contact is at
+/// a limit.
 fn yielding(problem: &Problem, found: &Found) -> Option<Vec<State>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();

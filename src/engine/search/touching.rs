@@ -18,10 +18,9 @@ pub(super) fn touching_contacts(
     // `piece` stays empty in the first round: the initial states have already failed.
     let mut piece = None;
     let mut changed = Vec::new();
-    // Every contact usually changes once; the bound ends cycles.
-    // With more contacts, all that pull open together.
+    // Up to this number of contacts one opens at a time; of more contacts all that pull open together.
     let one_by_one = 64;
-    // Most rounds where contacts open together.
+    // Every contact usually changes once; this limit of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
         // Few contacts open one at a time: a contact that pulls makes others pull that no longer do once it is open. The first to open is

@@ -1,9 +1,9 @@
 //! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states.
 //!
-//! A case restricts each contact by a [`Label`]; the first case restricts none. Its relaxation ([`super::relaxed`]) contradicts it, or
-//! gives a stretch and a force for every contact. In some cases Newton's method starts there. Where it does not converge, the
-//! contact farthest from its law is divided into two labels, which make two cases. The relaxation comes closer to
-//! the law with every division, so that in the end cases are contradicted or Newton's method converges.
+//! A case restricts each contact by a [`Label`]; the first case restricts none. The relaxation of a case ([`super::relaxed`]) contradicts it, or
+//! gives a stretch and a force for every contact, from which in some cases Newton's method starts. Unless it converges, the contact farthest from its
+//! law is divided into two labels, which make two cases. Every division brings the relaxation closer to the law, until cases are contradicted or
+//! Newton's method converges.
 
 use alloc::rc::Rc;
 
@@ -23,7 +23,7 @@ use crate::proofs::ProofStep;
 #[derive(Debug, Clone)]
 pub(super) enum Tree {
     Found(Found),
-    /// Each case is contradicted. An escape from this proof is larger than the data by the factor `escape`.
+    /// Each case is contradicted. An equilibrium that escapes this proof through rounding would exceed the data by the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
@@ -41,8 +41,7 @@ struct Case {
     divided: Option<usize>,
 }
 
-/// Whether friction may have every direction on a circle. Without round cones the polygons decide completely, and rates on an
-/// edge are on a facet.
+/// Whether some contact has a round cone. Otherwise combinations of states on polygons are complete; in rates, a contact on an edge has a facet.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -54,13 +53,13 @@ pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     if problem.len() > 32 || !has_round_cones(problem) {
         return 0;
     }
-    // A case takes as long as the cube of the number of contacts over this many combinations of contact states.
+    // A case of n contacts takes as long as n³ over this number of combinations of contact states.
     let by_size = settings.most_states.saturating_mul(400) / problem.len().pow(3);
-    // Least cost of a case in combinations, however few contacts: the first relaxation has its cost, too.
+    // With few contacts, too, a case costs at least as much as five combinations.
     by_size.min(settings.most_states / 5)
 }
 
-/// Searches every case, at most `most_cases`.
+/// Searches case by case, at most `most_cases`; `record` receives the steps of a proof.
 pub(super) fn search_tree(
     problem: &Problem,
     trial: &Piece,
@@ -160,7 +159,7 @@ fn farthest_from_the_law(
         let answer = local.answer(&stretches[contact], 0.0);
         let off = balance.part(contact, &(forces[contact] - answer.force));
         error = error.max(off);
-        // Weight of the error of a contact that is neither open nor closed yet: before its division, other divisions contribute little.
+        // Weight of the error of a contact whose label restricts nothing yet: before it is divided, other divisions contribute little.
         let weighed = if labels[contact] == Label::Anything { 3.0 * off } else { off };
         if weighed > worst {
             (farthest, worst) = (contact, weighed);

@@ -29,7 +29,8 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled
     }
 }
 
-/// A solution with its twist, and with the states and free motions that are reported of a problem at rest.
+/// The solution as it is reported for a problem at rest: contacts without force are open, and free motions are shown. Twist and sizes stay those of
+/// `found`.
 pub(crate) fn told_at_rest(problem: &Problem, found: Found) -> Found {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let told = on_the_solution_interval(problem, open);
@@ -40,7 +41,7 @@ pub(crate) fn told_at_rest(problem: &Problem, found: Found) -> Found {
 /// nothing then defines a small force.
 fn opened(problem: &Problem, found: &Found) -> Option<Found> {
     let largest = largest(&found.forces, &Matrix::norm);
-    // The scale is the largest span of all contacts: the own span of a contact without motion is zero.
+    // The scale is the largest displacement of all contacts: that of a contact which does not move is zero.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));
     let farthest = spans.fold(0.0, f64::max);
     let mut states = found.states.clone();

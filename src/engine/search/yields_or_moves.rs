@@ -1,5 +1,5 @@
-//! Checks the proof that everything yields against all combinations of contact states: where it says that nothing balances offsets and load, no
-//! combination does.
+//! Tests the proof that everything yields against all combinations of contact states: where the proof says that no forces balance offsets and load,
+//! no combination of states does.
 
 use core::f64::consts::TAU;
 
@@ -41,7 +41,7 @@ fn tangent(draw: &mut Draw, tangents: usize) -> SVector<f64, 3> {
     }
 }
 
-/// The law of a contact in rates, if the object slips along `slip`: mostly on the edge along which it slips.
+/// A random law in rates for a contact that slips along `slip`: mostly the edge of its cone in that direction.
 fn law(draw: &mut Draw, normals: &[SVector<f64, 3>], slip: &SVector<f64, 3>) -> Law {
     let tangents = if normals.len() > 2 { 2 } else { 1 };
     match one_of(draw, 24) {

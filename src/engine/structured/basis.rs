@@ -8,8 +8,7 @@
 //! x   = P u - k z₀,      P = 1 - B_A Z,  k = B_A ζ
 //! ```
 //!
-//! and leaves the balance of the object, `T y + c₀ z₀ = b` with `c₀ = Σ Qᵀk` and `b = Σ Qᵀ(P - 1)
-//! x⁰`.
+//! What remains is equilibrium of the object, `T y + c₀ z₀ = b` with `c₀ = Σ Qᵀk` and `b = Σ Qᵀ(P - 1) x⁰`.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,8 +16,7 @@ use super::contact_form::{ContactForm, PairedContact};
 use crate::object::{Slipping, Sums, normal};
 use crate::prelude::*;
 
-/// Indices of the right-hand sides of the balance: of the trial state, of the covering vector, and of the
-/// perturbation by which ties are broken.
+/// Indices of the right-hand sides of equilibrium: that of the trial state, of the covering vector, and of the perturbation that breaks ties.
 pub(super) const TRIAL: usize = 0;
 pub(super) const COVER: usize = 1;
 pub(super) const PERTURBED: usize = 2;
@@ -77,17 +75,17 @@ impl Active {
 /// The linear response of a contact in a given state to u and z₀.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reaction {
-    /// P.
+    /// The projection P.
     pub(super) hold: SMatrix<f64, 3, 3>,
     /// Rows of Z.
     pub(super) multipliers: [SVector<f64, 3>; 3],
-    /// ζ and k.
+    /// ζ and k of the covering vector.
     pub(super) cover: Jumps,
-    /// ζ and k for the perturbation by which ties are broken.
+    /// ζ and k of the perturbation that breaks ties.
     pub(super) tie: Jumps,
 }
 
-/// Jumps of the active pairs of a contact, and the change of x that they cause.
+/// ζ and k: the rates at which z of the active pairs and x of the contact decrease with z₀, or with the perturbation.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Jumps {
     pub(super) of_pairs: [f64; 3],
@@ -101,15 +99,14 @@ impl Reaction {
         Self { hold: SMatrix::identity(), multipliers: [zero; 3], cover: none, tie: none }
     }
 
-    /// The coefficients of u and z₀ in `row·x + d z₀`.
+    /// The coefficients of u and z₀ in the slack `row·x + d z₀` of a pair.
     pub(super) fn feels(&self, row: &SVector<f64, 3>, d: f64) -> (SVector<f64, 3>, f64) {
         (self.hold.tr_mul(row), d - row.dot(&self.cover.of_x))
     }
 }
 
 impl ContactForm {
-    /// The response of a contact in a state. `None` if the slips of the active pairs are not independent, which no exact basis
-    /// has.
+    /// The response of a contact with these active pairs. `None` if their slips are linearly dependent, which no exact basis has.
     pub(super) fn reaction(&self, local: &PairedContact, active: Active) -> Option<Reaction> {
         let (gap, facets) = (active.position(0).filter(|_| local.contact.gap), self.pairs_of(local));
         let slipping = active.iter().enumerate().filter(|(a, _)| gap != Some(*a));
@@ -166,11 +163,11 @@ impl ContactForm {
     }
 }
 
-/// A list of contact states.
+/// A complementary basis: the active pairs of every contact, and its linear response.
 #[derive(Debug, Clone)]
 pub(super) struct StateBasis {
     pub(super) active: Vec<Active>,
-    /// Valid for contacts that jump only.
+    /// Valid only for contacts with active pairs.
     reactions: Vec<Reaction>,
     sticking: Reaction,
 }
@@ -182,7 +179,7 @@ impl Default for StateBasis {
 }
 
 impl StateBasis {
-    /// Sets every contact to its trial state.
+    /// Sets every contact to its trial state, without active pairs.
     pub(super) fn unjump(&mut self, contacts: usize) {
         self.active.clear();
         self.active.resize(contacts, Active::EMPTY);
@@ -195,12 +192,12 @@ impl StateBasis {
         self.jumped(contact).unwrap_or(&self.sticking)
     }
 
-    /// The response of a contact, if it jumps.
+    /// The response of a contact, if it has active pairs.
     pub(super) fn jumped(&self, contact: usize) -> Option<&Reaction> {
         (self.active[contact].len() > 0).then(|| &self.reactions[contact])
     }
 
-    /// Sets the state of a contact. `None` for a state that no exact basis has.
+    /// Sets the active pairs of a contact. `None` if their slips are linearly dependent, which no exact basis has.
     pub(super) fn set(&mut self, form: &ContactForm, contact: usize, active: Active) -> Option<()> {
         if active.len() > 0 {
             self.reactions[contact] = form.reaction(&form.locals[contact], active)?;

@@ -6,10 +6,9 @@
 //! x_i = u_i + B_i z_i,   u_i = x⁰_i - Q_i y,   Σ Q_iᵀ(x_i - x⁰_i) = 0,   0 <= z ⟂ w = L x + d z₀ >= 0
 //! ```
 //!
-//! The contacts are coupled only by y, the motion of the object, with as many entries as the object
-//! has degrees of freedom. Rows and columns are those of `forms/kinematic`. Columns and the rows of
-//! gaps have length one; a facet has the row (κ, c), over its tangential length, and the column (0,
-//! c). The covering variable z₀ drives the path: it is the s of the path's points.
+//! The contacts are coupled only by y, the motion of the object, with as many entries as the object has degrees of freedom. Rows and columns are
+//! those of `forms/kinematic`, scaled: columns and the rows of gaps have length one. A facet has the row (κ, c), divided by the length of its
+//! tangential part, and the column (0, c). The covering variable z₀ is the parameter of the path, stored as `Point::s`.
 
 use nalgebra::SVector;
 
@@ -50,14 +49,13 @@ pub(crate) struct ContactForm {
     pub(super) pairs: usize,
     /// The largest |Q_i|.
     pub(super) widest: f64,
-    /// The covering vector d entry by entry, in the units of the rows; empty for ones on rows of
-    /// length one.
+    /// The covering vector d, entry by entry in the units of the rows. An empty list stands for ones, if rows have length one.
     covering: Vec<f64>,
 }
 
 impl ContactForm {
-    /// Writes the form for the trial state in which every contact sticks, from the factor of its
-    /// springs and x⁰, spring by spring.
+    /// Sets up the form on the trial state in which every contact sticks. `factor` is the orthogonal factor of the trial, and `x` lists x⁰ spring by
+    /// spring.
     pub(crate) fn assign(&mut self, problem: &Problem, factor: &Orthogonal, x: &[f64]) {
         let Self { locals, coordinates, size, pairs, widest, covering } = self;
         *size = problem.size();
@@ -83,8 +81,7 @@ impl ContactForm {
         self.locals.len()
     }
 
-    /// The pairs of a contact: the row of each, and the factor that converts an entry for a row of length one to
-    /// the row's unit.
+    /// The pairs of a contact: the row of each, and the factor that converts an entry from a row of length one to the row's unit.
     #[inline]
     pub(super) fn pairs_of(&self, local: &PairedContact) -> &[Facet] {
         self.coordinates.pairs(&local.contact)
@@ -102,7 +99,7 @@ impl ContactForm {
         self.covering.get(local.first + pair).copied().unwrap_or(unit)
     }
 
-    /// Sets the covering vector to fixed numbers without structure, different for every attempt: entries between 1/8 and
+    /// Sets the covering vector to reproducible generic numbers between 1/8 and 8, different for every attempt. Attempt 0 has all ones.
     /// 8. Attempt 0 has all ones.
     pub(super) fn scatter(&mut self, attempt: usize) {
         let mut covering = core::mem::take(&mut self.covering);

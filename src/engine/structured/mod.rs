@@ -9,7 +9,7 @@
 //! |---|---|
 //! | `contact_form` | the kinematic form contact by contact |
 //! | `basis` | a complementary basis as a list of contact states |
-//! | `variables` | the steps after which variables of a contact reach zero |
+//! | `variables` | the ratio test of one contact |
 //! | `path` | Lemke's path from basis to basis |
 //! | `proposal` | contact states for the ladder of `search` |
 

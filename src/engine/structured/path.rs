@@ -4,9 +4,9 @@
 //! its rows. Between two pivots one pair (w, z) has both variables zero, and one of the two enters.
 //! The basic variable that reaches zero first leaves, and its partner enters next, until z₀ leaves.
 //!
-//! **Ties.** Think of q + ε p with ε → 0+ and a fixed vector p without structure. Among variables that reach zero together, the one with the least
-//! change by p per rate leaves first. One more solve with the same factors gives these changes. Nothing is added to the data. If z₀ is among the tied
-//! variables, z₀ leaves.
+//! **Ties.** They are broken as if q were q + ε p, with ε → 0+ and a fixed generic vector p. Among variables that reach zero together, the one with
+//! the least ratio of its change by p to its rate leaves first. One more solve with the same factors gives these changes; the data stay as they are.
+//! If z₀ is among the tied variables, z₀ leaves.
 
 use super::basis::{COVER, PERTURBED, StateBasis, TRIAL};
 use super::contact_form::ContactForm;
@@ -22,7 +22,7 @@ use crate::prelude::*;
 /// How a path ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PivotEnd {
-    /// z₀ has left: every contact has a state of its own.
+    /// z₀ has left the basis, which is complementary: it gives every contact a state.
     Complementary,
     /// The entering variable grows without bound. On this form a ray proves nothing.
     Ray,
@@ -31,18 +31,18 @@ pub(crate) enum PivotEnd {
     Breakdown,
 }
 
-/// A path. Its memory is kept between scenes.
+/// A path of Lemke's method. Its memory is kept between scenes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct StatePath {
     pub(crate) form: ContactForm,
     pub(super) basis: StateBasis,
     pub(super) sums: Sums<3>,
     pub(crate) pivots: usize,
-    /// The number of evaluations of a contact, over all of these pivots.
+    /// Number of evaluations of single contacts, over all pivots.
     looks: usize,
     /// Largest number of evaluations, if there is a limit: above it the path ends.
     pub(crate) most_looks: Option<usize>,
-    /// Pivots since the sums were last computed afresh.
+    /// Pivots since the sums were last recomputed from all contacts.
     pub(super) age: usize,
     /// Factors of the system of the present step.
     factors: Bordered,
@@ -70,8 +70,8 @@ impl StatePath {
         self.run(first, &Point { y: Vector::zeros(), s: z0 }, limit)
     }
 
-    /// The pair with the least value per entry of the covering vector at the trial state, if a pair is
-    /// violated, and z₀ there.
+    /// The pair that is violated most at the trial state, relative to its entry of the covering vector, and the z₀ that makes its slack zero. `None`
+    /// if no pair is violated.
     fn most_violated(&self) -> Option<(Entering, f64)> {
         let form = &self.form;
         let mut least = 0.0_f64;
@@ -114,7 +114,7 @@ impl StatePath {
         law.slipping_state(facets)
     }
 
-    /// Computes the sums afresh.
+    /// Recomputes the sums from all contacts.
     pub(super) fn refresh(&mut self) {
         self.sums = self.basis.sums(&self.form);
         self.age = 0;
@@ -144,7 +144,7 @@ impl StatePath {
                 continue;
             };
             let leaving = self.blocking(&step, &entering);
-            // A smaller pivot, beside the largest change of the step, is made on fresh sums only.
+            // A pivot below this part of the step's largest change is only made on recomputed sums.
             let doubtful = match &leaving {
                 Leaving::Nobody => true,
                 Leaving::Covering => step.along.s.abs() < DOUBTFUL_PIVOT * step.largest,
@@ -188,7 +188,7 @@ impl StatePath {
     }
 
     fn is_lazy(&self) -> bool {
-        // Number of contacts below which every step evaluates all of them: a queue would cost more than it saves.
+        // With fewer contacts every step evaluates all of them: a queue would cost more than it saves.
         self.form.len() >= 24
     }
 
@@ -256,7 +256,7 @@ impl StatePath {
         };
         look(entering.contact, &mut length);
         if lazy {
-            // A repeated step: these contacts were taken from the queue before.
+            // If the step is repeated on recomputed sums, these contacts have already left the queue.
             for k in 0..pricing.looked.len() {
                 look(pricing.looked[k], &mut length);
             }
@@ -316,8 +316,7 @@ impl StatePath {
         first.map_or(Leaving::Nobody, |(candidate, _)| Leaving::Variable(*candidate))
     }
 
-    /// Makes the entering variable basic and the leaving one zero. `None` for a state that no exact
-    /// basis has.
+    /// Makes the entering variable basic and the leaving one zero. `None` if active pairs become linearly dependent, which no exact basis has.
     fn exchange(&mut self, entering: &Entering, leaving: Option<&Candidate>) -> Option<()> {
         let enters = entering.jump.then_some(entering.contact as usize);
         let leaves = leaving.filter(|l| l.jump).map(|l| l.contact as usize);

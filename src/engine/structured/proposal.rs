@@ -33,7 +33,7 @@ pub(crate) fn propose(
         x.extend((0..local.springs.axes()).map(|axis| force[axis] / local.springs.root_along(axis)));
     }
     path.form.assign(problem, trial.factor(), &x);
-    // Evaluating a contact takes a motion along each of its pairs.
+    // Multiplications to evaluate a contact: a product with the motion for each of its pairs.
     let of_a_look = (problem.size().count() * path.form.pairs).div_ceil(problem.len().max(1)).max(1);
     path.most_looks = max_pivots.is_none().then_some(most_work / of_a_look);
     let mut proposal = Proposal { states: None, pivots: 0, pairs: path.form.pairs, cut_short: false };

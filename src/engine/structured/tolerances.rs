@@ -2,6 +2,6 @@
 //!
 //! All of them are pure numbers, parts of the terms or forces that they are compared with.
 
-/// Relative error of a value: variables tie that reach zero within such errors of each other. Smaller, a symmetric scene leaves a tie to its
-/// rounding; larger, a variable becomes negative.
+/// Relative rounding error of a variable: variables that reach zero within this error of each other are tied. Smaller, rounding decides the ties of
+/// symmetric scenes; larger, a variable becomes negative.
 pub(super) const TIE: f64 = 1e-12;

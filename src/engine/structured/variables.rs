@@ -1,4 +1,4 @@
-//! The variables of one contact along a step, and the step after which one of them can reach zero.
+//! The ratio test of one contact: its variables along a step, and the step length at which one of them can reach zero.
 
 use nalgebra::SVector;
 
@@ -21,7 +21,7 @@ pub(super) struct Entering {
 pub(super) struct Candidate {
     pub(super) contact: u32,
     pub(super) pair: usize,
-    /// Whether it is the z of the pair.
+    /// Whether the variable is z of the pair, not w.
     pub(super) jump: bool,
     pub(super) vanishing: Vanishing,
 }
@@ -31,18 +31,18 @@ pub(super) struct Candidate {
 pub(super) struct Vanishing {
     pub(super) value: f64,
     pub(super) rate: f64,
-    /// Size of the terms whose sum the value is.
+    /// Sum of the sizes of the terms that add up to `value`.
     pub(super) level: f64,
 }
 
 impl Vanishing {
-    /// The step after which the value is zero.
+    /// The step length at which the value is zero.
     pub(super) fn ratio(&self) -> f64 {
         self.value.max(0.0) / -self.rate
     }
 
-    /// The step after which the value is below zero by its rounding error. Variables that
-    /// reach zero before the least of these steps count as tied.
+    /// The step length at which the value is negative by its rounding error. Variables that reach zero before the least of these lengths count as
+    /// tied.
     pub(super) fn longest(&self) -> f64 {
         let value = self.value.max(0.0);
         // Variables also tie within the rounding of the terms that a value is made of.
@@ -87,7 +87,7 @@ impl ContactForm {
                 return;
             }
             let terms = || size * (local.contact.seen.norm() * step.along.y.norm() + dz0.abs() + own_size);
-            // A rate below this part of its terms is rounding of zero: a path that took it for a rate would end far away.
+            // A rate below this part of its terms is rounding of zero: a path that followed it would end far away.
             let noise = 1e-11;
             if rate > -noise * step.largest && rate > -noise * terms() {
                 return;
@@ -112,8 +112,7 @@ impl ContactForm {
         }
     }
 
-    /// The time until which no variable of this contact can reach zero, on the clock of the direction
-    /// e.
+    /// The time until which no variable of this contact can reach zero, on the clock of `object/lazy_pricing` for the direction e.
     pub(super) fn slack(&self, basis: &StateBasis, contact: u32, at: &Point, e: &Point) -> f64 {
         let local = &self.locals[contact as usize];
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
