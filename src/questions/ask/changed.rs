@@ -1,4 +1,4 @@
-//! A grasp with other data – commands, torques, friction, squeeze – and the same settings.
+//! Copies of a grasp with other data – commands, torques, friction, squeeze – and the same settings.
 
 use alloc::sync::Arc;
 
@@ -11,17 +11,17 @@ use crate::grasp::{Contact, Engine, Face, PressOfPart, Wrench, all_inside, insid
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// A grasp with the engine of other data and the same settings.
+    /// A grasp with this changed engine and the settings of `self`.
     pub(super) fn changed(&self, engine: Result<Engine, Error>) -> Result<Self, Error> {
         Ok(Self::of(engine?).with(&self.settings))
     }
 
-    /// The grasp of an equilibrium, under the body loads that a load program had applied there.
+    /// This grasp, with the body loads that a load program had applied at `equilibrium`.
     pub(super) fn of_equilibrium(&self, equilibrium: &Equilibrium<C>) -> Self {
         let loads = &equilibrium.body_loads;
         let changed =
             (!loads.is_empty()).then(|| self.changed(self.engine.with_body_loads(&all_inside(loads))));
-        // An unknown body belongs to another grasp, about which this one has no answers anyway.
+        // This fails only for an unknown body. The equilibrium then belongs to another grasp, for which this one has no answer.
         changed.and_then(Result::ok).unwrap_or_else(|| self.clone())
     }
 
@@ -97,9 +97,9 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_joint_torques(torques))
     }
 
-    /// These bodies with further loads that grow in proportion to `load`: a question with τ times `load` applies τ times each of the others, too,
-    /// each to its body. All loads of questions, base loads included, then count as multiples of `load`; only their part along it matters. Constant
-    /// loads belong to the bodies ([`Body::load`](crate::grasp::Body::load)).
+    /// This grasp with loads on other bodies that grow in proportion to `load`. A question that applies τ times `load` then also applies τ times each
+    /// of `others` to its body. Every load of a question, base loads included, is read as a multiple of `load`: only its component along `load` counts.
+    /// Constant loads belong to the bodies ([`Body::load`](crate::grasp::Body::load)).
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
@@ -134,8 +134,8 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.growing_together(&inside(load), &named.collect::<Vec<_>>()))
     }
 
-    /// This grasp with other coefficients of friction, from the index of each contact and its present coefficient. Coefficients of [kinetic
-    /// friction](crate::grasp::Contact::kinetic) change in proportion.
+    /// This grasp with other coefficients of friction. `friction` gets the index of a contact and its present coefficient, and returns the new one.
+    /// Coefficients of [kinetic friction](crate::grasp::Contact::kinetic) change in proportion.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -152,7 +152,7 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_friction(&friction))
     }
 
-    /// This grasp with other data of its contacts, equally many; its joints stay.
+    /// This grasp with other contacts, as many as before, and the same joints.
     pub(crate) fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         self.changed(self.engine.with_data(contacts.enter(), &|_| 1.0))
     }

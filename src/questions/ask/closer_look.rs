@@ -9,10 +9,11 @@ use crate::grasp::{Wrench, inside, outside};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// All equilibria under a load, for few contacts, by trying every combination of contact states. The one that [`Self::solve`] returns is among
-    /// them. On the round cone these are that one, and those that Newton's method reaches from the equilibria of the polygon; others may be missing.
-    /// An empty list is no proof: [`Self::solve`] returns the proof, if there is one. Combinations with the same equilibrium (a contact exactly on an
-    /// edge) are listed once. A line of equilibria is listed by one of its points, with its [`neutral_motions`](Equilibrium::neutral_motions).
+    /// All equilibria under a load, for few contacts, by trying every combination of contact states. The equilibrium that [`Self::solve`] returns is
+    /// among them. On the round cone the list has that equilibrium, and those that Newton's method reaches from the equilibria on the polygonal cone;
+    /// others may be missing. An empty list is no proof: [`Self::solve`] returns the proof, if there is one. An equilibrium that satisfies several
+    /// combinations, such as a contact exactly on the edge of its cone, is listed once. Of a line of equilibria one point is listed, with its
+    /// [`neutral_motions`](Equilibrium::neutral_motions).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -33,9 +34,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.equilibria(&inside(&load.into()), &self.settings).map(outside)
     }
 
-    /// Estimated error of an equilibrium of this grasp, and its dependence on the last digits of the question: two more passes over the contacts in
-    /// twice the working precision. `None` for an equilibrium with another number of contacts, and on a load path with sliding on the round cone,
-    /// whose error is [`LoadPath::step_error`](crate::load_path::LoadPath::step_error).
+    /// Estimated error of an equilibrium of this grasp, and how much the equilibrium depends on the last digits of the data. The estimate takes two
+    /// more passes over the contacts in twice the working precision. `None` for an equilibrium with another number of contacts, and on a load path with
+    /// sliding on the round cone, whose error is [`LoadPath::step_error`](crate::load_path::LoadPath::step_error).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -54,12 +55,12 @@ impl<const C: usize> Grasp<C> {
         self.of_equilibrium(equilibrium).engine.accuracy(&inside(equilibrium))
     }
 
-    /// Whether each contact's state is clear of its neighbouring states in working precision.
+    /// Whether each contact's state can be told from its neighbouring states in working precision.
     ///
-    /// A state has conditions on gap, normal force, friction in reserve and slip. Each of them must be larger than 1e-12 of the terms whose
-    /// difference it is, and than ten times the estimated error from [`Self::accuracy`]. Where the answer is `false`, the last digits of the question
-    /// decide between, say, sticking and just sliding. Forces and displacements hardly depend on that. `None` for an equilibrium with another number
-    /// of contacts.
+    /// A state has conditions on gap, normal force, friction in reserve and slip. Each condition is a difference of two terms. It must exceed 1e-12 of
+    /// these terms, and ten times the estimated error from [`Self::accuracy`]. Where the answer is `false`, the last digits of the data decide between,
+    /// say, sticking and just sliding. Forces and displacements hardly depend on that decision. `None` for an equilibrium with another number of
+    /// contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -79,8 +80,8 @@ impl<const C: usize> Grasp<C> {
         self.of_equilibrium(equilibrium).engine.distinct(&inside(equilibrium))
     }
 
-    /// The equilibrium under a load on the round cone, and on the inscribed and the circumscribed polygon with as many facets as `settings.cone`; the
-    /// fit of that cone and `settings.round` are ignored. In the plane all three are equal.
+    /// The equilibria under a load on three cones: the round cone, and the inscribed and the circumscribed polygon with as many facets as
+    /// `settings.cone`. The fit of that cone and `settings.round` are ignored. In the plane all three are equal.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -103,8 +104,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.bracket(&inside(&load.into()), &self.settings).map(outside)
     }
 
-    /// The proof, case by case, that no equilibrium exists under a load on the round cone. `None` without a proof: an equilibrium exists,
-    /// [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or no cone is round, as in the plane.
+    /// The proof, by cases, that no equilibrium exists under a load on the round cone. `None` where an equilibrium exists, where
+    /// [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or where no cone is round, as in the plane.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -131,9 +132,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.refutation(&inside(&load.into()), &self.settings).map(outside)
     }
 
-    /// The [kinematic form](crate::forms) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything sticks. `None`
-    /// if no contact needs a row, if the load works on a motion that no contact resists, or if a number overflows. If `lcp.vector() >= 0`, everything
-    /// sticks and z = 0 is the answer. In the plane `cone` is ignored.
+    /// The [kinematic form](crate::forms) under a load. Its unknowns are gaps and slips, added to the elastic trial state in which everything sticks.
+    /// `None` if no contact can open or slide, if the load does work on a motion that no contact resists, or if a number overflows. If
+    /// `lcp.vector() >= 0`, everything sticks and z = 0 is the answer. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
@@ -162,9 +163,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.kinematic_form(&inside(&load.into()), cone)
     }
 
-    /// The [force form](crate::forms) under a load: forces as unknowns, the twist free and split in two halves
-    /// ([`Row::Balance`](crate::forms::Row::Balance)). Contacts that act both ways (bonded, kept closed, infinite friction) have springs in the rows
-    /// of the balance and no rows of their own. `None` if a number overflows. In the plane `cone` is ignored.
+    /// The [force form](crate::forms) under a load. Its unknowns are the contact forces, and the twist as a difference of two non-negative parts
+    /// ([`Row::Balance`](crate::forms::Row::Balance)). Directions that act both ways (bonded, kept closed, infinite friction) enter the balance rows as
+    /// stiffness, without rows of their own. `None` if a number overflows. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
@@ -191,9 +192,9 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Refutation<C> {
-    /// Checks the proof for a grasp and a load. Returns the least factor by which an equilibrium hidden by rounding would have to exceed the data:
-    /// stretches and forces of all contacts together, in √J, over those of the elastic trial state. `None` if the proof does not hold for this grasp
-    /// and this load, or by a factor below 1e4.
+    /// Checks the proof for a grasp and a load. Rounding could hide only an equilibrium with very large stretches and forces. The answer is a lower
+    /// bound on their norm over all contacts (in √J), relative to that of the elastic trial state. `None` if the proof does not hold for this grasp and
+    /// this load, or if the bound is below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.

@@ -13,7 +13,7 @@ use crate::load_path::Ramp;
 pub struct Energy<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<const C: usize> Energy<'_, C> {
-    /// Range of a ramp in which the minimum of the paper's program is an equilibrium; in space on the polygonal cone of the settings.
+    /// Range of the factor of a ramp in which the minimum of the paper's program is an equilibrium; in space on the polygonal cone of the settings.
     ///
     /// If every contact has friction and touches at factor 0, this is the [onset of sliding](Grasp::onset) on the polygon, found in another way.
     /// Frictionless contacts may open and close before.
@@ -63,8 +63,9 @@ impl<const C: usize> Energy<'_, C> {
 
     /// The minimum of the paper's quadratic program under a load; in space on the polygonal cone of the settings.
     ///
-    /// It equals that of [`Energy::printed_qp`](crate::ask::Energy::printed_qp) as long as the printed program opens no contact with infinite friction. Springs are
-    /// taken in series and orthogonal factors keep their digits, so rigid sides and series stiffness are allowed.
+    /// It equals that of [`Energy::printed_qp`](crate::ask::Energy::printed_qp) as long as the printed program opens no contact with infinite friction.
+    /// The springs of both sides are combined in series here, so that rigid sides and series stiffness are allowed. Orthogonal factors keep the
+    /// accuracy.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -88,7 +89,8 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.minimum_energy(&inside(&load.into()), &self.0.settings).map(outside)
     }
 
-    /// The paper's quadratic program under a load (section 5.1), in all displacements; `cone` replaces the round cone in space.
+    /// The paper's quadratic program as printed (section 5.1), with all displacements as variables, under a load. In space `cone` replaces the round
+    /// cone.
     ///
     /// ```
     /// use grasp_lcp::PolygonCone;
@@ -120,7 +122,7 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.printed_qp(&inside(&load.into()), cone).map(outside)
     }
 
-    /// Stability of an equilibrium of this grasp, with its contacts at their initial places (displacements are small).
+    /// Stability of an equilibrium of this grasp. Contact points stay at their initial places, since displacements are small.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

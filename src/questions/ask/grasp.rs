@@ -48,11 +48,11 @@ use crate::prelude::*;
 pub struct Grasp<const C: usize> {
     pub(crate) engine: Arc<Engine>,
     pub(super) settings: Settings,
-    /// Contacts, frames and links as the caller sees them, made when they are asked for.
+    /// Data that callers read, converted at the first request.
     door: Once<Arc<Door<C>>>,
 }
 
-/// The parts of a grasp that callers look at, with vectors of `C` components.
+/// The data of a grasp that callers read, with vectors of `C` components.
 #[derive(Debug)]
 struct Door<const C: usize> {
     contacts: Vec<Contact<C>>,
@@ -108,7 +108,7 @@ impl<const C: usize> Grasp<C> {
         Self { engine: Arc::new(engine), settings: Settings::default(), door: Once::new() }
     }
 
-    /// What callers see of the grasp.
+    /// The data that callers read, converted at the first request.
     fn door(&self) -> &Door<C> {
         self.door.get_or_init(|| {
             let engine = &*self.engine;
@@ -146,13 +146,13 @@ impl<const C: usize> Grasp<C> {
         Self { settings: *settings, ..self.clone() }
     }
 
-    /// The contacts for which `is_meant` is true, counted as users do: a soft fingertip is one contact, with the number of its points among them.
+    /// The contacts with a point for which `is_meant` is true. A soft fingertip counts as one contact, with the number of such points in it.
     #[must_use]
     pub fn whole_contacts(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
         self.engine.wholes().with(&is_meant)
     }
 
-    /// Indices of the points of contacts, counted as users do.
+    /// Indices of the points of these contacts, where a soft fingertip counts as one contact.
     pub(crate) fn points_of(&self, contacts: &[usize]) -> Result<Vec<usize>, Error> {
         let parts = self.engine.wholes();
         let mut points = Vec::new();
@@ -170,12 +170,12 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// Whether the grasp holds a load that is applied from rest. The [`Verdict`] says in a sentence whether it holds with everything sticking, holds
-    /// while some contacts slide, or is lost at a fraction of the load, and how. It also has first slip and gross slip as multiples of the load, up
-    /// to [`Settings::most_load`].
+    /// while some contacts slide, or is lost at a fraction of the load, and by which motion. It also has first slip and gross slip as multiples of the
+    /// load, up to [`Settings::most_load`].
     ///
-    /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. It is followed as by [`Self::follow`],
-    /// without any search, so the verdict is undecided only where that path is. For a lost load,
-    /// [`Lost::nothing_near`](crate::hold::Lost::nothing_near) proves that no equilibrium holds it near there.
+    /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. The load is followed as by [`Self::follow`],
+    /// without a search for other equilibria, so the verdict is undecided only where the path is. If the load is lost,
+    /// [`Lost::nothing_near`](crate::hold::Lost::nothing_near) proves that no equilibrium near the loss holds it.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -204,7 +204,7 @@ impl<const C: usize> Grasp<C> {
 
     /// The equilibrium under a load.
     ///
-    /// If several equilibria exist, one in which everything sticks comes first; for the others see [`FoundBy`](crate::equilibrium::FoundBy).
+    /// If several equilibria exist, one in which everything sticks is preferred; for the others see [`FoundBy`](crate::equilibrium::FoundBy).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Outcome, Wrench};
@@ -223,9 +223,8 @@ impl<const C: usize> Grasp<C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
-    /// # Errors
-    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50; [`Error::KineticFriction`] if a contact slides whose friction is
-    /// [lower](crate::grasp::Contact::kinetic) then.
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50; [`Error::KineticFriction`] if a contact slides whose [kinetic
+    /// friction](crate::grasp::Contact::kinetic) is lower.
     pub fn solve(&self, load: impl Into<Wrench<C>>) -> Result<Outcome<C>, Error> {
         self.engine.solve(&inside(&load.into()), &self.settings).map(outside)
     }
@@ -235,64 +234,64 @@ impl<const C: usize> Grasp<C> {
         self.engine.refuse_hands(question)
     }
 
-    /// Whether it is a grasp of the plane or of space.
+    /// Plane or space.
     pub(crate) fn space(&self) -> Space {
         self.engine.space()
     }
 
-    /// Whether anything presses at rest.
+    /// Whether a command, a held force, a vacuum or a constant load presses at rest.
     pub(crate) fn presses(&self) -> bool {
         self.engine.presses()
     }
 
-    /// Whether a command, a held force or a vacuum presses, all of which a [squeeze](Self::squeezed) scales.
+    /// Whether a command, a held force or a vacuum presses. All of them are scaled by [`Self::squeezed`].
     pub(crate) fn is_squeezed(&self) -> bool {
         self.engine.is_squeezed()
     }
 
-    /// Whether a command, a held force or a vacuum of a contact presses, and no joint or tendon does.
+    /// Whether this contact presses by a command, a held force or a vacuum of its own, in a grasp where no joint or tendon does.
     pub(crate) fn is_set_by_itself(&self, point: usize) -> bool {
         self.engine.is_commanded(point) && !self.engine.is_driven()
     }
 
-    /// Whether everything that acts beside the loads of questions is in proportion to the squeeze.
+    /// Whether every force that acts beside the load of a question scales with the squeeze.
     pub(crate) fn is_proportional(&self) -> bool {
         self.engine.is_proportional()
     }
 
-    /// Bodies whose own loads press, beside their weights.
+    /// Names of the bodies that have loads of their own beside their weights.
     pub(crate) fn loaded_bodies(&self) -> Vec<String> {
         self.engine.loaded_bodies()
     }
 
-    /// A verdict with the largest ratio of a motion to its limit of small motions up to the whole load.
+    /// A verdict, and the largest ratio of a motion to its limit of small motions, up to the whole load.
     pub(crate) fn hold_and_measure(&self, load: impl Into<Ramp<C>>) -> Result<(Verdict<C>, f64), Error> {
         let (verdict, farthest) =
             self.engine.hold_with(&inside(&load.into()), &self.settings, Extent::Measured)?;
         Ok((outside(verdict), farthest))
     }
 
-    /// A verdict without states, proofs and what only sentences say.
+    /// A verdict without states, proofs and the data that only its sentence needs.
     pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<Verdict<C>, Error> {
         Ok(outside(self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?.0))
     }
 
-    /// The least margin of friction at rest if every contact stuck, relative to the largest force; `None` where nothing presses or resists.
+    /// The least friction margin at rest in the elastic trial state, relative to the largest force; `None` where nothing presses or resists.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
         self.engine.sticking_margin(&inside(base), &self.settings)
     }
 
-    /// A motion which proves that no contact forces balance this load and the constant loads beside it.
+    /// A motion along which `load` and the constant loads do work that no contact forces can balance: a proof. `None` if there is no such motion.
     pub(crate) fn unbalanced_along(&self, load: &Wrench<C>) -> Result<Option<Vec<f64>>, Error> {
         self.engine.unbalanced_along(&inside(load), &self.settings)
     }
 
-    /// The work of this load and of the constant loads beside it along such a motion.
+    /// The work of `load` and of the constant loads along a motion from [`Self::unbalanced_along`].
     pub(crate) fn work_along(&self, load: &Wrench<C>, motion: &[f64]) -> Result<f64, Error> {
         self.engine.work_along(&inside(load), motion)
     }
 
-    /// Static questions: loads that some contact forces could balance, whatever springs and commands.
+    /// Static questions: which loads some contact forces could balance, whatever the springs and commands.
     #[must_use]
     pub fn statics(&self) -> Statics<'_, C> {
         Statics(self)
@@ -349,19 +348,20 @@ impl<const C: usize> Grasp<C> {
         self.engine.joint_commands()
     }
 
-    /// Name of a part of the hand in pictures and messages, or its kind and its number.
+    /// Name of a part of the hand in pictures and messages; if it has none, its kind and number.
     #[must_use]
     pub fn label_of(&self, part: HandPart) -> String {
         self.engine.label_of(part)
     }
 
-    /// Ends of the hand's links, from revolute joint to revolute joint and on to the contacts, m, in the initial posture: for pictures.
+    /// End points of the hand's links, m, in the initial posture, for pictures: from one revolute joint to the next, and from the last one to the
+    /// contacts.
     #[must_use]
     pub fn links(&self) -> &[[SVector<f64, C>; 2]] {
         &self.door().links
     }
 
-    /// Centre of each joint of the hand, m, in the initial posture: for pictures. `None` for a joint that slides, or has Jacobians alone.
+    /// Centre of each joint of the hand, m, in the initial posture, for pictures. `None` for a prismatic joint, and for one given by Jacobians alone.
     #[must_use]
     pub fn joint_centres(&self) -> &[Option<SVector<f64, C>>] {
         &self.door().joint_centres
@@ -381,7 +381,7 @@ impl<const C: usize> Hand<C> {
 }
 
 impl<const C: usize> Bodies<C> {
-    /// The grasp of these bodies. Its answers about "the object" are about the body that loads act on.
+    /// The grasp of these bodies. In its answers "the object" is the body that loads act on.
     ///
     /// # Errors
     /// [`Error::Body`] with the name of the body and the fault; others as for [`Hand::grasp`].
@@ -392,7 +392,7 @@ impl<const C: usize> Bodies<C> {
     }
 }
 
-/// The engine of a grasp without joints; contacts that are held by a force get slides.
+/// The engine of a grasp without joints. A contact with a given normal force gets a slide: a prismatic joint without a spring.
 fn engine_of_contacts(contacts: Vec<Contact<3>>) -> Result<Engine, Error> {
     if contacts.iter().any(|contact| contact.force.is_some()) {
         return Hand::new(contacts.into_iter().map(Finger::fixed)).engine(None);
@@ -400,7 +400,7 @@ fn engine_of_contacts(contacts: Vec<Contact<3>>) -> Result<Engine, Error> {
     Engine::new(contacts)
 }
 
-/// Refuses the index of a contact beyond their number.
+/// An error if the index of a contact is not below their number.
 pub(crate) fn check_contact(contact: usize, count: usize) -> Result<(), Error> {
     if contact < count {
         return Ok(());

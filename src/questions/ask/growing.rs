@@ -9,7 +9,8 @@ use crate::grasp::Wrench;
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp with the loads of a question that grow together with its `load`. The load is `None` if the question has several loads or none.
+    /// This grasp with the loads `others`, which grow together with the `load` of a question. `load` is `None` if the question has several loads or
+    /// none.
     ///
     /// # Errors
     /// As for [`check_growing`] and [`Self::growing_together`].
@@ -30,7 +31,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// Refuses loads that cannot grow together.
+/// An error for loads that cannot grow together.
 pub(crate) fn check_growing<const C: usize>(
     question: &'static str,
     base: Wrench<C>,

@@ -1,7 +1,7 @@
 //! Verdicts on many grasps, on all cores.
 //!
-//! Most verdicts of a batch say that everything sticks, and screening knows that: the first slip lies beyond the whole load, and the object turns
-//! within the limit of small motions. All other verdicts follow their load.
+//! In most rows of a batch everything sticks, and screening shows that: the first slip lies beyond the whole load, and the rotation stays within the
+//! limit of small motions. Only the other rows follow the path of their load.
 
 use core::ops::Range;
 
@@ -17,11 +17,11 @@ use crate::search::Settings;
 use crate::sweep::caught;
 
 impl<const C: usize> Grasp<C> {
-    /// The verdicts on many loads, each put on a grasp of its own, on all cores: those of [`Self::hold`], without sentences, lists and states.
+    /// The verdicts on many loads, each on a grasp of its own, on all cores. They are those of [`Self::hold`], without sentences, lists and states.
     ///
-    /// With [`Settings::most_load`] at 1, where nothing is followed beyond the whole load, verdicts on grasps of two to 64 points under which
-    /// everything sticks take a few microseconds; see [`screening`](crate::screening) for the contacts. Such a verdict has the factor of the
-    /// first slip from there, equal to that of [`Self::hold`] but for rounding. Any other verdict takes as long as [`Self::hold`].
+    /// With [`Settings::most_load`] at 1 no load beyond the whole load is followed. A row of two to 64 points in which everything sticks then takes a
+    /// few microseconds; [`screening`](crate::screening) says which contacts it supports. The factor of the first slip comes from screening and equals
+    /// that of [`Self::hold`] up to rounding. Any other row takes as long as [`Self::hold`].
     ///
     /// The verdicts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
     ///
@@ -53,7 +53,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// The verdicts on some rows, on one thread.
+/// The verdicts on a range of rows, on one thread.
 fn held<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,
@@ -64,7 +64,7 @@ fn held<const C: usize>(
     let limit = settings.small_motions.rotation;
     let mut verdicts = Vec::with_capacity(rows.len());
     for (number, sticking) in rows.zip(sticking) {
-        // Nearer to the whole load or to the limit rounding would decide.
+        // Closer to the whole load, or to the limit, rounding would decide.
         let clear = sticking.filter(|WhileSticking { first, turn }| {
             first.holds_up_to(1.0 + NEGLIGIBLE) && *turn <= limit * (1.0 - NEGLIGIBLE)
         });

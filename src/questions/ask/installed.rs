@@ -1,4 +1,4 @@
-//! Links whose tension at rest is given: the commands, before anything gives way, that lead to these tensions.
+//! Links with a given tension at rest: Newton's method for the commands under which each link carries its tension.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -10,7 +10,7 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 
 impl Grasp<3> {
-    /// This grasp with commands such that links pull at rest with their given tensions.
+    /// This grasp with commands under which each such link pulls with its given tension at rest.
     pub(super) fn installed(self) -> Result<Self, Error> {
         let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest;
         let told: Vec<(usize, f64)> = self
@@ -35,7 +35,7 @@ impl Grasp<3> {
             // Step of the difference quotient, relative to the stretch of the link's spring under its tension. It is small, so that contacts
             // hardly ever change state within it; if none does, the quotient is exact.
             let nudge = 1e-3;
-            // Column k: the change of the missing tensions as the command of link k grows by a small part of the stretch of its spring.
+            // Column k: the change of the missing tensions as the command of link k grows by `nudge` times the stretch of its spring.
             let mut change = DMatrix::zeros(told.len(), told.len());
             for (k, (i, force)) in told.iter().enumerate() {
                 let mut pulled = commands.clone();

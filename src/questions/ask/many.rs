@@ -39,8 +39,8 @@ impl<const C: usize> Grasp<C> {
 
     /// The load up to which everything sticks with `sigmas` standard deviations in reserve, on top of a base load and in any direction. Of all grasps
     /// within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – slides below [`Reserve::along`]. All contacts count, not only the
-    /// first one to slide. The effect of each datum on the forces is followed beyond its derivative; a fifth of that fraction is kept for combined
-    /// effects of two data. The report `reserve` compares it with samples.
+    /// first one to slide. The effect of a single datum on the forces is computed beyond first order. A fifth of that fraction is reserved for combined
+    /// effects of two data. The report `reserve` compares the result with samples.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -57,7 +57,8 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::solve`]; [`Error::Argument`] unless `sigmas` is above 0 and at most 8; as for [`Self::sample`] if a datum cannot be off so far.
+    /// As for [`Self::solve`]; [`Error::Argument`] unless `sigmas` is above 0 and at most 8; as for [`Self::sample`] if a deviation leaves a datum's
+    /// range.
     #[doc(alias = "safety margin")]
     #[doc(alias = "reliability")]
     pub fn reserve(
@@ -92,7 +93,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// The answers as the caller sees them.
+/// The answers with vectors of `C` components.
 fn all_answers<T: Face>(answers: Vec<Result<T::Inside, Error>>) -> Vec<Result<T, Error>> {
     moved(answers, &|answer| answer.map(outside))
 }

@@ -1,9 +1,8 @@
-//! Questions to a grasp.
+//! The questions that a grasp answers.
 //!
-//! [`Grasp`] is the one type to ask. Its engine has as many coordinates as the grasp needs; callers need not know their number. Rare questions have
-//! views of their own: [`Statics`], [`Sensitivity`], [`Energy`].
+//! Every question is a method of [`Grasp`], or of one of its three views for rare questions: [`Statics`], [`Sensitivity`], [`Energy`].
 
-// First, because the documentation of `Grasp` begins with the methods of the first file.
+// Declared first, because rustdoc lists the methods of `Grasp` in the order of these modules.
 mod grasp;
 mod installed;
 

@@ -7,9 +7,9 @@ use crate::grasp::{inside, outside};
 use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 
 impl<const C: usize> Grasp<C> {
-    /// The factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`], and which contacts leave and how: in the
-    /// plane exact, in space on the round cone. No stepping and no bisection: a linear equation for each facet in the plane, a quadratic
-    /// one for each contact on the round cone.
+    /// The factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that leave,
+    /// and how. It is exact in the plane, and in space on the round cone. It needs neither steps nor bisection: a linear equation for each facet in the
+    /// plane, a quadratic one for each contact on the round cone.
     ///
     /// The equilibrium at the onset and the behaviour beyond it need one more call: [`Self::state_at_onset`], [`Self::beyond`].
     ///
@@ -68,8 +68,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.beyond(&inside(event), &self.settings).map(outside)
     }
 
-    /// The angle at which the first contact stops sticking while a load turns: in the plane exact, in space on
-    /// the round cone. No stepping: each margin's roots are isolated between its turning points, so that none is lost.
+    /// The angle at which the first contact stops sticking while a load turns: exact in the plane, and in space on the round cone. It needs no steps:
+    /// each margin is a trigonometric polynomial, whose roots are isolated between its turning points, so that none is missed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Onset, Turn};

@@ -7,11 +7,11 @@ use crate::load_path::{Leg, LoadPath, SteppedPath, path_outside};
 use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
-    /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the exact cone:
-    /// in space the round one. Events beyond the start are computed only when the path is asked for them. See [`LoadPath`], and [`Leg`] for an
-    /// example. The path ends where a suction cup is open all around. Where nothing resists the object any more, it moves on until a gap closes, if
-    /// that motion is small, and the path continues from there ([`Jump::reaches`](crate::load_path::Jump::reaches)); a path in steps
-    /// ends there. For hundreds of contacts and more use [`Self::follow_in_steps`].
+    /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the exact cone: in
+    /// space the round one. Events beyond the start are computed only when the path is asked for them. See [`LoadPath`], and [`Leg`] for an example.
+    /// The path ends where a suction cup is open all around. Where nothing resists the object any more, it moves freely until a gap closes. If that
+    /// motion is small, the path continues from there ([`Jump::reaches`](crate::load_path::Jump::reaches)). For hundreds of contacts and more use
+    /// [`Self::follow_in_steps`].
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer
@@ -23,9 +23,9 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// Whether the grasp survives a load that repeats: from rest under `base` a closed cycle of legs is followed again and again. The grasp comes to
-    /// rest, contacts slide to and fro for ever, the object walks by the same amount in every cycle, or it is lost in one of them. [`Shaken`] says
-    /// which, for all time, in a sentence; see [`shake`](crate::shake). At most [`Settings::most_cycles`](crate::Settings::most_cycles) cycles are
-    /// followed.
+    /// rest, contacts slide to and fro for ever, the object walks by the same amount in every cycle, or it is lost in some cycle. [`Shaken`] says in a
+    /// sentence which of these happens, for all time; see [`shake`](crate::shake). At most [`Settings::most_cycles`](crate::Settings::most_cycles)
+    /// cycles are followed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -52,13 +52,13 @@ impl<const C: usize> Grasp<C> {
         self.engine.shake(&inside(&base.into()), &all_inside(cycle), &self.settings).map(outside)
     }
 
-    /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is sheared and
-    /// twisted. `error` is the estimated error of forces that a leg may add, over the largest force, such as 1e-5. A step costs a few passes over all
-    /// contacts, by several threads with the same bits. The length of a step is proportional to the square root of `error`. Vacuums of suction cups
-    /// stay on, whatever their lips do. See [`SteppedPath`].
+    /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone, such as a patch under shear
+    /// and torsion. `error` is the estimated error that one leg may add to the forces, relative to the largest force, such as 1e-5. A step costs a few
+    /// passes over all contacts, by several threads with the same bits; its length is proportional to the square root of `error`. Suction cups keep
+    /// their vacuum even where their lips open. A path in steps ends where nothing resists the object any more. See [`SteppedPath`].
     ///
-    /// If no step continues the path, it is [lost](crate::load_path::PathEnd::Lost) where the speed of the object or the rates of contacts on an edge
-    /// show how; else it is [undecided](crate::load_path::PathEnd::Undecided).
+    /// If no step continues the path, it is [lost](crate::load_path::PathEnd::Lost) where the speed of the object, or the rates of contacts on the edge
+    /// of their cones, give the motion of the loss. Otherwise it is [undecided](crate::load_path::PathEnd::Undecided).
     ///
     /// In the plane friction forces do not turn: a step errs only where contacts begin to slide, stop, open or close within it.
     ///

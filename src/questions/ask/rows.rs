@@ -1,4 +1,4 @@
-//! Rows of a batch: grasps with a load each, and what screening knows of them.
+//! Rows of a batch: a grasp and its load each, and the first slips that screening computes for them.
 
 use core::ops::Range;
 
@@ -9,10 +9,10 @@ use crate::screening::{PointBatch, Pull, PutOn, WhileSticking};
 use crate::search::Settings;
 use crate::sweep::map_in_order;
 
-/// One row of a batch: it appends the contacts of the row to a list that is empty, and returns the load at rest and the load that grows on top of it.
+/// One row of a batch: appends its contacts to an empty list, and returns the load at rest and the load that grows on top of it.
 pub type RowOf<'a, const C: usize> = dyn Fn(usize, &mut Vec<Contact<C>>) -> [Wrench<C>; 2] + Sync + 'a;
 
-/// Rows in one task of a thread: their numbers stay in the cache of a core.
+/// Rows in one task of a thread, few enough for their data to stay in the cache of a core.
 const CHUNK: usize = 256;
 
 /// Answers of all rows in order, some rows at a time on each core.
@@ -27,7 +27,7 @@ pub(crate) fn answers_of_rows<T: Send>(
     map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().collect()
 }
 
-/// The first slip and the rotation under the whole load of each row that screening supports and `is_meant` accepts; `None` of all others.
+/// First slip, and rotation under the whole load, of each row. `None` where screening does not support the row, or `is_meant` rejects it.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,
@@ -44,7 +44,7 @@ pub(crate) fn while_sticking<const C: usize>(
     for (place, number) in rows.clone().enumerate() {
         contacts.clear();
         let [base, load] = row(number, &mut contacts);
-        // Screening looks neither at grasps of bonded contacts alone, which may lie loose, nor at how far contacts without friction slip.
+        // Screening does not decide whether a grasp of bonded contacts alone lies loose, nor does it compute slips of contacts without friction.
         let presses = contacts.iter().any(|contact| contact.hold == Hold::Unilateral);
         let sticks = |contact: &Contact<C>| contact.hold == Hold::Bonded || contact.springs() > 1;
         if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, &base)) {

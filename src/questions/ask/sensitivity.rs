@@ -16,8 +16,8 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'`. The vanishing margin is
     /// m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of the angle.
     ///
-    /// Empty if a contact had closed on the way, since its history then matters, too, or closes there and slides at once. Empty as well if the event
-    /// has another number of contacts.
+    /// Empty if a contact closed before the onset, since the onset then depends on that history, or if a contact closes there and slides at once. Also
+    /// empty if the event has another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -41,7 +41,8 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// Derivatives of the onset by positions and normals of the contacts, one for each leaving contact, exact to first order: one linear solve for
     /// each datum. Empty where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients) is.
     ///
-    /// Forces of a contact are given in its frame; a frame that turns or moves changes the grasp map,
+    /// A change of a point or a normal moves or turns the contact frame, and thus changes the grasp map. With contact stiffness K, motion q and forces
+    /// F:
     ///
     /// ```text
     /// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0,      dτ = -dm / m'
@@ -122,10 +123,10 @@ impl<const C: usize> Sensitivity<'_, C> {
         self.0.of_equilibrium(equilibrium).engine.joint_response(&inside(equilibrium))
     }
 
-    /// Derivative of an equilibrium of this grasp by one parameter while every contact keeps its state: one linear solve, exact. On a load path the
-    /// slip so far stays. `None` if an index is out of range or the equilibrium has another number of contacts. `None`, too, if the change has no
-    /// equilibrium in these states (a load on a free motion), for the position of a contact of a hand, and where another geometry resists a motion
-    /// that is free in this one.
+    /// Derivative of an equilibrium of this grasp by one parameter while every contact keeps its state: one linear solve, exact. On a load path earlier
+    /// slips are held constant. `None` if an index is out of range or the equilibrium has another number of contacts. Also `None` if the change has no
+    /// equilibrium in these states (a load on a free motion), for the position of a contact of a hand, and where changed geometry would resist a motion
+    /// that is free now.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -146,8 +147,8 @@ impl<const C: usize> Sensitivity<'_, C> {
         self.0.of_equilibrium(equilibrium).engine.sensitivity(&inside(equilibrium), by).map(outside)
     }
 
-    /// Spread of an onset, of a ramp or of a load that turns. `None` where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients)
-    /// is empty.
+    /// Spread of the onset of a ramp, or of a load that turns, under uncertain data. `None` where
+    /// [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients) is empty.
     ///
     /// # Errors
     /// [`Error::NotForHands`] for uncertain positions of a hand's contacts.

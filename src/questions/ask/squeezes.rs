@@ -10,8 +10,8 @@ impl<const C: usize> Grasp<C> {
     /// The least common factor of all finger commands with which every contact touches and sticks under each of a set of loads; in space on the round
     /// cone.
     ///
-    /// Every condition is linear in the factor or concave, so the sufficient factors form an interval. A condition that is broken at one factor gives
-    /// a larger lower bound, at which the next step begins, until the bound itself suffices. Clearances do not change.
+    /// Every condition is linear in the factor or concave, so the sufficient factors form an interval. The search begins at a lower bound. A condition
+    /// that is broken there gives a larger lower bound, and so on until the bound itself suffices. Clearances do not change.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Turn, Wrench};
@@ -44,7 +44,7 @@ impl<const C: usize> Grasp<C> {
     /// The least onset of sliding along a ramp over all commands and loads within bounds, with the case in which it is attained; in space on the
     /// round cone. Exact, not by sampling: see [`Bounds`].
     ///
-    /// The worst case of friction is the smallest coefficient: ask a grasp with it. Stiffness and geometry do not enter linearly;
+    /// The worst friction is the smallest coefficient: ask about a grasp that has it. Stiffness and geometry do not enter linearly;
     /// [`Self::robust_onset`] includes them to first order.
     ///
     /// ```
@@ -75,10 +75,11 @@ impl<const C: usize> Grasp<C> {
     /// The direction in which the least force through a point (m) makes a contact stop sticking, in addition to a base load; in space on the round
     /// cone.
     ///
-    /// The worst direction of each facet has a closed form: with forces `F⁰ + A x` it is `x` along `-Aᵀa`, of size `a·F⁰ / |Aᵀa|`.
+    /// For each facet the worst direction has a closed form. A force x gives contact forces `F⁰ + A x`. The condition `a·F >= 0` of the facet is first
+    /// broken by the x along `-Aᵀa` of size `a·F⁰ / |Aᵀa|`.
     ///
-    /// The round cone has a facet at every angle. The least force is found where a trigonometric polynomial falls below zero, see
-    /// [`squeeze`](crate::squeeze). So it is the least over all directions up to rounding, whatever the number of minima.
+    /// The round cone has a facet at every angle. The least force is where a trigonometric polynomial falls below zero, see
+    /// [`squeeze`](crate::squeeze). It is thus the least over all directions up to rounding, whatever the number of minima.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, WeakestDirection, Wrench};

@@ -14,7 +14,7 @@ pub struct Statics<'g, const C: usize>(pub(super) &'g Grasp<C>);
 impl<const C: usize> Statics<'_, C> {
     /// Whether contact forces inside their friction cones could balance any load, on the round cone in space.
     ///
-    /// Stiffness, commands and squeeze play no part in this: fingers *could* balance the load if they pressed as needed, whether these do or not.
+    /// Stiffness, commands and squeeze play no part: the question is whether fingers *could* balance the load if they pressed as needed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Closure, Contact, Grasp};
@@ -64,8 +64,8 @@ impl<const C: usize> Statics<'_, C> {
         self.0.engine.form_closure().map(outside)
     }
 
-    /// The largest factor λ for which *some* contact forces with normal forces within a budget balance the load `base + λ direction`: limit analysis,
-    /// on the round cone in space. Vacuums of suction cups pull in addition. [`Grasp::hold`] shows how these fingers act as springs.
+    /// The largest factor λ for which *some* contact forces balance the load `base + λ direction`, with normal forces within a budget: limit analysis,
+    /// on the round cone in space. Vacuums of suction cups pull in addition. [`Grasp::hold`] includes springs and commands instead.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -101,7 +101,7 @@ impl<const C: usize> Statics<'_, C> {
     ///
     /// Vacuums of suction cups pull in addition: a load counts as balanced if forces within the budget balance it together with them.
     ///
-    /// It measures what some contact forces *could* do. For these fingers with their squeeze, see [`Self::onset`](Grasp::onset).
+    /// It measures what some contact forces *could* do. [`Self::onset`](Grasp::onset) is about these fingers with their squeeze.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -136,8 +136,8 @@ impl<const C: usize> Statics<'_, C> {
         self.0.engine.ferrari_canny(budget, &inside(scale), &self.0.settings).map(outside)
     }
 
-    /// Budget that a load needs, as a lower and an upper bound: with `Budget::Each(1.0)` the least largest normal force that balances it, N, with
-    /// `Budget::Total(1.0)` the least sum of normal forces. Infinite if no forces balance it.
+    /// Budget that a load needs, as a lower and an upper bound. With `Budget::Each(1.0)` it is the normal force, N, that no contact must exceed in the
+    /// best balance; with `Budget::Total(1.0)` the least sum of normal forces, N. Infinite if no forces balance the load.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -163,8 +163,8 @@ impl<const C: usize> Statics<'_, C> {
     /// 5.2 of the paper).
     ///
     /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. In it the difference of the forces of any two frictional contacts
-    /// has no component along the line that joins them. Separated contacts carry neither. For an equilibrium of another grasp the lists are as long
-    /// as the shorter of both.
+    /// has no component along the line that joins them. Separated contacts carry neither force. For an equilibrium of another grasp the lists are as
+    /// long as the shorter of both.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::Vector2;
@@ -185,12 +185,12 @@ impl<const C: usize> Statics<'_, C> {
         outside(self.0.of_equilibrium(equilibrium).engine.decompose(&inside(equilibrium)))
     }
 
-    /// The shakedown factor: the largest multiple of these loads, in addition to a base load and in any order, under which some slips could keep
-    /// everything from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] decides whether it does below.
-    /// In space with a polygon around the round cone, of as many facets as [`Settings::cone`](crate::Settings::cone) has. `None` if no slips keep the
-    /// grasp at rest under the base load, or nothing resists a load.
+    /// The shakedown factor: the largest multiple of these loads, added to a base load in any order, under which some constant slips could keep
+    /// everything from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] decides whether it does below. In
+    /// space a polygon around the round cone is used, with as many facets as [`Settings::cone`](crate::Settings::cone). `None` if no slips keep the
+    /// grasp at rest under the base load, or if nothing resists a load.
     ///
-    /// It is the one static question that depends on springs and commands: slips push contacts against each other.
+    /// Of the static questions only this one depends on springs and commands: slips push contacts against each other.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

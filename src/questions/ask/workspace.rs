@@ -9,9 +9,10 @@ use crate::numerics::Memory;
 
 /// Memory for one onset after another, for loops that must not wait for an allocator: [`Grasp::onset`] with the same answers.
 ///
-/// From the second question on nothing is allocated for grasps with no more contacts, if one contact stops sticking before all others. If several
-/// reach the edge of their cones together, a gap closes on the way, or the base does not clearly stick, rates decide, which allocate memory. So do
-/// the factors of a grasp at its first question, and those of more than 256 contacts at every question.
+/// From the second question on no memory is allocated if the grasp has no more contacts than before, and one contact stops sticking before all others.
+/// The analysis in rates allocates memory: where several contacts reach the edges of their cones together, a gap closes on the way, or the base does
+/// not clearly stick. Memory is also allocated for the factors of a grasp at its first question, and for those of more than 256 contacts at every
+/// question.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, OnsetWorkspace, Ramp, Wrench};
@@ -34,10 +35,10 @@ use crate::numerics::Memory;
 pub struct OnsetWorkspace<const C: usize> {
     settings: Settings,
     memory: Memory,
-    /// The last onset, as the caller sees it and as the engine does.
+    /// The last onset with `C` components; `kept` is the same onset with the three components of the engine.
     told: Option<Onset<C>>,
     kept: Option<Onset<3>>,
-    /// The last ramp as the engine sees it.
+    /// The last ramp, with the three components of the engine.
     ramp: Option<Ramp<3>>,
 }
 

@@ -56,7 +56,7 @@ impl<const C: usize> Agreement<C> {
 }
 
 impl Engine {
-    /// [`Energy::agreement`](crate::ask::Energy::agreement).
+    /// Implements [`Energy::agreement`](crate::ask::Energy::agreement).
     pub(crate) fn agreement_with_minimum_energy(
         &self,
         ramp: &Ramp<3>,

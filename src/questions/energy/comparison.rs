@@ -63,7 +63,7 @@ pub struct Difference {
 
 #[cfg(feature = "serde")]
 impl<const C: usize> Comparison<C> {
-    /// This comparison after serialisation and reading back: without the motions in inside coordinates.
+    /// This comparison as it is after serialisation and reading back: without the motions in inside coordinates.
     pub(crate) fn written(mut self) -> Self {
         if let MinimumOutcome::Minimum(minimum) = &mut self.minimum {
             minimum.inside = Inside::default();
@@ -177,7 +177,7 @@ impl<const C: usize> MinimumEnergy<C> {
 }
 
 impl Engine {
-    /// [`Energy::compare`](crate::ask::Energy::compare).
+    /// Implements [`Energy::compare`](crate::ask::Energy::compare).
     pub(crate) fn compare_with_minimum_energy(
         &self,
         load: &Wrench<3>,

@@ -62,12 +62,12 @@ impl ForceCondition {
         self.value(forces) <= SOLVED_ROUNDING * largest * self.weight
     }
 
-    /// `n·Π n'`.
+    /// `n·Π n'`: the coupling of two rows through motions of the object.
     pub(super) fn through_the_object(&self, other: &Self) -> f64 {
         self.seen.dot(&other.seen)
     }
 
-    /// `n·(1 - Π) n'`.
+    /// `n·(1 - Π) n'`: the coupling of two rows through forces that balance one another.
     pub(super) fn past_the_object(&self, other: &Self) -> f64 {
         let own = if self.contact == other.contact { self.normal.dot(&other.normal) } else { 0.0 };
         own - self.seen.dot(&other.seen)

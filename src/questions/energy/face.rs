@@ -1,4 +1,4 @@
-//! Answers of the paper's programs at the door.
+//! Conversion of answers of the paper's programs between the engine's three components and the `C` components of callers.
 
 use super::agreement::Agreement;
 use super::comparison::{Comparison, ComparisonVerdict, Difference};

@@ -147,7 +147,7 @@ pub struct Binding {
 }
 
 impl Engine {
-    /// [`Energy::minimum`](crate::ask::Energy::minimum).
+    /// Implements [`Energy::minimum`](crate::ask::Energy::minimum).
     pub(crate) fn minimum_energy(
         &self,
         load: &Wrench<3>,

@@ -183,7 +183,7 @@ impl<const C: usize> PrintedQp<C> {
 }
 
 impl Engine {
-    /// [`Energy::printed_qp`](crate::ask::Energy::printed_qp).
+    /// Implements [`Energy::printed_qp`](crate::ask::Energy::printed_qp).
     pub(crate) fn printed_qp(&self, load: &Wrench<3>, cone: &PolygonCone) -> Result<PrintedQp<3>, Error> {
         self.refuse_hands("printed_qp")?;
         let problem = self.on_polygons(load, cone)?;

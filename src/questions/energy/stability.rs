@@ -74,7 +74,7 @@ impl<const C: usize> Stability<C> {
 }
 
 impl Engine {
-    /// [`Energy::stability`](crate::ask::Energy::stability).
+    /// Implements [`Energy::stability`](crate::ask::Energy::stability).
     pub(crate) fn stability(&self, equilibrium: &Equilibrium<3>) -> Stability<3> {
         let arms = self.contacts().iter().map(|contact| contact.point);
         let forces = equilibrium.contacts.iter().map(|c| c.force_world);
@@ -105,7 +105,7 @@ impl Engine {
         (elastic, slips)
     }
 
-    /// Adds the geometric stiffness of bodies that are not in the coordinates of the object.
+    /// Adds the geometric stiffness of all bodies other than the object.
     fn turning_bodies(&self, contact: usize, force: &SVector<f64, 3>, geometric: &mut Square) {
         let Some(bodies) = self.bodies() else { return };
         let object = self.space().of_the_object();

@@ -24,7 +24,7 @@ pub struct Caught {
     pub factor: f64,
     /// The contacts that slip, with distances.
     pub slips: Vec<SlippedBy>,
-    /// The motion without resistance until gaps close; `None` where contacts that are closed already catch the object.
+    /// The motion of the object without resistance, until gaps close; `None` where contacts that are closed already catch it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub moves: Option<MovesTo>,
     /// Energy lost in the jump, J.
@@ -94,7 +94,7 @@ impl fmt::Display for MovesTo {
 }
 
 impl Engine {
-    /// The multiple of the load that is held with kinetic friction from the start; `None` where that path does not end in a loss.
+    /// The multiple of the load that is held with kinetic friction from the start; `None` if that path does not end in a loss.
     pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<3>, settings: &Settings) -> Option<f64> {
         let sliding = self.with_friction_of_sliding().ok()?;
         let mut path = sliding.follow(&ramp.base, &[Leg::along(ramp)], settings).ok()?;
@@ -104,8 +104,8 @@ impl Engine {
 }
 
 impl Caught {
-    /// The clause about jumps, with the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left". `size` is that of the load with its
-    /// unit.
+    /// The clause about jumps, with the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left". `size` is the magnitude of the load and
+    /// its unit.
     pub(super) fn told(
         all: &[Self],
         size: Option<(f64, &str)>,
@@ -128,7 +128,7 @@ impl Caught {
         }
     }
 
-    /// The jumps among the events of one leg, along which the whole load is put on: the fraction of the leg is the multiple of the load.
+    /// The jumps among the events of one leg. The leg applies the whole load, so that its fraction is the multiple of the load.
     pub(super) fn among(parts: &WholeContacts, events: &[Event<3>]) -> Vec<Self> {
         let jumps = events.iter().filter_map(|event| Some((event.fraction, event.jump.as_deref()?)));
         let caught = |(factor, jump): (f64, &Jump<3>)| {
@@ -151,7 +151,7 @@ impl fmt::Display for Caught {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let longest = largest(&self.slips, &|slip| slip.distance);
-        // A larger fraction of the longest slip hides contacts that matter; 0 lists rounding.
+        // Slips below this fraction of the longest one count as rounding. A larger fraction would hide contacts that matter.
         let told = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let told = told.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
         write!(f, "after slipping {}", listed(&told.collect::<Vec<_>>()))

@@ -1,4 +1,4 @@
-//! Verdicts at the door.
+//! Conversion of verdicts between the engine's three components and the `C` components of callers.
 
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};

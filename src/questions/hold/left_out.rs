@@ -13,7 +13,7 @@ impl Engine {
     /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`, with forces F at rest, arms r about the centroid of the contacts and the rotation θ of q.
     ///
     /// It is negative where the forces lower the resistance. A load at rest counts as acting at the point of its line nearest to the centroid. `None`
-    /// up to a tenth, for several bodies, and where the load does no positive work.
+    /// if the share is at most a tenth, for several bodies, and where the load does no positive work.
     pub(super) fn left_out_by_small_motions(
         &self,
         rest: &Equilibrium<3>,
@@ -36,8 +36,7 @@ impl Engine {
                 |v: &nalgebra::SVector<f64, 3>| v.iter().zip(rotation).map(|(a, b)| a * b).sum::<f64>();
             left_out -= along(&force) * along(&arm);
         }
-        // A smaller fraction adds a caution to ordinary verdicts; a larger one hides a loss of stability
-        // until it is near.
+        // A smaller threshold adds a caution to ordinary verdicts. A larger one hides a loss of stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 }

@@ -1,4 +1,4 @@
-//! The loss of equilibrium, or the end of small motions, as an answer.
+//! The part of a verdict about the loss of equilibrium, or about the end of small motions.
 
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ContactState, Equilibrium, TooFar};
@@ -74,7 +74,7 @@ impl<const C: usize> Lost<C> {
         Self::alone(factor, LossKind::LetsGo, WayOut::LetsGo { cups }, state)
     }
 
-    /// A loss of which no more is known than its kind, the way out and the state there.
+    /// A loss of which only the kind, the motion and the state are known.
     fn alone(factor: f64, kind: LossKind, way_out: WayOut<C>, state: Option<Equilibrium<C>>) -> Self {
         Self {
             factor,

@@ -8,9 +8,10 @@
 //! | Is there an equilibrium under the load, however it is reached? | [`Grasp::solve`](crate::ask::Grasp::solve) |
 //! | Could any contact forces carry the load? | [`Grasp::statics`](crate::ask::Grasp::statics) |
 //!
-//! The first is the usual one. It follows one path ([`Grasp::follow`](crate::ask::Grasp::follow)) without a search, and decides wherever the path
-//! does. Where equilibrium is lost before the whole load is on, a [`Verdict`] has the motion of the object ([`WayOut`]). It also has a neighbourhood
-//! of the loss without any equilibrium ([`NothingNear`]): a proof that holds whatever contacts have slipped before.
+//! The first is the usual one. It follows one load path ([`Grasp::follow`](crate::ask::Grasp::follow)) without a search for other equilibria, and is
+//! undecided only where the path is. If equilibrium is lost before the whole load is applied, the [`Verdict`] names the motion of the object
+//! ([`WayOut`]). It also gives a neighbourhood of the loss without any equilibrium ([`NothingNear`]): a proof that holds whatever contacts have slipped
+//! before.
 //!
 //! The proof takes any virtual motion v with contact displacements `u_i = G_iᵀv`; balance gives `W·v = -Σ F_i·u_i`. The work of a contact against v
 //! is at most that of its normal force and the friction it allows. The normal force is known at every motion q of the object, so that an equilibrium
@@ -20,8 +21,8 @@
 //! h(q) = Σ (μ |u_t,i| - u_n,i)₊ k_n,i (a_n,i - n·G_iᵀq)₊  >=  W·v
 //! ```
 //!
-//! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. With the v and q of the loss, opposed contacts
-//! cancel in the growth of h until one opens. The radius is the distance from q at which h could reach `W·v`.
+//! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. With the v and q of the loss, the terms of opposed
+//! contacts balance as h grows with q, until one contact opens. The radius is the distance from q at which h could reach `W·v`.
 
 mod caught;
 mod face;

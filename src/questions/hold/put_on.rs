@@ -24,16 +24,16 @@ use crate::prelude::*;
 /// The extent of a verdict.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Extent {
-    /// All of [`Verdict`].
+    /// The whole [`Verdict`].
     Whole,
-    /// A path on which motions cease to be small continues to the whole load, for the largest ratio of a motion to its limit.
+    /// As `Whole`, but a path that leaves small motions is followed to the whole load, to measure the largest ratio of a motion to its limit.
     Measured,
-    /// Without states, proofs and what only sentences say: for [`super::ShortVerdict`].
+    /// Without states, proofs and the data that only sentences need: for [`super::ShortVerdict`].
     Brief,
 }
 
 impl Engine {
-    /// [`Grasp::hold`](crate::ask::Grasp::hold).
+    /// Implements [`Grasp::hold`](crate::ask::Grasp::hold).
     pub(crate) fn hold(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Verdict<3>, Error> {
         Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
     }
@@ -142,14 +142,14 @@ impl Engine {
         Ok((verdict, farthest))
     }
 
-    /// The end of a path along which not all of the load was put on.
+    /// The conclusion where the path ended before the whole load was applied.
     fn not_held(&self, path: &LoadPath<'_, 3>, base: &Wrench<3>, settings: &Settings) -> Holding<3> {
         let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
         let or_at_rest = |otherwise: Holding<3>| {
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {
-            // Friction falls to the kinetic one at contacts that slide at rest, and nothing catches the object.
+            // Contacts slide at rest, their friction falls to the kinetic value, and nothing catches the object.
             Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
             Some(PathEnd::Lost(_)) => Holding::Lost,
             Some(PathEnd::NoStart(start)) => match &**start {
@@ -174,12 +174,12 @@ impl Engine {
         path.run();
         let loss = path.end().and_then(PathEnd::loss)?;
         let lost = grasp.lost(path.place().1, loss, path.state());
-        // The state has another load than that of the question, so that it would mislead.
+        // The state there carries a part of the load at rest, not the load of the question, so it is left out.
         Some(Box::new(Lost { state: None, ..lost }))
     }
 
-    /// Whether a contact slides under the whole load or has slid before. The slips of the state do not show that: a contact that was open has one,
-    /// too.
+    /// The conclusion where the whole load is held. A contact has slid if it slides now, slipped in a jump, or began to slide at an event. Slips in the
+    /// state do not show that, since a contact that was open has one, too.
     fn held(
         &self,
         state: &Equilibrium<3>,
@@ -193,7 +193,7 @@ impl Engine {
                 || slips.contains(&i)
                 || events.iter().any(|event| begins_to_slide(event, i))
         };
-        // A vacuum still holds the object where the contact forces vanish, at its limit.
+        // At the limit of a vacuum all contact forces vanish, but the vacuum still holds the object.
         if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }
@@ -265,7 +265,7 @@ impl Engine {
         let polygon = Polygon::shared(self.space(), &settings.cone);
         let problem = self.problem(polygon, settings.is_round(self.space()), offsets, &Load::from(&load));
         let at = state.local.twist.to();
-        // Any virtual motion may give the proof: as a rule that of the loss, otherwise the one along the load.
+        // Any virtual motion may give the proof. The motion of the loss usually does; the direction of the load is tried, too.
         let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;

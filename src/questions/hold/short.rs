@@ -1,4 +1,4 @@
-//! A verdict in columns: numbers and words that a table of many verdicts has, without lists and states.
+//! A verdict as one row of a table of many verdicts: numbers and words, without lists and states.
 
 use core::fmt;
 
@@ -21,13 +21,13 @@ pub struct ShortVerdict {
     /// The load at the first slip, as a multiple of the load asked about; `None` where nothing slips as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub first_slip: Option<f64>,
-    /// [`Verdict::held_to`].
+    /// Largest factor reached with the load held and motions small; see [`Verdict::held_to`].
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// [`Verdict::everything_slides`]: gross slip.
+    /// Factor from which on every contact slides: gross slip. See [`Verdict::everything_slides`].
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub everything_slides: Option<f64>,
-    /// The motion with which the object leaves, where the load is lost as far as it was followed.
+    /// The motion with which the object leaves; `None` if the load is held as far as it was followed.
     pub motion: Option<LossVerb>,
     /// The reason for a verdict that is undecided.
     pub doubt: Option<Doubt>,
@@ -39,19 +39,19 @@ pub struct ShortVerdict {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum How {
-    /// [`Holding::Sticks`].
+    /// The load is held, and every contact sticks; see [`Holding::Sticks`].
     Sticks,
-    /// [`Holding::Slides`].
+    /// The load is held, but contacts slide or have slid; see [`Holding::Slides`].
     Slides,
-    /// [`Holding::Loose`].
+    /// No contact carries a force; see [`Holding::Loose`].
     Loose,
-    /// [`Holding::Lost`].
+    /// Equilibrium is lost before the whole load is applied; see [`Holding::Lost`].
     Lost,
-    /// [`Holding::NoRest`].
+    /// The load at rest has no equilibrium, by a proof; see [`Holding::NoRest`].
     NoRest,
-    /// [`Holding::LostAtRest`].
+    /// The load at rest is lost on its path from zero; see [`Holding::LostAtRest`].
     LostAtRest,
-    /// [`Holding::Undecided`].
+    /// The path could not be followed; see [`Holding::Undecided`].
     Undecided,
 }
 

@@ -35,21 +35,22 @@ pub struct Verdict<const C: usize> {
     pub caught: Vec<Caught>,
     /// Largest factor reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold at rest.
     ///
-    /// The load is followed up to [`Settings::most_load`](crate::Settings::most_load), so that this factor alone is no bound.
+    /// The load is followed only up to [`Settings::most_load`](crate::Settings::most_load), so this factor is no upper bound of the load that is held.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// Factor from which every contact with friction and a normal force slides, up to factor 1 without interruption. If one sticks there, or the
-    /// path ends earlier, up to the end of the path. Loads beyond this factor are held by normal forces alone. `None` where a contact sticks at both.
+    /// Factor from which on every contact with friction and a normal force slides, without interruption, up to factor 1. If a contact sticks at factor
+    /// 1, or the path ends before it, the range is up to the end of the path instead. Beyond this factor friction is exhausted, and normal forces must
+    /// carry what is added. `None` where a contact sticks at both.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub everything_slides: Option<f64>,
-    /// Share of the geometric stiffness, which small motions leave out, in the resistance to the motion from rest to the whole load, or to the loss.
+    /// Geometric stiffness, which small motions neglect, relative to the resistance to the motion from rest to the whole load, or to the loss.
     ///
-    /// With forces F at rest, arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q` of the load. Below 0 the
-    /// squeeze lowers the resistance as its arms turn with the object; at -1 or less nothing resists. `None` if its size is at most a tenth, for
-    /// several bodies, and where commands change.
+    /// With forces F at rest, arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q` of the load. Below 0 the squeeze
+    /// lowers the resistance as its arms turn with the object; at -1 or less no resistance is left. `None` if its size is at most a tenth, for several
+    /// bodies, and where commands change.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
@@ -94,7 +95,7 @@ impl<const C: usize> Verdict<C> {
 pub enum Holding<const C: usize> {
     /// The load is held, and every contact sticks up to it.
     Sticks,
-    /// The load is held, and contacts slide under it, or have slid, opened or given way before.
+    /// The load is held, but contacts slide under it, or have slid, opened or given way before.
     Slides {
         /// The contacts that slide or have slid.
         contacts: Vec<WholeContact>,
@@ -103,9 +104,9 @@ pub enum Holding<const C: usize> {
     Loose,
     /// Equilibrium is lost before the whole load is on, or motions cease to be small.
     Lost,
-    /// The grasp does not hold even the load at rest: a proof that it has no equilibrium.
+    /// The grasp has no equilibrium even under the load at rest. The variant carries the proof.
     NoRest(NoEquilibrium<C>),
-    /// The load at rest is lost as it grows from zero together with the commands: found on a path, without a proof as of [`Self::NoRest`].
+    /// The load at rest is lost as it grows from zero together with the commands. A path shows this loss; it is no proof as in [`Self::NoRest`].
     LostAtRest {
         /// The loss; its factor is a multiple of the load at rest.
         at_rest: Box<Lost<C>>,
@@ -132,10 +133,10 @@ pub struct FirstSlip {
     /// Contacts that open.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open: Vec<WholeContact>,
-    /// Contacts that are kept closed and would have to pull.
+    /// Contacts that are kept closed by assumption, and would need a tensile normal force.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub would_pull: Vec<WholeContact>,
-    /// Names of joints and tendons that give way.
+    /// Names of joints and tendons that reach their limit and give way.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub give_way: Vec<String>,
 }
@@ -164,14 +165,14 @@ pub struct Lost<const C: usize> {
     /// Whether the first slip is the loss: [kinetic friction](crate::grasp::Contact::kinetic) is lower, and nothing catches the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub falls_at_once: bool,
-    /// The multiple of the load that would be held with kinetic friction from the start. `None` unless it is below `factor`, and where kinetic
-    /// friction is not lower.
+    /// The multiple of the load that would be held with kinetic friction from the start. `None` unless it is below `factor` and kinetic friction is
+    /// lower.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub then_takes: Option<f64>,
-    /// Whether the load has a [maximum](LossKind::Fold) and another equilibrium holds slightly more: the object snaps over to it, or is lost.
+    /// Whether the load has a [maximum](LossKind::Fold) and another equilibrium holds slightly more. The object then snaps over to it, or is lost.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub snaps: bool,
     /// Joints and tendons of a hand that have reached their limit.
@@ -180,7 +181,7 @@ pub struct Lost<const C: usize> {
     /// The unit motion with which the object leaves; `None` where it is not determined.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// The last equilibrium, at the loss; `None` where it could not be computed, and of a loss at rest.
+    /// The last equilibrium, at the loss; `None` where it could not be computed, and for a loss at rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
     /// Proof that no equilibrium under the whole load exists near the loss. `None` where the whole load is held, or no proof was found.

@@ -1,4 +1,4 @@
-//! The motion of a loss in words: the object slides out, tips over, lifts off or turns.
+//! The motion of a loss in everyday words: the object slides out, tips over, lifts off or turns.
 
 use nalgebra::SVector;
 
@@ -10,7 +10,7 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::Words;
 
-/// Speed, relative to the fastest contact, below which a contact stays and a rotation counts as none. It only chooses the name of a motion: a larger
+/// Speed, relative to the fastest contact, below which a contact counts as fixed and a rotation as zero. It only chooses the name of a motion: a larger
 /// fraction calls slow contacts fixed, a smaller one finds no contact to tip over.
 const STANDS: f64 = 0.05;
 
@@ -94,7 +94,7 @@ impl BodyWay<3> {
     }
 }
 
-/// The motion as [`WayOut::SlidesOut`] along a translation, if the displacement `spin` by rotation is negligible beside it.
+/// [`WayOut::SlidesOut`] along this displacement, if the displacement `spin` of contacts by the rotation is negligible beside it; otherwise `None`.
 fn slides_out(along: &SVector<f64, 3>, spin: f64) -> Option<WayOut<3>> {
     let direction = || along.try_normalize(0.0);
     (spin <= STANDS * along.norm())
@@ -121,7 +121,7 @@ pub(super) fn way_out(
         other.speed() <= STANDS * fastest
     };
     if motion.bodies.iter().filter(|body| moves(body)).all(as_the_first) {
-        // Contacts of the moving bodies with all others decide; those among the moving bodies do not count.
+        // Contacts between the moving bodies and all others decide. Contacts between two moving bodies do not count.
         let is_one_of_them = |body: usize| moves(&motion.bodies[body]);
         let sign = |i: usize| {
             let (on, against) = (is_one_of_them(sides[i].0), sides[i].1.is_some_and(is_one_of_them));
@@ -137,7 +137,7 @@ pub(super) fn way_out(
     WayOut::Apart { bodies }
 }
 
-/// Whether the two surfaces of a contact move relative to each other, by more than [`STANDS`] of the fastest body.
+/// Whether the two surfaces of a contact move relative to each other, faster than [`STANDS`] times the fastest body.
 pub(super) fn comes_apart(
     contact: &Contact<3>,
     (on, against): (usize, Option<usize>),
@@ -154,8 +154,8 @@ fn difference(a: &Twist<3>, b: &Twist<3>) -> Twist<3> {
     Twist::from_components(&components)
 }
 
-/// The name of the motion of an object with this twist, from the contacts that touch it. The sign of a contact is 1 if its normal points into the
-/// object, and -1 if it points out. It is 0 for contacts that the object does not have.
+/// The name of the motion of an object with this twist, from the contacts that touch it. `sign` is 1 for a contact whose normal points into the object,
+/// -1 for one whose normal points out of it, and 0 for contacts of other objects.
 fn seen_from(
     engine: &Engine,
     twist: &Twist<3>,
@@ -200,7 +200,7 @@ fn seen_from(
     let mut about = touching;
     about.retain(stays);
     if about.is_empty() {
-        // An object on a soft fingertip tips over about points of that tip, while all others open.
+        // An object on a soft fingertip tips over about some points of that tip, while all others open.
         let about = parts.with(&|i| touches(i) && point_stays(i));
         let either = points.iter().all(|i| point_stays(*i) || point_opens(*i));
         if either && !about.is_empty() {
@@ -209,7 +209,7 @@ fn seen_from(
         }
         return turns(twist, (&centre, &along), reach);
     }
-    // Contacts that were open before count as opening, too.
+    // Contacts that were open before and move away count as opening, too.
     let mut opening = parts.with(&|i| sign(i) != 0.0);
     opening.retain(opens);
     let opens = opening;
@@ -218,8 +218,8 @@ fn seen_from(
     if tips { WayOut::TipsOver { about, opens } } else { WayOut::TurnsAbout { about } }
 }
 
-/// The rotation of a twist, with the point of its axis nearest to the point `near`, which has the displacement `moves`. Coordinates that are rounding
-/// beside the `reach` of the contacts are zero.
+/// The rotation of a twist, with the point of its axis nearest to `near`, whose displacement is `moves`. Coordinates at the size of rounding, relative
+/// to the `reach` of the contacts, become zero.
 fn turns(twist: &Twist<3>, (near, moves): (&SVector<f64, 3>, &SVector<f64, 3>), reach: f64) -> WayOut<3> {
     let (_, rotation) = twist.parts();
     let rounding = SOLVED_ROUNDING * (reach + near.norm());
@@ -233,7 +233,7 @@ impl<const C: usize> WayOut<C> {
     /// Whether the object falls: it moves down, against the last axis, and no contact with friction holds it back.
     pub(super) fn falls(&self, slide: &[WholeContact], words: Words) -> bool {
         let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
-        // Within 25 degrees of the vertical a colleague would say that it falls.
+        // Within 25° of the vertical one would say that it falls.
         slide.is_empty() && direction[words.space::<C>().axes() - 1] < -0.9
     }
 }

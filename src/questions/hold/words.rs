@@ -124,7 +124,7 @@ impl<const C: usize> Verdict<C> {
             _ if lost.factor <= NEGLIGIBLE => {
                 write!(f, "GOES TOO FAR at rest already: {far}, and all this is good for small motions")
             }
-            // A larger fraction hides how far the object is held after gross slip.
+            // Gross slip within 1 % of the limit counts as the same event. A larger fraction would hide how far the object is held after gross slip.
             Some(all) if all >= lost.factor * (1.0 - 0.01) => {
                 let from = amount(lost.factor);
                 write!(f, "SLIPS OUT at {}: everything slides, {far} from {from} on", self.part(all, words))
@@ -267,7 +267,7 @@ impl<const C: usize> Lost<C> {
     }
 }
 
-/// The motion of the loss, and the radius of the proof that nothing near it holds.
+/// The motion of the loss, and the radius within which the proof excludes an equilibrium.
 impl<const C: usize> fmt::Display for Lost<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = Words::of(f).precision();
@@ -283,7 +283,7 @@ impl<const C: usize> fmt::Display for Lost<C> {
             f.write_str(". Another equilibrium holds slightly more: it may snap over to that one")?;
         }
         match &self.nothing_near {
-            // A radius of the size of an atom is left out.
+            // A radius of the size of an atom is not worth a sentence.
             Some(near) if near.translation > 1e-10 => write!(f, ". {near:.digits$}"),
             _ => Ok(()),
         }

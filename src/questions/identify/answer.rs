@@ -35,8 +35,8 @@ pub struct Identified {
     /// Combinations that slips do not determine.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free: Vec<FreeCombination>,
-    /// The estimates by each assignment of slips to contacts that fits as well, the best first: which contact slips first depends on the unknowns. Empty
-    /// if there is one.
+    /// The estimates for each assignment of slips to unknowns that fits as well, the best first. Assignments differ in the contacts that slip first.
+    /// Empty if only one fits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub assignments: Vec<Vec<Estimate>>,
     /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if some slip is not predicted.
@@ -112,7 +112,7 @@ impl Identified {
         self.less(UnknownKind::Friction)
     }
 
-    /// The largest relative decrease of the squeeze to the low end of its interval, likewise.
+    /// The largest relative decrease from an estimated squeeze to the low end of its interval; 0 if no interval is known.
     #[must_use]
     pub fn squeeze_less(&self) -> f64 {
         self.less(UnknownKind::Squeeze)
@@ -123,8 +123,8 @@ impl Identified {
         self.of(kind).filter_map(part).fold(0.0, f64::max)
     }
 
-    /// The standard errors as uncertainty of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods: the largest of all
-    /// unknowns of friction, of squeeze and of stiffness. Carried forces count as squeeze. The seed is that of the samples.
+    /// The standard errors as uncertainty of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods. For friction, squeeze
+    /// and stiffness it has the largest relative error of all such unknowns. Carried forces count as squeeze. The seed is that of the samples.
     #[must_use]
     pub fn uncertainty(&self, seed: u64) -> Uncertainty {
         let sigma = |kind| {

@@ -1,7 +1,7 @@
-//! Fits in which contacts slip in another order.
+//! Fits in which other contacts slip first.
 //!
-//! Where several contacts may slip first, a predicted slip has a kink: on each side it depends on the data of one contact alone. A search ends on the side on
-//! which it began. The side is the assignment of slips to unknowns: those on which each slip depends. Other sides are searched from unknowns that change places.
+//! Where several contacts may slip first, a predicted slip has a kink: on each side it depends on the data of one contact alone. A search ends on the
+//! side on which it began. An assignment says on which unknowns each slip depends. Other assignments are searched for by exchanging unknowns.
 
 use core::f64::consts::LN_2;
 
@@ -29,7 +29,7 @@ const MOST_LOOKS: usize = 240;
 /// A step off a kink, in the logarithm of one unknown.
 const BESIDE_A_KINK: f64 = 1e-3;
 
-/// The search for other assignments: each that is found is a place from which further ones are looked for.
+/// The search for other assignments. From each one that is found the search continues.
 struct Assignments<'a> {
     model: &'a Model<'a>,
     fits: Vec<Fitted>,
@@ -37,7 +37,7 @@ struct Assignments<'a> {
 }
 
 impl Assignments<'_> {
-    /// The slips at a point, while the limit of work lasts.
+    /// The predicted slips at a point; `None` where some slip is not predicted, or once the limit of work is reached.
     fn look(&mut self, logs: &[f64]) -> Result<Option<Linear>, Error> {
         if self.looks == MOST_LOOKS || self.fits.len() == MOST_FITS {
             return Ok(None);
@@ -50,7 +50,7 @@ impl Assignments<'_> {
         self.fits.iter().any(|fit| fit.linear.as_ref().is_some_and(|known| same_assignment(known, linear)))
     }
 
-    /// Fits from a point, if its assignment is new.
+    /// Fits from a point if its assignment is new, and returns whether it is.
     fn fit(&mut self, begin: Vec<f64>, linear: Linear) -> Result<bool, Error> {
         if self.is_known(&linear) {
             return Ok(false);
@@ -63,7 +63,7 @@ impl Assignments<'_> {
         Ok(true)
     }
 
-    /// Assignments between two points: where one unknown falls, slips come to depend on it one after the other.
+    /// Searches for an assignment between two points. As one unknown falls, slips begin to depend on it one after the other.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).collect();
@@ -121,7 +121,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let (best, others) = fits.split_at(1);
     let mut as_good: Vec<&Fitted> = vec![&best[0]];
     as_good.extend(others.iter().filter(|other| !fits_better(model, &best[0], other)));
-    // A fit from which two contacts slip at once stands on the kink between two assignments.
+    // A fit in which two contacts slip at once lies on the kink between two assignments.
     let mut beside: Vec<&Fitted> = Vec::new();
     for fit in &as_good {
         let mut is_on_a_kink = false;
@@ -148,7 +148,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin[strong] = high;
     begin[weak] = low;
     for k in (0..begin.len()).filter(|k| *k != weak) {
-        // What is as weak would slip together with the weak one.
+        // An unknown as small as the weak one would make its contact slip together with the weak one.
         if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
             begin[k] = low + LN_2;
         }
@@ -171,8 +171,8 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// Pairs of which a slip depends on one, and none on both, as slips that depend on both tell them apart on either side; or between which the fit ended on a kink.
-/// Where slips do not determine every unknown, also pairs of which one slip depends on one alone.
+/// Pairs of unknowns whose exchange may lead to another assignment. Some slip depends on one of them alone, and no slip on both, since such a slip
+/// would tell them apart. Or the fit ended on the kink between them. If slips do not determine every unknown, slips may depend on both.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
@@ -191,7 +191,8 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
     Ok(pairs)
 }
 
-/// Whether two unknowns are equal, and a slip depends on both as on the mean of two sides of a kink: beside it depends on one.
+/// Whether the fit is on a kink between two equal unknowns: a slip depends on both there, with the mean of two one-sided derivatives, and on one beside
+/// it.
 fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
     let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
@@ -217,7 +218,7 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether slips of different kinds depend on others here and there, so that one kind may change before another.
+/// Whether several different slips depend on other unknowns at the second point, so that one of them may change before another.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
     let Some(first) = rows.next() else { return false };
@@ -236,7 +237,7 @@ fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     !is_exact && gain > 0.5 * two_sided(0.95, degrees).powi(2)
 }
 
-/// An answer with the estimates of others that fit as well; what they do not agree on is not fixed.
+/// An answer with the estimates of others that fit as well. An unknown on which they disagree is not fixed.
 fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     if others.is_empty() {
         return answer;

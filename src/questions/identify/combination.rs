@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use crate::prelude::*;
 use crate::words::listed;
 
-/// Unknowns that may change together without changing any predicted slip: to first order, each is multiplied by the same number to its power.
+/// Unknowns that may change together without changing any predicted slip. To first order, each is multiplied by a common factor to its own power.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -21,8 +21,8 @@ pub struct FreeCombination {
 }
 
 impl FreeCombination {
-    /// Combinations with as few unknowns as possible, from a basis of the free directions of the logarithms, as columns. `stays` is whether all
-    /// predicted slips stay if each unknown is multiplied by its factor.
+    /// Combinations with as few unknowns as possible, from a basis of the free directions of the logarithms, as columns. `stays` tells whether all
+    /// predicted slips stay the same if each unknown is multiplied by its factor.
     pub(super) fn among(
         mut free: DMatrix<f64>,
         (names, values): (&[String], &[f64]),
@@ -53,7 +53,7 @@ impl FreeCombination {
                 (x.abs() > NO_COMPONENT * largest).then(|| (names[j].clone(), x / largest))
             };
             let (unknowns, powers): (Vec<_>, Vec<_>) = direction.iter().enumerate().filter_map(part).unzip();
-            // Far enough to distinguish a product from a sum.
+            // A step of 0.3 in the logarithm is long enough to distinguish a product from a sum.
             let along = direction.iter().map(|x| 0.3 * x / largest);
             let [powered, added]: [Vec<f64>; 2] =
                 [along.clone().map(f64::exp).collect(), along.map(|x| 1.0 + x).collect()];
@@ -74,7 +74,7 @@ impl FreeCombination {
     }
 }
 
-/// The function of the unknowns that slips determine in spite of the free combination.
+/// The function of the unknowns that slips determine although the unknowns themselves are free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Law {
     /// A product or ratio, for steps of any length.

@@ -34,7 +34,7 @@ pub(super) fn predicted(seen: &SlipToPredict<'_>) -> Result<Result<Predicted, No
     })
 }
 
-/// Derivatives of the logarithm of the factor. If several contacts leave together, the mean of theirs: each is valid on one side of a kink.
+/// Derivatives of the logarithm of the factor. If several contacts leave together, each has one-sided derivatives at a kink; their mean is returned.
 fn exact(seen: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
     let margins = OnsetMargins::new(&seen.grasp.engine, event)?;
     let space = seen.grasp.engine.space();

@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::numerics::mapped;
 use crate::prelude::*;
 
-/// The end of a search.
+/// The result of a search.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
@@ -20,7 +20,7 @@ pub(super) struct Fitted {
     pub(super) end: FitEnd,
 }
 
-/// The reason of the end.
+/// The reason why the search ended.
 pub(super) enum FitEnd {
     Converged,
     Limit,
@@ -71,9 +71,9 @@ impl Model<'_> {
 /// Logarithms of the unknowns, and the prediction there: of all slips, or the first slip without one.
 type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 
-/// The first point at which the model predicts all slips: the given values, or these with all friction times a common factor. The factor is halved
-/// if the object holds too well and doubled if it holds too little; once both occurred, bisection in the logarithm follows. Without unknown friction,
-/// squeezes and carried loads have the factor instead.
+/// The first point at which the model predicts all slips: the given values, or these with all friction multiplied by a common factor. The factor is
+/// halved if the object holds too well and doubled if it holds too little. Once both have occurred, its logarithm is bisected. Without unknown
+/// friction, squeezes and carried loads have the factor instead.
 fn begun(model: &Model<'_>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
@@ -129,7 +129,7 @@ impl Fitted {
 /// The logarithms with the least loss, by a search from logarithms at which all slips are predicted.
 pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear) -> Result<Fitted, Error> {
     let mut fit = Fitted::from(begin, FitEnd::Limit);
-    // Relative to the largest singular value squared.
+    // Levenberg's damping, relative to the largest singular value squared.
     let mut damping = 1e-3;
     loop {
         fit.scatter = model.scatter(&linear.residuals, rank(&linear));
@@ -153,14 +153,14 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
             if is_little(&step) {
                 break None;
             }
-            // Predictions are extrapolated to one in the logarithm at most.
+            // A step changes logarithms by at most one, since the linearisation is not valid farther away.
             step *= (1.0 / step.amax()).min(1.0);
             let there: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).collect();
             match model.linear(&there)? {
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((there, linear));
                 }
-                // The last and shortest step decides whether predictions end here, not longer ones.
+                // Only the last and shortest step decides whether a slip ceases to be predicted right here.
                 Ok(_) => unseen = None,
                 Err(none) => unseen = Some(none),
             }
@@ -179,7 +179,7 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
     Ok(fit)
 }
 
-/// Number of combinations that slips determine.
+/// Number of combinations of unknowns that the slips determine.
 pub(super) fn rank(linear: &Linear) -> usize {
     let (values, ..) = singular(&linear.jacobian, &linear.residuals, &vec![1.0; linear.residuals.len()]);
     let most = values.iter().copied().fold(0.0, f64::max);

@@ -1,7 +1,7 @@
 //! Errors of estimates whose slips share errors in groups, by a sandwich estimator.
 //!
-//! Rows are in standard deviations, in a basis of the logarithms with `Σ U_g'U_g = 1`. With the residuals e and `Q_g = U_g'U_g`, a group moves the
-//! solution by its residuals, corrected for the pull that the solution has followed already,
+//! Rows are divided by their standard deviations and written in a basis of the logarithms with `Σ U_g'U_g = 1`. Let e be the residuals and
+//! `Q_g = U_g'U_g`. A group contributes `w_g` to the solution, corrected since the solution has already followed the group's residuals:
 //!
 //! ```text
 //! w_g = (1 - Q_g)^(-1/2) U_g'e_g
@@ -83,13 +83,13 @@ impl Grouped {
         let all = || (0..told.len()).flat_map(|g| (0..told.len()).map(move |h| (g, h)));
         let expected = sure + (0..told.len()).map(|g| covariance(g, g)).sum::<f64>();
         let squares: f64 = all().map(|(g, h)| covariance(g, h).powi(2)).sum();
-        // An unknown has no error if a larger share of its variance is in directions of one group alone.
+        // An unknown has no error if more than 1 % of its variance lies in directions that one group alone determines.
         let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
     }
 }
 
-/// (1 - Q)^(-1/2), zero along directions that Q determines alone.
+/// (1 - Q)^(-1/2), zero along directions that this group alone determines.
 fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
     let parts = SymmetricEigen::new(tells.clone());
     let root = |part: f64| {

@@ -1,6 +1,7 @@
 //! The motion of the object at gross slip, and the derivatives of the load there.
 //!
-//! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. A loss is then a root of
+//! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. The loss under the load
+//! `W₀ + λ W` is then a root of
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ + Σ Tⱼ fⱼ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   Tⱼᵀ m = 0
@@ -178,7 +179,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
 
 /// The linearised equations in the changes of y, of the motion, of the forces of sticking contacts, and of the load.
 struct Equations {
-    /// Orthonormal bases: displacements that change normal forces, and changes of the motion.
+    /// Orthonormal bases: `springs` of the displacements that change normal forces, `turns` of the changes of the motion.
     springs: DMatrix<f64>,
     turns: DMatrix<f64>,
     /// The matrix with columns of length one, the scale of each column, and the pseudo-inverse.

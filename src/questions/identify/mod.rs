@@ -11,10 +11,10 @@
 //! | [`Unknown::squeeze`] | factor on the given squeeze | |
 //! | [`Unknown::stiffness`] | factor on the given tangential stiffness, relative to the normal one and that of other contacts | |
 //!
-//! **Method.** All unknowns are positive, so that the search is in their logarithms x. The residual of a slip at load factor λ that was predicted at
-//! λ(x) is `ln λ - ln λ(x)`. Gauss-Newton steps with Levenberg's damping minimise the sum of [Huber's loss](Identify::with_outliers_beyond).
-//! Derivatives are exact. Those of an onset are [known](crate::ask::Sensitivity::onset_gradients). If the last motion m opens no contact, gross slip
-//! is a root of equations of its own, over contacts i that press:
+//! **Method.** All unknowns are positive, so that the search is in their logarithms x. The residual of a slip observed at load factor λ and predicted
+//! at λ(x) is `ln λ - ln λ(x)`. Gauss-Newton steps with Levenberg's damping minimise the sum of [Huber's loss](Identify::with_outliers_beyond).
+//! Derivatives are exact. Those of an onset are [known](crate::ask::Sensitivity::onset_gradients). At gross slip the object leaves with a motion m. If
+//! m opens no contact, λ is a root of the equations below. They hold over the contacts i that press, with normal nᵢ, tangents Tᵢ and normal force Nᵢ:
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   dNᵢ = −kᵢ nᵢᵀ dy
@@ -28,9 +28,10 @@
 //! lost at once – all friction is halved or doubled, at most twelve times, until it predicts all. If only a slip's own load presses, the part of it
 //! along the normals acts at rest, and only the rest grows: an object that is dragged over a table lies on it first.
 //!
-//! **Which contact slips first.** Between two jaws the weaker one lets go, so that a slip depends on one friction alone, and on which depends on the start.
-//! From the solution, unknowns of one kind change places in pairs, and the search is repeated where slips then depend on other unknowns. If another
-//! assignment fits as well, at 95 %, [`Identified::assignments`] has the estimates of each, and what they do not agree on is not fixed.
+//! **Which contact slips first.** Between two jaws the weaker one slips first, so that a slip depends on the friction of one jaw alone. Which jaw this
+//! is may depend on the start of the search. From the solution, pairs of unknowns of one kind are therefore exchanged, and the search is repeated where
+//! slips then depend on other unknowns. If another assignment of slips to unknowns fits as well, at 95 %, [`Identified::assignments`] has the estimates
+//! of each. An unknown on which they disagree is not fixed.
 //!
 //! # Errors
 //!

@@ -34,7 +34,7 @@ impl Pressing {
         self.tangents.tr_mul(motion)
     }
 
-    /// The wrench of one newton of normal force, with the friction of a sliding contact.
+    /// The wrench of one newton of normal force; of a sliding contact together with its friction.
     pub(super) fn by_newton(&self, motion: &DVector<f64>) -> DVector<f64> {
         if self.slides() { &self.normal + self.rubbing(motion) } else { self.normal.clone() }
     }

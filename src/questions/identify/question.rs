@@ -31,7 +31,7 @@ pub struct Identify<const C: usize> {
     pub(crate) unknowns: Vec<Unknown>,
     /// The observed slips.
     pub(crate) slips: Vec<Slip<C>>,
-    /// Other places of the scene's contacts at which slips were observed: layout 1, and so on.
+    /// Contact points of further layouts in which slips were observed, m; the first is layout 1.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Vec<Vec<SVector<f64, C>>>>", skip_serializing_if = "Vec::is_empty")
@@ -56,7 +56,7 @@ pub struct Identify<const C: usize> {
     pub(super) others: Others<C>,
 }
 
-/// Grasps, which are equal if their contacts are.
+/// Grasps of other layouts. Two lists are equal if the contacts are.
 #[derive(Debug, Clone)]
 pub(super) struct Others<const C: usize> {
     pub(super) grasps: Vec<Grasp<C>>,
@@ -88,7 +88,7 @@ pub(super) struct KnownSum {
 }
 
 impl<const C: usize> Identify<C> {
-    /// These unknowns from these slips.
+    /// A question for these unknowns from these slips.
     pub fn new(
         unknowns: impl IntoIterator<Item = Unknown>,
         slips: impl IntoIterator<Item = Slip<C>>,
@@ -160,7 +160,7 @@ impl<const C: usize> Identify<C> {
 }
 
 impl Identify<3> {
-    /// [`Self::grasp_with`] inside the engine.
+    /// Implements [`Self::grasp_with`] in the engine, with three components.
     fn fitted_grasp(&self, grasp: &Grasp<3>, found: &Identified) -> Result<Grasp<3>, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?;
@@ -177,7 +177,7 @@ impl Identify<3> {
         assigned(&model, fitted(&model)?)
     }
 
-    /// The question with weights at rest in slips whose own load presses, unless carried forces are sought.
+    /// The question with [weights at rest](Slip::with_weight_at_rest) in slips whose own load presses, unless carried forces are sought.
     fn with_weights_at_rest(&self, layouts: &[Grasp<3>]) -> Self {
         let mut asked = self.clone();
         let is_carried =
@@ -222,8 +222,7 @@ impl Identify<3> {
         Ok(asked)
     }
 
-    /// The load before a slip's own load, for the check of contacts at rest: zero if some slip has none and no carried force is sought, else that of
-    /// the first slip.
+    /// The load at rest for the check of contacts: that of the first slip if carried forces are sought, or if every slip has a load at rest; else zero.
     #[cfg(feature = "serde")]
     pub(crate) fn at_rest(&self) -> Wrench<3> {
         let mut all = self.slips.iter().map(Slip::at_rest);
@@ -245,7 +244,8 @@ impl Grasp<3> {
             if part.label.link.is_none() {
                 let point = points.get(count).copied().unwrap_or(middle);
                 for contact in &mut contacts[part.range.clone()] {
-                    // The middle of a contact that is a point is that point, which comes first so that no digit is lost.
+                    // For a contact of a single point the difference in brackets is zero. It is formed first, so that no digit of the new point is
+                    // lost.
                     contact.point = point + (contact.point - middle);
                 }
                 count += 1;
@@ -266,7 +266,7 @@ pub(crate) const LAYOUTS_OF_HANDS: Error = Error::Question {
 };
 
 impl<const C: usize> Grasp<C> {
-    /// The unknowns of this grasp by the slips that were seen. See [the room](crate::identify).
+    /// The unknowns of this grasp, estimated from observed slips; see the module [`identify`](crate::identify).
     ///
     /// ```
     /// use grasp_lcp::identify::{Identify, Slip, Unknown};

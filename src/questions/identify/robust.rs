@@ -5,7 +5,7 @@ use crate::numerics::{normal_density, normal_tail, summed};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The loss, by its transition in standard deviations.
+/// Huber's loss, by the residual at which it becomes linear, in standard deviations.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Huber(pub(super) f64);
 

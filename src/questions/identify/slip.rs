@@ -105,8 +105,8 @@ impl<const C: usize> Slip<C> {
         self
     }
 
-    /// This slip with a factor on the squeeze. If the squeeze is loosened until the load slips, it is the factor at the slip. Its scatter counts as
-    /// that of the load.
+    /// This slip with a factor on the squeeze of the grasp. If the squeeze is loosened until the object slips, it is the factor at the slip, and its
+    /// scatter is given as that of the load.
     #[must_use]
     pub fn squeezed(mut self, factor: f64) -> Self {
         self.squeeze = Some(factor);

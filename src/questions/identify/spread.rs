@@ -23,7 +23,7 @@ pub(super) fn told(model: &Model<'_>, fit: &Fitted) -> Identified {
         let (error, degrees) = known.unwrap_or((f64::INFINITY, None));
         // Beyond this error the interval spans two powers of ten, over which the problem is not linear.
         let is_known = error.is_finite() && error <= 1.0;
-        // The probability that the interval contains the true value.
+        // 0.95 is the probability that the interval contains the true value.
         let off = (two_sided(0.95, degrees) * error).exp();
         Estimate {
             name: name.clone(),
@@ -107,7 +107,7 @@ impl Spread {
         let inside = off.iter().filter(|u| u.abs() <= huber.0).count();
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
-        // The contributions of groups are computed from the slips; for independent slips they have the mean square of a normal distribution.
+        // With groups the scatter comes from the limited residuals themselves. Independent slips have the mean square of limited normal residuals.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);

@@ -116,7 +116,7 @@ impl Unknown {
         self
     }
 
-    /// This unknown for the points of its contacts in one of these grasps.
+    /// This unknown in its layout, with indices of contact points in place of whole contacts.
     pub(super) fn of_points(&self, number: usize, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         let mut points = self.clone();
         if let Some(contacts) = &self.contacts {

@@ -84,7 +84,7 @@ impl Identified {
         self.assignments.iter().any(|each| !is_alike(&self.assignments[0][unknown], &each[unknown]))
     }
 
-    /// "one of the two is 0.423 ± 0.004, which one is not fixed: friction of left or friction of right"; where values differ, each with its name.
+    /// "one of the two is 0.423 ± 0.004, which one is not fixed: friction of left or friction of right". If values differ, each has its name.
     fn one_of(&self, open: &[usize], words: Words) -> String {
         let names: Vec<_> = mapped(open, &|j| self.estimates[*j].name.clone());
         let fixed: Vec<Vec<&Estimate>> = mapped(&self.assignments, &|each| {
@@ -148,7 +148,7 @@ impl Estimate {
 /// A number to two digits of its error, with at most the digits of `words`.
 fn to_error(x: f64, error: f64, words: Words) -> String {
     let decimals = 1.0 - error.log10().floor();
-    // If the error is smaller than the digits show, they suffice.
+    // If the error is smaller than the last of these digits, they suffice.
     let most = words.digits() as f64 - 1.0 - x.abs().log10().floor();
     if !(0.0..=12.0).contains(&decimals) || decimals > most {
         return words.number(x);

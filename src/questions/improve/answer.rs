@@ -8,7 +8,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The best places and squeezes found; its [`Display`](std::fmt::Display) says them in a sentence.
+/// The best places and squeezes found; its [`Display`](std::fmt::Display) states them in a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -34,9 +34,9 @@ pub struct Improved<const C: usize> {
     pub in_the_way: Vec<InTheWay>,
     /// How the search for this grasp ended.
     pub search: SearchEnd,
-    /// Residual of first-order optimality: the sum of gradients of events and bounds, weighted by their multipliers. It is relative to the first
-    /// slip, or for a reserve to the greatest force at rest. It refers to a step as large as the grasp or as the greatest allowed force. `None` where
-    /// no multipliers were found.
+    /// Residual of first-order optimality: the sum of gradients of events and bounds, weighted by their multipliers. It is relative to the first slip,
+    /// or for a reserve to the greatest force at rest. Places are in units of the grasp's size, squeezes in units of the greatest allowed force. `None`
+    /// where no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
     /// Number of starts from which the search ascended.
@@ -160,11 +160,11 @@ pub enum Binds {
 pub enum SearchEnd {
     /// To first order nothing nearby is better: gradients of active events and of active bounds cancel up to a millionth.
     Optimum,
-    /// No step gains more than rounding, but gradients do not cancel. Two ways of one contact to slide may meet there.
+    /// No step gains more than rounding, but gradients do not cancel. Two conditions of one contact may meet there.
     Stalled,
     /// The search used all of its steps.
     OutOfSteps,
-    /// At any other place nothing would balance the loads, as for two point contacts in space that must lie on one line with them.
+    /// At any other place nothing would balance the loads. For instance, two point contacts in space resist no moment about the line that joins them.
     Unbalanced,
     /// No contact slides, however large the loads are.
     NothingSlides,

@@ -43,7 +43,7 @@ pub(super) struct LastStep {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent>,
     pub(super) bounds: Vec<Constraint>,
-    /// The contacts of those bounds of the program that are ends of surfaces; they come after `bounds`.
+    /// The contacts of the last bounds of the program, which are ends of surfaces; in the program they follow `bounds`.
     pub(super) rooms: Vec<usize>,
 }
 
@@ -240,7 +240,7 @@ fn fallen(
     let step = &old.step;
     let mut fell = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Of several events of the same kind, the one with the nearest value.
+        // Of several events of one condition, the one with the nearest value is the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

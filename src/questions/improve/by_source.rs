@@ -1,4 +1,5 @@
-//! Forces while every contact sticks, source by source, and their exact derivatives by places and squeezes.
+//! Forces while every contact sticks, and their exact derivatives by places and squeezes. Sources of forces are the state at rest, the squeeze, and
+//! each load.
 
 use nalgebra::SVector;
 
@@ -72,7 +73,7 @@ impl StickingForces {
         self.sources.len() - LOADS
     }
 
-    /// Changes of all forces by one unit of each variable; `None` where another place leaves a load unbalanced.
+    /// Changes of all forces by one unit of each variable; `None` where a load would be unbalanced at another place.
     pub(super) fn derivatives(&self, choice: &Choice<'_>, placing: &Placing) -> Option<Vec<BySource>> {
         let response = self.response();
         choice.variables.iter().map(|variable| self.derivative(&response, placing, variable)).collect()

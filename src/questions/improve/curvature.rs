@@ -28,8 +28,7 @@ impl Curvature {
         }
         let told = &self.0 * step;
         let known = step.dot(&told);
-        // Powell's damping acts where dᵀy is below this part of dᵀBd, with the step d and the change y of the
-        // gradient.
+        // Powell's damping acts where dᵀy is below this fraction of dᵀBd, with the step d and the change y of the gradient.
         let confirmed = 0.2;
         let part = if shown >= confirmed * known { 1.0 } else { (1.0 - confirmed) * known / (known - shown) };
         let mixed = fell * part + &told * (1.0 - part);

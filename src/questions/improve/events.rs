@@ -12,7 +12,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{mapped, numbered, unit};
 use crate::prelude::*;
 
-/// One condition of one contact, the same at places that may differ.
+/// Identifies a condition of a contact, also after the contact has moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConeRow {
     /// Index of the load; `None` for a force of any direction.
@@ -47,7 +47,8 @@ pub(super) enum ConstraintKind {
     Force,
 }
 
-/// The conditions of a contact that are worst at a force: all facets, or the nearest of a round cone. Without friction force, eight all around.
+/// The critical conditions at a force: all facets of a polygon; on the round cone the facet nearest to the friction force, or eight facets all around
+/// without such a force.
 fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     let friction = tangential(force);
     edges.rows(&|_| {
@@ -128,7 +129,7 @@ impl Pressed<'_> {
         self.events(Some(load), rows, &|row| row.dot(&rate), &|row, d| row.dot(&d[LOADS + load][self.number]))
     }
 
-    /// Events under a force of any direction, whose components along the axes are the columns of `influence`.
+    /// Slip events under a force of given size and any direction. Column k of `influence` is the contact force under this force along axis k.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let felt = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
             DVector::from_fn(influence.len(), |k, _| row.dot(&by(k)))

@@ -1,4 +1,4 @@
-//! Questions for finger places, and their answers, at the door.
+//! Conversion of questions and answers between the engine's three components and the `C` components of callers.
 
 use super::answer::{Improved, InTheWay, Placed, SearchEnd};
 use super::goal::ImproveGoal;

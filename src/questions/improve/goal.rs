@@ -1,4 +1,4 @@
-//! The value that fingers are placed for.
+//! The value that is maximised over places and squeezes.
 //!
 //! A condition `a·F >= 0` has the margin `r = a·F⁰` at rest, and a load adds `s = a·F¹`, usually negative. The first slip asks for the factor of the
 //! load that takes all of the margin, `r + τ s = 0`. The reserve asks for the margin under the load, `r + s`.

@@ -64,10 +64,10 @@ impl Improve<3> {
         let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
-        // The best of 24 random placings for each start become starts.
+        // For each start 24 placings are drawn; the best of all of them become the starts.
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
-            // A stream apart from the random numbers of other questions.
+            // The last number selects a random stream that no other question uses.
             let drawn = choice.drawn(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
             // Only places are kept here: the forces of thousands of them would take much memory.
             Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.value, held.placing)))
@@ -146,7 +146,7 @@ impl<const C: usize> Improved<C> {
 }
 
 impl Improved<3> {
-    /// [`Self::placed`] inside the engine.
+    /// Implements [`Self::placed`] in the engine, with three components.
     fn placed_inside(&self, grasp: &Grasp<3>) -> Result<Grasp<3>, Error> {
         let (given, expected) = (self.contacts.len(), grasp.len());
         if given != expected {

@@ -12,8 +12,8 @@
 //! ```
 //!
 //! The reserve under the loads is, in the same way, the least of `a·F⁰ + a·F¹`. Both have exact derivatives
-//! ([`Sensitivity::of`](crate::ask::Sensitivity::of)). Each step maximises the least of the linearised values within a box, less a quadratic term
-//! with the curvature learnt from earlier steps. The step is accepted if the true value grows. Its multipliers are the certificate:
+//! ([`Sensitivity::of`](crate::ask::Sensitivity::of)). Each step maximises the least of the linearised values within a trust region, a box, less a
+//! quadratic term with the curvature learnt from earlier steps. The step is accepted if the true value grows. Its multipliers are the certificate:
 //!
 //! ```text
 //! Σ λ_k ∇τ_k + Σ ν_b ∇b = 0,      λ, ν >= 0,      Σ λ_k = 1
@@ -36,7 +36,7 @@
 //! | `ascent`, `over_edges` | from one start to a local optimum, within the parts of surfaces and across their edges |
 //! | `improved` | all starts, and the best of them |
 //! | `answer`, `words` | the answer, and its sentence |
-//! | `face` | questions and answers at the door |
+//! | `face` | conversion between three components and those of callers |
 
 mod answer;
 mod ascent;

@@ -10,7 +10,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Climb<'_> {
-    /// Ascent from a start, and on from part to part as long as the value grows and steps are left.
+    /// Ascent from a start, continued on adjacent parts as long as the value grows and steps are left.
     pub(super) fn over_edges(&self, held: Held) -> Result<Ascent, Error> {
         let mut best = self.up(held, 0)?;
         let mut steps = best.steps;

@@ -18,7 +18,7 @@ use crate::prelude::*;
 pub(super) struct DesignVariable {
     pub(super) contact: usize,
     pub(super) what: DesignKind,
-    /// The unit of the variable in a step: m, N.
+    /// Unit of the variable in a step, m or N.
     pub(super) unit: f64,
 }
 

@@ -68,7 +68,7 @@ pub struct Improve<const C: usize> {
     pub(super) most: Vec<(usize, f64)>,
 }
 
-/// The place of a contact in a list by contact, or the place at which it is missing.
+/// The index of a contact in a list sorted by contact, or the index at which it would be inserted.
 fn place_of<T>(list: &[(usize, T)], contact: usize) -> Result<usize, usize> {
     list.binary_search_by_key(&contact, |(of, _)| *of)
 }

@@ -4,7 +4,8 @@
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! A minimum exists. The multipliers of the box and B d are the residual of stationarity at d = 0.
+//! `top` is a constant above every reachable value, so that t is positive. A minimum exists. The multipliers of the box and B d are the residual of
+//! stationarity at d = 0.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -51,7 +52,7 @@ impl StepProgram {
     /// The step within a box of half width `radius`; `None` where rounding prevents it.
     pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<TrialStep> {
         let n = self.reach.len();
-        // Of several steps with equal gain the shortest is taken.
+        // The added term selects the shortest of several steps with equal gain.
         let curvature = curvature + DMatrix::identity(n, n) * 1e-4;
         let Solved { d, events, bounds } = self.solved(radius, &curvature)?;
         let least = self.after(&d).fold(f64::INFINITY, f64::min);
@@ -100,7 +101,7 @@ impl StepProgram {
         if !top.is_finite() {
             return None;
         }
-        // All other events stay above this value within the box.
+        // Events that stay above `top` in the whole box cannot be the least.
         let mut near: Vec<usize> = (0..ranges.len()).collect();
         near.retain(|k| self.factors[*k] + ranges[*k][0] < top);
         if near.is_empty() {

@@ -173,7 +173,7 @@ impl<const C: usize> Surface<C> {
 }
 
 impl Shape {
-    /// [`Surface::nearest`] inside the engine.
+    /// Implements [`Surface::nearest`] in the engine, with three components.
     fn nearest_to(&self, point: SVector<f64, 3>, normal: SVector<f64, 3>) -> Result<[[f64; 3]; 2], Error> {
         let refused = |what, value, allowed| Err(Error::Argument { what, value, allowed });
         if let Err(NoSurface { field, value, allowed }) = self.is_one() {

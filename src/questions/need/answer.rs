@@ -70,7 +70,7 @@ pub struct PressedBy {
     /// Size of the force given, in `unit`: amounts are multiples of it. `None` where it is neither one force nor one moment.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub size: Option<f64>,
-    /// Unit of `size`, N or N m; `None` with it.
+    /// Unit of `size`, N or N m; `None` where `size` is `None`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub unit: Option<String>,
 }
@@ -96,7 +96,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Whether the least amount is sought: of a squeeze, friction or a force. Of all others the greatest is.
+    /// Whether the least amount is sought: of a squeeze, friction or a force. For all other quantities the greatest amount is sought.
     #[must_use]
     pub fn is_least(self) -> bool {
         matches!(self, Self::Squeeze | Self::Friction | Self::Force)
@@ -124,11 +124,11 @@ pub enum Amount {
         unknown: Option<f64>,
         /// Number of changes of the verdict among the amounts tried around the bound, the bound included: 1 as a rule.
         changes: usize,
-        /// Far end of the sufficient amounts that begin at `does`, as of a squeeze that presses something else away. `None` if all tried beyond it
-        /// suffice.
+        /// Far end of the interval of sufficient amounts that begins at `does`; for instance, a larger squeeze pushes the object out. `None` if all
+        /// amounts tried beyond `does` suffice.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
-        /// Windows of other sufficient amounts, in ascending order.
+        /// Further intervals of sufficient amounts, in ascending order.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         elsewhere: Vec<AmountWindow>,
         /// Normal force of each contact at rest with the squeeze `does`, N; empty for other quantities.
@@ -146,7 +146,7 @@ pub enum Amount {
     Any {
         /// The last sufficient amount that was tried.
         to: f64,
-        /// Far end of the sufficient amounts on the other side, as of an arm that has to be long enough to jam. `None` if all tried there suffice.
+        /// Far end of the sufficient amounts on the other side; for instance, a shorter arm does not jam. `None` if all amounts tried there suffice.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
         /// The amounts that were tried; `None` where no other amount can meet the demand, by a proof or since more load is never easier to carry.
@@ -189,7 +189,7 @@ impl Amount {
     }
 }
 
-/// The amounts whose trials an answer rests on. A window of other verdicts may lie between two of them.
+/// The amounts on whose trials an answer rests. An interval of other verdicts may lie unseen between two of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -203,7 +203,7 @@ pub struct TriedAmounts {
     pub to: f64,
 }
 
-/// The far end of the sufficient amounts: where more is too much, or less too little.
+/// The far end of an interval of sufficient amounts: beyond it more is too much, or less is too little.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -213,7 +213,7 @@ pub struct FarEnd {
     pub does: f64,
     /// The insufficient amount beside it; it was tried.
     pub does_not: f64,
-    /// The verdict for `does_not`, in a sentence; why it is undecided, if it is.
+    /// The verdict for `does_not` in a sentence, or the reason why it is undecided.
     pub otherwise: String,
     /// Normal force of each contact at rest with the squeeze `does`, N; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]

@@ -1,4 +1,4 @@
-//! A scan around a bound: up to where the amounts beyond it suffice, and which other amounts suffice.
+//! A scan of amounts around a bound: how far amounts beyond it suffice, and which other amounts do.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, Tries};
@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::numerics::{increasing, mapped, moved};
 use crate::prelude::*;
 
-/// The amounts around a bound.
+/// The result of a scan around a bound.
 #[derive(Debug)]
 pub(super) struct Around {
     /// Number of changes of verdict, the bound included.
@@ -20,11 +20,11 @@ pub(super) struct Around {
 }
 
 impl SearchPlan {
-    /// So many amounts beyond one in a direction, inside the range that forces can balance; with `coarse` also one at 16 times as much.
+    /// `count` amounts beyond `from`, upwards or downwards, inside the range that forces can balance. With `coarse` also one at a ratio of 16.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
         // The k-th of n amounts is at the ratio 4^((k/n)³). A larger ratio scans more coarsely near the start.
         let fine = (1..=count).map(|k| 4.0_f64.powf((k as f64 / count as f64).powi(3)));
-        // Drives reach their limits at one further squeeze or force, which a smaller ratio would miss.
+        // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
         let coarse = (coarse && count > 0).then_some(16.0);
         let parts = fine.chain(coarse).map(|part| if up { from * part } else { from / part });
         parts.filter(|amount| self.contains(*amount)).collect()
@@ -33,7 +33,7 @@ impl SearchPlan {
     /// Amounts just inside and outside an end of the statics range; none without that end.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
-            // Below the error of the end both amounts fall on one side of it.
+            // With a smaller offset than the error of the end, both amounts could fall on one side of it.
             let off = 1e-8;
             [1.0 - off, 1.0 + off].map(|part| if up { end * part } else { end / part })
         };
@@ -42,7 +42,8 @@ impl SearchPlan {
 }
 
 impl Around {
-    /// Tries `scan` amounts on both sides of a bound beside those `known`, with `far` also one at 16 times as much, all inside the range that forces can balance.
+    /// Tries `scan` amounts on both sides of a bound, beside those `known`, inside the range that forces can balance. With `far` also one at a ratio of
+    /// 16.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
@@ -76,8 +77,8 @@ impl Around {
         Ok(around)
     }
 
-    /// The far end where all amounts as far as `to` suffice: from there back through the amounts already known, and through `scan` ones beyond the
-    /// first of the search.
+    /// The far end of the sufficient amounts, in the case that all amounts as far as `to` suffice. The search for it goes from `to` back through the
+    /// known amounts, then through `scan` amounts beyond the first one of the search.
     pub(super) fn far_end(
         to: f64,
         scan: usize,
@@ -89,7 +90,7 @@ impl Around {
         let up = plan.is_least;
         let mut amounts: Vec<f64> = mapped(known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
-        // Where more is known to be carried, a far amount shows whether the part moves too far.
+        // If every larger amount carries the load, a far one only shows whether the part moves too far.
         let count = if plan.is_monotone { scan.min(1) } else { scan };
         amounts.extend(plan.scanned(plan.begin(), up, count, true));
         in_order(&mut amounts, up);
@@ -97,8 +98,8 @@ impl Around {
         Ok(around.until)
     }
 
-    /// Tries `amounts` from the bound to one side and narrows each change of verdict. The first amount suffices if it comes without a trial.
-    /// Undecided amounts are skipped.
+    /// Tries `amounts` in order on one side of the bound and narrows each change of verdict. A start without a trial is a sufficient amount. Undecided
+    /// amounts are skipped.
     fn side(
         &mut self,
         (mut at, mut trial): (f64, Option<Trial>),
@@ -119,7 +120,7 @@ impl Around {
             }
             if did != does {
                 self.changes += 1;
-                // Each change of verdict is narrowed at the price of a search; further ones are only counted.
+                // Each narrowing costs a search, so further changes of verdict are only counted.
                 if self.changes <= 8 {
                     let (inner, outer) = ((at, trial.clone()), (amount, Some(now.clone())));
                     let (does, does_not) = if did { (inner, outer) } else { (outer, inner) };
@@ -143,7 +144,7 @@ impl Around {
     }
 }
 
-/// Sorts amounts in a direction.
+/// Sorts amounts, in ascending order if `up`, else in descending order.
 fn in_order(amounts: &mut [f64], up: bool) {
     amounts.sort_by(f64::total_cmp);
     if !up {

@@ -15,9 +15,9 @@ use crate::squeeze::{Loads, WeakestDirection};
 impl<const C: usize> Grasp<C> {
     /// This grasp with an amount set, and its equilibrium under the load of the [need](Self::need) that uses most of its friction.
     ///
-    /// The amount is in the unit of the sought [`Quantity`](super::Quantity), for instance [`Amount::bound`](super::Amount::bound). The use of
-    /// friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts. Of a turn, 180 equal steps and its end are compared; a sought angle has
-    /// the state at its end. `None` where no load is held.
+    /// The amount is in the unit of the sought [`Quantity`](super::Quantity), for instance [`Amount::bound`](super::Amount::bound). The use of friction
+    /// is the largest `|f_t| / (|f_t| + margin)` of closed contacts. For a load that turns, 180 equal steps and its end are compared. If an angle is
+    /// sought, the state is that at the end of the turn. `None` where no load is held.
     ///
     /// ```
     /// use grasp_lcp::need::Need;

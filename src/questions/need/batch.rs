@@ -1,8 +1,8 @@
 //! Needed amounts of many grasps, on all cores.
 //!
-//! Where everything must stick, the first slip of screening is the answer: the greatest multiple of the load, and its inverse is the least multiple
-//! of the squeeze if nothing but squeeze and load acts. Where the object must be held, one path to the loss gives both in the same way. All other
-//! rows are searched as by [`Grasp::need`].
+//! If everything must stick, screening gives the first slip, which is the greatest multiple of the load. If only squeeze and load act, its inverse is
+//! the least multiple of the squeeze. If the object must be held, one path to the loss gives both amounts in the same way. All other rows are searched
+//! as by [`Grasp::need`].
 
 use core::ops::Range;
 
@@ -59,8 +59,8 @@ impl<const C: usize> Grasp<C> {
     /// [`Self::need`], without sentences, windows and safe amounts.
     ///
     /// The quantity is [`Quantity::Squeeze`] or [`Quantity::Load`], the demand that everything [sticks](Demand::Sticks) or that the object is
-    /// [held](Demand::Held). Amounts with which everything sticks take a few microseconds, amounts with which the object is held a path up to its
-    /// loss, and all others as long as [`Self::need`]. The amounts agree with those of [`Self::need`] to the error of steps along arcs.
+    /// [held](Demand::Held). For sticking, a row takes a few microseconds; for holding, one path up to the loss; any other row as long as
+    /// [`Self::need`]. The amounts agree with those of [`Self::need`] up to the step error along arcs, on which directions of slip turn.
     ///
     /// The amounts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
     ///
@@ -96,7 +96,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// The question that all rows get.
+/// The question, which is the same for all rows.
 struct Asked {
     quantity: Quantity,
     demand: Demand,
@@ -104,7 +104,8 @@ struct Asked {
 }
 
 impl Asked {
-    /// Whether the amount is the multiple of the load or its inverse: whether all that acts beside the load is in proportion to the squeeze.
+    /// Whether the bound is the multiple of the load, or for a squeeze its inverse, which requires that all else that acts is proportional to the
+    /// squeeze.
     fn is_proportional<const C: usize>(&self, contacts: &[Contact<C>], base: &Wrench<C>) -> bool {
         let held = |contact: &Contact<C>| {
             contact.clearance == 0.0 && contact.force.is_none() && contact.suction == 0.0
@@ -123,7 +124,7 @@ impl Asked {
         (1.0 / MOST_LOADS..=MOST_LOADS).contains(&amount).then_some(amount)
     }
 
-    /// The amounts of some rows, on one thread.
+    /// The amounts of a range of rows, on one thread.
     fn amounts<const C: usize>(
         &self,
         rows: Range<usize>,
@@ -148,8 +149,8 @@ impl Asked {
         amounts
     }
 
-    /// Multiples of the load at which everything still sticks, where the rotation under the load given does not bound that under the multiple: the
-    /// multiple itself is put on.
+    /// Fills in bounds for rows of which the rotation under the given load does not bound the rotation under the sought multiple: the rotation is
+    /// computed again under that multiple.
     fn under_the_load_sought<const C: usize>(
         &self,
         first: usize,
@@ -182,7 +183,7 @@ impl Asked {
     fn while_it_sticks(&self, WhileSticking { first, turn }: &WhileSticking) -> Option<f64> {
         let multiple = first.factor()?;
         let amount = self.amount(multiple)?;
-        // Rotations are affine in load and squeeze. `turn` bounds that at rest and that under the load given, and with them all others.
+        // Rotations are affine in load and squeeze. `turn` bounds the rotations at rest and under the given load, and thus all others.
         let [load, squeeze] =
             if self.quantity == Quantity::Squeeze { [1.0, amount] } else { [multiple, 1.0] };
         let most = turn * (load + (squeeze - load).abs());
@@ -212,7 +213,7 @@ impl Asked {
         Ok(ShortAmount::from(&grasp.need(&need.with_scan(0))?.amount))
     }
 
-    /// The amount with which the object is held, from the loss on the path of the load.
+    /// The amount with which the object is held, from the loss along the path of its load.
     fn along_the_path<const C: usize>(
         &self,
         grasp: &Grasp<C>,
@@ -229,7 +230,7 @@ impl Asked {
             return Ok(self.amount(multiple));
         }
         if is_too_far {
-            // With the squeeze that is sought the motions may be small: the loss is looked for whatever they are.
+            // With the sought squeeze the motions may be small, so the loss is computed without a limit on motions.
             let mut anyhow = self.settings;
             (anyhow.small_motions.rotation, anyhow.small_motions.slip) = (ANY_MOTION, ANY_MOTION);
             let Some((lost, false)) = lost_at(&grasp.with(&anyhow).hold_briefly(&ramp)?) else {
@@ -245,10 +246,11 @@ impl Asked {
 
 /// Limit of small motions that no motion reaches: 1e50 is the largest allowed.
 const ANY_MOTION: f64 = 1e50;
-/// A squeeze larger by this part is beyond the error of steps along arcs, 1e-9 by default; one where motions are no longer small is farther away.
+/// The trial squeeze exceeds the bound by this fraction: more than the error of steps along arcs, 1e-9 by default, but too little to make motions
+/// large.
 const BEYOND_STEPS: f64 = 1e-7;
 
-/// The multiple of the load at which it is lost from a start that holds, and whether motions are too large there.
+/// The multiple of the load at the loss, and whether the loss is the end of small motions. `None` if rest is not held, or no loss was found.
 fn lost_at<const C: usize>(verdict: &Verdict<C>) -> Option<(f64, bool)> {
     let starts = matches!(verdict.holding, Holding::Sticks | Holding::Slides { .. } | Holding::Lost);
     let lost = verdict.lost.as_ref().filter(|lost| starts && lost.factor > 0.0)?;

@@ -7,7 +7,8 @@ use crate::error::Error;
 use crate::numerics::{increasing, moved};
 use crate::prelude::*;
 
-/// A sufficient amount between insufficient ones, first where the largest part is carried, then in the middle of the widest gaps near the start.
+/// Searches for a sufficient amount between insufficient ones: first near the one that carries most of the load, then in the widest gaps near the
+/// start.
 pub(super) fn refined(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -18,7 +19,7 @@ pub(super) fn refined(
         return Ok(Some(does));
     }
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
-    // Two halves of each gap: fewer leave windows of sufficient amounts in them unseen.
+    // Two trials for each doubling on both sides of the start; fewer leave windows of sufficient amounts unseen.
     for _ in 0..4 * NEAR_DOUBLINGS {
         let mut amounts: Vec<f64> = vain.iter().map(|(at, _)| *at).filter(|at| near(*at)).collect();
         amounts.sort_by(f64::total_cmp);
@@ -34,8 +35,8 @@ pub(super) fn refined(
     Ok(None)
 }
 
-/// While contacts and drives keep their states, the carried part is a concave function of the squeeze. A golden section around the best trial finds
-/// its maximum, or ends where chords of such a function stay below 1.
+/// While contacts and drives keep their states, the carried fraction of the load is a concave function of the squeeze. A golden-section search around
+/// the best trial finds its maximum, or ends once the chords bound the maximum below 1.
 fn where_most_is_carried(
     tries: Tries<'_>,
     vain: &mut Vec<(f64, Trial)>,
@@ -45,7 +46,7 @@ fn where_most_is_carried(
     let in_order: Vec<_> = moved(increasing(&amounts), &|i| (amounts[i], carried[i]));
     let carries_most = |i: &usize, j: &usize| in_order[*i].1.total_cmp(&in_order[*j].1);
     let Some(best) = (0..in_order.len()).max_by(carries_most) else { return Ok(None) };
-    // Equal carried parts show no direction.
+    // If all carried fractions are equal, there is no direction of ascent.
     if in_order.iter().all(|(_, carried)| *carried == in_order[best].1) {
         return Ok(None);
     }
@@ -69,7 +70,7 @@ fn where_most_is_carried(
         }
         let [(low, at_low), (high, at_high)] = ends;
         let [one, other] = parts.map(|part| part.unwrap_or(f64::NEG_INFINITY));
-        // A concave function lies below its chords, continued.
+        // A concave function lies below its extended chords, so that `most` bounds its maximum.
         let gap = inner[1] - inner[0];
         let slope = (other - one) / gap;
         let before = one + (-slope).max(0.0) * (inner[0] - low);

@@ -1,4 +1,4 @@
-//! Questions for an amount at the door.
+//! Conversion of the question between the engine's three components and the `C` components of callers.
 
 use super::answer::Quantity;
 use super::question::{Demand, Need};

@@ -29,7 +29,7 @@ pub(super) struct Loading {
     words: Words,
     /// The multiple of the load up to which a path follows it.
     followed: f64,
-    /// Whether trials leave out the search of every case.
+    /// Whether trials skip the enumeration of contact states.
     is_quick: bool,
 }
 
@@ -55,8 +55,8 @@ impl Loading {
         }
         let grasp = if friction == 1.0 { grasp } else { grasp.with_friction(|_, mu| friction * mu)? };
         let followed =
-            // The carried part of a sufficient amount shows its distance from the bound up to this multiple;
-            // a larger one costs longer paths.
+            // A sufficient amount is followed up to this multiple of its load, which shows its distance from the bound. A larger multiple costs longer
+            // paths.
             if matches!(need.sought, Sought::Load) { MOST_LOADS / amount.max(1.0) } else { 32.0 };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
         Ok(Self { grasp, loads, base, times, words: need.words, followed, is_quick: false })
@@ -87,7 +87,7 @@ impl Loading {
         list
     }
 
-    /// This loading without the search of every case; if `short` without loads beyond those asked about.
+    /// This loading with trials that skip the enumeration of contact states. If `short`, loads beyond those asked about are not followed.
     pub(super) fn quick(mut self, short: bool) -> Self {
         self.followed = if short { 1.0 } else { self.followed };
         self.is_quick = true;
@@ -157,7 +157,7 @@ impl Loading {
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
             if let Trial::DoesNot { .. } = wanted {
                 first.set(which);
-                // A load that is not held slides, too. Where one slides before all were tried, holding stays open.
+                // A load that is not held slides, too. If one slides before all were tried, it stays open whether all are held.
                 let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
                 return Ok(Trials { held, sticks: Some(sticks) });
             }
@@ -184,8 +184,8 @@ impl Loading {
         })
     }
 
-    /// Whether everything sticks under a force of any direction, and without it at rest and under `load`. `None` where something slides and the
-    /// demand allows it.
+    /// Whether everything sticks under a force of any direction, and without that force, at rest and under `load`. `None` where something slides and
+    /// the demand allows it.
     fn any_force(
         &self,
         load: Wrench<3>,
@@ -231,7 +231,7 @@ impl Loading {
         format!("{what:.digits$}")
     }
 
-    /// A trial from its verdict and another margin: that of small motions for holding, that at rest for sticking.
+    /// A trial from its verdict and a second margin: for holding that of small motions, for sticking that at rest.
     fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
         let does = match demand {
             Demand::Sticks => verdict.sticks(),
@@ -308,7 +308,7 @@ pub(super) fn force_at(force: [f64; 3], point: [f64; 3]) -> Wrench<3> {
 
 /// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
 fn directions(space: Space) -> Vec<[f64; 3]> {
-    // A loss has no closed form over directions, and fewer of them can pass over the weakest.
+    // Losses have no closed form over directions, and fewer directions could miss the weakest one.
     let count = if space == Space::Planar { 72 } else { 200 };
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let direction = |k: usize| {

@@ -1,4 +1,5 @@
-//! How much does it need? The least squeeze or friction, the greatest load, arm or angle, such that nothing slides or such that it is not lost.
+//! How much does it need? The least squeeze or friction, or the greatest load, arm or angle, with which nothing slides, or with which the object is
+//! held.
 //!
 //! A [`Need`] names the sought quantity and the loads; [`Grasp::need`](crate::ask::Grasp::need) answers with a [`Needed`]. Its sentence has the units
 //! of practice: newtons at each jaw, a coefficient of friction, metres, degrees.
@@ -13,22 +14,24 @@
 //! | [`Need::force`] | least load of a body, or command of a contact, cable or joint | multiple of the one given; in the sentence N or N m |
 //! | [`Need::load_at_rest`] | least | multiple of the load at rest given |
 //!
-//! The [`Demand`] is one of four. The object is held, and the answer adds the amount with which nothing slides; or nothing slides at all. Where the
-//! loads are put on again and again, the object comes to rest, or it does not walk.
+//! There are four [`Demand`]s. [`Held`](Demand::Held): the object is held; the answer then adds the amount with which nothing slides.
+//! [`Sticks`](Demand::Sticks): nothing slides at all. [`Rests`](Demand::Rests): under loads that repeat, the object comes to rest.
+//! [`Stays`](Demand::Stays): under loads that repeat, it does not walk.
 //!
-//! Every trial is a verdict from rest ([`Grasp::hold`](crate::ask::Grasp::hold)). The answer names two amounts that were tried: one suffices, the
-//! other beside it does not. Between them, secants of the carried part of the load lead to the last digits; where that jumps, those of small motions
-//! or of sticking at rest. These trials leave out the search of every case, which takes longest beside a bound; both amounts of the answer have it.
+//! Every trial of an amount is a verdict from rest ([`Grasp::hold`](crate::ask::Grasp::hold)). The answer names two amounts that were tried: one
+//! suffices, the other beside it does not. Secants of the carried fraction of the load narrow this bracket to the last digits. Where that fraction
+//! jumps, the margin of small motions, or of sticking at rest, takes its place. The trials of the narrowing skip the enumeration of contact states,
+//! which is slowest near a bound; both amounts of the answer are tried with it.
 //!
-//! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. No
-//! theorem says that more is better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes
-//! both ways from the start, and between trials towards the largest carried part. Then a few amounts around the bound show up to where amounts
-//! suffice ([`FarEnd`]), and which others do ([`AmountWindow`]). A narrow window between two of them stays unseen, so that the answer says how many
-//! amounts were tried ([`TriedAmounts`]), unless a proof excludes all others. Where only loads and squeeze act, twice the squeeze carries twice the load, and this
-//! scan is omitted unless a far squeeze moves the part too far.
+//! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. More is
+//! not always better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes both ways from the
+//! start, and then between trials, towards the largest carried fraction. A scan of a few amounts around the bound finds how far amounts suffice
+//! ([`FarEnd`]), and which others do ([`AmountWindow`]). It can miss a narrow window between two of them. The answer therefore says how many amounts
+//! were tried ([`TriedAmounts`]), unless a proof excludes all others. Where only loads and squeeze act, twice the squeeze carries twice the load. The
+//! scan is then omitted, unless a much larger squeeze moves the part too far.
 //!
-//! Where no command presses there is no squeeze. Then the force of the only loaded body is sought in its place, or the load at rest, and the answer
-//! says so.
+//! Where no command presses there is no squeeze to scale. Then the force of the only loaded body is sought in its place, or the load at rest, and the
+//! answer says so.
 
 mod answer;
 mod around;

@@ -1,4 +1,4 @@
-//! The question for an amount from its check to its answer: the amount, that with which nothing slides, and a safe one.
+//! The question for an amount, from its check to its answer: the amount, the amount with which nothing slides, and a safe amount.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::around::Around;
@@ -144,7 +144,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
             return Ok(Amount::Any { to, until, tried: (!plan.is_monotone).then(|| tried.amounts(demand)) });
         }
         Searched::Nothing(mut vain) => {
-            // The amount that holds is known already: undecided trials for sticking are dropped if others are decided.
+            // An amount that holds is known already. Undecided trials for sticking are dropped if others are decided.
             if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
@@ -152,7 +152,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         }
     };
     let (does, does_not) = (bound.does, bound.does_not.0);
-    // More squeeze may move the part too far, whatever friction carries; where it does at a far squeeze, all are looked for.
+    // Even where friction carries more, more squeeze may move the part too far. If a far squeeze does so, the whole range is scanned.
     if plan.is_monotone && is_squeeze && scan > 0 && plan.contains(FAR_FROM_START * does) {
         tries.at(FAR_FROM_START * does)?;
     }

@@ -1,4 +1,4 @@
-//! The question for an amount as its search poses it: checked, with one value of each datum.
+//! The checked question for an amount, with a value for each datum that was left out.
 
 use super::answer::{PressedBy, Quantity, check_part};
 use super::question::{Demand, Need};
@@ -17,7 +17,7 @@ use crate::words::Words;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Posed {
     pub(super) sought: Sought,
-    /// The loads; for an arm that at displacement 0, for an angle the whole turn.
+    /// The loads; for an arm the load at displacement 0, for an angle the load that turns.
     pub(super) loads: Loads<3>,
     /// The load at rest; constant unless its own multiple is sought.
     pub(super) base: Wrench<3>,
@@ -26,11 +26,11 @@ pub(super) struct Posed {
     pub(super) safety: Safety,
     /// Number of amounts tried around the bound.
     pub(super) scan: usize,
-    /// Digits of numbers in the sentences for other amounts.
+    /// Number of digits in the sentences about insufficient amounts.
     pub(super) words: Words,
 }
 
-/// The sought quantity with the data of its own.
+/// The sought quantity, and the data that belong to it alone.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Sought {
     Squeeze,
@@ -52,7 +52,7 @@ pub(super) enum Sought {
     },
 }
 
-/// Deviations from the data to the worse, for a safe amount.
+/// Unfavourable deviations from the data, for a safe amount.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Safety {
     /// Relative reductions of friction and of the squeeze, from 0 to less than 1.
@@ -90,7 +90,7 @@ impl Posed {
         self.loads.check_size()
     }
 
-    /// The question as this grasp answers it. Friction of a soft fingertip is that of all its points. Where no command presses, a force is sought in
+    /// The question adapted to this grasp. The friction of a soft fingertip is set at all its points. Where no command presses, a force is sought in
     /// place of a squeeze: the load of the only loaded body, or the load at rest where no body is loaded.
     pub(super) fn on(mut self, grasp: &Grasp<3>) -> Result<Self, Error> {
         match &mut self.sought {
@@ -145,7 +145,7 @@ impl Posed {
 }
 
 impl Need<3> {
-    /// Refuses fields that are missing or belong to another quantity, numbers out of range, and contacts beyond this number of them.
+    /// An error for fields that are missing or belong to another quantity, numbers out of range, and contact indices not below `contacts`.
     #[cfg(feature = "serde")]
     pub(crate) fn check(&self, space: Space, contacts: usize) -> Result<(), Error> {
         match self.posed(space)?.sought {

@@ -17,7 +17,8 @@ pub struct Press {
     pub part: WholeContact,
     /// Its normal force, N; of a soft fingertip the sum over its points.
     pub force: f64,
-    /// Whether a command, a force or a vacuum of its own presses it; all else presses because of others. False of all where joints or tendons press.
+    /// Whether a command, a force or a vacuum of its own presses it; else it presses by reaction. `false` for all contacts where joints or tendons
+    /// press.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_set: bool,
     /// Of a suction cup: the pressure of its vacuum below that of the air around, Pa.
@@ -25,7 +26,7 @@ pub struct Press {
     pub pressure: Option<f64>,
 }
 
-/// The pressure of the vacuum within a ring of points in space, Pa, if they are the lip of a cup. In the plane suction is a force without an area.
+/// The pressure of a suction cup's vacuum below that of the air, Pa, if these points in space form its ring-shaped lip. In the plane there is no area.
 pub(super) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
     let count = points.len() as f64;
     let vacuum: f64 = points.iter().map(|point| point.suction).sum();
@@ -70,7 +71,7 @@ pub(super) fn all_alike(words: Words, presses: &[Press]) -> Option<String> {
     pressing(presses).first().map(|press| press.in_words(words))
 }
 
-/// "12 N at left and right"; of different forces each with its contact, and the multiple of the given squeeze, `times`.
+/// "12 N at left and right". If forces differ, each is given with its contact, followed by `times`, the multiple of the given squeeze.
 pub(super) fn in_words(words: Words, presses: &[Press], times: String) -> String {
     let pressing = pressing(presses);
     let names: Vec<_> = mapped(&pressing, &|press| press.part.text());

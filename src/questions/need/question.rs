@@ -85,7 +85,7 @@ pub struct Need<const C: usize> {
     /// if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) of: Option<String>,
-    /// Loads of further bodies, by name, which grow together with `load`; without `base` then.
+    /// Loads of further bodies, by name, which grow together with `load`; `base` must be left out then.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "BTreeMap::is_empty"))]
     pub(crate) together_with: BTreeMap<String, Wrench<C>>,
     /// For the safe amount: factor on the loads; 1 if left out.
@@ -100,7 +100,7 @@ pub struct Need<const C: usize> {
     /// Number of amounts tried around the bound.
     #[cfg_attr(feature = "serde", serde(skip, default = "default_scan"))]
     pub(super) scan: usize,
-    /// Digits of numbers in the sentences for other amounts.
+    /// Number of digits in the sentences about insufficient amounts.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) words: Words,
 }
@@ -169,8 +169,8 @@ impl<const C: usize> Need<C> {
         Self::of(Quantity::Load, loads)
     }
 
-    /// The greatest displacement x of a force, m: the load is `at + x per_metre`, with its wrench at 0 and the change of that per metre (N, N m, each
-    /// per m).
+    /// The greatest displacement x of a force, m. The load is `at + x per_metre`: `at` is its wrench at x = 0 (N, N m), `per_metre` the change of that
+    /// wrench per metre.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -190,8 +190,8 @@ impl<const C: usize> Need<C> {
 
     /// The least force of the named part for these loads, as a multiple of the one it has.
     ///
-    /// That is the load of a body, a lever or a screw, or the command or force of a contact, a cable or a joint. All other parts keep theirs. Where
-    /// more than some multiple is too much, [`Amount::Bound`](super::Amount::Bound) has that, too.
+    /// The force of a part is the load of a body, a lever or a screw, or the command or force of a contact, a cable or a joint. All other parts keep
+    /// theirs. If a larger multiple is too much, [`Amount::Bound`](super::Amount::Bound) has that limit, too.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -214,7 +214,7 @@ impl<const C: usize> Need<C> {
         Self { of: Some(part.into()), ..Self::of(Quantity::Force, loads) }
     }
 
-    /// The least load at rest for these loads, as a multiple of the base that [`Self::on_top_of`] sets: a weight that presses an object on.
+    /// The least load at rest for these loads, as a multiple of the base that [`Self::on_top_of`] sets, such as a weight that presses the object down.
     #[must_use]
     pub fn load_at_rest(loads: impl Into<Loads<C>>) -> Self {
         Self::of(Quantity::Force, loads)
@@ -316,14 +316,14 @@ impl<const C: usize> Need<C> {
         self.if_friction_lower_by(friction).if_squeeze_lower_by(squeeze)
     }
 
-    /// This need with a safe amount for friction that is lower by this part, as for [`Self::if_lower_by`].
+    /// This need with a safe amount for friction that is lower by the fraction `part`, as for [`Self::if_lower_by`].
     #[must_use]
     pub fn if_friction_lower_by(mut self, part: f64) -> Self {
         self.friction_less = Some(part);
         self
     }
 
-    /// This need with a safe amount for a squeeze that is lower by this part, as for [`Self::if_lower_by`].
+    /// This need with a safe amount for a squeeze that is lower by the fraction `part`, as for [`Self::if_lower_by`].
     #[must_use]
     pub fn if_squeeze_lower_by(mut self, part: f64) -> Self {
         self.squeeze_less = Some(part);
@@ -347,7 +347,7 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with other numbers of digits in the sentences of its answer for insufficient amounts (default 6).
+    /// This need with another number of digits in the sentences about insufficient amounts (default 6).
     #[must_use]
     pub fn told_in(mut self, words: Words) -> Self {
         self.words = words;
@@ -373,7 +373,7 @@ impl<const C: usize> Need<C> {
         self.load.iter().chain(&self.loads)
     }
 
-    /// The load of which others are multiples that [grow together](Self::together_with) with it.
+    /// The load in proportion to which the loads of other bodies [grow](Self::together_with); `None` if the question has no such load.
     pub(crate) fn grows(&self) -> Option<Wrench<C>> {
         let is_alone = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
         self.load.filter(|_| is_alone && !matches!(self.quantity, Quantity::Arm | Quantity::Angle))

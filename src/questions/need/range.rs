@@ -18,7 +18,7 @@ pub(super) struct Range {
     pub(super) low: Option<f64>,
     pub(super) high: Option<f64>,
     pub(super) is_empty: bool,
-    /// Estimate of the lower end by secants, closer than proofs reach; of friction only.
+    /// Estimate of the lower end by secants, more accurate than proofs; for friction only.
     pub(super) likely: Option<f64>,
 }
 
@@ -58,8 +58,7 @@ impl Range {
     ) -> Result<(), Error> {
         let (low, high) = (self.low.unwrap_or(least), self.high.unwrap_or(most));
         let (mut at, end) = if up { (low, high) } else { (high, low) };
-        // Each cut passes the last, and on round cones their distance shrinks by a factor; fewer leave the
-        // end looser, though still proved.
+        // On round cones the distance between successive cuts shrinks by a constant factor. Fewer cuts leave the end less tight, though still proved.
         for _ in 0..60 {
             let here = loading(at)?;
             let load = here.to_balance()[which];
@@ -83,7 +82,7 @@ impl Range {
         Ok(())
     }
 
-    /// The least coefficient with which forces balance all loads. The work left over vanishes there, and its secants come closer than proofs do.
+    /// The least coefficient with which forces balance all loads. The unbalanced work vanishes there, and its secants come closer than proofs do.
     fn least_friction(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,
@@ -111,7 +110,7 @@ impl Range {
                 break;
             }
             let middle = if high > 2.0 * low { (low * high).sqrt() } else { 0.5 * (low + high) };
-            // In a wider interval the work left over is not linear, and secants do not replace halving.
+            // In a wider interval the unbalanced work is not linear, and secants do not replace halving.
             let is_near = high - low <= 1e-2 * high;
             let at = secant.filter(|at| is_near && low < *at && *at < high).unwrap_or(middle);
             if let Some(now) = left(at)? {

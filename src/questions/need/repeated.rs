@@ -55,9 +55,10 @@ impl Loading {
     }
 }
 
-/// The carried part of an insufficient amount, below 1: it rises with the cycle of a loss, and as the motion per period falls.
+/// A value below 1 for an insufficient amount, in place of the carried part of a load. It rises with the cycle of a loss, and as the motion per period
+/// falls.
 fn carried(shaken: &Shaken<3>, legs: usize) -> f64 {
-    // That of a loss is below one half, that of walking and rubbing above it, so that a search proceeds towards rest.
+    // A loss has a value below one half; walking and sliding to and fro have one above it, so that a search proceeds towards rest.
     let held = 0.5;
     match &shaken.repeats {
         Repeats::NoRest { .. } => NOT_AT_REST,

@@ -1,7 +1,7 @@
 //! The search for a sufficient amount, and from it for an insufficient one beside it: a bracket that `threshold` narrows.
 //!
-//! An amount is sufficient if its [`Trial`] meets the demand, and insufficient if a trial refutes it. "More" of it is up where the least is sought,
-//! and down where the greatest is sought.
+//! An amount is sufficient if its [`Trial`] meets the demand, and insufficient if a trial refutes it. The direction of "more" is up where the least
+//! amount is sought, and down where the greatest is sought.
 
 use super::between::refined;
 use super::range::Range;
@@ -11,13 +11,13 @@ use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The trials of amounts.
+/// The two kinds of trial of an amount, whole and quick.
 #[derive(Clone, Copy)]
 pub(super) struct Tries<'t> {
     /// The trial by the whole search for equilibria.
     pub(super) whole: TrialOf<'t>,
-    /// The same but for the search of every case, which costs most where no equilibrium exists: there the trial is undecided. With `true` loads
-    /// beyond those asked about are left out, and with them how far a sufficient amount is from the bound.
+    /// The same without the enumeration of contact states, which is slowest where no equilibrium exists; such a trial is undecided. With `true`, loads
+    /// beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
 }
 
@@ -50,7 +50,7 @@ pub(super) enum Guess {
     Nothing,
 }
 
-/// Where and how the search tries amounts.
+/// The range of amounts and the effort of the search.
 #[derive(Debug)]
 pub(super) struct SearchPlan {
     pub(super) start: f64,
@@ -85,7 +85,7 @@ impl SearchPlan {
         if up { self.range.high } else { self.range.low }
     }
 
-    /// Whether the proof of an end excludes all amounts beyond this one.
+    /// Whether the proof of an end excludes all amounts beyond this one, to within the accuracy of the proof.
     pub(super) fn is_the_end(&self, amount: f64, up: bool) -> bool {
         let [.., nearby] = NEAR_AN_END;
         self.end(up).is_some_and(|end| (amount - end).abs() <= nearby * end.abs())
@@ -112,8 +112,8 @@ impl SearchPlan {
     }
 }
 
-/// The search from a sufficient start towards less, from an insufficient one towards more. If no larger amount suffices, the other direction and the
-/// intervals between trials may hold one. Trials `known` from before are reused.
+/// The search from a sufficient start towards less, from an insufficient one towards more. If no larger amount suffices, it tries the other direction
+/// and the intervals between trials. Trials `known` from before are reused.
 pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]) -> Result<Searched, Error> {
     let more = plan.is_least;
     let (does, mut vain): (Vec<_>, Vec<_>) = known.iter().cloned().partition(|(_, trial)| trial.does());
@@ -166,12 +166,12 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     Ok(Searched::Nothing(vain))
 }
 
-/// The trial of an amount, or of one beside it where the first is undecided. Offsets are parts of `width`, of the amount itself if there is none.
+/// The trial of an amount, or of a neighbour where the first is undecided. Offsets are fractions of `width`, or without it of the amount itself.
 pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
-        // Without offsets one doubtful amount ends the search; below 1e-9 the same tie may remain. In a narrow bracket two are enough.
+        // Without offsets one doubtful amount would end the search; below 1e-9 the same tie may remain. In a narrow bracket two offsets are enough.
         let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
         let offsets: &[f64] = match width {
             Some(_) if is_narrow => &[0.3, -0.3],
@@ -197,7 +197,7 @@ fn guessed(
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut beyond = LAST_DIGITS;
-    // Past four guesses the carried part is not proportional to the amount, and [`walk`] continues.
+    // After four failed guesses the carried part is not proportional to the amount, and [`walk`] continues.
     for _ in 0..4 {
         let Some(guess) = plan.guessed(at, &trial) else { break };
         beyond *= 2.0;
@@ -221,7 +221,7 @@ fn walk(
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut at = begin;
     loop {
-        // Windows far from the start are wide, as a rule, beside their distance from it.
+        // Far from the start, windows of sufficient amounts are usually as wide as their distance from it, so that larger steps find them.
         let is_far = at > FAR_FROM_START * begin || at * FAR_FROM_START < begin;
         let factor = if is_far { factor.max(FAR_FROM_START) } else { factor };
         at *= if up { factor } else { factor.recip() };
@@ -236,7 +236,7 @@ fn walk(
     }
 }
 
-/// The threshold from a sufficient amount towards less of it, narrowed.
+/// The bracket of the bound, sought from a sufficient amount towards less, and narrowed.
 fn edge_from(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -249,7 +249,7 @@ fn edge_from(
     let mut does_not =
         nearest.reduce(|one, other| if is_beyond(one.0, other.0) { other } else { one }).cloned();
     let mut unknown = None;
-    // The carried part gives guesses of the bound from both sides, and the proved range an end.
+    // The carried part gives guesses of the bound from both sides; the end of the proved range is a guess, too.
     let beyond = |at: f64, trial: &Trial, part: f64| {
         let guess = plan.guessed(at, trial).filter(|guess| is_beyond(*guess, does) || *guess == does);
         guess.map(|guess| if up { guess * (1.0 + part) } else { guess * (1.0 - part) })
@@ -263,14 +263,14 @@ fn edge_from(
     let [nearest, near_enough, nearby] = NEAR_AN_END;
     let ends = [near(-nearest), near(-near_enough), near(-nearby), near(nearest), near(near_enough)];
     let likely = plan.range.likely.filter(|_| !up);
-    // Below the error of that secant both trials fall on one side.
+    // Closer than the error of that secant both trials would fall on one side.
     let off = 3e-12;
     let likely = [likely.map(|at| at * (1.0 + off)), likely.map(|at| at * (1.0 - off))];
     for at in guesses.into_iter().chain(likely).chain(ends).flatten() {
         if does_not.as_ref().is_some_and(|not: &(f64, Trial)| !is_beyond(not.0, at)) || !is_beyond(at, does) {
             continue;
         }
-        // A guess that takes the search of every case is no better than the next one.
+        // A guess that only the enumeration of contact states decides is no better than the next guess.
         if let Trial::Unknown(_) = (tries.quick)(at, false)? {
             continue;
         }
@@ -282,7 +282,7 @@ fn edge_from(
     }
     let (mut at, mut factor) = (does, 1.0);
     while does_not.is_none() {
-        // Far from the start a carried part is a better guess than the next step, and paths at tiny forces are long.
+        // The ratio grows from step to step: secants narrow a wide bracket quickly, and paths at tiny forces are long.
         factor *= FAR_APART;
         at = if up { at * factor } else { at / factor };
         if !plan.contains(at) {

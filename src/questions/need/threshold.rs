@@ -25,10 +25,10 @@ impl Threshold {
         self.narrowed(tries, does, BESIDE_A_BOUND)
     }
 
-    /// This bracket narrowed by secants of a [measure](Trial::measures), and by halving where that is unknown, jumps or is rounding. The measures
-    /// `does` belong to the sufficient amount.
+    /// This bracket narrowed by secants of a [measure](Trial::measures). Where the measure is unknown, jumps, or is at the level of rounding, the
+    /// bracket is halved. The measures `does` belong to the sufficient amount.
     ///
-    /// The measure is the carried part until it jumps; then it is the other margin.
+    /// The measure is the carried part of the load; once that jumps, it is the second margin of the trial.
     pub(super) fn narrowed(
         mut self,
         tries: Tries<'_>,
@@ -41,7 +41,8 @@ impl Threshold {
             return self.by(tries, false, (does, enough));
         }
         self.does = presumed.does;
-        // The whole search is the longer the nearer the amount is to the bound, and undecided beside it: it comes near from afar.
+        // A whole trial takes longer the nearer the amount is to the bound, and is undecided right beside it. So the amounts approach the bound from
+        // afar.
         let mut is_hard = matches!(presumed.does_not.1, Trial::Unknown(_));
         loop {
             let far = self.does_not.0;
@@ -69,7 +70,8 @@ impl Threshold {
         }
     }
 
-    /// The narrowing by quick trials, where undecided amounts are presumed insufficient, or by whole ones, where such an amount ends it.
+    /// Narrows the bracket. If `presumes`, it makes quick trials and counts undecided amounts as insufficient; else whole trials, of which an undecided
+    /// one ends the narrowing.
     fn by(
         mut self,
         tries: Tries<'_>,
@@ -104,7 +106,8 @@ impl Threshold {
                 which = 1 - which;
                 at_first = first(&sides, which);
             }
-            // A linear measure falls by 1/16 where the bracket is 1/16 as wide as the first. A quarter is a jump at the bound.
+            // A linear measure falls to 1/16 as the bracket shrinks to 1/16. If more than a quarter of the measure's change is left, the measure jumps
+            // at the bound.
             let jumps = |sides: &[Side; 2], which: usize| {
                 let now = signs_differ(sides, which).map(|[over, under]| over - under);
                 let falls = now.zip(at_first.1).is_some_and(|(now, first)| now > 0.25 * first);
@@ -117,7 +120,7 @@ impl Threshold {
             }
             let root = signs_differ(&sides, which).and_then(|[over, under]| {
                 let secant = || from + (to - from) * (over / (over - under));
-                // Of measures that rounding leaves on both sides a secant says nothing.
+                // A secant through measures at the level of rounding has no meaning.
                 let root = || kept.and_then(|side: usize| sides[side].root(which)).unwrap_or_else(secant);
                 (over - under >= ROUNDING).then(root)
             });
@@ -160,7 +163,7 @@ impl Threshold {
     }
 }
 
-/// One end of a bracket with its measures, and the end before.
+/// One end of a bracket with its measures, and the previous position of this end.
 struct Side {
     at: f64,
     measures: [Option<f64>; 2],
@@ -177,7 +180,7 @@ impl Side {
         (self.at, self.measures) = (at, measures);
     }
 
-    /// Where a measure vanishes, continued from two amounts on this side: its slope may differ on both sides of the bound.
+    /// The root of a measure, extrapolated from two amounts on this side, since the slope may differ on both sides of the bound.
     fn root(&self, which: usize) -> Option<f64> {
         let (before, measures) = self.before?;
         let (now, then) = (self.measures[which]?, measures[which]?);
@@ -193,9 +196,9 @@ fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
 }
 
-/// The distance from a bound falls by this factor from one whole search to the next.
+/// Factor by which the distance from a bound falls from one whole trial to the next.
 ///
-/// Smaller, more of them are made; larger, the insufficient amount of the answer is farther from the bound than it need be.
+/// If it is smaller, more trials are made. If it is larger, the insufficient amount of the answer is farther from the bound than necessary.
 const NEARER: f64 = 64.0;
 
 /// The least difference of a measure between two amounts that is more than its rounding.

@@ -1,18 +1,18 @@
 //! The distances of amounts at which a search ends, and the limits of its range.
 //!
-//! All of them are pure numbers: parts of the amount, or of the end of a range, beside which they stand.
+//! All of them are relative: to the amount, or to the end of a range.
 
 use super::threshold::Enough;
 
 /// Relative distance of two amounts that differ by rounding alone.
 ///
-/// A guess moved across the bound by it, and trials on both sides, leave a bracket within [`EXACT`]; an end of the range is final where
-/// cuts come this close. Smaller, rounding decides the side. Larger, from 5e-13 on, the bracket needs more trials.
+/// A guess is moved across the bound by this distance, so that trials on both sides leave a bracket within [`EXACT`]. An end of the range is final once
+/// successive cuts differ by less. If smaller, rounding decides the side. From 5e-13 on, the bracket needs more trials.
 pub(super) const LAST_DIGITS: f64 = 1e-13;
 
 /// Width, relative to the coefficient of friction, that ends the search for the least one.
 ///
-/// Smaller, rounding decides whether a proof exists. Larger, the end is looser, though still proved.
+/// If smaller, rounding decides whether a proof exists. If larger, the end is looser, though still proved.
 pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
 
 /// Distances of trials inside and outside an end of the range, relative to the end.
@@ -21,22 +21,22 @@ pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
 /// trials beside a loose end fall on one side.
 pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 
-/// Ratio of successive amounts in a short search, and where sufficient amounts are left.
+/// Ratio of successive amounts in a short search, and of the first steps from a sufficient amount to an insufficient one.
 ///
 /// A bracket beyond it is halved in logarithms, since means of amounts that far apart approach the smaller one slowly.
 pub(super) const FAR_APART: f64 = 4.0;
 
-/// Ratio to the start up to which the search looks closely, and of successive amounts beyond it.
+/// Ratio to the start up to which the search takes small steps; beyond it, the ratio of successive amounts.
 ///
-/// Smaller, windows of sufficient amounts a little away from the start are passed over. Larger, a search of an insufficient grasp takes longer.
+/// If smaller, windows of sufficient amounts a little away from the start are passed over. If larger, a search of an insufficient grasp takes longer.
 pub(super) const FAR_FROM_START: f64 = (1u32 << NEAR_DOUBLINGS) as f64;
 
-/// Doublings up to [`FAR_FROM_START`].
+/// Number of doublings from the start up to [`FAR_FROM_START`].
 pub(super) const NEAR_DOUBLINGS: u32 = 4;
 
 /// Relative distance from which two amounts count as two in an answer that says how many were tried.
 ///
-/// Smaller, amounts that only narrow a bracket count as well, and a scan seems closer than it is.
+/// If smaller, amounts that only narrow a bracket count as well, and a scan seems closer than it is.
 pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 
 /// Widths for the amount itself: the last digits that rounding leaves.
@@ -52,5 +52,5 @@ pub(super) const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 
 /// Largest ratio of an amount to the start of the search, and of the start to an amount.
 ///
-/// Where the load is sought it is followed up to this multiple. Larger, a search of an insufficient grasp takes longer.
+/// Where the load is sought it is followed up to this multiple. If larger, a search of an insufficient grasp takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;

@@ -12,7 +12,7 @@ pub(super) enum Trial {
     Does {
         /// The multiple of the load that is carried, at least 1; infinite where no loss was found.
         carried: f64,
-        /// The margin of small motions for holding, that of sticking at rest for sticking; infinite where it is not known.
+        /// A second margin: for holding that of small motions, for sticking that of friction at rest; infinite where it is not known.
         other: f64,
     },
     DoesNot {
@@ -20,7 +20,7 @@ pub(super) enum Trial {
         says: String,
         /// The fraction of the load that is carried; below 0 where the load at rest is not carried in full.
         carried: f64,
-        /// The same margin. Below 0 it is continuous in the amount where the carried part jumps.
+        /// The same margin. It falls below 0 continuously at a bound where the carried part jumps.
         other: f64,
     },
     /// Undecided, with the reason in a sentence.

@@ -19,11 +19,11 @@ use crate::prelude::*;
 /// The effort of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Look {
-    /// Both directions, then a scan around the bound.
+    /// Searches in both directions, then scans around the bound.
     Around,
-    /// Both directions.
+    /// Searches in both directions.
     Everywhere,
-    /// A few amounts in the direction of more.
+    /// Tries a few amounts in the direction of more.
     Towards,
 }
 
@@ -32,10 +32,10 @@ pub(super) struct Tried<'q> {
     pub(super) grasp: &'q Grasp<3>,
     pub(super) need: &'q Posed,
     safety: Safety,
-    /// The first amount.
+    /// The first amount of the search.
     pub(super) start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
-    /// Trials without the search of every case.
+    /// Trials that skip the enumeration of contact states.
     quick: RefCell<Vec<(f64, Trials)>>,
     /// Index of the load that refuted the last insufficient amount.
     first: Cell<usize>,
@@ -61,7 +61,7 @@ impl<'q> Tried<'q> {
         self.put_on(&Loading::of(self.grasp, self.need, amount, self.safety)?, (amount, demand), &self.known)
     }
 
-    /// The trial without the search of every case, and if `short` without loads beyond those asked about.
+    /// The trial without the enumeration of contact states; if `short`, without loads beyond those asked about.
     pub(super) fn quick(&self, amount: f64, demand: Demand, short: bool) -> Result<Trial, Error> {
         let found = of(&self.known, amount, demand).or_else(|| of(&self.quick, amount, demand));
         if let Some(trial) = found {

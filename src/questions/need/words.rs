@@ -131,7 +131,7 @@ impl Needed {
         self.in_place_of_squeeze && self.quantity == Quantity::Squeeze
     }
 
-    /// The sentences about other windows. Returns the number of their ends.
+    /// The sentences about other windows. Returns the number of their known ends, which are changes of verdict.
     fn windows(&self, f: &mut fmt::Formatter<'_>, elsewhere: &[AmountWindow]) -> Result<usize, fmt::Error> {
         let (words, mut told) = (Words::of(f), 0);
         for window in elsewhere {

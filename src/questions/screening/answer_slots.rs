@@ -1,10 +1,10 @@
-//! Slots for answers.
+//! The places where a kernel stores its answers.
 
 use super::lanes::Packed;
 
 /// The slots for the answers of the scenes of one block to one question.
 pub(crate) struct AnswerSlots<'a, T, X: Packed> {
-    /// Ordered by scene, then by question.
+    /// Answers, ordered by scene, then by question.
     answers: &'a mut [T],
     /// Whether each scene is answered by the present method.
     these: X::Each<bool>,

@@ -14,7 +14,7 @@ pub(super) struct RigidBody<const C: usize, X: Packed> {
     centre: [X; C],
     /// Largest coordinate of an arm, m.
     pub(super) reach: X,
-    /// For two contacts in space.
+    /// The order of coordinates for two contacts in space; `None` for all other grasps.
     line: Option<AlongTheLine<X>>,
     factors: LaneFactors<6, X>,
 }

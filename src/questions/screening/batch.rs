@@ -74,9 +74,9 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.0.clear();
     }
 
-    /// Onsets of every grasp under each of the growing loads, on one thread; [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) uses all
-    /// cores. The earlier content of `answers` is replaced: the answer of grasp g to pull p is at `g * pulls.len() + p`. What does not depend on the
-    /// load is computed once per grasp. Nothing is allocated if `answers` has the capacity.
+    /// Onsets of every grasp under each of the growing loads, on one thread; [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) uses all cores.
+    /// The earlier content of `answers` is replaced: the answer of grasp g to pull p is at `g * pulls.len() + p`. Work that does not depend on the load
+    /// is done once per grasp. Nothing is allocated if `answers` has the capacity.
     ///
     /// ```
     /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};

@@ -21,11 +21,11 @@ pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) ends: u64,
     /// Index of the first scene of the part in the batch.
     pub(super) first: usize,
-    /// Laid out as in [`Block`], block after block.
+    /// Numbers of all blocks, each laid out as in [`Block`].
     pub(super) numbers: &'a [Lanes],
     pub(super) parted: &'a [Lanes],
     pub(super) questions: &'a [Q],
-    /// Ordered by scene, then by question.
+    /// Answers, ordered by scene, then by question.
     pub(super) answers: &'a mut [Q::Answer],
 }
 
@@ -53,7 +53,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> 
 }
 
 impl<const C: usize, Q: ScreeningQuestion<C>> BatchPart<'_, C, Q> {
-    /// Answers the questions in memory for the forces of all contacts.
+    /// Answers the questions, with working memory for the forces of all contacts.
     #[inline(always)]
     fn screen<V: Vectors>(self, vectors: V, [squeezed, a, b, c]: [&mut AnyForces<C, Lanes>; 4]) {
         let (contacts, ends) = (self.contacts, self.ends);

@@ -1,4 +1,4 @@
-//! The data of scenes side by side.
+//! The data of several scenes, side by side in lanes.
 
 use super::lanes::Packed;
 
@@ -6,7 +6,7 @@ use super::lanes::Packed;
 pub(super) const MOST_SCREENED: usize = 5;
 /// Upper limit of the number of contact points of a grasp in a batch.
 pub(super) const MOST_POINTS: usize = 64;
-/// The number of contacts, which arrays have room for.
+/// The number of contacts, which is at most the length of arrays, [`MOST_POINTS`].
 #[inline(always)]
 pub(super) fn count(contacts: usize) -> usize {
     contacts.min(MOST_POINTS)
@@ -24,8 +24,8 @@ pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) parted: &'a [X],
 }
 
-/// Commanded displacements less the clearance, m: along the normal, and across it as in [`super::finger::Force`]. Both are kept apart: rotating a
-/// long way along the normal leaves rounding across it, and a stiff tangential spring would turn that into a force.
+/// Commanded displacements less the clearance, m: along the normal, and across it as in [`super::finger::Force`]. Rotating a long command along the
+/// normal would leave rounding across it, which a stiff tangential spring turns into a force. Both parts are therefore kept apart.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) pressed: &'a [X],
@@ -63,7 +63,7 @@ impl<const C: usize> Layout<C> {
         Self::OF_A_CONTACT * contacts + 3
     }
 
-    /// The count of these numbers, with the commands and clearances that questions may need apart.
+    /// The same count, together with the commands and clearances that are also stored apart.
     const fn with_parts(contacts: usize) -> usize {
         Self::numbers(contacts) + 2 * contacts
     }
@@ -148,7 +148,7 @@ impl<const C: usize, const R: usize> OneScene<C, [f64; R]> {
 }
 
 impl<const C: usize> AnyScene<C> {
-    /// Begins a scene of this many contacts; what belongs to a contact is written later.
+    /// Begins a scene of this many contacts. The data of the contacts are written later.
     pub(super) fn begin(&mut self, contacts: usize) {
         (self.contacts, self.ends) = (count(contacts), u64::MAX);
         self.measure(&Sizes { commands: 0.0, moment: 0.0, force: 0.0 });

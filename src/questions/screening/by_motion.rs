@@ -146,9 +146,9 @@ fn move_object<const C: usize, X: Packed>(
     moved.turn[..coordinates - C].copy_from_slice(&motion[C..coordinates]);
 }
 
-/// Bounds the rounding of forces: a part of the force, and a part of the force that its spring would exert over the whole displacement that stretches
-/// and slackens it. The second part is limited by the size of the forces. Displacements that ought to cancel leave forces only between two contacts
-/// or more, so that the second stiffest contact sets that size.
+/// Bounds the rounding of forces by two terms: a fraction of the force itself, and the same fraction of the force that its spring would exert over all
+/// displacements that stretch or slacken it. The second term is limited by the size of the forces. Displacements that ought to cancel leave forces only
+/// between two contacts or more, so that the second stiffest contact sets that size.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,

@@ -17,7 +17,7 @@ pub(super) const OPENS_ONLY: f64 = -1.0;
 pub(super) const STAYS: f64 = 0.0;
 
 impl<X: Packed> StickingCone<X> {
-    /// From a friction coefficient or one of the two codes.
+    /// The cone of a friction coefficient, or of one of the two codes.
     #[inline(always)]
     pub(super) fn of(friction: X) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -62,7 +62,7 @@ pub(super) struct Crossing<X: Packed> {
 }
 
 impl<X: Packed> Crossing<X> {
-    /// From (n, t) at τ = 0 and their rates (n', t').
+    /// The crossing of the line with (n, t) at τ = 0 and the rates (n', t').
     #[inline(always)]
     pub(super) fn new<const C: usize>((n, t): (X, &[X; C]), (dn, dt): (X, &[X; C])) -> Self {
         let zero = X::all(0.0);

@@ -11,7 +11,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 /// no contact leaves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, X: Packed> {
-    /// The factor of the load at which it vanishes.
+    /// The factor of the load at which the margin vanishes.
     pub(super) factor: X,
     /// The index of the leaving contact; -1 where there is none.
     pub(super) contact: X,
@@ -41,8 +41,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// Advances `forces` to the factor at which the first contact leaves. The edge is that of contact `which` if it leaves there, else of the first
-    /// that does.
+    /// Advances `forces` to the factor at which the first contact leaves. The edge is that of contact `which` if this contact leaves there, else that
+    /// of the first contact that leaves.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,
@@ -92,7 +92,7 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// `∂m/∂F` as commands.
+    /// `∂m/∂F` as commands of the fingers.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

@@ -6,9 +6,9 @@ use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 /// The factors of a matrix, with room for `R` rows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFactors<const R: usize, X: Packed> {
-    /// L below the diagonal, and D⁻¹ on it; zero in place of 1/d where the pivot is rounding.
+    /// L below the diagonal, and D⁻¹ on it; zero in place of 1/d where the pivot vanishes up to rounding.
     pub(super) entries: [[X; R]; R],
-    /// Positive if some pivot is rounding.
+    /// Positive if some pivot vanishes up to rounding.
     pub(super) free: X,
 }
 
@@ -18,8 +18,8 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }
     }
 
-    /// Factorises in place the matrix of `rows` rows whose entries on and below the diagonal are stored. The last pivot is rounding where that is known
-    /// beforehand.
+    /// Factorises in place the matrix of `rows` rows whose entries on and below the diagonal are stored. `last_is_free` means that the last pivot is
+    /// known to vanish.
     #[inline(always)]
     pub(super) fn factorize(&mut self, rows: usize, last_is_free: bool) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -52,7 +52,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         self.free = free;
     }
 
-    /// `T⁻¹ w`; rows whose pivot is rounding contribute zero.
+    /// `T⁻¹ w`; rows whose pivot vanishes contribute zero.
     #[inline(always)]
     pub(super) fn solve(&self, rows: usize, w: &[X; R]) -> [X; R] {
         let f = &self.entries;

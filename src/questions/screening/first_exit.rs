@@ -13,7 +13,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// Where one contact leaves its cone.
 struct Exit<X: Packed> {
-    /// Infinite if the contact never leaves, a code if that is not known.
+    /// The factor at which it leaves; infinite if it never does, a code if that is not known.
     factor: X,
     /// The margin to the edge at factor zero.
     margin: X,
@@ -63,7 +63,7 @@ fn exit<const C: usize, X: Packed>(
     Exit { factor, margin, rounding: weight * base.of[contact].rounding, lost }
 }
 
-/// The factor, qualified by the rate at which the margin closes there. It is infinite if that rate is rounding, a code if it is close to rounding.
+/// The factor if the margin closes there at a clear rate. It is infinite if the rate is zero up to rounding, and a code if the rate is not clear.
 #[inline(always)]
 fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     let factor = closing.above(X::all(SHARP_MARGIN) * noise, factor, X::all(UNCLEAR));

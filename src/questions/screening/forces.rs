@@ -28,14 +28,14 @@ impl<const C: usize, X: Packed, const M: usize> Forces<C, X, [Force<C, X>; M]> {
 }
 
 impl<const C: usize, X: Packed> AnyForces<C, X> {
-    /// Becomes the forces `others`.
+    /// Copies `others` into these forces.
     #[inline(always)]
     pub(super) fn copy_from(&mut self, others: &Self) {
         (self.unbalanced, self.free, self.motion) = (others.unbalanced, others.free, others.motion);
         self.of.copy_from_slice(&others.of);
     }
 
-    /// Becomes zero.
+    /// Sets all forces to zero.
     #[inline(always)]
     pub(super) fn clear(&mut self) {
         let zero = X::all(0.0);

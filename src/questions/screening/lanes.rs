@@ -132,7 +132,7 @@ impl Lanes {
         self.zip(self, |x, _| f(x))
     }
 
-    /// Sets the lanes from `from` on.
+    /// Sets the lanes from `from` on to `number`.
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]
     pub(super) fn fill(&mut self, from: usize, number: f64) {

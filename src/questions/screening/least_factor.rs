@@ -41,7 +41,7 @@ impl<X: Packed> Margin<X> {
         let Self { value, gain, noise, gain_noise } = *self;
         let root = -(value / gain);
         let off = |at: X, rate: X| (noise + at * gain_noise) / rate;
-        // A margin that is broken without squeeze needs some, if squeeze raises it.
+        // A margin that is negative without squeeze vanishes at `root` if squeeze raises it.
         let entered = gain.above(gain_noise, root, infinite);
         let first = self.broken(entered, zero);
         let first_off = self.broken(gain.above(gain_noise, off(root, gain), zero), zero);
@@ -79,8 +79,8 @@ impl<X: Packed> Margin<X> {
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
-        // A margin that closes for large factors is positive on a bounded interval or nowhere; any other stays positive once it is. Where rounding
-        // decides between the two, the result is clear only if the commands cause no force at all.
+        // A margin that closes for large factors is positive on a bounded interval or nowhere. Any other margin stays positive once it is positive.
+        // Where rounding decides between the two, the result is clear only if the commands cause no force at all.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -110,18 +110,18 @@ impl<X: Packed> Margin<X> {
 
 /// The conditions of all contacts on the factor, gathered so far.
 pub(super) struct LeastFactor<X: Packed> {
-    /// The largest lower end of all intervals: as computed, at least, and at most.
+    /// The largest lower end of all intervals: as computed, and its lower and upper error bounds.
     first: X,
     first_sure: X,
     first_most: X,
-    /// The least upper end of all intervals: at least, and at most.
+    /// The lower and upper error bounds of the least upper end of all intervals.
     last_sure: X,
     last_most: X,
     /// Positive if some condition is unclear.
     doubt: X,
     /// Positive if a load works on a motion that no contact resists.
     free: X,
-    /// The contact and the load with the largest lower end, `8 load + contact`.
+    /// The contact and the load with the largest lower end, encoded as `8 load + contact`.
     binding: X,
 }
 

@@ -90,8 +90,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
     let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
-    // With larger forces along edges slowly closing margins would be called unclear; with a smaller limit
-    // more grasps would take twice the time. An even triangle of equal springs has seven.
+    // With larger forces along edges, slowly closing margins would be called unclear; with a smaller limit more grasps would take twice the time. An
+    // equilateral triangle of equal springs has the value seven.
     let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
     Sizes {

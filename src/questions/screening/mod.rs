@@ -24,8 +24,11 @@
 //! [`Grasp::onset`] and its siblings agree with screening wherever every contact sticks at the start and the numbers are not extreme. Elsewhere the
 //! verdict of screening says why it has no answer ([`ScreeningVerdict`], [`SqueezeVerdict`]). Screening does not follow the grasp beyond the onset.
 //!
-//! One grasp at a time: [`Fingers`]. Many under common loads: [`Batch`], with pads or more contacts [`PointBatch`], and on all cores [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch),
-//! [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
+//! One grasp at a time: [`Fingers`]. Many under common loads: [`Batch`], with pads or more contacts [`PointBatch`], and on all cores
+//! [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch), [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and
+//! [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
+//!
+//! In the code a *scene* is one grasp, a *lane* its place in a vector register, and a *block* as many scenes as there are lanes.
 //!
 //! [`Grasp::onset`]: crate::ask::Grasp::onset
 //! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn

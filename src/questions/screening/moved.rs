@@ -1,4 +1,4 @@
-//! The motion of the object while every contact sticks, at its contacts.
+//! Displacements of the object at its contacts while every contact sticks.
 //!
 //! Where forces are found in compliances, the springs give the displacement of the object at each contact, `u = a - C F`. The difference of
 //! displacements along an edge e is `ω × e`, from which the rotation follows.
@@ -28,7 +28,7 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
 }
 
 impl<const C: usize, X: Packed> ObjectMotion<C, X> {
-    /// Becomes the motion of an object held by two contacts in the plane.
+    /// Computes the motion of an object held by two contacts in the plane.
     #[inline(never)]
     pub(super) fn of_a_pair<V: Vectors>(
         &mut self,
@@ -51,8 +51,8 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
         );
     }
 
-    /// Becomes the motion of an object held by three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²` with `d = ω × e` of
-    /// two edges.
+    /// Computes the motion of an object held by three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²` with `d = ω × e` of two
+    /// edges.
     #[inline(never)]
     pub(super) fn of_a_triangle<V: Vectors>(
         &mut self,

@@ -1,7 +1,7 @@
 //! Two contacts in space: the order of coordinates in which their free motion, the rotation about the line between them, has the last pivot.
 //!
-//! That pivot is rounding. With the rotation about the axis nearest to the line last, no other pivot is small, so that rounding does not decide which
-//! motion is free.
+//! That pivot vanishes up to rounding. If the rotation about the axis nearest to the line comes last, no other pivot is small. Rounding then does not
+//! decide which motion is free.
 
 use super::lanes::Packed;
 
@@ -39,7 +39,7 @@ impl<X: Packed> AlongTheLine<X> {
         }
     }
 
-    /// A load or a motion with both coordinates exchanged; once more gives it back.
+    /// A load or a motion with both coordinates exchanged. A second exchange restores it.
     #[inline(always)]
     pub(super) fn exchanged(&self, w: &[X; 6]) -> [X; 6] {
         let mut exchanged = *w;

@@ -1,4 +1,4 @@
-//! Loads that are put on the grasps of a batch, on each its own: the first slip, and how far the object turns up to the whole load.
+//! Loads put on the grasps of a batch, each grasp with its own load: the first slip, and the rotation of the object up to the whole load.
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;
@@ -29,7 +29,7 @@ pub(crate) struct PutOn<const C: usize> {
 #[derive(Clone, Copy)]
 pub(crate) struct WhileSticking {
     pub(crate) first: Screened,
-    /// The larger rotation at rest and under the whole load, rad; NaN where it is not determined, or was not asked for.
+    /// The larger of the rotations at rest and under the whole load, rad; NaN where it is not determined, or was not asked for.
     pub(crate) turn: f64,
 }
 

@@ -37,8 +37,8 @@ impl Screened {
         self.0.holds_up_to(factor)
     }
 
-    /// The contacts that leave there, counted from 0, in rising order. They are several if their factors agree to twelve digits, and none unless the
-    /// verdict is [`ScreeningVerdict::Leaves`].
+    /// The contacts that leave at the factor, counted from 0, in rising order. They are several if their factors agree to twelve digits, and none
+    /// unless the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.0.leaving()
     }
@@ -65,8 +65,8 @@ impl ScreenedTurn {
         angle <= self.most && self.first.holds_up_to(angle)
     }
 
-    /// The contacts that leave there, counted from 0, in rising order. They are several if their angles agree to twelve digits, and none unless the
-    /// verdict is [`ScreeningVerdict::Leaves`].
+    /// The contacts that leave at the angle, counted from 0, in rising order. They are several if their angles agree to twelve digits, and none unless
+    /// the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.first.leaving()
     }

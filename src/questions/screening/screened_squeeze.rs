@@ -48,8 +48,8 @@ impl ScreenedSqueeze {
         }
     }
 
-    /// The least factor of all commands that suffices, zero if no squeeze is needed. `None` for every verdict but [`SqueezeVerdict::Suffices`].
-    /// Larger factors need not suffice: clearances are not scaled, and the others may press a contact apart.
+    /// The least factor of all commands that suffices, zero if no squeeze is needed. `None` for every verdict but [`SqueezeVerdict::Suffices`]. Larger
+    /// factors need not suffice: clearances are not scaled, and a contact may be pushed open by the others.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)

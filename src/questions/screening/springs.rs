@@ -17,8 +17,8 @@ pub(super) struct Cause<'a, const C: usize, X: Packed> {
     pub(super) load: [X; 6],
 }
 
-/// The sticking springs of scenes before any load acts, by one of three methods. Conditions on constants keep pairs in space and triangles in the
-/// plane, which do not exist, from being compiled.
+/// The prepared springs of scenes, without a load, for one of three methods. Conditions on constants keep pairs in space and triangles in the plane,
+/// which do not exist, from being compiled.
 #[derive(Debug, Clone, Copy)]
 #[allow(clippy::large_enum_variant)] // none is ever moved about alone
 pub(super) enum StickingSprings<const C: usize, X: Packed> {
@@ -92,7 +92,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The rotation alone of [`Self::moved`]. Forces that were found by motions know it.
+    /// Only the rotation of [`Self::moved`]. It is known already where forces were found by motions.
     #[inline(always)]
     pub(super) fn turned<V: Vectors>(
         &self,

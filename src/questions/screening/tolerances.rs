@@ -1,25 +1,25 @@
 //! The numbers by which screening tells a sure answer from an unclear one.
 //!
-//! All of them are pure numbers. Screening makes single passes, so what a longer computation would refine is called unclear here.
+//! All of them are dimensionless. Screening makes single passes, so an answer that would need a refinement is called unclear.
 
-/// A contact whose margin at factor zero is below this part of the forces there may be on the edge of its cone.
+/// A contact may be on the edge of its cone if its margin at factor zero is below this fraction of the forces there.
 ///
-/// Smaller, rounding would decide whether it sticks. Larger, more grasps would be unclear.
+/// If smaller, rounding would decide whether it sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
-/// If motions are free and more than this part of the load stays unbalanced, the load works on them.
+/// If motions are free and more than this fraction of the load stays unbalanced, the load works on them.
 ///
-/// A load that does not leaves rounding alone. Larger, a load that drives the object away weakly would be called unclear.
+/// If the load does not work on them, only rounding stays unbalanced. If larger, a load that drives the object away weakly would be called unclear.
 pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 
-/// Forces whose residual exceeds this part of the load are refined. Rounding alone leaves about 1e-15.
+/// Forces whose residual exceeds this fraction of the load are refined. Rounding alone leaves about 1e-15.
 ///
-/// Smaller, refinement would gain nothing. Larger, forces would lose digits to a soft contact beside a stiff one.
+/// If smaller, refinement would gain nothing. If larger, forces would lose digits to a soft contact beside a stiff one.
 pub(super) const IMPROVABLE: f64 = 1e-14;
 
-/// A margin must close at this multiple of the rounding of its rate.
+/// A margin must close at least at this multiple of the rounding of its rate.
 ///
-/// A slower one closes at a factor of fewer than six digits, and the verdict is unclear. Larger, more grasps would be unclear.
+/// A slower one closes at a factor of fewer than six digits, and the verdict is unclear. If larger, more grasps would be unclear.
 pub(super) const SHARP_MARGIN: f64 = 1e6;
 
 /// Lower bound of `|F| |F'|` for margins in space: below it squares underflow and lose their digits, and the answer is unclear.

@@ -47,7 +47,7 @@ pub(super) struct Triangle<const C: usize, X: Packed> {
     /// `n_i·e_j` of the edge that ends at contact i, and `n_i·e_k` of the edge that begins there.
     ends: [X; N],
     begins: [X; N],
-    /// Stretch of the edges by the tangential compliances: under equal forces of one along an edge, and under forces `P_i = e_i`.
+    /// Stretch of the edges by the tangential compliances: `pushed` under equal unit forces along an edge, `turned` under forces `P_i = e_i`.
     pushed: [X; N],
     turned: [X; N],
     pub(super) factors: LaneFactors<N, X>,

@@ -167,7 +167,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
         let bend = swing + turning;
         let (mut cotangent, mut slope, mut left) = (found, zero, zero);
-        // From an error of 1e-7 the second step leaves rounding.
+        // From an error of 1e-7 the second step leaves only rounding.
         let newton_steps = 2;
         for step in 0..=newton_steps {
             let (u, one) = (cotangent, X::all(1.0));

@@ -17,7 +17,7 @@ pub(super) struct Start<X: Packed> {
 }
 
 impl<X: Packed> Start<X> {
-    /// Without contacts; `free` as above.
+    /// The state before any contact is added.
     #[inline(always)]
     pub(super) fn new(free: X) -> Self {
         let infinite = X::all(f64::INFINITY);

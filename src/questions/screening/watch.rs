@@ -1,4 +1,4 @@
-//! A watch in a control loop: the margins that measured contact forces have left.
+//! Margins of measured contact forces, for a control loop.
 
 use core::fmt;
 
@@ -52,14 +52,14 @@ impl Watched {
         self.tightest
     }
 
-    /// The multiple of the load to come at which the first contact stops sticking, and that contact. Above one the whole load to come is held.
+    /// The multiple of the expected load, `to_come`, at which the first contact stops sticking, and that contact. Above one the whole load is held.
     #[must_use]
     pub fn first_slip(&self) -> Screened {
         self.first_slip
     }
 
-    /// The least increase of all commands, as a part of them, with which every contact keeps sticking if it is applied together with the load to
-    /// come. Zero if no increase is needed. With a squeeze raised by this part the load to come is just held.
+    /// The least relative increase of all commands, applied together with the expected load, with which every contact keeps sticking. Zero if no
+    /// increase is needed. With the squeeze raised by this fraction the expected load is just held.
     #[must_use]
     pub fn extra_squeeze(&self) -> ScreenedSqueeze {
         self.extra_squeeze
@@ -114,7 +114,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     }
 }
 
-/// Measured forces, along the coordinate axes, and the load to come.
+/// Measured forces, along the coordinate axes, and the expected load.
 pub(super) struct Measured<'a, const C: usize> {
     forces: &'a [[f64; C]],
     to_come: &'a Wrench<C>,

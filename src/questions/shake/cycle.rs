@@ -10,7 +10,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The unit of forces, N, and of gaps and slips, m: the largest force of a cycle, and the stretch of the softest springs under it.
+/// Units for forces, N, and for gaps and slips, m: the largest force of a cycle, and the stretch of the softest springs under it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scale {
     pub(super) force: f64,
@@ -27,7 +27,7 @@ pub(super) struct Cycle {
 }
 
 impl Cycle {
-    /// The next cycle; `None` if it is not followed to its end.
+    /// The next cycle; `None` if its path ends before the cycle does.
     pub(super) fn next(engine: &Engine, cycles: &mut Cycles<'_>) -> Option<Self> {
         let from = cycles.standing()?;
         let record = cycles.go()?;
@@ -35,14 +35,14 @@ impl Cycle {
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
-    /// A cycle from another state, with the follower of the cycles after it.
+    /// A cycle that begins at the state `there`, and the follower of the cycles after it.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine,
         cycles: &Cycles<'g>,
         there: &CycleState,
         settings: &Settings,
     ) -> Option<(Self, Cycles<'g>)> {
-        // Without a limit cycle nearby, sliding directions may turn ever faster.
+        // Without a limit cycle nearby, sliding directions may turn ever faster, so the number of steps is limited.
         let tried = settings.with_most_steps(settings.most_steps.min(1000));
         let mut others = cycles.beginning_at(there, &tried)?;
         let cycle = Self::next(engine, &mut others)?;
@@ -60,7 +60,7 @@ impl Cycle {
         self.to = next.to.clone();
     }
 
-    /// Forces and gaps of a state as numbers without unit; gaps that stayed open during the whole cycle are zero.
+    /// Forces and gaps of a state as numbers without unit. Gaps that stay open during the whole cycle count as zero.
     pub(super) fn numbers(&self, place: &CycleState) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
@@ -75,7 +75,7 @@ impl Cycle {
         self.difference().amax()
     }
 
-    /// The largest change of a cycle that repeats itself.
+    /// The largest change with which a cycle counts as one that repeats itself.
     pub(super) fn same(&self) -> f64 {
         SAME_CYCLE.max(self.record.step_error)
     }

@@ -1,4 +1,4 @@
-//! Answers about repeated loads at the door.
+//! Conversion of answers about repeated loads between the engine's three components and the `C` components of callers.
 
 use super::shakedown::{BindingContact, Shakedown};
 use super::verdict::{Repeats, Shaken};

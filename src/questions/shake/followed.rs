@@ -12,11 +12,11 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Number of states between the last cycles that are kept for extrapolation.
+/// Number of states kept for extrapolation; each is a state between two cycles.
 const KEPT_STATES: usize = 12;
 
 impl Engine {
-    /// [`Grasp::shake`](crate::ask::Grasp::shake).
+    /// Implements [`Grasp::shake`](crate::ask::Grasp::shake).
     pub(crate) fn shake(
         &self,
         base: &Wrench<3>,
@@ -59,7 +59,7 @@ impl Engine {
     }
 }
 
-/// The state of a grasp that is shaken.
+/// A repeated load and the cycles that were followed so far.
 struct Shaking<'g, 's> {
     engine: &'g Engine,
     settings: &'s Settings,
@@ -75,9 +75,9 @@ struct Shaking<'g, 's> {
     every: usize,
     /// Number of cycles with the same events as the one before.
     alike: usize,
-    /// Number of cycles that were followed, with those of trials.
+    /// Number of cycles that were followed, including trials.
     followed: usize,
-    /// Number of cycles that have passed, with those that were skipped.
+    /// Number of cycles that have passed, including skipped ones.
     cycles_gone: usize,
 }
 
@@ -101,7 +101,7 @@ impl<'g> Shaking<'g, '_> {
                     self.every = many;
                     return self.shaken(repeats, (change, 0.0), Some(&cycle.to));
                 };
-                // Until a contact closes, every cycle is like this one, or every `many` cycles are like these.
+                // Until a contact closes, every further cycle, or every group of `many` cycles, repeats this one.
                 let there = closed.to.moved_on(&closed.from, more as f64);
                 if more > 0
                     && let Some(further) = self.cycles.beginning_at(&there, self.settings)
@@ -117,7 +117,7 @@ impl<'g> Shaking<'g, '_> {
             if walked_out.is_none() && self.has_walked_out(&cycle) {
                 let repeats = self.told(&cycle, Some(self.cycles_gone));
                 walked_out = Some(self.shaken(repeats, (change, 0.0), Some(&cycle.to)));
-                // If a steady walk begins by then, it is the answer.
+                // A steady walk that begins within these further cycles is a better answer.
                 most_cycles = most_cycles.min(self.followed + 2 * KEPT_STATES);
             }
             let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
@@ -157,11 +157,10 @@ impl<'g> Shaking<'g, '_> {
         self.cycles_gone += passed;
     }
 
-    /// The cycles after some cycles with the same events.
+    /// Extrapolates cycles that all have the same events.
     ///
-    /// The states from which these events happen form a convex set, and states between the first and the last are on a way along which changes die
-    /// out. If the events are the same at both ends, they are the same on all of it. Two events that merely change their order leave the map as it
-    /// is.
+    /// The states from which these events follow form a convex set, and changes die out from the last state to the extrapolated one. If the events are
+    /// the same at both, they are the same at all states in between. Two events that only swap their order do not change the map.
     fn ahead(&mut self, last: &Cycle) -> Ahead<'g> {
         let places = self.places.clone();
         let numbers: Vec<_> = mapped(&places, &|place| last.numbers(place));
@@ -169,11 +168,11 @@ impl<'g> Shaking<'g, '_> {
             return Ahead::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
-        // If the trial so close to the limit gave none, the next one is closer.
+        // If an earlier trial this close to the limit failed, the next one is closer.
         let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.until(near);
         let mut passed = farthest;
-        // The least number of cycles ahead that is tried.
+        // The least number of cycles that a trial looks ahead.
         let fewest = 4;
         loop {
             let (there, foretold) = recurrence.after(passed);
@@ -201,7 +200,7 @@ impl<'g> Shaking<'g, '_> {
         }
     }
 
-    /// The limit of the cycles, if it repeats itself.
+    /// The cycle at the limit of the states, if it repeats itself.
     fn limit(&mut self, recurrence: &Recurrence<'_>, last: &Cycle) -> Option<Cycle> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
@@ -212,7 +211,7 @@ impl<'g> Shaking<'g, '_> {
         (happens_there && is_one).then_some(limit)
     }
 
-    /// Whether the object has walked farther than its size, beyond the validity of small motions.
+    /// Whether the object has walked farther than its size, where motions are no longer small.
     fn has_walked_out(&self, cycle: &Cycle) -> bool {
         let is_out = |moved: &BodyMotion<3>| moved.speed() > moved.reach && moved.reach > 0.0;
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)
@@ -239,7 +238,7 @@ impl<'g> Shaking<'g, '_> {
         self.engine.wholes().with(is_meant)
     }
 
-    /// The verdict from a cycle that repeats itself: with its number if it was followed from rest, without if it is the limit of others.
+    /// The verdict from a cycle that repeats itself. `number` counts it from rest; it is `None` for the limit of a sequence of cycles.
     fn told(&self, cycle: &Cycle, number: Option<usize>) -> Repeats<3> {
         let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
         if !(0..self.slid.len()).any(|i| cycle.slides(i)) {

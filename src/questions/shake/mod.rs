@@ -12,12 +12,12 @@
 //! That is the verdict for all time ([`Repeats`]). If nothing slides in such a cycle, the grasp rests. Otherwise contacts slide to and fro,
 //! or the object walks by the same amount in each cycle.
 //!
-//! If e converges, the verdict is that of its limit. While each cycle of the plane, or on a polygon, has the same events, e goes from cycle to cycle
-//! by an affine map. A few cycles determine its fixed point (reduced rank extrapolation: the affine combination of them that changes least), and a
-//! cycle from there confirms it. On the round cone this holds up to the error of the steps.
+//! If e converges, the verdict is that of its limit. In the plane, and on a polygonal cone, e changes from cycle to cycle by an affine map as long as
+//! the events stay the same. A few cycles determine the fixed point of this map (reduced rank extrapolation: the affine combination of them that
+//! changes least), and a cycle from there confirms it. On the round cone this holds up to the error of the steps.
 //!
-//! If [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide, a grasp may repeat itself only after several cycles, which is
-//! found, too.
+//! If [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide, a grasp may repeat itself only after several cycles. Such periods
+//! are found, too.
 //!
 //! Forces, slips and motions are to first order, for small motions, as everywhere: a walk has a speed, but no end.
 

@@ -25,7 +25,7 @@ impl<'p> Recurrence<'p> {
     /// The recurrence with the fewest modes that gives the last change up to `error`; `None` if these cycles do not determine one.
     pub(super) fn of(places: &'p [CycleState], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
-        // With more modes, cycles are followed until some have died out.
+        // If more than eight modes contribute, cycles are followed until some modes have died out.
         (1..=8.min(n.saturating_sub(2))).find_map(|modes| {
             let places = &places[n - modes - 2..];
             let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).collect();
@@ -46,7 +46,7 @@ impl<'p> Recurrence<'p> {
         self.changes[last].norm() / self.changes[last - 1].norm()
     }
 
-    /// The number of cycles until changes are this small, by their ratio; limited to a million, also if changes do not shrink.
+    /// The number of cycles until changes are at most `small`, from their ratio. It is at most a million, and a million if changes do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
     pub(super) fn until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();
@@ -139,7 +139,7 @@ impl CycleState {
         DVector::from_vec(numbers)
     }
 
-    /// This state moved on by `times` the step that leads here from another state; forces stay.
+    /// This state, extrapolated by `times` the change from `from` to here; forces stay constant.
     pub(super) fn moved_on(&self, from: &Self, times: f64) -> Self {
         let mut there = self.clone();
         there.slips.iter_mut().zip(&from.slips).for_each(|(slip, before)| *slip += (*slip - before) * times);

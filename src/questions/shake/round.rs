@@ -8,7 +8,7 @@ use super::cycle::Cycle;
 /// The cycles since the state of comparison.
 #[derive(Debug)]
 pub(super) struct Round {
-    /// These cycles as one.
+    /// These cycles joined to one.
     all: Option<Cycle>,
     many: usize,
     /// Number of cycles after which the state of comparison is replaced.
@@ -21,7 +21,7 @@ impl Round {
         Self { all: None, many: 0, most: 1 }
     }
 
-    /// Adds a cycle. If it ends at the state of comparison: all cycles since as one, and their number.
+    /// Adds a cycle. If it ends at the state of comparison, returns all cycles since then, joined to one, and their number.
     pub(super) fn closed_by(&mut self, cycle: &Cycle) -> Option<(&Cycle, usize)> {
         if self.many == self.most {
             (self.all, self.many, self.most) = (None, 0, 2 * self.most);

@@ -71,7 +71,7 @@ impl<const C: usize> Shakedown<C> {
 }
 
 impl Engine {
-    /// [`Statics::shakedown`](crate::ask::Statics::shakedown).
+    /// Implements [`Statics::shakedown`](crate::ask::Statics::shakedown).
     pub(crate) fn shakedown(
         &self,
         base: &Wrench<3>,
@@ -165,7 +165,7 @@ impl Program {
         let units: Vec<f64> = mapped(slips, &|forces| force / or_one(size(forces)));
         let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for k in 0..=under.len() {
-            // A polygon has rows alone.
+            // The conditions of a polygonal cone are linear rows.
             for (i, edges) in edges.iter().enumerate() {
                 let Edges::Rows(facets) = edges else { continue };
                 for row in facets {

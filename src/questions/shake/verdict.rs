@@ -23,19 +23,19 @@ pub struct Shaken<const C: usize> {
     /// slide.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub every: usize,
-    /// Number of cycles until then, the last one up to its end or to the loss.
+    /// Number of cycles up to the verdict. The last one counts even if the object is lost within it.
     pub cycles: usize,
-    /// Number of cycles that were followed. Of many with the same events, a few are enough.
+    /// Number of cycles that were followed. Among many cycles with the same events, a few are enough.
     pub followed: usize,
     /// Change of forces over the largest force, and of gaps over the springs' stretch under it, in the last cycle or period. It is zero up to
     /// rounding, or along sliding arcs up to the error of their steps, unless the verdict is undecided, lost, or a walk with changing forces.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
-    /// Zero if the last cycle repeats itself. Otherwise the verdict is that of the limit of the cycles, and this is the ratio of their distances from
-    /// it, from one cycle to the next.
+    /// Zero if the last cycle repeats itself. Otherwise the verdict is that of the limit of the cycles, and this is the factor by which the distance
+    /// from the limit shrinks per cycle.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub ratio: f64,
-    /// The motion of the object, or of each body, from rest until then; for slips that die out, in the limit.
+    /// The motion of the object, or of each body, from rest to the end of the last cycle; if slips die out, to the limit.
     pub moved: Vec<BodyMotion<C>>,
     /// The equilibrium between two cycles, after the last one that was followed from rest; `None` without one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -54,7 +54,7 @@ pub struct Shaken<const C: usize> {
 pub enum Repeats<const C: usize> {
     /// No contact slides any more.
     Rests {
-        /// Number of cycles until then; 0 if nothing ever slides.
+        /// Number of cycles until nothing slides any more; 0 if nothing ever slides.
         after: usize,
         /// The contacts that have slid until then.
         slid: Vec<WholeContact>,
@@ -76,7 +76,7 @@ pub enum Repeats<const C: usize> {
         dissipated: f64,
     },
     /// The object moves by the same amount in every cycle. Or it has walked farther than the distance of its contacts while forces still
-    /// [change](Shaken::change): small motions say nothing there.
+    /// [change](Shaken::change); motions are not small there, so the walk is not followed further.
     Walks {
         /// The motion per period, of the object or of each body.
         by: Vec<BodyMotion<C>>,
@@ -105,7 +105,7 @@ pub enum Repeats<const C: usize> {
     /// The verdict is not known.
     Undecided {
         /// The reason why the path ends in the last cycle; `None` if the [allowed](crate::Settings::most_cycles) number of cycles has passed, and
-        /// they still change.
+        /// cycles still change.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         doubt: Option<Doubt>,
     },

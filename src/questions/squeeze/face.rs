@@ -1,4 +1,4 @@
-//! Questions and answers about squeezes at the door.
+//! Conversion of questions and answers about squeezes between the engine's three components and the `C` components of callers.
 
 use super::bounds::Bounds;
 use super::least_onset::LeastOnset;

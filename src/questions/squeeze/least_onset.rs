@@ -7,7 +7,7 @@
 //! F(τ) = F⁰ + Σ δ_p c_p + τ (F¹ + Σ ε_q c_q),   |δ_p| <= b_p,   |ε_q| <= b_q:       δ_p = -b_p sign(a·c_p),   ε_q alike
 //! ```
 //!
-//! [`Edges::in_a_box`] has the conditions among which is the worst for all corners.
+//! [`Edges::in_a_box`] returns a few conditions, among which is the worst one over all corners.
 
 use nalgebra::SVector;
 
@@ -36,7 +36,7 @@ pub enum LeastOnset<const C: usize> {
         contact: usize,
         /// The commands of the worst case, in the contact frames, m.
         commands: Vec<SVector<f64, C>>,
-        /// Its base load and load direction.
+        /// The base load and the load direction of the worst case.
         ramp: Ramp<C>,
     },
     /// All contacts keep sticking for all data within the bounds, at every load factor.
@@ -69,7 +69,7 @@ struct Share {
 }
 
 impl Engine {
-    /// [`Grasp::least_onset_within`](crate::ask::Grasp::least_onset_within).
+    /// Implements [`Grasp::least_onset_within`](crate::ask::Grasp::least_onset_within).
     pub(crate) fn least_onset_within(
         &self,
         ramp: &Ramp<3>,

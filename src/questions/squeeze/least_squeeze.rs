@@ -19,8 +19,8 @@ pub enum LeastSqueeze<const C: usize> {
         /// The contact on the edge of its cone at this factor, from 0, and the load under which it is; `None` if no squeeze is needed.
         binding: Option<(usize, Wrench<C>)>,
     },
-    /// No factor suffices. Under this load the contact does not stick with this factor, nor with any larger one. Smaller factors fail for another
-    /// load or contact.
+    /// No factor suffices. With this factor, and with any larger one, the contact does not stick under this load. With a smaller factor another
+    /// condition fails.
     #[non_exhaustive]
     NoFactor {
         /// The contact, from 0.
@@ -40,7 +40,7 @@ pub enum LeastSqueeze<const C: usize> {
 }
 
 impl Engine {
-    /// [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze).
+    /// Implements [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze).
     pub(crate) fn least_squeeze(
         &self,
         loads: &Loads<3>,
@@ -53,7 +53,7 @@ impl Engine {
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),
         };
         let (mut factor, mut binding) = (0.0, None);
-        // Each cut raises the factor, with quadratic convergence; beyond this number cuts are rounding.
+        // Each cut raises the factor, with quadratic convergence; beyond this number cuts only follow rounding.
         for _ in 0..1000 {
             let Some((contact, Condition { row, value, load, .. })) = parts.broken(factor) else {
                 return Ok(LeastSqueeze::Factor { factor, binding });

@@ -9,7 +9,7 @@ use crate::grasp::{Motion, Wrench};
 use crate::numerics::{Harmonic, Vector, mapped, moved, summed};
 use crate::prelude::*;
 
-/// A condition `row·F >= 0`, its value under a load, and the size of its forces.
+/// A condition `row·F >= 0`, its value under a load, and the size of the summed forces, which bounds their rounding.
 pub(super) struct Condition {
     pub(super) row: SVector<f64, 3>,
     pub(super) value: f64,
@@ -73,7 +73,7 @@ impl<'l> Parts<'l> {
         most.map(|(_, contact, condition)| (contact, condition))
     }
 
-    /// The gain of a condition's value by the whole squeeze; zero where it is rounding.
+    /// The gain of a condition's value by the whole squeeze; zero where it is only rounding.
     pub(super) fn gain(&self, contact: usize, row: &SVector<f64, 3>) -> f64 {
         let gain = row.dot(&self.squeeze.of[contact]);
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }

@@ -44,7 +44,7 @@ pub enum WeakestDirection<const C: usize> {
 }
 
 impl Engine {
-    /// [`Grasp::weakest_direction`](crate::ask::Grasp::weakest_direction).
+    /// Implements [`Grasp::weakest_direction`](crate::ask::Grasp::weakest_direction).
     pub(crate) fn weakest_direction(
         &self,
         base: &Wrench<3>,
@@ -111,7 +111,7 @@ impl Least {
         let begin = force[2].atan2(force[1]);
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).collect()));
-        // Each further cut lowers the force, with quadratic convergence; beyond this number cuts are rounding.
+        // Each further cut lowers the force, with quadratic convergence; beyond this number cuts only follow rounding.
         for _ in 0..200 {
             // A force that changes no condition at four angles changes none, as three vectors determine the change at every angle.
             if size.is_infinite() {
@@ -120,7 +120,7 @@ impl Least {
             let before = size;
             size = cut(edges.on_a_sphere(force, &influence.of, size));
             if size >= before {
-                // The rest is rounding.
+                // What remains is rounding error.
                 return true;
             }
         }

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::Contact;
 
-/// Bounds of the normal forces; friction forces follow them.
+/// Bounds of the normal forces, and thus of friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Budget {
     /// Each contact may press with this force, N, as every finger can. The wrenches are sums of the contacts' wrenches (L∞).

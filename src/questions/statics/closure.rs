@@ -46,13 +46,13 @@ pub enum Closure<const C: usize> {
 }
 
 impl Engine {
-    /// [`Statics::force_closure`](crate::ask::Statics::force_closure).
+    /// Implements [`Statics::force_closure`](crate::ask::Statics::force_closure).
     pub(crate) fn force_closure(&self, settings: &Settings) -> Result<Closure<3>, Error> {
         self.refuse_joints("force_closure")?;
         let problem = self.without_load(settings);
         let axes = |(i, local): (usize, LocalLaw<'_>)| (0..local.springs.axes()).map(move |axis| (i, axis));
         let axes: Vec<_> = problem.locals().enumerate().flat_map(axes).collect();
-        // At rest every contact has a cone of forces.
+        // Without a load every contact has a cone of forces, so that the generators exist.
         let straight = straight_generators(&problem).unwrap_or_default();
         let inside = |forces: &[SVector<f64, 3>]| {
             problem.locals().zip(forces).all(|(local, force)| {
@@ -66,7 +66,7 @@ impl Engine {
         self.whatever_vacuums_hold(closure, "force_closure")
     }
 
-    /// [`Statics::form_closure`](crate::ask::Statics::form_closure).
+    /// Implements [`Statics::form_closure`](crate::ask::Statics::form_closure).
     pub(crate) fn form_closure(&self) -> Result<Closure<3>, Error> {
         self.refuse_joints("form_closure")?;
         let axes: Vec<_> = numbered(self.len(), &|i| (i, 0));

@@ -1,4 +1,4 @@
-//! Questions and answers of statics at the door.
+//! Conversion of questions and answers of statics between the engine's three components and the `C` components of callers.
 
 use super::budget::WrenchScale;
 use super::closure::Closure;

@@ -25,7 +25,7 @@ pub struct WrenchBall<const C: usize> {
 }
 
 impl Engine {
-    /// [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny).
+    /// Implements [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny).
     pub(crate) fn ferrari_canny(
         &self,
         budget: Budget,

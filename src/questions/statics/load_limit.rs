@@ -1,7 +1,7 @@
 //! Limit analysis: the largest load that contact forces within a budget balance, and the budget that a load needs.
 //!
 //! The result is the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for some forces in their cones. A plane with all wrenches on one side gives an upper
-//! bound of λ. A ray from inside the set to the load there either ends in the set, or leaves it through a plane with a smaller bound.
+//! bound of λ. A ray from inside the set towards the load at this bound either ends in the set, or leaves it through a plane with a smaller bound.
 
 use nalgebra::SVector;
 
@@ -41,7 +41,7 @@ pub enum LoadLimit<const C: usize> {
 }
 
 impl Engine {
-    /// [`Statics::load_limit`](crate::ask::Statics::load_limit).
+    /// Implements [`Statics::load_limit`](crate::ask::Statics::load_limit).
     pub(crate) fn load_limit(
         &self,
         base: &Wrench<3>,
@@ -104,7 +104,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     let plane = |normal: &Vector| normal.dot(&(support(normal) - base)) / normal.dot(rate);
     let (mut at_most, mut normal) = (plane(rate), rate.clone());
     let mut last: Option<(f64, RayExit)> = None;
-    // On round cones each plane doubles the digits, so that only rounding makes it a hundred planes.
+    // On round cones each plane doubles the number of correct digits, so that only rounding leads to a hundred planes.
     for _ in 0..100 {
         let Some(there) = shoot(&(base + rate * at_most)) else { break };
         let (inside, nearer) = (there.stretch <= 1.0 + SOLVED_ROUNDING, plane(&there.normal));

@@ -15,7 +15,7 @@
 //! | `wrench_set` | the wrenches within a budget, by their support points |
 //! | `ferrari_canny` | the largest ball in that set |
 //! | `balance` | a motion which proves that no forces balance a load |
-//! | `load_limit` | the largest multiple of a load in it |
+//! | `load_limit` | the largest multiple of a load that forces within a budget balance |
 
 mod balance;
 mod budget;

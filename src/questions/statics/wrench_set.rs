@@ -99,7 +99,7 @@ impl WrenchSet {
     pub(super) fn forces(&self, v: &Vector) -> Vec<SVector<f64, 3>> {
         let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
         let mut forces = Vec::with_capacity(self.contacts.len());
-        // The last of the contacts that do most work.
+        // The contact that does most work; the last one among equals.
         let mut best = (0, f64::NEG_INFINITY);
         for (i, contact) in self.contacts.iter().enumerate() {
             let (force, work) = contact.most(v);
@@ -145,7 +145,7 @@ impl WrenchSet {
         Wrench::among(self.space, &self.space.moved_wrench(&about, &wrench))
     }
 
-    /// The motion on which a wrench does as much work as it reaches along a direction.
+    /// The motion with which a wrench has the power `direction · w`, where w is that wrench in the scale of the set.
     pub(super) fn motion(&self, direction: Vector) -> Twist<3> {
         let about = SVector::from(self.scale.about);
         let direction = scaled(self.space, direction, 1.0 / self.scale.length);

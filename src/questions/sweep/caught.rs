@@ -1,4 +1,4 @@
-//! Panics while a question is answered. A panic is a fault of this library, and an error of that question alone: other questions are answered.
+//! Panics while a question is answered. A panic is a fault of this library; it becomes an error of that question, and all other questions are answered.
 
 use super::in_order::map_in_order;
 use crate::error::Error;
@@ -22,7 +22,7 @@ pub(crate) fn caught<R>(ask: &dyn Fn() -> Result<R, Error>) -> Result<R, Error> 
     )
 }
 
-/// The message of a panic of this work; `None` without a panic. Without the standard library a panic is not caught.
+/// Runs `work` and returns the message of its panic; `None` without a panic. Without the standard library a panic is not caught.
 #[cfg(feature = "std")]
 pub(crate) fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).err()?;

@@ -1,4 +1,4 @@
-//! Forces of contacts that keep their states, source by source, with their changes by errors of the data.
+//! Forces of contacts that keep their states, for each source of force, with their changes by errors of the data.
 
 use nalgebra::{Matrix, SVector};
 
@@ -11,7 +11,7 @@ use crate::numerics::{Size, Vector, largest, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// Forces of all sites, or gaps of open sites, by one source: with data as known, and their changes by each datum.
+/// Forces of all sites (gaps of open sites) due to one source: for the data as given, and their changes by each datum.
 #[derive(Debug, Clone)]
 pub(super) struct Course {
     pub(super) known: Vec<SVector<f64, 3>>,
@@ -20,7 +20,7 @@ pub(super) struct Course {
 }
 
 impl Course {
-    /// Adds this many times another course.
+    /// Adds `times` times another course.
     pub(super) fn add(&mut self, times: f64, other: &Self) {
         self.known.iter_mut().zip(&other.known).for_each(|(sum, more)| *sum += more * times);
         for (sum, more) in self.off.iter_mut().flatten().zip(other.off.iter().flatten()) {
@@ -39,13 +39,13 @@ impl Course {
         sum
     }
 
-    /// The largest force with data as known.
+    /// The largest force for the data as given.
     pub(super) fn largest(&self) -> f64 {
         largest(&self.known, &Matrix::norm)
     }
 }
 
-/// The courses of commands and constant loads, and of one unit of each component of the load. No contact slides.
+/// The courses of two kinds of sources while no contact slides: commands together with constant loads, and one unit of each component of the load.
 pub(super) fn courses(
     response: &StickingResponse<'_>,
     cone: Cone,

@@ -10,7 +10,7 @@ use crate::prelude::*;
 
 /// One datum, with its error of one σ.
 pub(super) enum UncertainDatum {
-    /// Of all points of a contact.
+    /// Errors of all points of a contact.
     OfContact(usize, ContactErrors),
     /// The logarithm of the stiffness of a joint.
     OfJoint(usize, f64),
@@ -31,7 +31,7 @@ impl UncertainDatum {
         })
     }
 
-    /// The parameters of which this is a datum, each with its change by one σ.
+    /// The parameters that this datum changes, each with its change by one σ.
     pub(super) fn parameters(&self, of: &Engine) -> Vec<(Parameter, f64)> {
         match self {
             Self::OfContact(contact, errors) => {
@@ -48,7 +48,7 @@ impl UncertainDatum {
 }
 
 impl Engine {
-    /// The uncertain data that change forces; those of the load and of friction do not by themselves.
+    /// The uncertain data that change forces while contacts stick. Friction does not, and the load is one factor on all forces that it causes.
     pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
         let none = ContactErrors::default();

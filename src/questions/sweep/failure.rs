@@ -7,8 +7,8 @@
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
 //! ```
 //!
-//! by the mean number of crossings (Rice, Mathematical analysis of random noise, 1944); the bound is nearly reached where failures are rare. In the
-//! direction θ₀ a failure is very unlikely.
+//! by the mean number of crossings (Rice, Mathematical analysis of random noise, 1944); φ is the normal density, Φ its distribution, and a prime the
+//! derivative by θ. The bound is nearly reached where failures are rare. θ₀ is a direction in which a failure is very unlikely.
 
 use core::f64::consts::{PI, TAU};
 
@@ -24,7 +24,7 @@ use crate::prelude::*;
 /// Memory for the margins of a facet under two loads.
 pub(super) type MarginPair = [FacetMargin; 2];
 
-/// Upper bound of the probability that a contact leaves its state under one load, and does not under another one, if given.
+/// Upper bound of the probability that a contact leaves its state under the load `here`, and, if `also` is given, keeps its state under that load.
 pub(super) fn failure(
     edges: &Edges,
     here: &UncertainForce<'_>,
@@ -76,7 +76,7 @@ impl TwoLoads<'_> {
         &self.margins[0]
     }
 
-    /// The probability that the last margin holds under the other load where it just fails under the first.
+    /// Upper bound of the probability that the last margin is positive under the other load where it just vanishes under the first.
     fn holds_otherwise(&mut self, facet: &SVector<f64, 3>) -> f64 {
         let Some(also) = self.also else { return 1.0 };
         let [margin, other] = &mut *self.margins;

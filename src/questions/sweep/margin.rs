@@ -4,11 +4,12 @@
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
 //! ```
 //!
-//! Data are off by z, in standard deviations. The change Δ_i of the force by one datum is a polynomial through evaluated changes. Joint effects of
-//! two data beyond the sum are neglected, except that friction multiplies the normal force exactly. The reliability β is the distance of the nearest
-//! z at which the margin vanishes (Hasofer and Lind, Exact and invariant second-moment code format, 1974). Steps towards it are shortened until a
-//! merit function of distance and margin falls (Zhang and Der Kiureghian, Two improved algorithms for reliability analysis, 1995). No step leads to
-//! a distance at which the failure probability is negligible.
+//! Here μ is the coefficient of friction with the deviation σ of its logarithm, h the unit vector of the facet, and z the errors of the data, in
+//! standard deviations. The change Δ_i of the force by one datum is a polynomial through evaluated changes. Joint effects of two data beyond the sum
+//! are neglected, except that friction multiplies the normal force exactly. The reliability β is the distance of the nearest z at which the margin
+//! vanishes (Hasofer and Lind, Exact and invariant second-moment code format, 1974). Steps towards it are shortened until a merit function of distance
+//! and margin falls (Zhang and Der Kiureghian, Two improved algorithms for reliability analysis, 1995). No step goes beyond the distance at which the
+//! failure probability is negligible.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,13 +18,13 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{dot, normal_density, normal_tail};
 use crate::prelude::*;
 
-/// The effect of a datum is evaluated at these parts of the standard deviations in reserve.
+/// The effect of a datum is evaluated at these multiples of `sigmas`, the standard deviations in reserve.
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
-/// Effect of a datum on a force: coefficients of `Σ c_k x^k`, k from 1, with x as a part of the standard deviations in reserve.
+/// Effect of a datum on a force: coefficients of `Σ c_k x^k`, k from 1, where x is the error of the datum over `sigmas`.
 pub(super) type Effect = [SVector<f64, 3>; LOOKED_AT.len()];
 
-/// The polynomial through the changes of a force at the parts `LOOKED_AT`.
+/// The polynomial through the changes of a force that were evaluated at the multiples [`LOOKED_AT`] of `sigmas`.
 pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> Effect {
     let (even, half_even) = (0.5 * (high + low), 0.5 * (half_high + half_low));
     let (odd, half_odd) = (0.5 * (high - low), 0.5 * (half_high - half_low));
@@ -98,7 +99,7 @@ impl UncertainForce<'_> {
                 moved = f64::max(moved, (step * g - *z).abs());
                 *z = step * g;
             }
-            // In standard deviations.
+            // Limit of the step at convergence, in standard deviations.
             arrived = moved < 1e-3;
             if arrived {
                 break;
@@ -134,7 +135,7 @@ impl UncertainForce<'_> {
         loop {
             let there = self.linearise(known, rubs, margin);
             let left = 0.5 * dot(&margin.fails_at, &margin.fails_at) + dear * there.abs();
-            // A step as short as a hundredth is accepted anyway.
+            // A step shortened to a hundredth is accepted in any case.
             if left <= here - SUFFICIENT_DECREASE * part * promised || part <= 1e-2 {
                 return there;
             }

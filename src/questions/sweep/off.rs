@@ -14,7 +14,7 @@ pub(super) struct ContactErrors {
     pub(super) squeeze: f64,
     /// Displacement of the contact point, m.
     pub(super) moved: SVector<f64, 3>,
-    /// Angles towards its tangents, rad.
+    /// Angles by which the normal tilts towards each tangent, rad.
     pub(super) tilt: SVector<f64, 3>,
 }
 
@@ -59,8 +59,7 @@ impl ContactErrors {
 
 /// `exp(log)`.
 pub(super) fn factor(log: f64) -> f64 {
-    // Data that are then too large or too small are refused, and none becomes zero or infinite, which would
-    // mean something else.
+    // No datum may become zero or infinite, which would change its meaning. Data that are too large or too small are refused later.
     let least = 1e-200_f64;
     log.exp().clamp(least, least.recip())
 }

@@ -36,8 +36,8 @@ impl<const C: usize> Reserve<C> {
     /// The largest multiple of this load, from 0, with which all contacts keep sticking on top of the base load. Infinite without a limit; NaN where
     /// the equilibrium under the base load is undecided.
     ///
-    /// Zero where a contact slides already, or would too often. Contacts that are open under the base load count as leaving where they close: later
-    /// events are not computed.
+    /// Zero where a contact slides under the base load, or fails there with more than the allowed probability. Contacts that are open under the base
+    /// load count as leaving where they close, since later events are not computed.
     #[must_use]
     pub fn along(&self, direction: &Wrench<C>) -> f64 {
         match &self.rest {
@@ -55,7 +55,7 @@ impl<const C: usize> Reserve<C> {
 }
 
 impl Engine {
-    /// [`Grasp::reserve`](crate::ask::Grasp::reserve).
+    /// Implements [`Grasp::reserve`](crate::ask::Grasp::reserve).
     pub(crate) fn reserve(
         &self,
         base: &Wrench<3>,

@@ -68,7 +68,7 @@ face_of_struct! {
 }
 
 impl Engine {
-    /// [`Grasp::robust_onset`](crate::ask::Grasp::robust_onset).
+    /// Implements [`Grasp::robust_onset`](crate::ask::Grasp::robust_onset).
     pub(crate) fn robust_onset(
         &self,
         ramp: &Ramp<3>,
@@ -83,7 +83,7 @@ impl Engine {
         Ok(RobustOnset { onset, spread })
     }
 
-    /// [`Sensitivity::onset_spread`](crate::ask::Sensitivity::onset_spread).
+    /// Implements [`Sensitivity::onset_spread`](crate::ask::Sensitivity::onset_spread).
     pub(crate) fn onset_spread(
         &self,
         event: &OnsetEvent<3>,
@@ -92,7 +92,7 @@ impl Engine {
         if uncertainty.position != 0.0 {
             self.refuse_hands("onset_spread with uncertain positions")?;
         }
-        // A force that holds a contact is no datum with derivatives.
+        // There are no derivatives by the force that holds a contact.
         if uncertainty.squeeze != 0.0 && self.contacts().iter().any(|contact| contact.force.is_some()) {
             return Ok(None);
         }
@@ -110,7 +110,7 @@ impl Engine {
             [one, other] => {
                 let apart = norm(&|g| g[0] - g[1]).powi(2) / TAU;
                 let variance = 0.5 * (one.deviation.powi(2) + other.deviation.powi(2)) - apart;
-                // The variance is a difference, and rounding of zero where neither factor moves.
+                // As a difference the variance may be negative by rounding where neither factor moves.
                 let variance = if variance < 0.0 { 0.0 } else { variance };
                 (Some(event.factor - apart.sqrt()), Some(variance.sqrt()))
             }

@@ -1,7 +1,8 @@
 //! Contacts that all stick under a base load, and the probability that one of them leaves on the way to a further load on top of it.
 //!
-//! While all stick, forces are linear in the load, and margins that fall do so ever more steeply. So all stick on the whole way if all do at
-//! both of its ends. [`failure`](super::failure) gives the probability that a contact leaves there; their sum bounds the probability that any does.
+//! While all stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick at both ends of the way, they
+//! stick in between. [`failure`](super::failure) gives the probability that a contact leaves there; the sum over contacts bounds the probability that
+//! any does.
 
 use super::courses::Course;
 use super::failure::{MarginPair, failure, roughly};
@@ -20,13 +21,13 @@ pub(super) struct StuckGrasp {
     edges: Vec<Edges>,
     /// Forces by each component of the load.
     by_component: Vec<Course>,
-    /// All forces under the base load, and the part of them by that load.
+    /// `base`: all forces under the base load. `by_base_load`: the part of them that this load alone causes.
     base: Course,
     by_base_load: Course,
     /// Failure probability of each contact under the base load.
     fails_at_base: Vec<f64>,
     sigmas: f64,
-    /// σ of friction, and the relative growth of the load at each part of `LOOKED_AT`.
+    /// σ of friction, and the relative growth of the load at each multiple in `LOOKED_AT`.
     friction: f64,
     load: [f64; LOOKED_AT.len()],
     /// Work of each component of the load on the motions that nothing resists.
@@ -100,7 +101,7 @@ impl StuckGrasp {
         let far = 1e6;
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
         let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
-        // The difference quotient gives the initial slope.
+        // Relative step of the difference quotient that gives the initial slope.
         let apart = 1e-3;
         let slope = (roughly((1.0 + apart) * guess) - roughly(guess)) / (apart * guess);
         root(&left, (guess, slope), far * start, PRECISE_FACTOR)
@@ -120,7 +121,7 @@ impl StuckGrasp {
     fn failure(&self, rate: &Course, factor: f64) -> f64 {
         let mut memory = [Vec::new(), Vec::new()];
         let mut margins = MarginPair::default();
-        // Rarer failures at the base are added without their overlap with failures at the load.
+        // Failures at the base that are rarer than this are added in full, although some of them also fail at the load.
         let told_apart = 1e-3 * self.allowed();
         let mut sum = 0.0;
         for (i, edges) in self.edges.iter().enumerate() {
@@ -163,7 +164,7 @@ impl StuckGrasp {
 
 /// Approximately the β of a failure probability `Φ(-β)`, and as nearly linear in the factor; only differences are used.
 fn reliability(fails: f64) -> f64 {
-    // Smaller probabilities count as this one.
+    // Probabilities below 1e-300 count as 1e-300.
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
 }
 

@@ -132,7 +132,7 @@ impl Uncertainty {
 }
 
 impl Engine {
-    /// [`Grasp::sample`](crate::ask::Grasp::sample).
+    /// Implements [`Grasp::sample`](crate::ask::Grasp::sample).
     pub(crate) fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         if uncertainty.position != 0.0 {
             self.refuse_hands("sample with uncertain positions")?;
@@ -157,7 +157,7 @@ impl Engine {
         self.with_data(contacts, &|drive| factor(drawn(self.len() + drive).stiffness))
     }
 
-    /// [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).
+    /// Implements [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).
     pub(crate) fn onset_of_samples(
         &self,
         ramp: &Ramp<3>,
