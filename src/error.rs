@@ -1,15 +1,15 @@
-//! Malformed input, and only that: "no equilibrium exists" is an answer (see [`crate::equilibrium::Outcome`]), not an error.
+//! Malformed input. That no equilibrium exists is not an error but an answer, [`crate::equilibrium::Outcome`].
 
 use core::fmt;
 
 use crate::prelude::*;
 pub use crate::words::ContactLabel;
 
-/// Larger numbers are refused: squares of products of three of them would overflow, and a size that overflows makes every
-/// violation look small. No unit of length or force brings a real grasp near this.
+/// Largest accepted magnitude of an input. The square of a product of three larger numbers could overflow, and a norm that is infinite makes
+/// every relative residual look small. No unit of length or force brings a real grasp near this limit.
 pub(crate) const LARGEST: f64 = 1e50;
 
-/// Wording of this range in messages.
+/// Wording of this range in error messages.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
 /// Finite and at most [`LARGEST`] in size.
@@ -17,7 +17,7 @@ pub(crate) fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST
 }
 
-/// A fault in a question: its place, its value, and the allowed values. "No equilibrium" is not among them: that is an answer,
+/// Malformed input: its place, its value, and the allowed values. That no equilibrium exists is not an error but an answer,
 /// [`Outcome::NoEquilibrium`](crate::equilibrium::Outcome::NoEquilibrium).
 ///
 /// ```
@@ -39,21 +39,21 @@ pub enum Error {
     /// One number of one contact is out of range.
     #[error("contact {contact}: {field} is {value}, must be {allowed}")]
     Contact {
-        /// Which contact.
+        /// The contact at fault.
         contact: ContactLabel,
-        /// Which of its data.
+        /// The quantity that is out of range.
         field: Field,
         /// What was given: the offending component, or the length of an offending vector.
         value: f64,
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A curve or surface that a contact may move along is degenerate, or the contact does not lie on it.
+    /// The curve or surface along which a contact may be moved is degenerate, or the contact does not lie on it.
     #[error("contact {contact}: {field} is {value}, must be {allowed}")]
     Surface {
-        /// Which contact.
+        /// The contact at fault.
         contact: ContactLabel,
-        /// Which datum of its surface.
+        /// The quantity of the surface that is out of range.
         field: &'static str,
         /// What was given.
         value: f64,
@@ -80,7 +80,7 @@ pub enum Error {
         /// The number of contacts.
         expected: usize,
     },
-    /// A polygonal friction cone that is no polygon, or needlessly fine.
+    /// A polygonal friction cone has too few facets to be a polygon, or needlessly many.
     #[error("friction cone: {given} facets, must be from 3 to {most}")]
     Facets {
         /// What was given.
@@ -88,37 +88,37 @@ pub enum Error {
         /// The largest number of facets that is accepted.
         most: usize,
     },
-    /// A soft fingertip without extent or points, or with too many.
+    /// A dimension of a soft fingertip, or its number of points, is out of range.
     #[error("soft fingertip: {what} is {value}, must be {allowed}")]
     Fingertip {
-        /// Which of its data: a radius or a width (m), or a number of annuli, strips or points.
+        /// The quantity at fault: a radius or a width (m), or a number of annuli, strips or points.
         what: &'static str,
         /// What was given.
         value: f64,
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A mesh that is not there, cannot be read, or encloses no volume.
+    /// A mesh file is missing, cannot be read, or encloses no volume.
     #[cfg(feature = "mesh")]
     #[error("mesh: {fault}")]
     Mesh {
-        /// The fault, and what must be.
+        /// The fault, and the requirement.
         fault: String,
     },
-    /// A description of a robot that cannot be read, or a link or a joint that it has not.
+    /// The description of a robot cannot be read, or has no link or joint of the given name.
     #[cfg(feature = "urdf")]
     #[error("robot: {fault}")]
     Robot {
-        /// The fault, and what must be.
+        /// The fault, and the requirement.
         fault: String,
     },
-    /// A pad that does not meet the part on which it closes, or begins inside of it.
+    /// A pad does not meet the part on which it closes, or starts inside the part.
     #[cfg(feature = "mesh")]
     #[error("contact {contact}: {fault}")]
     Misses {
-        /// Which contact.
+        /// The contact of the pad.
         contact: ContactLabel,
-        /// The fault, and what must be.
+        /// The fault, and the requirement.
         fault: &'static str,
     },
     /// A number of a question is out of range, other than a number of a contact, a load or a hand.
@@ -131,32 +131,32 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A number of an observed slip, or of an unknown to be identified, is out of range.
+    /// A number of an observed slip, or of an unknown parameter to be identified, is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Identify {
-        /// Which slip or which unknown, by number.
+        /// The slip or the unknown parameter, by number.
         what: String,
-        /// Which of its data.
+        /// The quantity that is out of range.
         field: &'static str,
         /// What was given.
         value: f64,
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A question made this library fail: a fault of the library, not of the question. Where many questions are asked at once the others are
-    /// answered.
+    /// The library panicked on this question: a fault of the library, not of the question. In a batch the other questions are still answered.
     #[error("internal: this question made the library fail, which is a fault of the library ({fault})")]
     Internal {
-        /// The message of the failure.
+        /// The panic message.
         fault: String,
     },
-    /// Commands or held torques change while the load turns: events would have no exact angles.
+    /// Commands or held torques change on a leg whose load turns. They must stay constant, since only then do the angles of events have closed
+    /// forms.
     #[error("commands or torques of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
-    /// A scene asks for an onset along a ramp that changes nothing.
+    /// A scene asks for the onset of sliding along a ramp whose load and commands do not change.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
-    /// A cycle of legs does not end where it begins.
+    /// The legs of a load cycle do not return to the load or the commands at its beginning.
     #[error("cycle: the {what} at its end is {off} away from that at its beginning, must be the same")]
     NotClosed {
         /// The quantity that differs.
@@ -164,30 +164,32 @@ pub enum Error {
         /// Its largest difference, in its own unit.
         off: f64,
     },
-    /// A question that bounds normal forces, asked of a contact whose force they do not bound.
+    /// The question limits contact forces by limiting normal forces. This contact pulls, is bonded or has infinite friction, so its force has no
+    /// such limit.
     #[error("{question} bounds normal forces: contact {contact} pulls, is bonded or has infinite friction")]
     Unlimited {
-        /// The method.
+        /// Name of the method.
         question: &'static str,
-        /// Which contact.
+        /// The contact at fault.
         contact: ContactLabel,
     },
-    /// A question about loads of any size, asked of contacts that do not hold all loads by themselves but have a vacuum, which holds some.
+    /// The question asks whether the contacts can resist loads of any size. They can do so only with the help of a vacuum, whose force is
+    /// limited.
     #[error(
         "{question} asks for loads of any size: the vacuum of contact {contact} is limited, ask load_limit or ferrari_canny"
     )]
     Vacuum {
-        /// The method.
+        /// Name of the method.
         question: &'static str,
-        /// Which contact.
+        /// The contact with the vacuum.
         contact: ContactLabel,
     },
     /// A field of a question is missing, or does not belong to this question.
     #[error("{question}: {field} {fault}")]
     Question {
-        /// Which question.
+        /// The question.
         question: &'static str,
-        /// Which of its fields.
+        /// The field at fault.
         field: &'static str,
         /// The fault, and the allowed values.
         fault: &'static str,
@@ -200,22 +202,22 @@ pub enum Error {
         /// The fault, and the allowed values.
         fault: String,
     },
-    /// A part whose force is sought presses with nothing of its own, or is not there.
+    /// The part whose force is sought has no load, command or force to scale, or does not exist.
     #[error("part {name:?} has no load, command or force of its own, must be one of {allowed}")]
     Part {
         /// The name that was given.
         name: String,
-        /// Parts that may press.
+        /// Names of the parts with a load, command or force.
         allowed: String,
     },
     /// One datum of a link between bodies is out of range.
     #[error("{kind} {name:?}: {field} is {value}, must be {allowed}")]
     Link {
-        /// What kind of link.
+        /// Kind of the link.
         kind: &'static str,
         /// Its name.
         name: String,
-        /// Which of its data.
+        /// The quantity that is out of range.
         field: &'static str,
         /// What was given.
         value: f64,
@@ -225,9 +227,9 @@ pub enum Error {
     /// One number of one joint, tendon or finger is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Hand {
-        /// Which joint, tendon or finger, by number and name.
+        /// The joint, tendon or finger, by number and name.
         what: String,
-        /// Which of its data.
+        /// The quantity that is out of range.
         field: &'static str,
         /// What was given.
         value: f64,
@@ -239,63 +241,64 @@ pub enum Error {
         "{what}: {field} {fault} {value}, must be symmetric, with no eigenvalue below zero (a compliance: all above)"
     )]
     Matrix {
-        /// Which finger.
+        /// The finger.
         what: String,
-        /// Which matrix.
+        /// The matrix.
         field: &'static str,
         /// The fault.
         fault: &'static str,
-        /// By how much: the largest difference across the diagonal, or the least eigenvalue.
+        /// Size of the fault: the largest difference across the diagonal, or the least eigenvalue.
         value: f64,
     },
     /// A matrix of a hand has the wrong shape.
     #[error("{what}: {} x {} given, must be {} x {}", given.0, given.1, expected.0, expected.1)]
     Shape {
-        /// Which matrix.
+        /// The matrix.
         what: String,
         /// Its rows and columns.
         given: (usize, usize),
-        /// What is wanted.
+        /// Its required rows and columns.
         expected: (usize, usize),
     },
-    /// A question about one object and contacts with springs of their own, asked of a hand or of several bodies.
+    /// The question supports only one object held by contacts with springs of their own. It was asked of a hand with joints or of several
+    /// bodies.
     #[error(
         "{question} knows neither joints nor several bodies: ask it of one object that no hand with joints holds"
     )]
     NotForHands {
-        /// The method.
+        /// Name of the method.
         question: &'static str,
     },
-    /// A question that reports sliding contacts, asked of a contact with lower kinetic friction, which it does not support.
+    /// The question reports sliding contacts but does not support kinetic friction lower than static friction, which this contact has.
     #[error(
         "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold, follow or shake, which do, or leave kinetic friction out"
     )]
     KineticFriction {
-        /// The method.
+        /// Name of the method.
         question: &'static str,
-        /// Which contact.
+        /// The contact with lower kinetic friction.
         contact: ContactLabel,
     },
-    /// A question that supports several bodies but no joints, asked of bodies that a hand with joints holds. A contact that presses with a given
-    /// force has a slide behind it, which is a joint.
+    /// The question supports several bodies but no joints. A contact with a given pressing force counts as a joint, since its finger moves on a
+    /// slide.
     #[error(
         "{question} knows no joints: ask it of bodies that no hand with joints holds, and no contact presses with a given force"
     )]
     NotForJoints {
-        /// The method.
+        /// Name of the method.
         question: &'static str,
     },
     /// A list of joint commands has another length than there are joints and tendons.
     #[error("{what}: {given} given, must be {expected}, one a joint and one a tendon")]
     JointCommands {
-        /// Which list.
+        /// The list.
         what: &'static str,
         /// Its length.
         given: usize,
         /// Number of joints and tendons.
         expected: usize,
     },
-    /// Listing every equilibrium would mean trying too many combinations of contact states.
+    /// Listing all equilibria would need too many combinations of contact states.
     #[error("{contacts} contacts have {combinations:e} combinations of states, at most {most} are tried")]
     TooManyStates {
         /// Number of contacts.
@@ -329,7 +332,8 @@ pub enum Field {
     KineticFriction,
     /// Commanded finger displacement, contact frame, m.
     Command,
-    /// Change of the commanded finger displacement along a ramp or a leg, contact frame, m; the command itself for a leg given by its end.
+    /// Change of the commanded finger displacement along a ramp or a leg, contact frame, m. For a leg given by its end it is the command at that
+    /// end.
     CommandChange,
     /// Force with which the finger is commanded to press, N.
     Press,

@@ -1,8 +1,8 @@
 //! Does the grasp hold?
 //!
-//! A multifingered hand holds an object. Each contact is a point with Coulomb friction. Finger and object give way like springs. The fingers are
-//! commanded to move a little, and a load pulls on the object. This crate computes the motion of the object, the contact forces, **the load at which
-//! a contact starts to slide**, and whether an equilibrium exists beyond it.
+//! A multifingered hand holds an object. Each contact is a point with Coulomb friction. Finger and object are elastic at each contact, like
+//! springs in series. Small displacements of the fingers are commanded, and a load acts on the object. This crate computes the motion of the
+//! object, the contact forces, **the load at which a contact starts to slide**, and whether an equilibrium exists beyond it.
 //!
 //! ```
 //! use grasp_lcp::need::Need;
@@ -34,11 +34,11 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`planar`], [`spatial`] | the names to start from |
-//! | [`guide`] | which answer to trust, several equilibria, rays, facets, hands |
+//! | [`planar`], [`spatial`] | the types of a grasp in the plane and in space, under short names |
+//! | [`guide`] | choosing a question, several equilibria, rays, facets, hands |
 //! | [`ask`] | a [`Grasp`](ask::Grasp), and a table of the questions that it answers |
 //! | [`grasp`] | the parts of a question: contacts, soft fingertips, stiffness, friction, hands, bodies, wrench and twist; vectors of other libraries |
-//! | [`hold`] | does it hold: the verdict on a load that is applied from rest, in a sentence |
+//! | [`hold`] | does it hold: the verdict on a load that is applied from rest, as one sentence |
 //! | [`need`] | how much squeeze, friction, load, arm or angle a grasp needs or allows |
 //! | [`equilibrium`] | motion and contact forces under a load, or the proof that no equilibrium exists |
 //!
@@ -47,14 +47,14 @@
 //! | module | contents |
 //! |---|---|
 //! | [`load_path`] | first slip and the behaviour just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::SteppedPath`]); sensitivities |
-//! | [`shake`] | loads that repeat: rest, slip to and fro, walking or loss |
+//! | [`shake`] | loads that repeat: rest, alternating slip, slip that accumulates (walking), or loss |
 //! | [`identify`] | friction, loads of supports, squeeze and stiffness from observed slips, with their errors |
-//! | [`improve`] | places of fingers on given surfaces, and squeezes, for a late first slip |
+//! | [`improve`] | finger places on given surfaces, and squeezes, that delay first slip |
 //! | [`squeeze`] | the least squeeze for a set of loads, the weakest direction, and the least onset within bounds of commands and loads |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps with uncertain data |
-//! | [`screening`] | the onset of sliding as a load grows or turns, with its gradient, and the least squeeze, for millions of grasps of two to five contacts; a watch over measured forces |
+//! | [`screening`] | first slip as a load grows or turns, with its gradient, and the least squeeze, for millions of grasps of two to five contacts; monitoring of measured forces |
 //!
 //! # Solvers
 //!
@@ -103,13 +103,15 @@
 //!
 //! # Answers
 //!
-//! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof, never an error and never numbers. Malformed input
-//! is an [`Error`] with the contact, the field, its value and the allowed values. Every equilibrium carries [residuals](equilibrium::Residuals)
-//! recomputed from the question. With friction several equilibria are common: [`equilibrium::FoundBy`] is the rule by which the returned one was found.
-//! [`ask::Grasp::equilibria`] lists all of them (on the round cone those that a polygon leads to).
+//! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof, never an error and never numbers. Malformed
+//! input is an [`Error`] with the contact, the field, its value and the allowed values. Every equilibrium carries
+//! [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common: [`equilibrium::FoundBy`] is
+//! the rule by which the returned one was found. [`ask::Grasp::equilibria`] lists all of them; on the round cone it lists those found from the
+//! states of a polygonal cone.
 //!
-//! A point contact carries no moment: a two-finger pinch in space turns freely about its line, which is one of the answer's
-//! [`free_motions`](equilibrium::Equilibrium::free_motions). [`grasp::SoftFingertip`] spreads a contact over a patch that resists.
+//! A point contact carries no moment. A two-finger pinch in space therefore turns freely about the line between the contacts, which the answer
+//! reports in [`free_motions`](equilibrium::Equilibrium::free_motions). [`grasp::SoftFingertip`] spreads a contact over a patch that resists
+//! moments.
 //!
 //! The model is that of "Position Control for Multifingered Robot Hand". The paper solves the sticking case as a quadratic program; [`energy`] has
 //! it, and shows where its minimum stops being an equilibrium. `paper-notes.md` in the repository lists what this crate takes from the paper, its
@@ -128,9 +130,9 @@
 //! | scenes, files, streams, schemas | `serde`, `json`, `schema` |
 //! | the program | `cli`, `cli-full` |
 //!
-//! In a control loop [`screening::Fingers`] needs nothing else: [`onset`](screening::Fingers::onset) and [`watch`](screening::Fingers::watch)
-//! allocate nothing and take the same steps for all numbers. Floating-point functions come from `libm`, whose last digits differ from std's: if a
-//! load has several equilibria, the answer may be another one.
+//! In a control loop [`screening::Fingers`] suffices: [`onset`](screening::Fingers::onset) and [`watch`](screening::Fingers::watch) allocate
+//! nothing, and the number of their operations does not depend on the data. Floating-point functions come from `libm`, whose last digits differ
+//! from std's. If a load has several equilibria, another one may therefore be returned.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -180,7 +182,7 @@ pub use contact::{Fit, PolygonCone};
 pub use equilibrium::{Settings, SmallMotions};
 pub use error::{ContactLabel, Error, Field};
 pub use grasp::Limit;
-/// The library of vectors and matrices in questions and answers, in the matching version.
+/// nalgebra, the library of vectors and matrices in questions and answers, in the version of this crate.
 pub use nalgebra;
 #[cfg(feature = "std")]
 #[doc(hidden)]

@@ -1,16 +1,17 @@
 //! Grasps in the plane: 3 degrees of freedom, 2 axes a contact. Lengths in m, forces in N, moments from x to y in N m.
 //!
-//! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. Nothing is approximated: the planar
-//! friction cone is a polygonal one.
+//! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. The planar friction cone has two edges and is exact: nothing is
+//! approximated by a polygon.
 
 pub use crate::grasp::Pressure;
 
-/// Declares the names of this module, and of [`spatial`](crate::spatial), with this number of axes for a contact.
+/// Declares the short names of [`planar`](crate::planar) or [`spatial`](crate::spatial) for contacts with this number of axes.
 macro_rules! names {
     ($axes:literal) => {
         /// A point contact; see [`crate::grasp::Contact`].
         pub type Contact = crate::grasp::Contact<$axes>;
-        /// Point contacts that model one finger pad: a row in the plane; a ring, disc or rectangle in space; see [`crate::grasp::SoftFingertip`].
+        /// Point contacts that model one finger pad: a row of points in the plane; a ring, disc or rectangle in space; see
+        /// [`crate::grasp::SoftFingertip`].
         pub type SoftFingertip = crate::grasp::SoftFingertip<$axes>;
         /// A grasp; see [`crate::ask::Grasp`].
         pub type Grasp = crate::ask::Grasp<$axes>;
@@ -56,7 +57,7 @@ macro_rules! names {
         pub type Loads = crate::squeeze::Loads<$axes>;
         /// The least squeeze for these loads; see [`crate::squeeze::LeastSqueeze`].
         pub type LeastSqueeze = crate::squeeze::LeastSqueeze<$axes>;
-        /// The direction in which the least force slides; see [`crate::squeeze::WeakestDirection`].
+        /// The direction in which the least force causes sliding; see [`crate::squeeze::WeakestDirection`].
         pub type WeakestDirection = crate::squeeze::WeakestDirection<$axes>;
         /// Bounds on the errors of commands and loads; see [`crate::squeeze::Bounds`].
         pub type Bounds = crate::squeeze::Bounds<$axes>;
@@ -68,7 +69,7 @@ macro_rules! names {
         pub type TurnOnset = crate::load_path::TurnOnset<$axes>;
         /// The factor at which the first contact stops sticking; see [`crate::load_path::Onset`].
         pub type Onset = crate::load_path::Onset<$axes>;
-        /// Memory for one onset after another; see [`crate::ask::OnsetWorkspace`].
+        /// Reusable memory for a sequence of onset questions; see [`crate::ask::OnsetWorkspace`].
         pub type OnsetWorkspace = crate::ask::OnsetWorkspace<$axes>;
         /// The event at which the first contact stops sticking; see [`crate::load_path::OnsetEvent`].
         pub type OnsetEvent = crate::load_path::OnsetEvent<$axes>;
@@ -78,7 +79,7 @@ macro_rules! names {
         pub type Departure = crate::load_path::Departure<$axes>;
         /// The behaviour just beyond the onset; see [`crate::load_path::Beyond`].
         pub type Beyond = crate::load_path::Beyond<$axes>;
-        /// The continuation of an equilibrium past an event; see [`crate::load_path::Continuation`].
+        /// The continuation of an equilibrium beyond an event; see [`crate::load_path::Continuation`].
         pub type Continuation = crate::load_path::Continuation<$axes>;
         /// One leg of a load program; see [`crate::load_path::Leg`].
         pub type Leg = crate::load_path::Leg<$axes>;
@@ -92,7 +93,7 @@ macro_rules! names {
         pub type Jump = crate::load_path::Jump<$axes>;
         /// The end of a load path; see [`crate::load_path::PathEnd`].
         pub type PathEnd = crate::load_path::PathEnd<$axes>;
-        /// A load program being followed; see [`crate::load_path::LoadPath`].
+        /// A load program followed from event to event; see [`crate::load_path::LoadPath`].
         pub type LoadPath<'g> = crate::load_path::LoadPath<'g, $axes>;
         /// A few contacts prepared for screening; see [`crate::screening::Fingers`].
         pub type Fingers<const N: usize> = crate::screening::Fingers<$axes, N>;
@@ -102,14 +103,14 @@ macro_rules! names {
         pub type Pull = crate::screening::Pull<$axes>;
         /// A load for screening that turns; see [`crate::screening::TurningPull`].
         pub type TurningPull = crate::screening::TurningPull<$axes>;
-        /// Loads for screening that fingers are to hold; see [`crate::screening::LoadCases`].
+        /// Loads for screening that a grasp must hold; see [`crate::screening::LoadCases`].
         pub type LoadCases = crate::screening::LoadCases<$axes>;
-        /// A load program being followed in steps; see [`crate::load_path::SteppedPath`].
+        /// A load program followed in load steps; see [`crate::load_path::SteppedPath`].
         pub type SteppedPath<'g> = crate::load_path::SteppedPath<'g, $axes>;
-        /// A step of such a path; see [`crate::load_path::Step`].
+        /// One load step of a stepped path; see [`crate::load_path::Step`].
         pub type Step = crate::load_path::Step<$axes>;
 
-        /// Names for hands with joints: [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`] like any other.
+        /// Hands with joints: [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`] like any other.
         pub mod hand {
             pub use crate::equilibrium::{DriveState, JointAnswer, TendonAnswer};
             pub use crate::grasp::{HandPart, JointKind, Limit, PartLabel, Tendon};

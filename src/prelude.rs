@@ -1,7 +1,7 @@
-//! What the prelude of std has and that of core lacks. A file that uses any of it imports all of it, so that it compiles without std, too.
+//! Names of std's prelude that core's lacks. A file that uses one of them imports all, so that it also compiles without std.
 //!
-//! Lists, texts and boxes come from `alloc`, with std and without it. Functions of floating point are std's own wherever there is std: a file that
-//! uses them and nothing else from here imports them without std only.
+//! Lists, texts and boxes come from `alloc`, with std and without it. Floating-point functions are std's own where std exists. A file that uses
+//! only those imports this module only without std.
 
 pub(crate) use alloc::borrow::ToOwned;
 pub(crate) use alloc::boxed::Box;

@@ -6,5 +6,5 @@ pub use crate::grasp::{Pressure, SuctionCup};
 
 crate::planar::names!(3);
 
-/// One load on three friction cones; see [`crate::equilibrium::Bracket`].
+/// Results on the inscribed, the round and the circumscribed friction cone; see [`crate::equilibrium::Bracket`].
 pub type Bracket = crate::equilibrium::Bracket<3>;

@@ -1,6 +1,6 @@
-//! The piecewise smooth equations of P. Alart and A. Curnier, by themselves or held near an anchor.
+//! The piecewise smooth equations of P. Alart and A. Curnier, alone or with a proximal term that holds forces near an anchor.
 //!
-//! With ζ = r − ρ u a contact is open where ζ_N ≤ 0, sticks where ‖ζ_T‖ ≤ μ ζ_N, and slides otherwise. The law is r = Π(ζ) with
+//! With ζ = r − ρ u a contact is open if ζ_N ≤ 0, sticks if ‖ζ_T‖ ≤ μ ζ_N, and slides otherwise. The law is r = Π(ζ) with
 //!
 //! ```text
 //! open      Π = 0
@@ -8,9 +8,9 @@
 //! sliding   Π_N = ζ_N,   Π_T = μ ζ_N ζ_T / ‖ζ_T‖
 //! ```
 //!
-//! (Comput. Methods Appl. Mech. Eng. 92, 1991.) The forces of redundant contacts are not determined, and Newton's method wanders among them. With ζ =
-//! r − ρ u − δ (r − a), they are held near an anchor a and determined. If a moves to each answer and δ decreases, the answers converge to a solution
-//! (proximal points, R. T. Rockafellar, SIAM J. Control Optim. 14, 1976).
+//! (Comput. Methods Appl. Mech. Eng. 92, 1991.) The forces of redundant contacts are not determined, so Newton's method may drift among them.
+//! With ζ = r − ρ u − δ (r − a) they are determined: the term in δ holds them near an anchor a. If a moves to each answer and δ decreases, the
+//! answers converge to a solution (proximal point method, R. T. Rockafellar, SIAM J. Control Optim. 14, 1976).
 
 use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation};
@@ -21,7 +21,7 @@ use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// Π(ζ) of a contact with friction μ, and its derivative by ζ.
+/// Π(ζ) of a contact with friction μ, and its derivative with respect to ζ.
 pub(super) fn answer<const C: usize>(
     tried: &SVector<f64, C>,
     mu: f64,
@@ -47,20 +47,21 @@ pub(super) fn answer<const C: usize>(
     (answer, change)
 }
 
-/// The equations of all contacts in blocks, held near an anchor.
+/// The equations of all contacts, in blocks, with a proximal term at an anchor.
 pub(super) struct Anchored<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,
-    /// ρ of each contact.
+    /// The scale ρ of each contact, which converts velocities to forces.
     pub(super) rho: Vec<f64>,
     pub(super) anchor: DVector<f64>,
     pub(super) delta: f64,
-    /// The weight of the squared residual of each contact.
+    /// Weight of each contact's squared residual.
     pub(super) weight: Vec<f64>,
 }
 
 impl<'a, const C: usize> Anchored<'a, C> {
-    /// The equations held near these forces. Residuals are weighed as energy or, if `by_contact`, relative to the contact's own force and velocity.
+    /// The equations with the anchor at these forces. Residuals are weighted as energy or, if `by_contact`, relative to the contact's own force
+    /// and velocity.
     pub(super) fn near(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,
@@ -74,7 +75,7 @@ impl<'a, const C: usize> Anchored<'a, C> {
             let size =
                 |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
             let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
-            // The floor of a contact's own size, as a part of the largest.
+            // Least size of a contact, relative to the largest one, for the weights by contact.
             let faintest = 1e-6;
             let weight = |i: usize| 1.0 / size(i).max(faintest * faintest * largest * rho[i]);
             numbered(rho.len(), &weight)

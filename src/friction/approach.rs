@@ -1,8 +1,8 @@
-//! The way from zero forces to a solution for many contacts, or where facets have failed: sweeps, the central path, anchored steps, and a last
+//! The sequence of methods for many contacts, or for a few if facets have failed: sweeps, the central path, anchored Newton steps, and a final
 //! polish.
 //!
-//! [`Sweeps`](super::sweeps) find the size of the forces, the [`central_path`] the states of most contacts, and
-//! [anchored](super::alart_curnier) steps of Newton's method continue from there. The best forces on the way are kept, judged contact by contact. If
+//! [`Sweeps`](super::sweeps) find the magnitude of the forces, the [`central_path`] the states of most contacts, and
+//! [anchored](super::alart_curnier) Newton steps continue from there. The forces with the smallest residual, contact by contact, are kept. If
 //! all of this fails, the next start makes more sweeps or begins the central path farther inside the cones.
 
 use super::alart_curnier::Anchored;
@@ -21,13 +21,13 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
 
-/// The starts: the number of sweeps, and τ at the beginning of the central path as a part of the mean energy of a contact.
+/// The starts: number of sweeps, and initial τ of the central path relative to the mean energy of a contact.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
 
 /// The caller's function that receives the progress and may stop the solve.
 pub(super) type Watcher<'a> = dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()> + 'a;
 
-/// A solve in progress, and the best forces found.
+/// A solve in progress, and the best forces so far.
 pub(super) struct Approach<'a, 'w, const C: usize> {
     problem: &'a FrictionProblem<C>,
     blocks: &'a Blocks<C>,
@@ -40,14 +40,14 @@ pub(super) struct Approach<'a, 'w, const C: usize> {
     pub(super) best: Best,
 }
 
-/// The best forces so far.
+/// The forces with the smallest residual so far.
 #[derive(Debug, Clone)]
 pub(super) struct Best {
     pub(super) r: DVector<f64>,
     pub(super) residual: f64,
     /// The contact with the largest residual.
     pub(super) worst: usize,
-    /// The number of Newton's steps.
+    /// Number of Newton steps.
     pub(super) steps: usize,
     /// Whether the watcher has stopped the solve.
     pub(super) stopped: bool,
@@ -73,7 +73,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         }
     }
 
-    /// Makes the `nth` start. Returns whether the best forces are now within the tolerance.
+    /// Runs start number `nth`. Returns whether the residual of the best forces is within the tolerance.
     pub(super) fn set_out(&mut self, nth: usize) -> bool {
         let (sweeps, begin) = STARTS[nth];
         let mut r = DVector::zeros(self.problem.q.len());
@@ -94,7 +94,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.go_on(r)
     }
 
-    /// Makes a start along the central path around its folds, for a few contacts.
+    /// Runs a start that follows the central path around its folds, for a few contacts.
     pub(super) fn around_folds(&mut self) -> bool {
         let Some(r) = around_folds(self.problem, self.blocks) else { return false };
         if self.offer(&r) <= WORTH_POLISHING && self.polish() || self.best.stopped {
@@ -103,22 +103,22 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.go_on(r)
     }
 
-    /// The forces given, polished.
+    /// Polishes the given forces.
     pub(super) fn polished(mut self, r: &DVector<f64>) -> DVector<f64> {
         self.offer(r);
         self.polish();
         self.best.r
     }
 
-    /// Makes rounds of anchored Newton steps.
+    /// Runs rounds of anchored Newton steps, in each of which the anchor moves to the forces of the last round.
     fn go_on(&mut self, mut r: DVector<f64>) -> bool {
-        // The weight of the anchor in the first round.
+        // Weight of the proximal term in the first round.
         let mut delta = 1e-3;
         for _ in 0..self.settings.rounds {
             let equations = self.near(&r, (delta, self.best.residual < WORTH_POLISHING));
             let begin = equations.at(r.clone()).size;
             let steps = self.settings.steps;
-            // A shorter part of a Newton step is not worth its factorisation.
+            // Line search gives up below this fraction of a Newton step, which would not be worth its factorisation.
             let patience = Patience { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (place, made) = descend(&equations, &self.order, r.clone(), patience);
             self.best.steps += made;
@@ -126,11 +126,10 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             if missing <= WORTH_POLISHING && self.polish() || self.best.stopped {
                 break;
             }
-            // A round has converged if little of the residual at its beginning is left, or rounding of its
-            // terms.
+            // A round has converged if its residual is a small fraction of that at its start, or rounding of its terms.
             if place.size <= (1e-3 * begin).max(ROUND_CONVERGED * place.terms) {
                 r = place.r;
-                // A round that converged loosens the anchor, one that did not makes it firmer.
+                // A converged round reduces the weight of the proximal term; a failed round increases it.
                 delta = (0.1 * delta).max(1e-10);
             } else {
                 delta = (3.0 * delta).min(1.0);
@@ -140,10 +139,10 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.arrived()
     }
 
-    /// Makes Newton steps, or sweeps where these fail, from the best forces, as long as they gain.
+    /// Makes Newton steps from the best forces while they reduce the residual; sweeps replace a step that fails.
     fn polish(&mut self) -> bool {
         for _ in 0..20 {
-            // A hundredth of the tolerance is as good as none.
+            // A residual of a hundredth of the tolerance needs no further polish.
             if self.best.residual <= 0.01 * self.settings.tolerance || self.best.stopped {
                 break;
             }
@@ -151,13 +150,13 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             let equations = self.near(&r, (0.0, false));
             let step = newton_step(&equations, &self.order, &equations.at(r.clone()));
             self.best.steps += 1;
-            // A polish ends when neither a step nor sweeps reduce the residual to this part.
+            // Polishing ends when neither a step nor sweeps reduce the residual to this fraction.
             let worthwhile = 0.9;
             if step.is_some_and(|step| self.offer(&(&r + step)) <= worthwhile * before) {
                 continue;
             }
             let mut swept = r;
-            // Sweeps take the place of a Newton step that gains nothing.
+            // Sweeps replace a Newton step that does not reduce the residual enough.
             self.swept(&mut swept, 5);
             if self.offer(&swept) > worthwhile * before {
                 break;
@@ -166,7 +165,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.arrived()
     }
 
-    /// Makes `count` sweeps, or stops when the forces are still.
+    /// Makes `count` sweeps, or fewer if the forces no longer change.
     fn swept(&self, r: &mut DVector<f64>, count: usize) {
         for _ in 0..count {
             if sweep(self.problem, self.blocks, r) < FEW_ROUNDINGS {
@@ -186,7 +185,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         Anchored::near(self.problem, self.blocks, self.rho.clone(), anchor, held)
     }
 
-    /// Keeps these forces if they are the best so far, and reports to the watcher. Returns their largest residual.
+    /// Keeps these forces if their residual is the smallest so far, and reports to the watcher. Returns their largest residual.
     fn offer(&mut self, r: &DVector<f64>) -> f64 {
         if r.iter().any(|r| !r.is_finite()) {
             return f64::INFINITY;

@@ -1,16 +1,16 @@
-//! W in blocks: one for each pair of contacts of which one moves the other.
+//! W in blocks, one for each pair of coupled contacts.
 //!
-//! In piles and stacks each contact is coupled with a few others, so most of W vanishes.
+//! In piles and stacks each contact is coupled with few others, so most of W is zero.
 
 use super::problem::{FrictionProblem, part};
 use crate::numerics::numbered;
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// A block of W: the velocity of one contact for a unit force at another.
+/// A block of W: the velocity of one contact per unit force at another.
 pub(super) type ContactBlock<const C: usize> = SMatrix<f64, C, C>;
 
-/// The blocks of W that do not vanish.
+/// The nonzero blocks of W.
 #[derive(Debug, Clone)]
 pub(super) struct Blocks<const C: usize> {
     own: Vec<ContactBlock<C>>,
@@ -34,40 +34,40 @@ impl<const C: usize> Blocks<C> {
         Self { own: numbered(n, &|i| block(i, i)), others }
     }
 
-    /// The number of contacts.
+    /// Number of contacts.
     pub(super) fn len(&self) -> usize {
         self.own.len()
     }
 
-    /// The block of a contact's own force and velocity.
+    /// The diagonal block of a contact.
     pub(super) fn own(&self, i: usize) -> &ContactBlock<C> {
         &self.own[i]
     }
 
-    /// The blocks of the other contacts that move this one, with their indices.
+    /// The nonzero blocks of a contact's row, other than the diagonal one, with the indices of the other contacts.
     pub(super) fn others(&self, i: usize) -> &[(usize, ContactBlock<C>)] {
         &self.others[i]
     }
 
-    /// The size of a contact's block row: its largest own entry or, if its own force does not move it, the largest of all.
+    /// The size of a contact's block row: the largest entry of its diagonal block or, if that is zero, of the whole row.
     pub(super) fn size(&self, i: usize) -> f64 {
         let own = self.own[i].amax();
         let any = || self.others[i].iter().fold(0.0_f64, |size, (_, w)| size.max(w.amax()));
         if own > 0.0 { own } else { any() }
     }
 
-    /// ρ of each contact, the inverse of [`Self::size`], which converts velocities to forces.
+    /// The scale ρ of each contact, the inverse of [`Self::size`], which converts velocities to forces.
     pub(super) fn scales(&self) -> Vec<f64> {
         let scale = |i| if self.size(i) > 0.0 { 1.0 / self.size(i) } else { 1.0 };
         numbered(self.len(), &scale)
     }
 
-    /// The part of W r at one contact that other contacts cause.
+    /// The velocity of one contact due to the forces of all others: its part of W r without the diagonal block.
     pub(super) fn by_others(&self, i: usize, r: &DVector<f64>) -> SVector<f64, C> {
         self.others[i].iter().fold(SVector::zeros(), |sum, (j, w)| sum + w * part::<C>(r, *j))
     }
 
-    /// u = W r + q.
+    /// Velocities u = W r + q.
     pub(super) fn velocities(&self, r: &DVector<f64>, q: &DVector<f64>) -> DVector<f64> {
         let mut u = q.clone();
         for i in 0..self.len() {
@@ -77,7 +77,7 @@ impl<const C: usize> Blocks<C> {
         u
     }
 
-    /// The sizes of the terms of u, |W| |r| + |q|.
+    /// Magnitude of the terms of u: |W| |r| + |q|.
     pub(super) fn terms(&self, r: &DVector<f64>, q: &DVector<f64>) -> DVector<f64> {
         let mut terms = q.abs();
         for i in 0..self.len() {

@@ -1,14 +1,14 @@
-//! The central path to a solution through the inside of the cones: û ∘ r = τ at each contact, with τ going to zero.
+//! The central path to a solution, through the interior of the cones: û ∘ r = τ at each contact, as τ decreases to zero.
 //!
-//! The law is û ⟂ r with r in a cone and û = u + μ ‖u_T‖ n in its dual ([module](super)). In r' = (μ r_N, r_T) and û' = (û_N / μ, û_T) both cones are
-//! ‖x_T‖ ≤ x_N, and the law is r' = P(r' − ρ û') with the projection P onto it. Smoothed,
+//! The law is û ⟂ r with r in the friction cone and û = u + μ ‖u_T‖ n in its dual cone ([module](super)). In the coordinates r' = (μ r_N, r_T)
+//! and û' = (û_N / μ, û_T) both cones become ‖x_T‖ ≤ x_N. The law is then r' = P(r' − ρ û') with the projection P onto this cone. Smoothed,
 //!
 //! ```text
 //! P(x) = Σ± φ(x_N ± ‖x_T‖) (1, ± x_T / ‖x_T‖) / 2,     φ(λ) = (λ + √(λ² + 4 ρ τ)) / 2
 //! ```
 //!
-//! the projection keeps forces strictly inside (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001): no contact has to choose its state
-//! early. Newton's method follows the solutions as τ falls.
+//! the projection keeps forces strictly inside (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001), so that no contact has to choose
+//! its state early. Newton's method follows the solutions as τ decreases.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation, Patience, descend};
@@ -20,7 +20,7 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::{DVector, SVector};
 
-/// The smoothed equations at one τ.
+/// The smoothed equations for one value of τ.
 pub(super) struct Smoothed<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,
@@ -29,7 +29,7 @@ pub(super) struct Smoothed<'a, const C: usize> {
     pub(super) tau: f64,
 }
 
-/// ρ of each contact in the coordinates r', û'.
+/// The scale ρ of each contact in the coordinates r', û'.
 pub(super) fn scales<const C: usize>(problem: &FrictionProblem<C>, blocks: &Blocks<C>) -> Vec<f64> {
     let scale = |i: usize| {
         let own = blocks.own(i);
@@ -50,8 +50,8 @@ fn tangent_block<const C: usize>(own: &ContactBlock<C>) -> ContactBlock<C> {
     block
 }
 
-/// Follows the path from forces r; the first τ is `begin` times the mean energy of r. `judge` returns the residual of forces, or stops the search.
-/// Returns the best forces on the way and the number of Newton steps.
+/// Follows the path from the forces r; the first τ is `begin` times the mean energy of r. `judge` returns the residual of forces, or stops the
+/// path. Returns the best forces found and the number of Newton steps.
 pub(super) fn follow<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,
@@ -65,16 +65,16 @@ pub(super) fn follow<const C: usize>(
     let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).sum::<f64>() / count;
     let ControlFlow::Continue(missing) = judge(&r) else { return (r, 0) };
     let mut best = (missing, r.clone());
-    // τ on the path, and the factor of the next one.
+    // τ of the last point on the path, and the factor that leads to the next.
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
-    // The first factor of τ.
+    // Factor of the first reduction of τ.
     let slow = 0.2;
-    // τ ends near the square of rounding, as a part of the mean energy of a contact. The path is lost if τ
-    // can fall by a factor of 0.9 at most.
+    // The path ends where τ is near squared rounding, relative to the mean energy of a contact. It is lost if τ can only be reduced by a factor
+    // above 0.9.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
-        // A point is on the path if the root mean square of its residuals is below this part of √τ. Smaller,
-        // steps are repeated at the next τ; larger, the path is lost on the way.
+        // A point is on the path if the root mean square of its residuals is below this fraction of √τ. Smaller, steps are repeated that the
+        // next τ makes obsolete; larger, the path is lost.
         let enough = 0.1 * (count * smoothed.tau).sqrt();
         let patience = Patience { steps: 50, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
         let (place, steps) = descend(&smoothed, order, r.clone(), patience);
@@ -94,7 +94,7 @@ pub(super) fn follow<const C: usize>(
                 factor
             };
         } else if first {
-            // The beginning of the path is sought farther inside the cones.
+            // The starting point of the path is sought farther inside the cones.
             tau /= slow;
             if tau > 1e3 * energy {
                 break;
@@ -129,7 +129,7 @@ impl<const C: usize> Equations<C> for Smoothed<'_, C> {
     }
 }
 
-/// The residual of a contact, and its derivatives by force and by velocity.
+/// The residual of a contact, and its derivatives with respect to force and velocity.
 fn contact<const C: usize>(
     force: &SVector<f64, C>,
     velocity: &SVector<f64, C>,
@@ -138,7 +138,7 @@ fn contact<const C: usize>(
 ) -> (SVector<f64, C>, ContactBlock<C>, ContactBlock<C>) {
     let width = rho * tau;
     if mu == 0.0 {
-        // Without friction the cone is a ray.
+        // Without friction the cone is a ray, and the residual is scalar.
         let x = force[0] - rho * velocity[0];
         let (mut missed, mut by_force, mut by_velocity) =
             (*force, ContactBlock::identity(), ContactBlock::zeros());
@@ -147,7 +147,7 @@ fn contact<const C: usize>(
         by_velocity[(0, 0)] = rho * slope(x, width);
         return (missed, by_force, by_velocity);
     }
-    // ‖u_T‖, rounded off so that it is smooth at zero.
+    // ‖u_T‖, smoothed near zero.
     let slip = tangent(velocity);
     let rounded = (tau / rho).sqrt();
     let speed = slip.norm().hypot(rounded);
@@ -189,13 +189,13 @@ fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, 
     (projected, change)
 }
 
-/// φ(λ) with ρ τ as `width`, to the last digit where φ is small.
+/// φ(λ) with the product ρ τ as `width`, accurate also where φ is small.
 fn smoothed(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (x + root) } else { 2.0 * width / (root - x) }
 }
 
-/// dφ/dλ.
+/// Derivative dφ/dλ.
 fn slope(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (1.0 + x / root) } else { 2.0 * width / (root * (root - x)) }

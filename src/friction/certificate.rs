@@ -1,12 +1,12 @@
-//! Proofs that forces in the cones always let some contact approach.
+//! Proofs that no solution exists: whatever forces in the cones act, some contact approaches.
 //!
-//! A vector y ≥ 0 of one weight per contact is such a proof if a = W_Nᵀ y, with W_N the normal rows of W, and q_N fulfil
+//! A vector y ≥ 0 with one weight per contact is such a proof if a = W_Nᵀ y, with W_N the normal rows of W, and q_N satisfy
 //!
 //! ```text
 //! a_N + μ ‖a_T‖ ≤ 0 at each contact,     q_Nᵀ y < 0:
 //! ```
 //!
-//! forces in the cones have aᵀr ≤ 0, so yᵀu_N = aᵀr + q_Nᵀy < 0, and some u_N is negative.
+//! For forces in the cones aᵀr ≤ 0, so yᵀu_N = aᵀr + q_Nᵀy < 0, and some u_N is negative.
 
 use super::facets::Facets;
 use super::problem::{FrictionProblem, part};
@@ -19,11 +19,11 @@ use core::f64::consts::PI;
 use nalgebra::{DMatrix, DVector, SVector};
 
 impl<const C: usize> FrictionProblem<C> {
-    /// Whether y (n entries) proves that there is no solution: y ≥ 0, q_Nᵀ y < 0, and a = W_Nᵀ y has a_N + μ ‖a_T‖ ≤ 0 at each
-    /// contact. Then yᵀu_N < 0 for all forces in the cones.
+    /// Whether y (n entries) proves that no solution exists: y ≥ 0, q_Nᵀ y < 0, and a = W_Nᵀ y satisfies a_N + μ ‖a_T‖ ≤ 0 at each contact. Then
+    /// yᵀu_N < 0 for all forces in the cones.
     ///
-    /// In the plane nothing is rounded. In space sums are not rounded; ‖a_T‖ is, and its rounding is counted against the
-    /// proof. So a y that just fails here may be a proof in exact arithmetic.
+    /// In the plane the check is exact. In space sums are exact, but ‖a_T‖ is rounded, and its rounding counts against the proof. A y that
+    /// narrowly fails in space may thus be a proof in exact arithmetic.
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
         let n = self.len();
@@ -46,20 +46,21 @@ impl<const C: usize> FrictionProblem<C> {
             if *mu == 0.0 || slips.iter().all(|slip| slip.0 == 0.0) {
                 return normal.0 <= 0.0;
             }
-            // Relative to the normal component, which may have any exponent.
+            // Ratios to the normal component, whose exponent may be outside the range of doubles.
             let beside = |slip: &(f64, i32)| times_power_of_two(slip.0 / normal.0, slip.1 - normal.1);
             let slip = slips.iter().map(beside).fold(0.0, f64::hypot);
             normal.0 < 0.0 && mu * slip * (1.0 + PROOF_ROUNDING) <= 1.0
         })
     }
 
-    /// A vector that passes [`Self::proves_infeasible`]: of one contact, or by linear programming with polygons around the cones.
+    /// A vector that passes [`Self::proves_infeasible`]: the unit vector of one contact, or a result of linear programming with polygons around
+    /// the cones.
     pub(super) fn certificate(&self, settings: &lcp::Settings) -> Option<DVector<f64>> {
         let n = self.len();
-        // Polygons of many contacts have fewer facets: 512 of all together, if that leaves four for each.
+        // For many contacts each polygon has fewer facets: 512 of all together, but at least four each.
         let count = if C == 2 { 2 } else { (512 / n.max(1)).clamp(4, 32) };
         let facets = Facets::<C>::regular(count, &vec![0.0; n]);
-        // A polygon of this many corners contains the cone if its radius is larger by this factor.
+        // A polygon with this many corners contains the cone if its corners lie outside it by this factor.
         let around = if C == 2 { 1.0 } else { (PI / count as f64).cos().recip() * (1.0 + PROOF_ROUNDING) };
         let mut normals = DMatrix::zeros(n, count * n);
         for (i, directions) in facets.0.iter().enumerate() {
@@ -78,12 +79,12 @@ impl<const C: usize> FrictionProblem<C> {
     }
 }
 
-/// Σ y_i (W_iN + μ W_iT) without rounding: the product of y_i and μ is split into two doubles. `None` if it underflows.
+/// The exact sum Σ y_i (W_iN + μ W_iT): the product of y_i and μ is split into two doubles. `None` if it underflows or overflows.
 fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {
         let product = mu * y;
-        // Between these sizes a product neither loses digits by underflow nor overflows.
+        // Products in this range lose no digits by underflow and do not overflow.
         let kept = 1e-280..1e280;
         if product != 0.0 && [product, mu, *y].iter().any(|x| !kept.contains(&x.abs())) {
             return None;

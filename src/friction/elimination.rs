@@ -1,7 +1,7 @@
-//! Block elimination of systems with one block row per contact, contacts with few neighbours first.
+//! Block elimination of systems with one block row per contact. Contacts with few neighbours are eliminated first.
 //!
-//! In piles and stacks each contact is coupled with a few others, so most blocks vanish and remain zero. Pivots are blocks on the diagonal: the
-//! matrices here are nearly definite.
+//! In piles and stacks each contact is coupled with few others, so most blocks are zero and remain so. Pivots are diagonal blocks, which
+//! suffices since the matrices are nearly definite.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::problem::part;
@@ -10,7 +10,7 @@ use alloc::collections::BinaryHeap;
 use core::cmp::Reverse;
 use nalgebra::DVector;
 
-/// The order in which contacts are eliminated: each time one with the fewest remaining neighbours (minimum degree).
+/// The elimination order by minimum degree: the next contact is one with the fewest remaining neighbours.
 pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
     let mut near: Vec<Vec<usize>> = vec![Vec::new(); blocks.len()];
     for i in 0..blocks.len() {
@@ -22,9 +22,9 @@ pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
     by_degree(near)
 }
 
-/// [`order`] from the neighbours of each contact.
+/// [`order`] from lists of the neighbours of each contact.
 fn by_degree(mut near: Vec<Vec<usize>>) -> Vec<usize> {
-    // The numbers of neighbours that a contact has had; only its last one counts.
+    // Entries of the heap are pairs of degree and contact. Outdated degrees of a contact remain in it and are skipped.
     let mut waiting = BinaryHeap::new();
     for (i, near) in near.iter_mut().enumerate() {
         near.sort_unstable();
@@ -85,7 +85,7 @@ fn inverse<const C: usize>(mut block: ContactBlock<C>) -> Option<ContactBlock<C>
 /// A block row: pairs of a contact and its block.
 pub(super) type SparseRow<const C: usize> = Vec<(usize, ContactBlock<C>)>;
 
-/// The solution of a system, given its rows by contact and its right-hand side. `None` if a pivot is singular.
+/// Solves a system, given its block rows by contact and its right-hand side. `None` if a pivot is singular.
 pub(super) fn solve<const C: usize>(
     order: &[usize],
     rows: &[SparseRow<C>],
@@ -96,7 +96,7 @@ pub(super) fn solve<const C: usize>(
     for (k, i) in order.iter().enumerate() {
         place[*i] = k;
     }
-    // By position in the order: inverse pivots, and the rows to their right.
+    // By position in the elimination order: inverse pivots, and the rows of the upper triangle.
     let mut pivots: Vec<ContactBlock<C>> = Vec::with_capacity(n);
     let mut uppers: Vec<SparseRow<C>> = Vec::with_capacity(n);
     let mut work: Vec<ContactBlock<C>> = vec![ContactBlock::zeros(); n];

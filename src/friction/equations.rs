@@ -1,7 +1,7 @@
-//! Piecewise smooth equations for the forces, one per component of each contact, and damped Newton steps towards their solution.
+//! Piecewise smooth equations for the forces, one per component of each contact, and damped Newton steps for their solution.
 //!
-//! Two families have this form: the equations of [`alart_curnier`](super::alart_curnier) and of the [`central_path`](super::central_path). In each,
-//! the residual of a contact depends on its own force and velocity alone, so the Jacobian has the block pattern of W.
+//! The equations of [`alart_curnier`](super::alart_curnier) and of the [`central_path`](super::central_path) have this form. In both, the
+//! residual of a contact depends only on its own force and velocity, so the Jacobian has the block pattern of W.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::elimination;
@@ -10,17 +10,17 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// The residuals at forces r, and their derivatives.
+/// Residuals at the forces r, and their derivatives.
 #[derive(Debug, Clone)]
 pub(super) struct Linearisation<const C: usize> {
     pub(super) r: DVector<f64>,
-    /// The residual of each contact.
+    /// Residual of each contact.
     pub(super) missed: DVector<f64>,
-    /// Derivative of a contact's residual by its force, with its velocity held.
+    /// Derivative of a contact's residual with respect to its force, at constant velocity.
     pub(super) by_force: Vec<ContactBlock<C>>,
-    /// Derivative of a contact's residual by its velocity.
+    /// Derivative of a contact's residual with respect to its velocity.
     pub(super) by_velocity: Vec<ContactBlock<C>>,
-    /// Norms of the residuals, and of the terms whose difference they are.
+    /// Norm of the residuals; `terms` is the norm of the terms whose difference they are.
     pub(super) size: f64,
     pub(super) terms: f64,
 }
@@ -53,30 +53,30 @@ impl<const C: usize> Linearisation<C> {
 
 /// Equations for the forces of all contacts.
 pub(super) trait Equations<const C: usize> {
-    /// Residuals and derivatives at forces r.
+    /// Residuals and derivatives at the forces r.
     fn at(&self, r: DVector<f64>) -> Linearisation<C>;
 
-    /// The multiple of the identity that is added to a contact's own block of W, so that the equations of redundant contacts are regular.
+    /// Multiple of the identity that is added to a contact's diagonal block of W to regularise the equations of redundant contacts.
     fn shift(&self, contact: usize) -> f64;
 
     fn blocks(&self) -> &Blocks<C>;
 }
 
-/// Stopping rules of [`descend`].
+/// Limits of the iteration of [`descend`].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Patience {
-    /// The largest number of steps.
+    /// Largest number of steps.
     pub(super) steps: usize,
-    /// The norms of the residuals at which the iteration has converged: absolute, or as a part of the norm of the terms.
+    /// Norms of the residuals at which the iteration has converged: absolute (`enough`), or relative to the norm of the terms (`rounding`).
     pub(super) enough: f64,
     pub(super) rounding: f64,
-    /// Shortest part of a step that is tried.
+    /// Shortest fraction of a step that the line search tries.
     pub(super) shortest: f64,
-    /// The number of times a whole step is made although no part of it gains.
+    /// Number of full steps that are accepted although the line search fails.
     pub(super) leaps: usize,
 }
 
-/// Newton's method from r. Returns its last point and the number of steps. `order` is that of the elimination.
+/// Newton's method with line search, from the forces r. Returns the last point and the number of steps. `order` is the elimination order.
 pub(super) fn descend<const C: usize>(
     equations: &impl Equations<C>,
     order: &[usize],
@@ -109,7 +109,7 @@ pub(super) fn descend<const C: usize>(
     (here, made)
 }
 
-/// The Newton step at a point.
+/// The Newton step at a point; `None` if the elimination fails.
 pub(super) fn newton_step<const C: usize>(
     equations: &impl Equations<C>,
     order: &[usize],
@@ -120,7 +120,7 @@ pub(super) fn newton_step<const C: usize>(
         let (by_force, by_velocity) = (here.by_force[i], here.by_velocity[i]);
         let own = blocks.own(i) + ContactBlock::identity() * equations.shift(i);
         let mut row = vec![(i, by_force + by_velocity * own)];
-        // The derivative of an open contact has no entries of other contacts.
+        // The residual of an open contact does not depend on other contacts.
         if by_velocity.iter().any(|x| *x != 0.0) {
             row.extend(blocks.others(i).iter().map(|(j, w)| (*j, by_velocity * w)));
         }

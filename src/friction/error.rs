@@ -3,37 +3,37 @@
 use crate::lcp::LcpError;
 use crate::prelude::*;
 
-/// The faults that the numbers of a frictional contact problem can have.
+/// Faults of the input of a frictional contact problem.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// W is not square or has an entry that is not finite, or a vector does not fit.
+    /// W is not square or has an entry that is not finite, or a vector has the wrong length.
     #[error(transparent)]
     Numbers(#[from] LcpError),
-    /// The friction of a contact is negative or not finite.
+    /// The friction coefficient of a contact is negative or not finite.
     #[error("friction of contact {contact} is {value}, but must be finite and not negative")]
     Friction {
         /// The contact, counted from 0.
         contact: usize,
-        /// Its friction.
+        /// Its friction coefficient.
         value: f64,
     },
-    /// A word of a file is not of the kind that must be there.
+    /// A word of a file is not of the required kind.
     #[error("word {at} of the file is {}, but must be {allowed}", named(word.as_deref()))]
     Word {
         /// Its position, counted from 1.
         at: usize,
-        /// The word; `None` where the file ends.
+        /// The word; `None` at the end of the file.
         word: Option<String>,
-        /// The kind of word that must be there.
+        /// The required kind of word.
         allowed: &'static str,
     },
-    /// The masses of a file have no inverse.
+    /// The mass matrix of a file has no inverse.
     #[error("M is not square or singular, but must have an inverse")]
     Masses,
 }
 
-/// A word as shown in a message; control characters are escaped, in case the file is no text.
+/// A word as messages show it. Control characters are escaped, in case the file is not text.
 fn named(word: Option<&str>) -> String {
     word.map_or("missing".to_owned(), |word| format!("`{}`", word.escape_default()))
 }

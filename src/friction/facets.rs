@@ -1,6 +1,6 @@
-//! The linear complementarity problem with a polygon in place of each friction cone.
+//! The linear complementarity problem in which a polygon replaces each friction cone.
 //!
-//! With facets along d_1 … d_k, r_T = Σ β_j d_j, and the slip speed λ,
+//! With facet directions d_1 … d_k, the tangential force r_T = Σ β_j d_j, and the slip speed λ,
 //!
 //! ```text
 //! 0 ≤ u_N             ⟂ r_N ≥ 0
@@ -18,12 +18,13 @@ use crate::prelude::*;
 use core::f64::consts::TAU;
 use nalgebra::{DMatrix, DVector, SVector};
 
-/// The facets of each contact: unit vectors without a normal component.
+/// The facet directions of each contact: unit vectors without a normal component.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Facets<const C: usize>(pub(super) Vec<Vec<SVector<f64, C>>>);
 
 impl<const C: usize> Facets<C> {
-    /// Regular facets: in the plane the two directions, in space `count` directions, the first at the angle given for each contact.
+    /// Regular facet directions: both directions in the plane, `count` directions in space, the first of them at the angle given for each
+    /// contact.
     pub(super) fn regular(count: usize, angles: &[f64]) -> Self {
         let direction = |angle: f64| {
             let mut d = SVector::zeros();
@@ -44,23 +45,23 @@ impl<const C: usize> Facets<C> {
         Self(mapped(angles, &of))
     }
 
-    /// The number of unknowns of each contact: r_N, its β, λ.
+    /// Number of unknowns of each contact: r_N, all β_j, and λ.
     fn width(&self) -> usize {
         self.0.first().map_or(0, |facets| facets.len() + 2)
     }
 }
 
-/// A frictional contact problem with a polygon in place of each cone, see [`FrictionProblem::facets`].
+/// A frictional contact problem in which a polygon replaces each cone; see [`FrictionProblem::facets`].
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct FacetedProblem<const C: usize> {
-    /// The complementarity problem. Its unknowns are, contact by contact, r_N, one force along each facet, and the slip speed.
+    /// The complementarity problem. Its unknowns for each contact are r_N, one force along each facet direction, and the slip speed.
     pub lcp: Lcp,
     facets: Facets<C>,
 }
 
 impl<const C: usize> FacetedProblem<C> {
-    /// The entries of r_N or u_N in a vector of the complementarity problem.
+    /// The entries that belong to r_N or u_N, from a vector of the complementarity problem.
     pub(super) fn normals(&self, z: &DVector<f64>) -> DVector<f64> {
         DVector::from_fn(self.facets.0.len(), |i, _| z[self.facets.width() * i])
     }
@@ -87,8 +88,8 @@ impl<const C: usize> FacetedProblem<C> {
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem with `facets` facets in place of each cone, at least three and at most 128. In the plane two facets are the cone itself. In space
-    /// the polygon lies inside the cone.
+    /// The problem with a polygon of `facets` facets in place of each cone, at least three and at most 128. In the plane two facets are the cone
+    /// itself. In space the polygon lies inside the cone.
     ///
     /// # Errors
     ///
@@ -99,7 +100,7 @@ impl<const C: usize> FrictionProblem<C> {
 
     pub(super) fn polygon(&self, facets: Facets<C>) -> Result<FacetedProblem<C>, LcpError> {
         let (n, width) = (self.len(), facets.width());
-        // One column for each unknown: the contact force of a unit of it. Its transpose maps velocities to slacks.
+        // Each column is the contact force of a unit of one unknown. The transpose maps velocities to slacks.
         let mut span = DMatrix::zeros(C * n, width * n);
         for (i, facets) in facets.0.iter().enumerate() {
             span[(C * i, width * i)] = 1.0;

@@ -1,9 +1,9 @@
 //! The central path of a few contacts, followed around its folds.
 //!
-//! Friction folds the [`central_path`](super::central_path): where contacts wedge, τ must rise again before it falls. Here forces and ln τ together
-//! are followed by arc length (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977), which passes folds like any
-//! other point. The path leads from far inside the cones, where there is one solution, to a solution of the problem.
-//! It does so whenever W is positive definite, unless it meets another path or diverges.
+//! Friction folds the [`central_path`](super::central_path): where contacts wedge, τ must increase again before it decreases. Forces and ln τ
+//! together are therefore followed by arc length, for which a fold is an ordinary point (H. B. Keller, Numerical solution of bifurcation and
+//! nonlinear eigenvalue problems, 1977). The path starts far inside the cones, where the solution is unique. If W is positive definite it ends
+//! at a solution of the problem, unless it meets another path or diverges.
 
 use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};
@@ -13,10 +13,10 @@ use super::tolerances::ON_CENTRAL_PATH;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// The largest number of corrections of a step; after half as many the next step is longer.
+/// Largest number of Newton corrections per step. If at most half of them were needed, the next step is longer.
 const MOST_FOLD_CORRECTIONS: usize = 6;
 
-/// The forces at the end of the path that begins far inside the cones, or where steps become too short. `None` if no beginning or tangent is found.
+/// Forces at the end of the path, or where its steps become too short. `None` if no starting point or no tangent is found.
 pub(super) fn around_folds<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,
@@ -37,20 +37,19 @@ pub(super) fn around_folds<const C: usize>(
         }
         let measure = path.measure(&x);
         let ahead = path.tangent(&x, &tangent, &measure)?;
-        // The path ends where steps would have to be shorter.
+        // Shortest step along the path; the path ends where it would have to be shorter.
         let shortest = 1e-7;
         while length >= shortest {
             let next = path.corrected(&x + &ahead * length, &ahead, &measure);
             let onward = next.and_then(|(next, corrections)| {
                 let then = path.tangent(&next, &ahead, &measure)?;
-                // Where the tangent turns by more than 45° the step is shortened.
+                // The step is shortened if the tangent turns by more than 45°.
                 (then.dot(&ahead.component_mul(&measure)) >= 0.7).then_some((next, corrections))
             });
             if let Some((next, corrections)) = onward {
                 x = next;
                 if 2 * corrections <= MOST_FOLD_CORRECTIONS {
-                    // After a step with few corrections the next one is longer, up to the size of the forces
-                    // or a factor e of τ.
+                    // Few corrections were needed, so the next step is longer: up to a relative change of 1 of the forces, or a factor e of τ.
                     length = (1.5 * length).min(1.0);
                 }
                 break;
@@ -72,10 +71,10 @@ struct Path<'a, const C: usize> {
 }
 
 impl<const C: usize> Path<'_, C> {
-    /// Forces and ln τ at the beginning of the path, far inside the cones.
+    /// Forces and ln τ at the starting point of the path, far inside the cones.
     fn begin(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
-        // The path begins at this multiple of the mean energy of a contact.
+        // Initial τ, as a multiple of the mean energy of a contact.
         let tau = 1e6 * energy;
         let mut x = DVector::zeros(size + 1);
         for i in 0..self.problem.len() {
@@ -91,7 +90,7 @@ impl<const C: usize> Path<'_, C> {
         (place.size <= enough).then_some(x)
     }
 
-    /// The residuals at a point, their root mean square over √τ, and their derivatives by forces and ln τ.
+    /// The residuals at a point, their root mean square relative to √τ, and their derivatives with respect to forces and ln τ.
     fn missed(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
         let size = x.len() - 1;
         let r = x.rows(0, size).into_owned();
@@ -106,7 +105,7 @@ impl<const C: usize> Path<'_, C> {
                 put(*j, here.by_velocity[i] * w);
             }
         }
-        // The numerical derivative by ln τ.
+        // Derivative with respect to ln τ, by central differences.
         let nudge = 1e-5;
         let (more, less) = (at(x[size] + nudge).at(r.clone()), at(x[size] - nudge).at(r));
         let by_log = (more.missed - less.missed) / (2.0 * nudge);
@@ -117,7 +116,7 @@ impl<const C: usize> Path<'_, C> {
         (missed, near, change)
     }
 
-    /// The metric for changes of forces and of ln τ: forces are relative to their size at x.
+    /// Diagonal of the metric for changes of forces and ln τ. Forces are measured relative to their size at x.
     fn measure(&self, x: &DVector<f64>) -> DVector<f64> {
         let size = x.len() - 1;
         let energy =
@@ -125,7 +124,7 @@ impl<const C: usize> Path<'_, C> {
         DVector::from_fn(size + 1, |k, _| if k == size { 1.0 } else { 1.0 / (self.rho[k / C] * energy) })
     }
 
-    /// The unit tangent of the path in the direction of the previous one.
+    /// The unit tangent of the path, oriented like the previous one.
     fn tangent(
         &self,
         x: &DVector<f64>,
@@ -144,7 +143,8 @@ impl<const C: usize> Path<'_, C> {
         tangent.iter().all(|x| x.is_finite()).then_some(tangent)
     }
 
-    /// The point of the path in the hyperplane through x across `ahead`, and the number of corrections.
+    /// Newton correction of x back to the path, within the hyperplane through x normal to `ahead`. Returns the point and the number of
+    /// corrections.
     fn corrected(
         &self,
         mut x: DVector<f64>,

@@ -1,4 +1,4 @@
-//! Islands: sets of contacts that move each other, directly or through others. Each is a problem by itself.
+//! Islands: sets of contacts that W couples, directly or through others. Each island is a separate problem.
 
 use super::approach::Watcher;
 use super::blocks::Blocks;
@@ -11,13 +11,13 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// The islands of a problem, each a sorted list of contact indices; the first contacts of the islands are in increasing order.
+/// The islands of a problem as sorted lists of contact indices, ordered by their first contact.
 pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
     let n = blocks.len();
     let mut near = vec![Vec::new(); n];
     for i in 0..n {
         for (j, _) in blocks.others(i) {
-            // W need not be symmetric.
+            // W need not be symmetric, so coupling in one direction suffices.
             near[i].push(*j);
             near[*j].push(i);
         }
@@ -45,7 +45,7 @@ pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem of these contacts alone.
+    /// The problem restricted to these contacts.
     pub(super) fn of_contacts(&self, contacts: &[usize]) -> Self {
         let component = |k: usize| C * contacts[k / C] + k % C;
         let size = C * contacts.len();
@@ -56,7 +56,7 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// The solutions of all islands together. An island without a solution leaves the whole problem without one.
+    /// Solves all islands and combines their solutions. If an island has no solution, neither has the whole problem.
     pub(super) fn solve_islands(
         &self,
         islands: &[Vec<usize>],
@@ -92,7 +92,7 @@ impl<const C: usize> FrictionProblem<C> {
                     let cause = BreakdownCause::NoConvergence { residual, contact: island[contact] };
                     unsolved = unsolved.or(Some(Outcome::Breakdown { pivots, cause }));
                 }
-                // A ray of one island is no ray of the whole problem.
+                // A ray of one island is not a ray of the whole problem.
                 Outcome::Ray(ray) => {
                     let cause = BreakdownCause::NoConvergence { residual: f64::INFINITY, contact: island[0] };
                     unsolved = unsolved.or(Some(Outcome::Breakdown { pivots: ray.pivots, cause }));
@@ -108,7 +108,7 @@ impl<const C: usize> FrictionProblem<C> {
     }
 }
 
-/// The certificate of an island as one of all contacts, with weight zero on the others.
+/// Extends the certificate of an island to all contacts, with weight zero on the others.
 fn spread(certificate: &Certificate, island: &[usize], n: usize) -> Certificate {
     let mut y = DVector::zeros(n);
     for (weight, i) in certificate.y.iter().zip(island) {

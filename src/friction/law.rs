@@ -1,4 +1,4 @@
-//! Coulomb's law between the force and the velocity of a contact, and the residuals of a pair.
+//! Coulomb's law between force and velocity of a contact, and the residuals of such a pair.
 
 use super::problem::{FrictionProblem, part};
 use nalgebra::{DVector, SVector};
@@ -7,28 +7,28 @@ use nalgebra::{DVector, SVector};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum ContactMode {
-    /// It carries no force.
+    /// The force is zero.
     Open,
-    /// It does not move.
+    /// The velocity is zero.
     Sticking,
-    /// Its friction is μ r_N, against its slip.
+    /// Friction has the magnitude μ r_N and opposes the slip.
     Sliding,
 }
 
-/// The violations of Coulomb's law by forces r and velocities u = W r + q, as pure numbers.
+/// Residuals of Coulomb's law for forces r and velocities u = W r + q, without units.
 ///
-/// Each contact is measured by itself: forces relative to its own force, velocities relative to the largest terms of its rows of W r + q. So a
-/// contact that carries little must obey the law as strictly as the others. Neither measure changes with the units of a contact.
+/// Each contact is measured on its own scale: forces relative to its own force, velocities relative to the largest terms of its rows of W r + q.
+/// A contact with a small force must thus satisfy the law as strictly as the others. The residuals do not depend on the units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
     /// The largest approach speed −u_N of a contact.
     pub approach: f64,
-    /// The largest distance of a force from its cone ‖r_T‖ ≤ μ r_N.
+    /// The largest distance of a force from the cone ‖r_T‖ ≤ μ r_N.
     pub cone: f64,
-    /// The largest distance of r from the projection of r − ρ û onto the cone, û = u + μ ‖u_T‖ n, with ρ = ‖r‖ over the size of the terms: zero
-    /// where the law holds.
+    /// The largest distance between r and the projection of r − ρ û onto the cone, which vanishes where the law holds. Here û = u + μ ‖u_T‖ n,
+    /// and ρ is ‖r‖ divided by the size of the terms of u.
     pub law: f64,
 }
 
@@ -37,7 +37,7 @@ const INFINITE_RESIDUALS: Residuals =
     Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
 
 impl Residuals {
-    /// Whether all of them are numbers of at most this size.
+    /// Whether all three are numbers of at most this size.
     #[must_use]
     pub fn within(&self, tolerance: f64) -> bool {
         [self.approach, self.cone, self.law].iter().all(|r| *r <= tolerance)
@@ -51,14 +51,14 @@ impl Residuals {
     }
 }
 
-/// The tangential components.
+/// The tangential components of a vector; its normal component becomes zero.
 pub(super) fn tangent<const C: usize>(v: &SVector<f64, C>) -> SVector<f64, C> {
     let mut tangent = *v;
     tangent[0] = 0.0;
     tangent
 }
 
-/// The nearest point of the cone ‖x_T‖ ≤ μ x_N.
+/// The closest point of the cone ‖x_T‖ ≤ μ x_N.
 pub(super) fn projection<const C: usize>(x: &SVector<f64, C>, mu: f64) -> SVector<f64, C> {
     let slip = tangent(x);
     let size = slip.norm();
@@ -74,8 +74,8 @@ pub(super) fn projection<const C: usize>(x: &SVector<f64, C>, mu: f64) -> SVecto
     out
 }
 
-/// The residuals of a contact whose velocity has terms of this size. Force and velocity are scaled first, so that no square
-/// leaves the range of doubles.
+/// The residuals of one contact; `size` is the magnitude of its velocity's terms. Force and velocity are scaled first, so that no square
+/// overflows or underflows.
 fn missed<const C: usize>(
     force: &SVector<f64, C>,
     velocity: &SVector<f64, C>,
@@ -98,14 +98,13 @@ fn missed<const C: usize>(
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The residuals of the forces r (C n entries). They are infinite for a vector of another length or with entries
-    /// that are not finite.
+    /// The residuals of the forces r (C n entries); infinite for a vector of another length or with entries that are not finite.
     #[must_use]
     pub fn residuals(&self, r: &DVector<f64>) -> Residuals {
         self.missed_by(r).0
     }
 
-    /// The residuals, and the contact with the largest.
+    /// The residuals, and the contact with the largest one.
     pub(super) fn missed_by(&self, r: &DVector<f64>) -> (Residuals, usize) {
         if r.len() != self.q.len() || r.iter().any(|r| !r.is_finite()) {
             return (INFINITE_RESIDUALS, 0);
@@ -118,7 +117,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.judged(r, &u, &terms)
     }
 
-    /// The residuals of forces, velocities and the sizes of their terms, and the contact with the largest.
+    /// The residuals for forces, velocities and magnitudes of the velocities' terms, and the contact with the largest one.
     pub(super) fn judged(
         &self,
         r: &DVector<f64>,
@@ -143,7 +142,7 @@ impl<const C: usize> FrictionProblem<C> {
         (out, worst)
     }
 
-    /// The state of a contact, by the region of r − ρ u: open below zero, sticking inside the cone, sliding elsewhere.
+    /// The state of a contact from the position of ζ = r − ρ u: open if ζ_N ≤ 0, sticking inside the cone, sliding elsewhere.
     pub(super) fn state(
         force: &SVector<f64, C>,
         velocity: &SVector<f64, C>,

@@ -1,4 +1,4 @@
-//! Frictional contact problems (W, q, μ), as they arise in the mechanics of many rigid or flexible bodies.
+//! Frictional contact problems (W, q, μ), as they arise in the dynamics of many rigid or flexible bodies.
 //!
 //! Given n contacts in the plane (C = 2) or in space (C = 3), find forces r and velocities u with
 //!
@@ -10,22 +10,22 @@
 //!     sliding   u_N = 0,   r_T = −μ r_N u_T / ‖u_T‖,  r_N ≥ 0
 //! ```
 //!
-//! This module knows nothing of grasps. It solves problems of other programs, as Siconos, FCLIB and Pinocchio pose them, so that
-//! this crate can be checked against theirs.
+//! This module is independent of grasps. It solves problems in the form in which Siconos, FCLIB and Pinocchio pose them, so that this crate can
+//! be checked against these programs.
 //!
 //! | symbol | meaning | size |
 //! |---|---|---|
 //! | W | Delassus matrix: change of velocities by forces; any real matrix | C n × C n |
 //! | q | velocities without contact forces | C n |
 //! | μ | friction of each contact, finite, not negative | n |
-//! | r, u | forces and relative velocities: of each contact the normal component first, then the tangential ones | C n |
+//! | r, u | forces and relative velocities: for each contact the normal component first, then the tangential ones | C n |
 //!
-//! The normal points so that u_N > 0 separates and r_N > 0 presses. Any consistent units will do, also displacements in place of velocities or
-//! impulses in place of forces.
+//! The normal points so that u_N > 0 separates and r_N > 0 presses. All consistent units are allowed, also displacements in place of velocities
+//! or impulses in place of forces.
 //!
-//! The three cases are one condition, with û = u + μ ‖u_T‖ n: the dual cone of K = { ‖r_T‖ ≤ μ r_N } contains û, K contains r, and û ⟂ r (G. de Saxcé
-//! and Z.-Q. Feng, *The bipotential method*, Math. Comput. Modelling 28, 1998). Simulators that omit μ ‖u_T‖ n solve a convex problem in which
-//! sliding contacts lift off; this module includes it.
+//! All three cases are one condition. With û = u + μ ‖u_T‖ n it reads: r lies in the cone K = { ‖r_T‖ ≤ μ r_N }, û lies in its dual cone, and û
+//! ⟂ r (G. de Saxcé and Z.-Q. Feng, *The bipotential method*, Math. Comput. Modelling 28, 1998). Simulators that omit μ ‖u_T‖ n solve a convex
+//! problem in which sliding contacts lift off; this module includes it.
 //!
 //! ```
 //! use grasp_lcp::friction::{ContactMode, SpatialContacts};
@@ -49,33 +49,34 @@
 //!
 //! # Method
 //!
-//! An island is a set of contacts that move each other, directly or through others. Each island is solved as a problem by itself.
+//! An island is a set of contacts that are coupled by W, directly or through others. Each island is solved as a separate problem.
 //!
-//! **A few contacts.** With a polygon of facets in place of the cone the problem is a linear complementarity problem ([`FrictionProblem::facets`]; D.
-//! E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996), which Lemke's method solves. In the plane two facets are the cone itself, and
-//! the answer is exact. In space Newton's method continues from the polygon's forces on the round cone (P. Alart and A. Curnier, Comput. Methods
-//! Appl. Mech. Eng. 92, 1991). Where it does not converge, the facets are turned towards the slips, and it starts again.
+//! **A few contacts.** With a polygon of facets in place of each cone the problem is a linear complementarity problem, which Lemke's method
+//! solves ([`FrictionProblem::facets`]; D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). In the plane two facets are the
+//! cone itself, and the answer is exact. In space Newton's method starts from the forces on the polygon and solves the round cone (P. Alart and
+//! A. Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991). If it does not converge, the facets are rotated towards the slip directions, and it
+//! starts again.
 //!
-//! **Many contacts, and few where facets fail.** Gauss–Seidel sweeps with the exact force of one contact at a time (M. Jean, Comput. Methods Appl.
-//! Mech. Eng. 177, 1999) find the size of the forces. From there the solver follows the path û ∘ r = τ through the inside of the cones as τ goes to
-//! zero. On this path no contact has to choose its state early (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001). For a few contacts it
-//! also follows this path around the folds that friction makes in it. Newton's method makes the last steps. They are held near an anchor, because the
-//! forces of redundant contacts are not determined.
+//! **Many contacts, or a few for which facets fail.** Gauss–Seidel sweeps with the exact force of one contact at a time (M. Jean, Comput.
+//! Methods Appl. Mech. Eng. 177, 1999) find the magnitude of the forces. From there the solver follows the central path û ∘ r = τ through the
+//! interior of the cones as τ decreases to zero. On this path no contact has to choose its state early (M. Fukushima, Z.-Q. Luo and P. Tseng,
+//! SIAM J. Optim. 12, 2001). For a few contacts the solver also follows the path around the folds that friction causes. Newton's method makes
+//! the last steps. A proximal term holds them near an anchor, because the forces of redundant contacts are not determined.
 //!
-//! W is used in blocks, so blocks that vanish cost nothing. [`FrictionProblem::solve_watched`] reports its progress and can be stopped.
+//! W is stored in blocks, so zero blocks cost nothing. [`FrictionProblem::solve_watched`] reports progress and can be stopped.
 //!
-//! W may be singular, as with redundant contacts: the forces are then one solution of many. W need not be symmetric.
+//! W may be singular, as with redundant contacts; the forces are then one of many solutions. W need not be symmetric.
 //!
-//! Every solution has been checked on the data given, each contact relative to its own force and terms, see [`Residuals`]. A vector that
-//! [`FrictionProblem::proves_infeasible`] checks proves that there is no solution.
+//! Every solution is checked on the given data, each contact relative to its own force and the terms of its velocity, see [`Residuals`]. A
+//! vector that [`FrictionProblem::proves_infeasible`] checks is a proof that no solution exists.
 //!
-//! [`ReadProblem`] reads the files of Siconos; `python/examples/fclib_to_text.py` converts FCLIB's HDF5 to such files.
+//! [`ReadProblem`] reads the files of Siconos; `python/examples/fclib_to_text.py` converts FCLIB's HDF5 to these files.
 
-// `problem` is checked input, `siconos` reads it; `law` measures how far forces miss Coulomb's law, `settled` makes a solution of forces. `solve`
-// chooses the methods, `islands` splits the problem. A few contacts: `facets` poses the complementarity problem, `polygons` and `newton` continue on
-// the round cone. Many: `approach` combines `sweeps` of `one_contact` after the other, the `central_path` (around its `folds`) and `alart_curnier`;
-// both of the last are `equations` in `blocks`, solved by `elimination`. `certificate` proves that there is no solution. `tolerances` holds what
-// counts as zero.
+// Files. Input: `problem` validates it, `siconos` reads it. Law: `law` computes residuals of Coulomb's law, `settled` accepts forces as a
+// solution. `solve` chooses the methods, `islands` splits the problem. A few contacts: `facets` poses the complementarity problem, `polygons`
+// and `newton` continue on the round cone. Many contacts: `approach` combines `sweeps` over `one_contact`, the `central_path` (around its
+// `folds`) and `alart_curnier`. The last two are `equations` in `blocks`, solved by `elimination`. `certificate` proves that no solution exists.
+// `tolerances` holds the limits for rounding.
 
 mod alart_curnier;
 mod approach;

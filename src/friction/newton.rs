@@ -1,5 +1,5 @@
-//! Newton's method on the round cone for a few contacts, from forces near a solution: the equations of [`alart_curnier`](super::alart_curnier) in one
-//! dense system.
+//! Newton's method on the round cone for a few contacts, from forces near a solution. It solves the equations of
+//! [`alart_curnier`](super::alart_curnier) as one dense system.
 
 use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
@@ -9,15 +9,15 @@ use crate::numerics::tolerances::{FEW_ROUNDINGS, SOLVED_ROUNDING, SUFFICIENT_DEC
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
-/// An iterate: forces, and the residuals of the equations there.
+/// An iterate: forces, and the residuals at these forces.
 #[derive(Debug, Clone)]
 struct Iterate<const C: usize> {
     r: DVector<f64>,
-    /// r − Π(ζ).
+    /// The residual r − Π(ζ).
     missed: DVector<f64>,
-    /// Derivative of Π of each contact by its ζ.
+    /// Derivative of each contact's Π with respect to its ζ.
     changes: Vec<SMatrix<f64, C, C>>,
-    /// Norms of the residual, and of r and ρ u together: √(Σ ‖·‖² / ρ).
+    /// Norm of the residual; `terms` is the norm of r and ρ u together. Both norms are √(Σ ‖·‖² / ρ).
     size: f64,
     terms: f64,
 }
@@ -25,7 +25,7 @@ struct Iterate<const C: usize> {
 /// Newton's method for one problem.
 pub(super) struct Newton<'a, const C: usize> {
     problem: &'a FrictionProblem<C>,
-    /// ρ of each contact: the inverse of the largest entry of its block of W.
+    /// The scale ρ of each contact: the inverse of the largest entry of its diagonal block of W.
     pub(super) rho: Vec<f64>,
 }
 
@@ -40,7 +40,7 @@ impl<'a, const C: usize> Newton<'a, C> {
         Self { problem, rho: numbered(problem.len(), &rho) }
     }
 
-    /// The forces after at most `steps` Newton steps, and the number of steps made.
+    /// Forces after at most `steps` Newton steps, and the number of steps made.
     pub(super) fn run(&self, r: DVector<f64>, steps: usize) -> (DVector<f64>, usize) {
         let mut here = self.place(r);
         let mut made = 0;
@@ -49,7 +49,7 @@ impl<'a, const C: usize> Newton<'a, C> {
             made += 1;
             let mut part = 1.0;
             let mut next = self.place(&here.r + &step);
-            // The shortest part of a step that is tried.
+            // Shortest fraction of a step that the line search tries.
             let shortest = 1e-3;
             while next.size > (1.0 - SUFFICIENT_DECREASE * part) * here.size && part > shortest {
                 part *= 0.5;
@@ -57,7 +57,7 @@ impl<'a, const C: usize> Newton<'a, C> {
             }
             if part <= shortest {
                 if here.size <= SOLVED_ROUNDING * here.terms {
-                    // Rounding is reached.
+                    // The residual is only rounding.
                     break;
                 }
                 next = self.place(&here.r + &step);
@@ -84,12 +84,12 @@ impl<'a, const C: usize> Newton<'a, C> {
         Iterate { r, missed, changes, size: size.sqrt(), terms: terms.sqrt() }
     }
 
-    /// The Newton step, zero in forces that the equations do not determine.
+    /// The Newton step; its components along forces that the equations do not determine are zero.
     fn step(&self, here: &Iterate<C>) -> Option<DVector<f64>> {
         let size = here.r.len();
         let mut jacobian = DMatrix::zeros(size, size);
         for (i, change) in here.changes.iter().enumerate() {
-            // d(r − Π(r − ρ (W r + q))).
+            // The differential d(r − Π(r − ρ (W r + q))).
             for a in 0..C {
                 for column in 0..size {
                     let row = (0..C).map(|b| change[(a, b)] * self.problem.w[(C * i + b, column)]);
@@ -106,7 +106,7 @@ impl<'a, const C: usize> Newton<'a, C> {
     }
 }
 
-/// A solution of A x ≈ b by column-pivoted QR, zero in the unknowns that A does not determine.
+/// Least-squares solution of A x ≈ b by column-pivoted QR. Unknowns that A does not determine are zero.
 fn least_squares(a: DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
     let size = b.len();
     let qr = a.col_piv_qr();

@@ -1,21 +1,22 @@
-//! Coulomb's law of one contact, solved to the last digit with the forces of all others fixed.
+//! The exact force of one contact by Coulomb's law, with the forces of all others fixed.
 //!
-//! With u = A r + b a contact with b_N ≥ 0 is open. Otherwise u_N = 0 leaves r_N = −(b_N + A_NTᵀ r_T) / A_NN and u_T = S r_T + c, with
+//! With the own block A, the contact's velocity is u = A r + b. It is open if b_N ≥ 0. Otherwise u_N = 0 gives r_N = −(b_N + A_NTᵀ r_T) / A_NN
+//! and u_T = S r_T + c, with
 //!
 //! ```text
 //! S = A_TT − A_TN A_NTᵀ / A_NN,     c = b_T − A_TN b_N / A_NN.
 //! ```
 //!
-//! A slide against its force is u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. The contact sticks at κ = 0 if ‖r_T‖ ≤ μ r_N there. Otherwise
-//! some κ puts the force on the edge of the cone: as κ grows r_T vanishes, and r_N goes to −b_N / A_NN > 0.
+//! Slip opposes friction, u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. The contact sticks if ‖r_T‖ ≤ μ r_N at κ = 0. Otherwise some κ
+//! puts the force on the edge of the cone: as κ increases r_T vanishes, and r_N tends to −b_N / A_NN > 0.
 
 use super::blocks::ContactBlock;
 use super::law::tangent;
 use crate::numerics::tolerances::FEW_ROUNDINGS;
 use nalgebra::SVector;
 
-/// The force of a contact with own block A and friction μ, whose velocity without its own force is b. `None` if A is not definite enough to stop the
-/// approach.
+/// The force of a contact with the own block A and friction μ; b is its velocity without its own force. `None` if A is not definite enough for a
+/// force to stop the approach.
 pub(super) fn answer<const C: usize>(
     a: &ContactBlock<C>,
     b: &SVector<f64, C>,
@@ -38,7 +39,7 @@ pub(super) fn answer<const C: usize>(
     if let Some(stuck) = stuck.filter(|r| miss(r) <= 0.0) {
         return Some(stuck);
     }
-    // The force is outside the cone at κ = `least`, inside at κ = `most`.
+    // Brackets the root: the force is outside the cone at κ = `least` and inside at κ = `most`.
     let (mut least, mut most) = (0.0, slide.size);
     while slide.at(most).is_none_or(|r| miss(&r) > 0.0) {
         least = most;
@@ -50,12 +51,12 @@ pub(super) fn answer<const C: usize>(
     let mut outside = slide.at(least).map(|r| miss(&r));
     let mut inside = miss(&slide.at(most)?);
     let mut last = 0;
-    // Steps of secants or bisection for κ.
+    // Iterations of the secant method, or bisection, for κ.
     for _ in 0..100 {
         if most - least <= FEW_ROUNDINGS * most {
             break;
         }
-        // The secant, with the value at an end that was kept twice halved (Illinois); bisection where there is no secant.
+        // Secant with the Illinois rule: the value at an end that was kept twice is halved. Bisection where no secant exists.
         let secant = outside.map(|outside| least + (most - least) * outside / (outside - inside));
         let middle = secant.filter(|k| *k > least && *k < most).unwrap_or(0.5 * (least + most));
         match slide.at(middle) {
@@ -76,7 +77,7 @@ pub(super) fn answer<const C: usize>(
         }
     }
     let mut r = slide.at(most)?;
-    // Scaled onto the edge of the cone, against the rounding of κ.
+    // Moves the force exactly onto the edge of the cone, to remove the rounding of κ.
     let size = tangent(&r).norm();
     if size > 0.0 {
         for k in 1..C {
@@ -86,15 +87,15 @@ pub(super) fn answer<const C: usize>(
     r.iter().all(|x| x.is_finite()).then_some(r)
 }
 
-/// The forces of a sliding contact with u_N = 0, as functions of κ.
+/// The forces of a sliding contact with u_N = 0 as functions of κ.
 struct Slide<const C: usize> {
-    /// S in the tangential rows and columns, and the identity in the normal one.
+    /// S in the tangential rows and columns; the normal row and column are those of the identity.
     s: ContactBlock<C>,
     c: SVector<f64, C>,
-    /// −b_N / A_NN, and A_NT / A_NN.
+    /// `normal` is −b_N / A_NN, `coupling` is A_NT / A_NN.
     normal: f64,
     coupling: SVector<f64, C>,
-    /// The largest entry of S, or A_NN if S vanishes.
+    /// The largest entry of S, or A_NN if S is zero.
     size: f64,
 }
 
@@ -111,7 +112,7 @@ impl<const C: usize> Slide<C> {
         Self { s, c, normal: -b[0] / own, coupling, size: if size > 0.0 { size } else { own } }
     }
 
-    /// The force at κ.
+    /// The force for κ; `None` if it is not finite.
     fn at(&self, kappa: f64) -> Option<SVector<f64, C>> {
         let mut shifted = self.s;
         for k in 1..C {
@@ -124,7 +125,7 @@ impl<const C: usize> Slide<C> {
     }
 }
 
-/// The solution of the tangential part of a system, by Cramer's rule.
+/// Solves the tangential part of a system by Cramer's rule.
 fn solved<const C: usize>(a: &ContactBlock<C>, b: &SVector<f64, C>) -> Option<SVector<f64, C>> {
     let mut x = SVector::<f64, C>::zeros();
     if C == 2 {

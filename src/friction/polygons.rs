@@ -1,7 +1,7 @@
-//! A few contacts: from the forces of a polygon to the round cone.
+//! A few contacts: from the forces on a polygon to those on the round cone.
 //!
-//! Lemke's method solves the problem of a polygon, and Newton's method continues from its forces. If that does not converge, the facets are turned to
-//! the slips, and their number grows.
+//! Lemke's method solves the problem with polygons, and Newton's method continues from its forces. If that does not converge, the facets are
+//! rotated towards the slip directions, and their number increases.
 
 use super::facets::{FacetedProblem, Facets};
 use super::law::tangent;
@@ -13,16 +13,16 @@ use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// The state of the search: facets, counts, and the least residual.
+/// State of the search: facet angles, step counts, and the smallest residual.
 pub(super) struct Polygons<'a, const C: usize> {
     problem: &'a FrictionProblem<C>,
     newton: Newton<'a, C>,
     settings: &'a Settings,
-    /// The angle of the first facet of each contact.
+    /// Angle of the first facet direction of each contact, rad.
     angles: Vec<f64>,
     pub(super) pivots: usize,
     pub(super) steps: usize,
-    /// The least residual that Newton's method has reached, and its contact.
+    /// The smallest residual that Newton's method has reached, and the contact to which it belongs.
     pub(super) least: (f64, usize),
 }
 
@@ -39,7 +39,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// A solution, or the outcome of the first polygon. Facets are turned up to `turns` times.
+    /// A solution, or the outcome of the first polygon. Facets are rotated up to `turns` times.
     pub(super) fn solve(&mut self, turns: usize) -> Outcome<Solution> {
         let mut count = self.settings.facets.clamp(3, MOST_CONE_FACETS);
         let mut first = None;
@@ -53,7 +53,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
         first.unwrap_or_else(|| self.missed())
     }
 
-    /// Newton's method from the forces of a polygon. If the polygon has none and `from_zero` is set, it starts from zero forces.
+    /// Newton's method from the forces of a polygon. If the polygon's problem has no solution and `from_zero` is set, it starts from zero
+    /// forces.
     fn by_facets(&mut self, count: usize, from_zero: bool) -> Outcome<Solution> {
         let Ok(polygon) = self.problem.polygon(Facets::regular(count, &self.angles)) else {
             return Outcome::Breakdown { pivots: self.pivots, cause: BreakdownCause::Overflow };
@@ -74,7 +75,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// The forces given if they solve the problem, or else the result of Newton's method from them.
+    /// A solution from these forces, directly or after Newton's method.
     fn goes_on(&mut self, start: DVector<f64>) -> Outcome<Solution> {
         self.turn(&start);
         if let Some(solution) = self.settled(start.clone()) {
@@ -97,7 +98,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         Some(Solution { pivots: self.pivots, steps: self.steps, ..solution })
     }
 
-    /// Turns the facets so that one lies against the slip of each contact that moves tangentially.
+    /// Rotates the facets of each contact that moves tangentially, so that one direction opposes the slip.
     fn turn(&mut self, r: &DVector<f64>) {
         let u = self.problem.velocities(r);
         for (i, angle) in self.angles.iter_mut().enumerate() {
@@ -114,7 +115,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 }
 
-/// Converts the certificate of a polygon's problem from weights of its rows to weights of contacts.
+/// Converts the certificate of a polygon's problem from weights of rows to weights of contacts.
 fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
     let weigh =
         |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);

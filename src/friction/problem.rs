@@ -5,7 +5,7 @@ use crate::lcp::LcpError;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SVector};
 
-/// A frictional contact problem with contacts of C components: 2 in the plane, 3 in space; see the [module](super).
+/// A frictional contact problem whose contacts have C components, 2 in the plane, 3 in space; see the [module](super).
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrictionProblem<const C: usize> {
     pub(super) w: DMatrix<f64>,
@@ -13,9 +13,9 @@ pub struct FrictionProblem<const C: usize> {
     pub(super) mu: Vec<f64>,
 }
 
-/// A problem in the plane: normal and tangential component.
+/// A problem in the plane: one normal and one tangential component per contact.
 pub type PlanarContacts = FrictionProblem<2>;
-/// A problem in space: normal component and two tangential ones.
+/// A problem in space: one normal and two tangential components per contact.
 pub type SpatialContacts = FrictionProblem<3>;
 
 impl<const C: usize> FrictionProblem<C> {
@@ -64,13 +64,13 @@ impl<const C: usize> FrictionProblem<C> {
         self.mu.is_empty()
     }
 
-    /// u = W r + q (C n entries).
+    /// Velocities u = W r + q (C n entries).
     pub(super) fn velocities(&self, r: &DVector<f64>) -> DVector<f64> {
         &self.w * r + &self.q
     }
 }
 
-/// The components of contact i.
+/// The components of contact i, from a vector of all contacts.
 pub(super) fn part<const C: usize>(v: &DVector<f64>, i: usize) -> SVector<f64, C> {
     v.fixed_rows::<C>(C * i).into_owned()
 }

@@ -1,4 +1,4 @@
-//! Progress reports of a large problem.
+//! Progress reports during the solution of a large problem.
 
 use nalgebra::DVector;
 
@@ -6,14 +6,14 @@ use nalgebra::DVector;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SolveProgress<'a> {
-    /// The contacts that are being solved, by index: an island, or all of them.
+    /// Indices of the contacts that are being solved: an island, or all contacts.
     pub contacts: &'a [usize],
-    /// The best forces of these contacts so far: of each the normal component, then the tangential ones.
+    /// The best forces of these contacts so far: for each contact the normal component, then the tangential ones.
     pub forces: &'a DVector<f64>,
-    /// The largest of their [`Residuals`](super::Residuals).
+    /// The largest of the [`Residuals`](super::Residuals) of these forces.
     pub residual: f64,
-    /// The contact with this residual, by index.
+    /// Index of the contact with this residual.
     pub worst: usize,
-    /// The number of Newton's steps made for these contacts.
+    /// Number of Newton steps made for these contacts.
     pub steps: usize,
 }

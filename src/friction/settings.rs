@@ -1,30 +1,29 @@
-//! Limits and tolerances.
+//! Limits and tolerances of a solve.
 
 use crate::lcp::{self, BreakdownCause};
 
-/// Largest number of facets. More of them change forces by less than 1e-3, and make problems of thousands of rows.
+/// Largest number of facets. More would change forces by less than 1e-3, and give complementarity problems of thousands of rows.
 pub(super) const MOST_CONE_FACETS: usize = 128;
 
-/// Limits and tolerances of a solve; [`Settings::default`] is right for almost every problem.
+/// Limits and tolerances of a solve. [`Settings::default`] suits almost every problem.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Settings {
-    /// Facets of the polygon from which Newton's method starts in space (default 8; values below 3 count as 3, above 128 as 128). More facets start
-    /// closer to the cone, and cost a larger complementarity problem.
+    /// Number of facets of the polygon from which Newton's method starts in space (default 8; at least 3, at most 128). More facets start closer
+    /// to the round cone, but make the complementarity problem larger.
     pub facets: usize,
-    /// The number of times Newton's method starts again after it did not converge (default 4). Each start has half as many facets more, turned to the
-    /// slips.
+    /// Number of restarts of Newton's method after it did not converge (default 4). Each restart uses half as many facets more, rotated towards
+    /// the slip directions.
     pub turns: usize,
-    /// Newton's steps from each start, and in each round (default 30).
+    /// Newton steps from each start, and in each round (default 30).
     pub steps: usize,
-    /// The number of starts for many contacts, or where facets have failed: Gauss–Seidel, the central path and anchored steps (default 4,
-    /// which is also the largest).
+    /// Number of starts for many contacts, or if facets have failed: Gauss–Seidel, central path and anchored steps (default and maximum 4).
     pub starts: usize,
-    /// Rounds of anchored steps of each of these starts (default 30). If no solution is found, they take most of the time.
+    /// Rounds of anchored steps in each of these starts (default 30). They take most of the time if no solution is found.
     pub rounds: usize,
-    /// Forces are called a solution only if all their [`Residuals`](super::Residuals) are at most this (default 1e-12).
+    /// Largest [`Residuals`](super::Residuals) with which forces are accepted as a solution (default 1e-12).
     pub tolerance: f64,
-    /// Settings for the complementarity problem. Up to twelve rows, three contacts in the plane, all bases are tried last.
+    /// Settings of the complementarity problem. For up to twelve rows, three contacts in the plane, the last resort is to try all bases.
     pub lcp: lcp::Settings,
 }
 

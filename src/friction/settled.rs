@@ -1,4 +1,4 @@
-//! Acceptance of forces as a solution.
+//! Acceptance of forces as a solution, after removal of rounding errors.
 
 use super::law::{ContactMode, projection, tangent};
 use super::problem::{FrictionProblem, part};
@@ -11,8 +11,8 @@ use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
 impl<const C: usize> FrictionProblem<C> {
-    /// These forces without the noise on open contacts, and moved onto the edge of a cone where they are near it. u are their
-    /// velocities, and ρ of each contact converts velocities to forces.
+    /// These forces with those of open contacts set to zero, and forces just outside a cone moved onto its edge. u holds their velocities; ρ of
+    /// each contact converts velocities to forces.
     pub(super) fn tidied(&self, mut r: DVector<f64>, u: &DVector<f64>, rho: &[f64]) -> DVector<f64> {
         for (i, rho) in rho.iter().enumerate() {
             let (force, velocity): (SVector<f64, C>, SVector<f64, C>) = (part(&r, i), part(u, i));
@@ -34,7 +34,7 @@ impl<const C: usize> FrictionProblem<C> {
         r
     }
 
-    /// The solution with these forces, if its residuals are within the tolerance.
+    /// The solution with these forces; `None` if its residuals exceed the tolerance.
     pub(super) fn settled(&self, mut r: DVector<f64>, rho: &[f64], tolerance: f64) -> Option<Solution> {
         let states = |r: &DVector<f64>| -> Vec<ContactMode> {
             let u = self.velocities(r);
@@ -55,7 +55,7 @@ impl<const C: usize> FrictionProblem<C> {
         if !residuals.within(tolerance) {
             return None;
         }
-        // Forces whose terms exceed q by many orders would solve the problem for any other q.
+        // If the terms exceed q by many orders of magnitude, the forces would solve the problem for any q, so they prove nothing.
         let terms = (self.w.abs() * r.abs()).amax();
         if residuals.max() > FEW_ROUNDINGS && residuals.max() * terms > BACKWARD_ERROR * self.q.amax()
             || terms > 0.0 && self.q.amax() <= LOST * terms
@@ -66,7 +66,8 @@ impl<const C: usize> FrictionProblem<C> {
         Some(Solution { r, u, states: found, residuals, pivots: 0, steps: 0 })
     }
 
-    /// Whether friction visibly exceeds μ r_N. For a steep cone the excess is small beside the force but large beside its normal component.
+    /// Whether friction exceeds μ r_N by more than rounding. For a steep cone the excess may be small relative to the force but large relative
+    /// to its normal component.
     fn leaves_cones(&self, r: &DVector<f64>) -> bool {
         (0..self.len()).any(|i| {
             let force: SVector<f64, C> = part(r, i);
@@ -74,7 +75,7 @@ impl<const C: usize> FrictionProblem<C> {
         })
     }
 
-    /// These forces without those whose share is noise in every row.
+    /// These forces with those set to zero that contribute only rounding to every row.
     fn without_noise(&self, mut r: DVector<f64>) -> DVector<f64> {
         let terms = self.w.abs() * r.abs() + self.q.abs();
         for i in 0..self.len() {

@@ -6,7 +6,7 @@ use super::siconos_matrix::{Tokens, matrix};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// A problem read from a file, which states the number of components of its contacts.
+/// A problem read from a file, which determines the number of components of its contacts.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ReadProblem {
     /// Contacts in the plane.
@@ -16,7 +16,7 @@ pub enum ReadProblem {
 }
 
 impl ReadProblem {
-    /// The problem in a file of Siconos (`FrictionContactProblem`), from its own tests or written by it. Text after μ is not read.
+    /// Reads a problem from a file of Siconos (`FrictionContactProblem`), one of its tests or written by it. Text after μ is ignored.
     ///
     /// ```
     /// use grasp_lcp::friction::ReadProblem;
@@ -31,13 +31,13 @@ impl ReadProblem {
     ///
     /// # Errors
     ///
-    /// [`Error::Word`] for a word of another kind than must be there, and the errors of [`FrictionProblem::new`].
+    /// [`Error::Word`] for a word that is not of the required kind, and the errors of [`FrictionProblem::new`].
     pub fn from_siconos(text: &str) -> Result<Self, Error> {
         Self::read(text, local, local)
     }
 
-    /// The problem in a file of Siconos that includes the bodies (`GlobalFrictionContactProblem`): M v = H r + f and u = Hᵀ v + b, so that
-    /// W = Hᵀ M⁻¹ H and q = Hᵀ M⁻¹ f + b.
+    /// Reads a problem from a file of Siconos that contains the bodies (`GlobalFrictionContactProblem`): M v = H r + f and u = Hᵀ v + b. Hence W
+    /// = Hᵀ M⁻¹ H and q = Hᵀ M⁻¹ f + b.
     ///
     /// ```
     /// use grasp_lcp::friction::ReadProblem;
@@ -95,7 +95,7 @@ fn global<const C: usize>(words: &mut Tokens<'_>) -> Result<FrictionProblem<C>, 
     FrictionProblem::new(h.tr_mul(&moved), h.tr_mul(&free) + b, mu)
 }
 
-/// M⁻¹ H and M⁻¹ f. The mass matrix of rigid bodies is usually diagonal, which is fast.
+/// M⁻¹ H and M⁻¹ f. The mass matrix of rigid bodies is usually diagonal, for which no factorisation is needed.
 fn moved_by(
     masses: DMatrix<f64>,
     h: &DMatrix<f64>,

@@ -1,6 +1,6 @@
-//! Reading matrices from the files of Siconos.
+//! Reading of matrices from the files of Siconos.
 //!
-//! | begins with | and is |
+//! | first number | form |
 //! |---|---|
 //! | `0` | dense, column by column |
 //! | `1` | in blocks, row by row; each block column by column |
@@ -13,7 +13,7 @@ use nalgebra::DMatrix;
 
 const ENTRY: &str = "an entry of a matrix";
 
-/// The next matrix; a number of rows or columns that is given must match.
+/// Reads the next matrix. Given numbers of rows or columns must match those of the file.
 pub(super) fn matrix(
     words: &mut Tokens<'_>,
     rows: Option<usize>,
@@ -32,7 +32,7 @@ pub(super) fn matrix(
     };
     let rows = count(words, rows)?;
     let columns = count(words, columns)?;
-    // The matrix is stored densely: this one takes a gigabyte.
+    // The matrix is stored densely; this size takes a gigabyte.
     if rows.saturating_mul(columns) > 1 << 27 {
         return Err(
             words.wrong(format!("{rows} {columns}"), "rows and columns of a matrix that fits into memory")
@@ -102,7 +102,7 @@ fn in_blocks(words: &mut Tokens<'_>, rows: usize, columns: usize) -> Result<DMat
 }
 
 fn sparse(words: &mut Tokens<'_>, rows: usize, columns: usize) -> Result<DMatrix<f64>, Error> {
-    // Skips the header: origin, version of CSparse, size.
+    // Skips the header, which has the origin, the version of CSparse and the size.
     while words.word("nnz:, the number of entries of the matrix")? != "nnz:" {}
     let word = words.word("the number of entries of the matrix")?;
     let count: usize = words.parse(word.trim_end_matches(','), "the number of entries of the matrix")?;
@@ -136,7 +136,7 @@ fn sparse(words: &mut Tokens<'_>, rows: usize, columns: usize) -> Result<DMatrix
     Ok(w)
 }
 
-/// The words of a text, with a count of those read.
+/// The words of a text, and the number of words read.
 pub(super) struct Tokens<'a> {
     rest: SplitWhitespace<'a>,
     read: usize,
@@ -174,7 +174,7 @@ impl<'a> Tokens<'a> {
         if given == value { Ok(()) } else { Err(self.wrong(given.to_string(), allowed)) }
     }
 
-    /// The error that the word read last is of another kind than must be there.
+    /// The error for the last word read, which is not of the required kind.
     pub(super) fn wrong(&self, word: String, allowed: &'static str) -> Error {
         Error::Word { at: self.read, word: Some(word), allowed }
     }

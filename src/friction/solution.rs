@@ -5,24 +5,24 @@ use crate::prelude::*;
 use core::fmt;
 use nalgebra::DVector;
 
-/// Forces and velocities that obey Coulomb's law.
+/// Forces and velocities that satisfy Coulomb's law.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Solution {
-    /// Forces r (C n entries): of each contact the normal component, then the tangential ones.
+    /// Forces r (C n entries): for each contact the normal component, then the tangential ones.
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub r: DVector<f64>,
     /// Velocities u = W r + q (C n entries).
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub u: DVector<f64>,
-    /// The state of each contact (n entries). At the border of two states, rounding decides which is named.
+    /// State of each contact (n entries). On the border of two states, rounding decides.
     pub states: Vec<ContactMode>,
-    /// The violations of the law, recomputed from the data given.
+    /// Residuals of the law, recomputed from the given data.
     pub residuals: Residuals,
-    /// The number of pivots of Lemke's method.
+    /// Number of pivots of Lemke's method.
     pub pivots: usize,
-    /// The number of Newton's steps.
+    /// Number of Newton steps.
     pub steps: usize,
 }
 

@@ -1,4 +1,4 @@
-//! The choice and order of the methods for a problem.
+//! Choice and order of the methods for a problem.
 
 use super::approach::{Approach, STARTS, Watcher};
 use super::blocks::Blocks;
@@ -15,26 +15,26 @@ use core::ops::ControlFlow;
 use nalgebra::DVector;
 
 impl<const C: usize> FrictionProblem<C> {
-    /// Forces and velocities that obey Coulomb's law, with the default [`Settings`].
+    /// Finds forces and velocities that satisfy Coulomb's law, with the default [`Settings`].
     #[must_use]
     pub fn solve(&self) -> Outcome<Solution> {
         self.solve_with(&Settings::default())
     }
 
-    /// Forces and velocities that obey Coulomb's law.
+    /// Finds forces and velocities that satisfy Coulomb's law.
     ///
     /// | outcome | means |
     /// |---|---|
-    /// | [`Solved`](Outcome::Solved) | the law holds, to the tolerance of the settings |
-    /// | [`Infeasible`](Outcome::Infeasible) | some contacts approach for all forces in the cones: y has one weight for each contact, see [`Self::proves_infeasible`] |
-    /// | [`NoBasis`](Outcome::NoBasis) | in the plane: each combination of states of an island is excluded without rounding |
-    /// | others | the question is open. A [`Ray`](crate::lcp::Ray) is one of the complementarity problem of [`Self::facets`] |
+    /// | [`Solved`](Outcome::Solved) | the law is satisfied to the tolerance of the settings |
+    /// | [`Infeasible`](Outcome::Infeasible) | no solution exists: for all forces in the cones some contact approaches. The proof y has one weight per contact, see [`Self::proves_infeasible`] |
+    /// | [`NoBasis`](Outcome::NoBasis) | in the plane: no solution exists, since each combination of states of an island is excluded without rounding |
+    /// | others | undecided. A [`Ray`](crate::lcp::Ray) belongs to the complementarity problem of [`Self::facets`] |
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> Outcome<Solution> {
         self.solve_watched(settings, &mut |_| ControlFlow::Continue(()))
     }
 
-    /// [`Self::solve_with`] with progress reports: hundreds of contacts take seconds. `watch` may stop the solve, because of the time or
+    /// [`Self::solve_with`] with progress reports, for hundreds of contacts that take seconds. `watch` may stop the solve, for lack of time or
     /// because the forces are good enough. The outcome is then a breakdown, [`Stopped`](BreakdownCause::Stopped), and the best forces are those
     /// last reported to `watch`.
     ///
@@ -73,7 +73,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.solve_island(&blocks, settings, (&all, watch))
     }
 
-    /// The outcome for contacts that are one island, with their indices in it; `names` are those in the caller's problem, for progress reports.
+    /// Solves one island, or a problem that is a single island. `names` are the contacts' indices in the caller's problem, for progress reports.
     pub(super) fn solve_island<'a>(
         &'a self,
         blocks: &'a Blocks<C>,
@@ -93,7 +93,7 @@ impl<const C: usize> FrictionProblem<C> {
         let mut approach = Approach::new(self, blocks, settings, (names, watch));
         match polygon.take_if(|outcome| self.is_known(outcome)) {
             Some(Outcome::Solved(solution)) if solution.residuals.max() > 0.1 * settings.tolerance => {
-                // Polished, since the residuals computed another way might miss the tolerance.
+                // Solutions close to the tolerance are polished, since residuals computed in another order might exceed it.
                 let r = approach.polished(&solution.r);
                 let polished = self.settled(r, &rho, solution.residuals.max());
                 let (pivots, steps) = (solution.pivots, solution.steps);
@@ -106,7 +106,7 @@ impl<const C: usize> FrictionProblem<C> {
         for start in 0..settings.starts.min(STARTS.len()) {
             let mut arrived = approach.set_out(start);
             if start == 0 && !arrived && !approach.best.stopped {
-                // The linear program of a proof grows like the cube of the number of contacts.
+                // The cost of the linear program of a proof grows with the cube of the number of contacts.
                 if self.len() <= 200
                     && let Some(y) = self.certificate(&settings.lcp)
                 {
@@ -124,7 +124,7 @@ impl<const C: usize> FrictionProblem<C> {
                 return Outcome::Breakdown { pivots, cause };
             }
         }
-        // Where all else has failed facets are tried once: larger problems take longer than seconds.
+        // If all else has failed, facets are tried once; for larger problems this would take longer than seconds.
         if polygon.is_none() && rows <= 600 {
             let last = polygons.solve(0);
             if self.is_known(&last) {
@@ -145,7 +145,7 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// Whether the outcome of a polygon is an answer for the round cones.
+    /// Whether the outcome of a polygon also holds for the round cones.
     fn is_known(&self, polygon: &Outcome<Solution>) -> bool {
         match polygon {
             Outcome::Solved(_) => true,
@@ -157,7 +157,7 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// The outcome of a polygon, as infeasible only if that is proved for the round cones.
+    /// The outcome of a polygon. It is infeasible only if the certificate also holds for the round cones.
     fn proved(&self, polygon: Outcome<Solution>) -> Outcome<Solution> {
         match polygon {
             Outcome::Infeasible(certificate) | Outcome::NearlyInfeasible(certificate) => {

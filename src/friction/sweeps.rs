@@ -1,7 +1,7 @@
-//! Gauss–Seidel over contacts: each in turn gets the force that its law requires while the others are fixed.
+//! Gauss–Seidel over contacts: each contact in turn gets the force that Coulomb's law requires while all other forces are fixed.
 //!
-//! (M. Jean, Comput. Methods Appl. Mech. Eng. 177, 1999.) Sweeps converge slowly, and in stacks may cycle, but they are robust: from zero forces they
-//! find the rough size of the solution. Newton's method does the rest.
+//! (M. Jean, Comput. Methods Appl. Mech. Eng. 177, 1999.) Sweeps converge slowly, and in stacks may cycle, but they are robust: from zero forces
+//! they find the magnitude of the solution. Newton's method does the rest.
 
 use super::blocks::Blocks;
 use super::one_contact;
@@ -10,7 +10,7 @@ use super::problem::{FrictionProblem, part};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// Updates every contact once. Returns the relative change of the forces, √(Σ Δrᵀ A Δr / Σ rᵀ A r), A the own block of a contact.
+/// Updates every contact once. Returns the relative change of the forces, √(Σ Δrᵀ A Δr / Σ rᵀ A r), with A the diagonal block of a contact.
 pub(super) fn sweep<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,

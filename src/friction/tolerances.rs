@@ -1,49 +1,50 @@
-//! The numbers below which a solver of frictional contact takes a value for zero or for rounding.
+//! Tolerances of the solvers of frictional contact problems.
 //!
-//! All of them are pure numbers: forces are compared with forces, velocities with the terms of W r + q. ε = 2⁻⁵².
-//! Where the problem is lost in rounding, the limits of `lcp::tolerances` hold here, too.
+//! All are without units: forces are compared with forces, velocities with the terms of W r + q. ε = 2⁻⁵². Limits for problems that are
+//! dominated by rounding are those of `lcp::tolerances`.
 
-/// A round of anchored steps has also converged if its residual is this part of its terms.
+/// Residual, relative to the norm of its terms, at which a round of anchored steps has converged.
 ///
-/// Smaller, rounds that rounding has ended count as failed and the anchor gets firmer; larger, later rounds begin at worse forces.
+/// Smaller, rounds that stop at rounding count as failed, and the proximal term grows; larger, later rounds start from worse forces.
 pub(super) const ROUND_CONVERGED: f64 = 1e-14;
 
-/// Residual below which forces are polished and residuals are weighed contact by contact.
+/// Residual below which forces are polished, and below which residuals are weighted contact by contact.
 ///
-/// Smaller, polishing begins after rounds that it would have spared; larger, it begins where Newton's method does not converge.
+/// Smaller, unnecessary rounds precede the polish; larger, polishing starts where Newton's method does not converge.
 pub(super) const WORTH_POLISHING: f64 = 1e-6;
 
-/// Least anchor δ in the linear equations, in units of the contact's own compliance, so that redundant contacts give regular equations.
+/// Least weight δ of the proximal term in the linear equations, in units of the contact's own compliance. It makes the equations of redundant
+/// contacts regular.
 ///
-/// Undetermined force components lose half their digits by it, determined ones none. Smaller, equations become singular.
+/// It costs undetermined force components half their digits, determined ones none. Smaller, equations become singular.
 pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 
-/// Relative increase of the own blocks along the central path, in units of 1/ρ, for redundant contacts.
+/// Relative increase of the diagonal blocks along the central path, in units of 1/ρ, which regularises redundant contacts.
 ///
-/// Smaller, equations are singular inside the cones; larger, the path ends at forces of another problem.
+/// Smaller, equations are singular inside the cones; larger, the forces at the end of the path belong to another problem.
 pub(super) const SHIFTED_BLOCK: f64 = 1e-9;
 
-/// A point is on the path around folds if the root mean square of its residuals is below this part of √τ.
+/// Root mean square of the residuals, relative to √τ, up to which a point counts as on the path around folds.
 ///
-/// Smaller, each step takes more corrections; larger, the path jumps to another branch.
+/// Smaller, each step needs more corrections; larger, the path jumps to another branch.
 pub(super) const ON_CENTRAL_PATH: f64 = 1e-2;
 
-/// Pivot, relative to the largest, below which an unknown keeps its value: the forces of redundant contacts are not determined.
+/// Pivot, relative to the largest, below which an unknown is not changed: the forces of redundant contacts are not determined.
 ///
-/// Smaller, they follow rounding; larger, determined forces of soft contacts stay where they are.
+/// Smaller, undetermined forces follow rounding; larger, determined forces of soft contacts are not updated.
 pub(super) const UNDETERMINED_FORCE: f64 = 1e-12;
 
-/// Part by which friction must exceed μ r_N to count as outside the cone.
+/// Relative excess of friction over μ r_N from which a force counts as outside the cone.
 ///
-/// Smaller, the rounding of a projection counts as outside; larger, violations that a caller sees are left.
+/// Smaller, the rounding of a projection counts as outside; larger, visible violations remain.
 pub(super) const OUTSIDE_CONE: f64 = 1e-13;
 
-/// Relative error allowed for in a proof: of sums that were rounded once, and a few operations more.
+/// Relative rounding error assumed in a proof: of sums rounded once, and of a few further operations.
 ///
-/// Smaller, a proof could be wrong; larger, proofs of contacts at the edge of their cones are refused.
+/// Smaller, a proof could be wrong; larger, proofs with contacts at the edge of their cones are refused.
 pub(super) const PROOF_ROUNDING: f64 = 8.0 * 1e-15;
 
-/// Largest number of rows of a polygon's complementarity problem for which facets come first.
+/// Largest number of rows of a complementarity problem with polygons for which the facets are tried first.
 ///
-/// Lemke's method takes milliseconds then, and in the plane it decides. Larger, it takes longer than Newton's method.
+/// Up to this size Lemke's method takes milliseconds, and in the plane it decides the problem. Larger, it takes longer than Newton's method.
 pub(super) const MOST_ROWS_FACETS_FIRST: usize = 160;

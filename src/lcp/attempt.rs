@@ -1,6 +1,6 @@
-//! One attempt: a path from the slacks to its end, and the check of the point there.
+//! One attempt: a path from the slack basis to its end, and the check of the point found.
 //!
-//! An attempt returns `None` if the workspace then holds a solution. Otherwise it returns the way in which it failed.
+//! An attempt returns `None` if the workspace then holds a solution, otherwise the way in which it failed.
 
 use super::certificate;
 use super::dictionary::LemkeVariable;
@@ -15,7 +15,7 @@ use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::prelude::*;
 
 impl Workspace {
-    /// Balances the problem and clears the results of the problem before.
+    /// Balances the problem and clears the results of the previous one.
     pub(super) fn prepare(&mut self, lcp: &Lcp) {
         self.residuals = None;
         self.path.prepare(lcp.m.as_slice(), lcp.q.as_slice());
@@ -28,14 +28,14 @@ impl Workspace {
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
     }
 
-    /// Returns the breakdown that ends the solve before it begins, if the settings do not fit the problem.
+    /// Returns the breakdown of a solve whose settings do not fit the problem, before any path is followed.
     pub(super) fn refuse(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.residuals = None;
         self.path.pivots = 0;
         settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
     }
 
-    /// Writes the covering vector d, in balanced rows, into the path.
+    /// Stores the covering vector d, scaled to balanced rows, in the path.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {
@@ -47,7 +47,7 @@ impl Workspace {
         }
     }
 
-    /// Follows Lemke's path from the slack basis and checks where it ends.
+    /// Follows Lemke's path from the slack basis and checks its end.
     pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Unsolved> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
@@ -65,16 +65,14 @@ impl Workspace {
         })
     }
 
-    /// Checks the end of a path. Where rounding has led the path to a basis that is not feasible,
-    /// the path is resumed from that basis.
+    /// Checks the end of a path. If rounding has led to an infeasible basis, the path is resumed from that basis.
     pub(super) fn finish_or_resume(
         &mut self,
         lcp: &Lcp,
         settings: &Settings,
         limit: usize,
     ) -> Option<Unsolved> {
-        // Each time costs one elimination. A path that misses three times has met a basis too close to
-        // singular.
+        // Each repetition costs one factorisation. A path that fails three times has met a nearly singular basis.
         for _ in 0..3 {
             let Some(failure) = self.finish(lcp, settings) else {
                 self.sharpen(lcp, settings, limit);
@@ -88,23 +86,23 @@ impl Workspace {
         self.finish(lcp, settings)
     }
 
-    /// Continues from a solution whose w is negative by more than rounding. Rows that nearly tie were taken for ties there, or small values for
-    /// noise. The continuation does neither, and the better of the two points is kept. It is a second path, so settings without retries skip it.
+    /// Continues from a solution whose w is more negative than rounding allows. The path there took nearly tied rows for ties, or small values
+    /// for noise. The continuation does neither, and the better of both points is kept. It is a second path, so settings without retries skip
+    /// it.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,
             _ => return,
         };
         let m = lcp.m.as_slice();
-        // Values a little below zero may have been cut off on the way here.
+        // Slightly negative values may have been set to zero earlier on the path.
         self.path.recompute_values();
         if !self.path.cover_violations(m, ROUNDED_SUM) {
             return;
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
-        // A separation of near-ties that succeeds takes few pivots; large degenerate problems would otherwise
-        // run for long.
+        // A successful separation of near-ties takes few pivots. Without this limit large degenerate problems would run for long.
         let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();

@@ -2,24 +2,23 @@
 
 use crate::prelude::*;
 
-/// A complementary basis: from every pair (w_i, z_i) one variable is basic, the other is zero.
+/// A complementary basis: of every pair (w_i, z_i) one variable is basic, the other is nonbasic and zero.
 ///
-/// Write α for the set of i with z_i basic. The basis is regular when the principal block M_αα is
-/// regular. Its point is then z_α = −M_αα⁻¹ q_α, z = 0 elsewhere, w = M z + q. Source:
-/// Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992.
+/// Let α be the set of i with z_i basic. The basis is regular if the principal block M_αα is. Its point is then z_α = −M_αα⁻¹ q_α, z = 0
+/// elsewhere, w = M z + q (Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992).
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Basis {
     basic_z: Vec<bool>,
 }
 
 impl Basis {
-    /// The basis of all slacks, α = ∅, of a problem with n rows.
+    /// The slack basis, α = ∅, of a problem with n rows.
     #[must_use]
     pub fn slack(n: usize) -> Self {
         Self { basic_z: vec![false; n] }
     }
 
-    /// The basis of n pairs with the given α, counted from 0; indices of n or more are left out.
+    /// The basis of n pairs with the given α, counted from 0; indices ≥ n are ignored.
     pub fn from_indices(n: usize, alpha: impl IntoIterator<Item = usize>) -> Self {
         let mut basic_z = vec![false; n];
         for i in alpha {
@@ -30,7 +29,7 @@ impl Basis {
         Self { basic_z }
     }
 
-    /// Makes all slacks of n rows basic.
+    /// Resets to the slack basis of n rows.
     pub(super) fn clear(&mut self, n: usize) {
         self.basic_z.clear();
         self.basic_z.resize(n, false);
@@ -52,18 +51,18 @@ impl Basis {
         self.basic_z.get(i).copied().unwrap_or(false)
     }
 
-    /// The i with z_i basic, in increasing order.
+    /// The elements of α in increasing order.
     pub fn iter(&self) -> impl Iterator<Item = usize> + Clone + '_ {
         self.basic_z.iter().enumerate().filter(|(_, basic)| **basic).map(|(i, _)| i)
     }
 
-    /// The number of basic z_i.
+    /// Number of elements of α.
     #[must_use]
     pub fn count(&self) -> usize {
         self.basic_z.iter().filter(|basic| **basic).count()
     }
 
-    /// The number n of pairs.
+    /// Number n of pairs.
     #[must_use]
     pub fn len(&self) -> usize {
         self.basic_z.len()
@@ -86,14 +85,14 @@ pub enum Variable {
 }
 
 impl Variable {
-    /// The i of the pair (w_i, z_i).
+    /// The index i of the pair (w_i, z_i).
     #[must_use]
     pub fn index(self) -> usize {
         let (Self::W(i) | Self::Z(i)) = self;
         i
     }
 
-    /// The other variable of the pair.
+    /// The other variable of the same pair.
     #[must_use]
     pub fn complement(self) -> Self {
         match self {

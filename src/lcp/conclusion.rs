@@ -1,4 +1,4 @@
-//! From the end of a path to a point that is checked against the data given.
+//! From the end of a path to a point that is checked against the given data.
 
 use super::dictionary::LemkeVariable;
 use super::memory::refill;
@@ -13,7 +13,7 @@ use super::workspace::Workspace;
 use crate::prelude::*;
 
 impl Workspace {
-    /// Checks the point z = 0 of a problem with q ≥ 0.
+    /// Checks the point z = 0, for a problem with q ≥ 0.
     pub(super) fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let n = lcp.len();
         self.basis.clear(n);
@@ -23,15 +23,14 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Checks the point of the complementary basis in the dictionary, refined against the M and q
-    /// given. `None` if that point solves the problem.
+    /// Checks the point of the complementary basis in the dictionary, refined against the given M and q. `None` if it solves the problem.
     pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.mark_vanishing(lcp);
         self.retire_vanishing(lcp);
         self.finish_basis(lcp, settings)
     }
 
-    /// [`Self::finish`] with all basic variables kept, however small.
+    /// [`Self::finish`] without setting small basic variables to zero.
     pub(super) fn finish_as_it_is(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         refill(&mut self.vanishing, lcp.len(), false);
         self.finish_basis(lcp, settings)
@@ -48,8 +47,7 @@ impl Workspace {
         self.path.read_point(&mut self.point.z);
         let residuals = self.point.evaluate(lcp);
         let mut residuals = self.refine(lcp, residuals);
-        // A basic variable which is zero in exact arithmetic is computed as noise. It is left out if
-        // the point without it is as good.
+        // A basic variable that is zero in exact arithmetic is computed as noise. It is set to zero if the residuals are as good without it.
         if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
             let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
             self.spare.z.clear();
@@ -66,7 +64,7 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Replaces the point by the spare point if `accept` holds for the spare's largest residual.
+    /// Replaces the point by the spare point if `accept` holds for the largest residual of the spare point.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {
@@ -75,11 +73,10 @@ impl Workspace {
         }
     }
 
-    /// Marks the basic z's that are zero but for rounding.
+    /// Marks the basic z's that are zero up to rounding.
     ///
-    /// Such a z is small against the terms it was computed from. It may also be small against the
-    /// largest z, if the point without all such z is as good. This finds
-    /// the noise of a z whose terms all vanish.
+    /// Such a z is small relative to the terms from which it was computed. It may also be small relative to the largest z, if the point without
+    /// all such z's is as good. The second test finds z's whose terms are all noise.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -108,10 +105,10 @@ impl Workspace {
         }
     }
 
-    /// Exchanges each vanishing z_j with w_j where the pivot allows it.
+    /// Exchanges each vanishing z_j with w_j if the pivot is large enough.
     ///
-    /// The point is then that of a smaller block, and the noise of z_j has no part in its rows.
-    /// Variables are taken by index, since the order of rows depends on rounding.
+    /// The point then belongs to a smaller block, and the noise of z_j does not affect its rows. Variables are processed by index, since the
+    /// order of rows depends on rounding.
     fn retire_vanishing(&mut self, lcp: &Lcp) {
         let LemkePath { dictionary, scaling, .. } = &mut self.path;
         for j in (0..lcp.len()).filter(|j| self.vanishing[*j]) {
@@ -121,11 +118,10 @@ impl Workspace {
         }
     }
 
-    /// Refines the point until its residuals are rounding or a step gains little. Returns the
-    /// residuals of the best point.
+    /// Iterative refinement of the point until its residuals are rounding or a step gains little. Returns the residuals of the best point.
     fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
         let n = lcp.len();
-        // Each step costs O(n²), and a third that still gains is rare.
+        // Each step costs O(n²); a third step rarely gains anything.
         for _ in 0..3 {
             if residuals.within(residual_rounding(n)) || residuals == Residuals::UNUSABLE {
                 break;
@@ -134,7 +130,7 @@ impl Workspace {
             self.path.read_point(&mut self.spare.z);
             let before = residuals.max();
             self.take_spare(lcp, &mut residuals, |refined| refined < before);
-            // A step that leaves more than half of the largest residual has reached rounding.
+            // A step that leaves more than half of the largest residual has reached the level of rounding.
             if residuals.max() >= 0.5 * before {
                 break;
             }
@@ -142,8 +138,7 @@ impl Workspace {
         residuals
     }
 
-    /// Adds to the basic values the effect of the defect w_i that the point leaves in the active rows,
-    /// where w_i should vanish.
+    /// Corrects the basic values for the defect of the point: the w_i of active rows, which should vanish.
     fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
@@ -160,8 +155,8 @@ impl Workspace {
         }
     }
 
-    /// Sets z_i to zero where z_i is basic and w_i is not zero although the residuals are small.
-    /// Such a z_i is lost in the rounding of every row. Returns whether any z_i was set.
+    /// Sets z_i to zero if z_i is basic and w_i is not zero although the residuals are small. Such a z_i is smaller than the rounding of every
+    /// row. Returns whether any z_i was set.
     fn settle_pairs(&mut self, settings: &Settings) -> bool {
         let mut changed = false;
         for i in 0..self.point.z.len() {
@@ -174,8 +169,7 @@ impl Workspace {
         changed
     }
 
-    /// Replaces the point by that of a fresh factorisation of the basis, without or with its vanishing
-    /// variables, if that point is better.
+    /// Replaces the point by that of a new factorisation of the basis, without or with its vanishing variables, if it is better.
     fn finish_by_factorisation(&mut self, lcp: &Lcp, best: &mut Residuals) {
         let alpha: Vec<usize> = self.basis.iter().collect();
         let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).collect();
@@ -194,7 +188,7 @@ impl Workspace {
         }
     }
 
-    /// Returns "solved" (`None`) only if the residuals are within tolerance and the point depends on q.
+    /// Accepts the point (`None`) only if its residuals are within the tolerance and it depends on q.
     fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Unsolved> {
         let cause = if residuals == Residuals::UNUSABLE {
             BreakdownCause::Overflow

@@ -6,9 +6,8 @@
 //! basic = x + Σ over the nonbasic variables v of D_v · v.
 //! ```
 //!
-//! Only the columns D_v of nonbasic slacks v = w_i are stored. A slack w_i enters the equations
-//! exactly as −q_i does, so all other columns follow from these. The column of a nonbasic z_e is
-//! the effect of adding column e of M to q,
+//! Only the columns D_v of nonbasic slacks v = w_i are stored. A slack w_i enters the equations exactly like −q_i, so all other columns follow
+//! from these. The column of a nonbasic z_e is the effect of adding column e of M to q,
 //!
 //! ```text
 //! D_e = (M_ie on the rows where w_i is basic, 0 elsewhere)
@@ -17,10 +16,9 @@
 //!
 //! and the column of z₀ is (1) with d in place of M_·e.
 //!
-//! If k slacks are nonbasic, a pivot costs 2nk flops for (1) and 2nk for the update. Over a path on
-//! which k grows from 0 to n that is no more than the 2n² of a full tableau. Over a path that ends
-//! with half the slacks nonbasic it is half of that. The next entering variable is known as soon as
-//! the leaving one is, so both are done in one pass over memory.
+//! If k slacks are nonbasic, a pivot costs 2nk flops for (1) and 2nk for the update. On a path on which k grows from 0 to n that is no more than
+//! the 2n² per pivot of a full tableau; on a path that ends with half of the slacks nonbasic it is half of that. The next entering variable is
+//! known as soon as the leaving one is, so both are done in one pass over memory.
 
 use super::kernel::{self, Combine, Update, UpdateAndCombine};
 use super::memory::{make_room, refill};
@@ -29,7 +27,7 @@ use super::tolerances::{RETIRING_PIVOT, STORED_ROUNDING};
 use crate::numerics::wide;
 use crate::prelude::*;
 
-/// A variable: w_i, z_i, or the covering variable z₀.
+/// A variable of the augmented problem: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LemkeVariable {
     W(usize),
@@ -48,42 +46,40 @@ impl LemkeVariable {
     }
 }
 
-/// The dictionary of one basis. All vectors keep their memory between problems.
+/// The dictionary of one basis. Its vectors are reused from problem to problem.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Dictionary {
     n: usize,
     /// The variable that is basic in each row.
     pub(super) basic: Vec<LemkeVariable>,
-    /// The i of the nonbasic slack w_i kept in each stored column.
+    /// For each stored column, the index i of its nonbasic slack w_i.
     kept: Vec<usize>,
-    /// The stored column of each w_i, if w_i is nonbasic.
+    /// For each w_i, its stored column; `None` if w_i is basic.
     slot: Vec<Option<usize>>,
-    /// The stored columns, one after the other.
+    /// The stored columns, one after another.
     columns: Vec<f64>,
     /// Values of the basic variables.
     pub(super) x: Vec<f64>,
-    /// The perturbation column: the effect on the basic variables of adding p to q, used to break ties.
+    /// The perturbation column, which breaks ties: the effect on the basic variables of adding p to q.
     pub(super) p: Vec<f64>,
-    /// For each row, the size of the largest term that has entered its value.
+    /// For each row, the magnitude of the largest term that has entered its value.
     pub(super) level: Vec<f64>,
-    /// The entering column.
+    /// The column of the entering variable.
     pub(super) u: Vec<f64>,
     /// The covering vector d.
     pub(super) d: Vec<f64>,
-    /// The entering column before elimination, with a zero behind its end.
+    /// The entering column before elimination, followed by a zero.
     entering: Vec<f64>,
-    /// For each row, the i of its basic variable w_i; n where no slack is basic.
+    /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
     next: Vec<f64>,
-    /// For each stored column, its multiple of u in the update (g), and its multiple in the next
-    /// entering column (c).
+    /// For each stored column, its factor g of u in the update, and its factor c in the next entering column.
     g: Vec<f64>,
     c: Vec<f64>,
 }
 
 impl Dictionary {
-    /// The dictionary of the slack basis, with right-hand side q, perturbation p and covering
-    /// vector d.
+    /// Resets to the slack basis, with right-hand side q, perturbation p and covering vector d.
     pub(super) fn reset(&mut self, q: &[f64], p: &[f64], d: &[f64]) {
         let n = q.len();
         self.n = n;
@@ -94,8 +90,7 @@ impl Dictionary {
         refill(&mut self.slot, n, None);
         self.kept.clear();
         self.columns.clear();
-        // Room for every slack to become nonbasic, so that no later problem of this size has to
-        // allocate.
+        // Reserves memory for n nonbasic slacks, so that no later problem of this size allocates.
         make_room(&mut self.kept, n);
         make_room(&mut self.columns, n * n);
         for list in [&mut self.g, &mut self.c] {
@@ -111,17 +106,17 @@ impl Dictionary {
         }
     }
 
-    /// Whether w_i is nonbasic.
+    /// Whether w_i is nonbasic, so that row i is active.
     pub(super) fn is_active(&self, i: usize) -> bool {
         self.slot[i].is_some()
     }
 
-    /// The stored column of a variable, if the variable is a nonbasic slack.
+    /// The stored column of a variable; `None` unless it is a nonbasic slack.
     fn slot_of(&self, variable: LemkeVariable) -> Option<usize> {
         if let LemkeVariable::W(i) = variable { self.slot[i] } else { None }
     }
 
-    /// Puts the column of a nonbasic variable into `u`.
+    /// Computes the column of a nonbasic variable in `u`.
     pub(super) fn enter(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let Some(slot) = self.slot_of(variable) {
             let at = slot * self.n;
@@ -134,26 +129,25 @@ impl Dictionary {
         }
     }
 
-    /// The largest entry of the column loaded last, before elimination.
+    /// The largest entry of the last loaded column, before elimination.
     pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
 
-    /// The effect on the basic variables of adding r to the right-hand side, by formula (1).
+    /// The effect on the basic variables of adding r to the right-hand side, by equation (1).
     pub(super) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
         self.entering[..self.n].copy_from_slice(r);
         self.spread();
         self.eliminate(effect);
     }
 
-    /// Writes the right-hand side of (1) into y; its first term is in `next`, its factors are in `c`.
+    /// Evaluates the right-hand side of (1) in y; its first term is in `next`, the factors of the second in `c`.
     fn eliminate(&self, y: &mut [f64]) {
         y.copy_from_slice(&self.next);
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Sets the levels of values that were computed as the effect of the right-hand side q: the
-    /// sums of the sizes of all terms.
+    /// Sets the levels of values that were computed as the effect of the right-hand side q, to the sums of the magnitudes of all terms.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
@@ -163,10 +157,10 @@ impl Dictionary {
         wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.level });
     }
 
-    /// Sets noise in the entering column to zero.
+    /// Sets entries of the entering column to zero that are only noise.
     ///
-    /// An entry is noise below `tolerance` times the terms from which (1) sums it. The column of a
-    /// slack is not summed; its entries are noise below [`STORED_ROUNDING`] times the largest.
+    /// For a column that is summed by (1), an entry is noise below `tolerance` times the magnitude of its terms. The column of a slack is
+    /// stored; its entries are noise below [`STORED_ROUNDING`] times the largest.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
@@ -187,7 +181,7 @@ impl Dictionary {
         }
     }
 
-    /// Loads column e of the balanced M, or d, and the two parts of (1) that depend on the present basis.
+    /// Loads column e of the balanced M, or d, and prepares both terms of (1) for the current basis.
     fn load(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let LemkeVariable::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
@@ -201,7 +195,7 @@ impl Dictionary {
         self.spread();
     }
 
-    /// Writes the first term of (1) into `next` and the factors of the second into `c`.
+    /// Prepares (1): its first term in `next`, the factors of the second in `c`.
     fn spread(&mut self) {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i];
@@ -210,9 +204,8 @@ impl Dictionary {
         self.c.extend(self.kept.iter().map(|i| self.entering[*i]));
     }
 
-    /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r,
-    /// which is returned. Then writes the column of the leaving variable's complement into `u`,
-    /// unless z₀ left.
+    /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r, which is returned. Then computes the column of
+    /// the leaving variable's complement in `u`, unless z₀ has left.
     pub(super) fn pivot(
         &mut self,
         entering: LemkeVariable,
@@ -241,13 +234,13 @@ impl Dictionary {
         leaving
     }
 
-    /// Makes the exchange of [`Self::pivot`] without loading the next entering column into `u`.
+    /// Makes the exchange of [`Self::pivot`] without computing the next entering column.
     pub(super) fn exchange(&mut self, entering: LemkeVariable, r: usize) {
         self.rearrange(entering, r);
         wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
     }
 
-    /// Exchanges z_j, basic in row r, with w_j, unless the pivot is small.
+    /// Exchanges z_j, basic in row r, with w_j, unless the pivot is too small.
     pub(super) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) {
         if !self.is_active(j) {
             return;
@@ -258,8 +251,7 @@ impl Dictionary {
         }
     }
 
-    /// Makes all of an exchange but the rank-one update of the stored columns, whose factors are
-    /// left in `g` and `u`.
+    /// Makes an exchange except for the rank-one update of the stored columns, whose factors are left in `g` and `u`.
     fn rearrange(&mut self, entering: LemkeVariable, r: usize) -> LemkeVariable {
         let n = self.n;
         let leaving = self.basic[r];
@@ -267,7 +259,7 @@ impl Dictionary {
         let inverse = 1.0 / pivot;
         self.step(r, pivot);
 
-        // With row r of a column set to 0 and that of u to 1, row r is updated as all others are.
+        // With row r of each column set to 0 and that of u set to 1, row r needs no special case in the update.
         self.u[r] = 1.0;
         let factor = -self.p[r] * inverse;
         self.p[r] = 0.0;
@@ -279,7 +271,7 @@ impl Dictionary {
         }
         let own = self.slot_of(entering);
         if let Some(own) = own {
-            // The entering slack's own column becomes that of the leaving variable, u / pivot.
+            // The stored column of the entering slack becomes that of the leaving variable, u / pivot.
             self.g[own] = inverse;
             self.columns[own * n..(own + 1) * n].fill(0.0);
         }
@@ -303,7 +295,7 @@ impl Dictionary {
         leaving
     }
 
-    /// Lets the entering variable grow until row r is zero, and updates values and levels.
+    /// Increases the entering variable until the basic variable of row r is zero, and updates values and levels.
     fn step(&mut self, r: usize, pivot: f64) {
         let step = -self.x[r] / pivot;
         let level = self.level[r] / pivot.abs();
@@ -316,7 +308,7 @@ impl Dictionary {
         self.level[r] = level;
     }
 
-    /// Drops a stored column; the last one takes its place.
+    /// Removes a stored column; the last column takes its position.
     fn forget(&mut self, slot: usize) {
         let n = self.n;
         self.slot[self.kept[slot]] = None;
@@ -331,8 +323,7 @@ impl Dictionary {
     }
 }
 
-/// max_i |v_i|; NaN entries are ignored. Eight independent maxima keep the
-/// processor busy.
+/// max_i |v_i|; NaN entries are ignored. Eight independent maxima allow vector instructions.
 pub(super) fn largest(v: &[f64]) -> f64 {
     let mut lanes = [0.0_f64; 8];
     let mut chunks = v.chunks_exact(8);

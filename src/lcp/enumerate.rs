@@ -1,4 +1,4 @@
-//! All solutions of a small problem.
+//! All solutions of a small problem, by enumeration.
 
 use super::basis::Basis;
 use super::linear_program;
@@ -16,25 +16,23 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// The solutions found by trying all complementary bases, see [`Lcp::all_solutions`].
+/// The solutions found by trying all complementary bases; see [`Lcp::all_solutions`].
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct AllSolutions {
-    /// One entry for each solution point. Points of regular bases come first, in the order of the
-    /// bases read as binary numbers with z_0 as the lowest bit.
+    /// One entry per solution point. Points of regular bases come first, in the order of the bases as binary numbers whose lowest bit is z_0.
     ///
-    /// A point of several bases is listed once, with `degenerate` set. `pivots` is 0.
+    /// A point that belongs to several bases is listed once, with `degenerate` set. `pivots` is 0.
     pub solutions: Vec<Solution>,
-    /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty.
-    /// Such a piece may be a whole face of solutions; one point of it is among the solutions.
+    /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty. Such a piece may be a whole face of solutions;
+    /// one of its points is among `solutions`.
     pub singular: Vec<Basis>,
 }
 
 impl Lcp {
     /// All solutions of a small problem, by trying all 2ⁿ complementary bases. `None` if n > 20.
     ///
-    /// Each basis costs one factorisation of at most n rows, and each singular one a linear
-    /// program.
+    /// Each basis costs one factorisation of at most n rows, and each singular basis also a linear program.
     ///
     /// ```
     /// use grasp_lcp::lcp::Lcp;
@@ -53,7 +51,7 @@ impl Lcp {
         self.all_solutions_with(&Settings::default())
     }
 
-    /// [`Self::all_solutions`] with other [`Settings`], of which only the tolerances are used.
+    /// [`Self::all_solutions`] with other [`Settings`], of which only the tolerances matter.
     #[must_use]
     pub fn all_solutions_with(&self, settings: &Settings) -> Option<AllSolutions> {
         (self.len() <= MOST_ENUMERATED).then(|| all_solutions(self, settings))
@@ -76,7 +74,7 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
             None => without_point.push(bits),
         }
     }
-    // Singular bases come last, so that the first basis listed is a regular one if any is.
+    // Singular bases are processed last, so that solutions of regular bases come first.
     for bits in without_point {
         let alpha = indices(bits);
         if let Some(basic) = search.point_of_singular_piece(&alpha)
@@ -88,7 +86,7 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     search.found
 }
 
-/// A solution at a corner of some piece with a singular block, for problems where linear programming has found none; n is at most
+/// A solution at a vertex of a piece with a singular block, for problems in which linear programming has found none; n is at most
 /// [`MOST_ROWS_WITH_VERTICES`](super::tolerances::MOST_ROWS_WITH_VERTICES).
 pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     let n = lcp.len();
@@ -104,7 +102,7 @@ pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     })
 }
 
-/// The search over the bases of one problem: its balance and the solutions found so far.
+/// Enumeration of the bases of one problem: its scaling and the solutions found so far.
 struct Search<'a> {
     lcp: &'a Lcp,
     settings: &'a Settings,
@@ -113,8 +111,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Adds the point with these basic values, if it is a solution not known yet. Returns its basis
-    /// if it is a solution at all.
+    /// Adds the point with these basic values if it is a new solution. Returns its basis if it is a solution, new or not.
     fn offer(&mut self, alpha: &[usize], basic: &DVector<f64>) -> Option<Basis> {
         let solution = self
             .solution_at(alpha, basic)
@@ -128,17 +125,16 @@ impl Search<'_> {
         Some(basis)
     }
 
-    /// The point without values that are zero but for rounding.
+    /// The basic values with those set to zero that are zero up to rounding.
     ///
-    /// The sign of such noise would decide in rows whose other terms are all zero. If it was not
-    /// noise, the residuals of the point without it show that.
+    /// Otherwise the sign of such noise would decide in rows whose other terms are all zero. If a value was no noise, the residuals show that.
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
         let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);
         DVector::from_fn(alpha.len(), |j, _| if size(j) <= ZERO_VALUE * largest { 0.0 } else { basic[j] })
     }
 
-    /// The solution with these basic values, if they solve the problem.
+    /// The solution with these basic values; `None` if they do not solve the problem.
     fn solution_at(&self, alpha: &[usize], basic: &DVector<f64>) -> Option<Solution> {
         let (lcp, tolerance) = (self.lcp, self.settings.residual_tolerance);
         let mut z = vec![0.0; lcp.len()];
@@ -146,7 +142,7 @@ impl Search<'_> {
             z[*i] = *value;
         }
         let mut point = LcpPoint::new(z, lcp);
-        // Negative entries are checked before they are cut off: those larger than noise must fail here.
+        // Residuals are checked before negative entries are set to zero, so that entries more negative than noise fail.
         if !point.residuals(lcp).within(tolerance) {
             return None;
         }
@@ -166,10 +162,9 @@ impl Search<'_> {
         Some(Solution { z, w, basis, residuals, pivots: 0, degenerate })
     }
 
-    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. It is found by linear
-    /// programming on balanced data; the caller checks it.
+    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, by linear programming on balanced data. The caller checks it.
     ///
-    /// The balance is exact here, not rounded to powers of two. So the point found on a face does not depend on units.
+    /// Here the scaling is not rounded to powers of two, so that the point chosen on a face does not depend on units.
     fn point_of_singular_piece(&self, alpha: &[usize]) -> Option<DVector<f64>> {
         let Self { lcp, scaling, .. } = self;
         let n = lcp.len();
@@ -182,13 +177,12 @@ impl Search<'_> {
     }
 }
 
-/// Whether two points differ by no more than rounding, entry by entry or relative to the largest
-/// entry.
+/// Whether two points differ only by rounding, entry by entry or relative to the largest entry.
 fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());
     a.iter().zip(b).all(|(a, b)| {
         let difference = (a - b).abs();
-        // Two bases of condition 1e7 differ by the first; the second covers entries that are zero but for rounding.
+        // The first test covers two bases of condition 1e7; the second covers entries that are zero up to rounding.
         difference <= NEGLIGIBLE * a.abs().max(b.abs()) || difference <= SOLVED_ROUNDING * size
     })
 }

@@ -5,20 +5,20 @@ use thiserror::Error;
 
 use crate::prelude::*;
 
-/// The faults that the numbers of a problem can have.
+/// Faults in the input of a problem.
 ///
-/// "There is no solution" is not among them: that is an answer, see [`Outcome`](super::Outcome).
+/// That no solution exists is not an error but an answer, see [`Outcome`](super::Outcome).
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LcpError {
-    /// M must have as many columns as rows.
+    /// M must be square.
     #[error(
         "the matrix of a complementarity problem must be square, but it has {rows} rows and {columns} columns"
     )]
     NotSquare {
-        /// Rows of the matrix given.
+        /// Rows of the given matrix.
         rows: usize,
-        /// Columns of the matrix given.
+        /// Columns of the given matrix.
         columns: usize,
     },
     /// A row of M must have as many entries as there are rows.
@@ -28,7 +28,7 @@ pub enum LcpError {
         row: usize,
         /// Its length.
         given: usize,
-        /// The length it must have.
+        /// The required length.
         needed: usize,
     },
     /// An entry of a sparse matrix lies outside of it.
@@ -41,54 +41,54 @@ pub enum LcpError {
         /// Rows and columns of the matrix.
         size: usize,
     },
-    /// A word of a text is no number, or not the number of pairs in the first place.
+    /// A word of a text is not a number, or the first word is not the number of pairs.
     #[error("word {at} is `{word}`, but must be {allowed}")]
     Word {
-        /// The number of words before it.
+        /// Number of words before it.
         at: usize,
         /// The word.
         word: String,
-        /// The kind of word that must be there.
+        /// The required kind of word.
         allowed: &'static str,
     },
     /// A text has too few or too many numbers.
     #[error("the text has {given} numbers, but must have {needed}: n, n rows of M and q")]
     Count {
-        /// The number of numbers in the text.
+        /// Number of numbers in the text.
         given: usize,
-        /// The number of numbers required, 1 + n² + n.
+        /// Required number, 1 + n² + n.
         needed: usize,
     },
     /// A vector must have one entry per row of M.
     #[error("{what} has {given} entries, but the problem has {needed} rows")]
     Length {
-        /// The name of the vector.
+        /// Name of the vector.
         what: &'static str,
         /// Its length.
         given: usize,
-        /// The length it must have.
+        /// The required length.
         needed: usize,
     },
-    /// A block of a mixed problem must fit the others.
+    /// The shape of a block of a mixed problem does not match the other blocks.
     #[error(
         "block {what} has {rows} rows and {columns} columns, but must have {needed_rows} and {needed_columns}"
     )]
     BlockShape {
-        /// The name of the block.
+        /// Name of the block.
         what: &'static str,
         /// Its rows.
         rows: usize,
         /// Its columns.
         columns: usize,
-        /// The rows it must have.
+        /// The required number of rows.
         needed_rows: usize,
-        /// The columns it must have.
+        /// The required number of columns.
         needed_columns: usize,
     },
     /// An entry of a matrix is infinite or not a number.
     #[error("entry ({row}, {column}) of {what} is {value}, not a finite number")]
     MatrixEntry {
-        /// The name of the matrix.
+        /// Name of the matrix.
         what: &'static str,
         /// Row of the entry, counted from 0.
         row: usize,
@@ -100,7 +100,7 @@ pub enum LcpError {
     /// An entry of a vector is infinite or not a number.
     #[error("entry {row} of {what} is {value}, not a finite number")]
     VectorEntry {
-        /// The name of the vector.
+        /// Name of the vector.
         what: &'static str,
         /// Row of the entry, counted from 0.
         row: usize,
@@ -110,7 +110,7 @@ pub enum LcpError {
 }
 
 impl LcpError {
-    /// Checks that a matrix is square and has finite entries only.
+    /// Checks that a matrix is square and all its entries are finite.
     pub(super) fn check_square(what: &'static str, m: &DMatrix<f64>) -> Result<(), Self> {
         let (rows, columns) = m.shape();
         if rows != columns {
@@ -119,7 +119,7 @@ impl LcpError {
         Self::check_entries(what, m)
     }
 
-    /// Checks that a block has the shape (rows, columns) and finite entries only.
+    /// Checks that a block has the shape (rows, columns) and all its entries are finite.
     pub(crate) fn check_block(
         what: &'static str,
         block: &DMatrix<f64>,
@@ -144,7 +144,7 @@ impl LcpError {
     }
 
     fn check_entries(what: &'static str, m: &DMatrix<f64>) -> Result<(), Self> {
-        // Stored by columns.
+        // nalgebra stores matrices column by column.
         match m.iter().position(|x| !x.is_finite()) {
             Some(at) => {
                 let (row, column) = (at % m.nrows(), at / m.nrows());

@@ -1,14 +1,15 @@
-//! Exclusion of complementary bases that have no solution, without rounding.
+//! Proofs, without rounding, that complementary bases have no solution.
 //!
-//! The points of a basis α are the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. By Farkas' lemma the piece is empty if there is a v with
+//! The points of a basis α form the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. By Farkas' lemma the piece is empty if there is a v
+//! with
 //!
 //! ```text
 //! v_ᾱ ≥ 0,     (Mᵀv)_α ≤ 0,     qᵀv < 0
 //! ```
 //!
-//! For a regular block whose point breaks a condition, v is a row of the inverse. The sums (Mᵀv)_α, which would vanish, are pushed
-//! a little below zero, so that rounding does not matter. For singular blocks v comes from a linear program. Every v is checked
-//! by sums without rounding: a basis without a v that passes is not excluded.
+//! If the block is regular and its point violates a condition, v is derived from a row of the inverse. The sums (Mᵀv)_α, which would be zero,
+//! are shifted slightly below zero, so that rounding cannot make them positive. For singular blocks v comes from a linear program. Every v is
+//! checked by sums without rounding; if none passes, the basis is not excluded.
 
 use super::farkas::{Domain, cleaned};
 use super::linear_program::{self, MARGINS};
@@ -19,7 +20,7 @@ use crate::numerics::{chosen, increasing, mapped};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Whether every complementary basis is proved to have no solution; tries 2ⁿ bases, so n must be small.
+/// Whether every complementary basis is proved to have no solution. It tries 2ⁿ bases, so n must be small.
 pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> bool {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
@@ -34,7 +35,7 @@ struct Judge<'a> {
     lcp: &'a Lcp,
     scaling: &'a Scaling,
     settings: &'a Settings,
-    /// Balanced data.
+    /// Balanced M; `q` is the balanced q.
     m: DMatrix<f64>,
     q: DVector<f64>,
 }
@@ -44,14 +45,14 @@ impl Judge<'_> {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
 
-    /// Whether one row contradicts itself: q_i < 0 and row i has no positive entry in the columns α, or, for i in α, the same with both signs
+    /// Whether one row is contradictory: q_i < 0 while row i has no positive entry in the columns α. For i in α the same holds with both signs
     /// changed.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.is_hopeless(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
     }
 
-    /// Tries rows of the inverse of a regular block, for the three conditions that its point breaks most.
+    /// Tries rows of the inverse of a regular block, for the three conditions that its point violates most.
     fn by_broken_conditions(&self, alpha: &[usize]) -> bool {
         let (n, size) = (self.q.len(), alpha.len());
         let block = DMatrix::from_fn(size, size, |i, j| self.m[(alpha[i], alpha[j])]);
@@ -65,11 +66,11 @@ impl Judge<'_> {
         broken.retain(|(value, _)| *value < 0.0);
         let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
-        // Three conditions are tried for each basis, the most broken first.
+        // Three conditions are tried per basis, the most violated first.
         increasing(&values).into_iter().take(3).any(|place| {
             let (value, which) = &broken[place];
-            // Pushing (Mᵀv)_α below zero may use up this part of the violation; the rest keeps qᵀv negative.
-            // Near 0 or 1 rounding decides one of the two signs.
+            // Shifting (Mᵀv)_α below zero may use this fraction of the violation; the rest keeps qᵀv negative. With a value near 0 or 1 rounding
+            // would decide one of the two signs.
             let used_up = 0.25;
             let push = if reach > 0.0 { used_up * -value / reach } else { used_up };
             let mut target = DVector::from_element(size, -push);
@@ -89,13 +90,13 @@ impl Judge<'_> {
         })
     }
 
-    /// Tries the dual solutions of { min t : the piece violated by at most t }, one for each margin.
+    /// Tries the dual solutions of { min t : the piece is violated by at most t }, one for each margin.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))
     }
 
-    /// Whether a v in balanced rows excludes a basis, as computed or [`cleaned`].
+    /// Whether a v for balanced rows excludes a basis, as computed or [`cleaned`].
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = DVector::from_fn(v.len(), |i, _| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);
@@ -104,14 +105,14 @@ impl Judge<'_> {
     }
 }
 
-/// The solution of a square system, if its matrix is regular; an empty system has the empty solution.
+/// The solution of a square system; `None` if its matrix is singular. An empty system has the empty solution.
 fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     if rhs.is_empty() { Some(rhs.clone()) } else { block.clone().full_piv_lu().solve(rhs) }
 }
 
-/// A condition of a basis that its point breaks.
+/// A condition of a basis that its point violates.
 enum Broken {
-    /// z_j ≥ 0 for an entry of α, by its position j in α.
+    /// z_j ≥ 0 for an element of α, given by its position in α.
     Domain(usize),
     /// w_i ≥ 0.
     Slack(usize),

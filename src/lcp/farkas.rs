@@ -1,8 +1,8 @@
-//! Proofs that no z ≥ 0 has M z + q ≥ 0, by Farkas' lemma, without rounding.
+//! Proofs by Farkas' lemma, without rounding, that no z ≥ 0 satisfies M z + q ≥ 0.
 //!
-//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof: z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. The y at the end of a path
-//! or of a linear program carries rounding, which spoils it where (Mᵀy)_j must vanish. The exact y usually has the ratios of small whole numbers,
-//! and these are tried in its place. Where (Mᵀy)_j may be negative, a linear program with a margin keeps it so.
+//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof, since z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. The y at the end of a path
+//! or of a linear program is rounded, which invalidates it where (Mᵀy)_j must be exactly zero. The entries of the exact y usually have the
+//! ratios of small integers, so integers are tried in its place. Where (Mᵀy)_j may be negative, a linear program with a margin makes it so.
 
 use core::cmp::Ordering;
 
@@ -15,19 +15,18 @@ use crate::prelude::*;
 use nalgebra::DVector;
 
 impl Lcp {
-    /// Whether y proves that no z ≥ 0 has M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0 (Farkas' lemma).
+    /// Whether y proves that no z ≥ 0 satisfies M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0 (Farkas' lemma).
     ///
-    /// All sums are made without rounding, so the result is exact for the M and q given.
+    /// All sums are exact, so the result is exact for the given M and q.
     ///
-    /// A y of another length than n proves nothing, nor does one with a negative entry or one that
-    /// is not finite.
+    /// A y of a length other than n proves nothing, nor does one with an entry that is negative or not finite.
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
         self.contradicts(y, |_| false, |_| Domain::NotNegative)
     }
 
-    /// Whether y proves that some constraints contradict each other: rows of M z + q that vanish or are not negative, and unknowns
-    /// of the three kinds of [`Domain`]. Then y_i ≥ 0 in rows that are not negative, (Mᵀy)_j ≤ 0 for z_j ≥ 0, (Mᵀy)_j = 0 for free z_j, and qᵀy < 0.
+    /// Whether y proves that some constraints contradict each other: rows of M z + q that are zero or nonnegative, and unknowns of the three
+    /// kinds of [`Domain`]. The proof needs y_i ≥ 0 in nonnegative rows, (Mᵀy)_j ≤ 0 for z_j ≥ 0, (Mᵀy)_j = 0 for free z_j, and qᵀy < 0.
     pub(super) fn contradicts(
         &self,
         y: &DVector<f64>,
@@ -44,14 +43,14 @@ impl Lcp {
             })
     }
 
-    /// A lower bound on Σ z_j for every z ≥ 0 with M z + q ≥ 0, from y ≥ 0 with qᵀy < 0:
+    /// A lower bound on Σ z_j over all z ≥ 0 with M z + q ≥ 0, from y ≥ 0 with qᵀy < 0:
     ///
     /// ```text
     /// Σ z_j ≥ −qᵀy / max_j (Mᵀy)_j
     /// ```
     ///
-    /// Infinite if y proves that there is no such z, zero if y proves nothing. All sums are made without rounding; the bound is
-    /// rounded downwards.
+    /// The bound is infinite if y proves that no such z exists, and zero if y proves nothing. All sums are exact; the bound is rounded
+    /// downwards.
     ///
     /// ```
     /// use grasp_lcp::lcp::Lcp;
@@ -78,18 +77,18 @@ impl Lcp {
         self.columns().map(against).fold(f64::INFINITY, f64::min) * (1.0 - BOUND_ROUNDING)
     }
 
-    /// The proof that a vector with rounding contains, as computed or [`cleaned`]: exact, or else but for rounding.
+    /// The proof contained in a rounded vector, as computed or [`cleaned`]: exact if possible, otherwise up to rounding.
     pub(super) fn farkas_proof(&self, y: &DVector<f64>) -> Option<Unsolved> {
         let certificate = |y| Certificate { y, pivots: 0 };
         if let Some(y) = cleaned(y).find(|y| self.proves_infeasible(y)) {
             return Some(Outcome::Infeasible(certificate(y)));
         }
-        // The first two vectors keep the computed entries; the others are rounded to whole numbers.
+        // The first two vectors have the computed entries; the others are rounded to integers.
         let nearly = cleaned(y).take(2).find(|y| self.nearly_proves(y));
         nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
 
-    /// Whether y is a Farkas vector but for rounding: (Mᵀy)_j at most 8 (n + 2) ε times the sizes of its terms, ε = 2⁻⁵².
+    /// Whether y is a Farkas vector up to rounding: (Mᵀy)_j is at most 8 (n + 2) ε times the magnitude of its terms, ε = 2⁻⁵².
     fn nearly_proves(&self, y: &DVector<f64>) -> bool {
         let rounding = sum_rounding(self.len());
         let sums = |column: &[f64]| {
@@ -113,8 +112,8 @@ impl Lcp {
             })
     }
 
-    /// Whether every z ≥ 0 with entries in these columns alone leaves row i negative (sign 1) or positive (sign −1).
-    /// It does if q_i has that sign and no entry of the row has the other.
+    /// Whether row i is negative (sign 1) or positive (sign −1) for every z ≥ 0 whose nonzero entries are in these columns. It is if q_i has
+    /// that sign and no entry of the row has the other.
     pub(super) fn is_hopeless(
         &self,
         row: usize,
@@ -137,10 +136,10 @@ impl Lcp {
     }
 }
 
-/// The values allowed for an unknown.
+/// The values that an unknown may have.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Domain {
-    /// Anywhere.
+    /// Any value.
     Free,
     /// z_j ≥ 0.
     NotNegative,
@@ -152,20 +151,20 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
     ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
 }
 
-/// A vector as computed; then without the entries that are noise beside the largest; then the vectors of whole numbers with its ratios, for
-/// larger and larger rounding.
+/// Candidates for a proof: the vector as computed; without entries that are noise beside the largest; and integer vectors with the same ratios,
+/// for increasing rounding.
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     let noise = ZERO_VALUE * y.amax();
     let mut all = vec![y.clone(), y.map(|y| if y.abs() <= noise { 0.0 } else { y })];
-    // The rounding of the path is not known beforehand, so the smallest that leads to a proof is used.
+    // The rounding of the path is not known, so the smallest one that leads to a proof is used.
     for rounding in [1e-14, 1e-11, 1e-8] {
         all.extend(whole_within(y, rounding));
     }
     all.into_iter()
 }
 
-/// The vector of whole numbers with these ratios, if there is one. Entries are made whole one after the other, each by the least
-/// denominator beyond that of the entries before.
+/// The integer vector with these ratios, if any. Entries become integers one after another, each by the least additional factor of the common
+/// denominator.
 fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     let largest = y.amax();
     let mut denominator = 1.0;
@@ -178,7 +177,7 @@ fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     Some(y.map(|y| (y / largest * denominator).round()))
 }
 
-/// The denominator, in lowest terms, of the fraction that equals x within `rounding`: by its continued fraction.
+/// The denominator, in lowest terms, of the fraction that equals x within `rounding`, by continued fractions.
 fn denominator_of(x: f64, rounding: f64) -> Option<f64> {
     let (mut rest, mut before, mut denominator) = (x, 0.0, 1.0);
     while denominator <= LARGEST_WHOLE {

@@ -1,7 +1,7 @@
-//! Farkas vectors that a reader can follow: few rows, small entries.
+//! Farkas vectors that a person can check: few rows, few digits.
 //!
-//! A path or a linear program ends in some vector that proves a contradiction, usually one of many. A row that contradicts itself, or two that
-//! contradict each other, explain more, and their proof does not depend on the last digit of an entry.
+//! A path or a linear program ends in some vector that proves a contradiction, usually one of many. A single contradictory row, or two rows that
+//! contradict each other, explain more. Their proof does not depend on the last digit of an entry.
 
 use super::problem::Lcp;
 use super::tolerances::MOST_PAIRED_ROWS;
@@ -10,11 +10,11 @@ use crate::numerics::FloatFunctions;
 use crate::numerics::increasing;
 use nalgebra::DVector;
 
-/// The numbers of binary digits to which entries are rounded, the fewest first.
+/// Numbers of binary digits to which entries are rounded, in the order in which they are tried.
 const BINARY_DIGITS: [i32; 4] = [1, 3, 8, 20];
 
 impl Lcp {
-    /// A Farkas vector with one entry or two that are not zero.
+    /// A Farkas vector with one or two nonzero entries, if any.
     pub(super) fn few_rows(&self) -> Option<DVector<f64>> {
         let n = self.len();
         if let Some(row) = (0..n).find(|row| self.is_hopeless(*row, 1.0, 0..n)) {
@@ -29,10 +29,10 @@ impl Lcp {
         pairs.find_map(|(i, k)| self.two_rows(i, k))
     }
 
-    /// A Farkas vector of the rows i and k: y_k / y_i lies between bounds, one from each column and from q.
+    /// A Farkas vector of the rows i and k. The ratio y_k / y_i must lie between bounds, one from each column and from q.
     fn two_rows(&self, i: usize, k: usize) -> Option<DVector<f64>> {
         let n = self.len();
-        // Each bound is kept as (y_i, y_k), so that their products cancel without rounding.
+        // Each bound is stored as (y_i, y_k), so that the products that must cancel do so exactly.
         let (mut least, mut most) = ((1.0, 0.0), (0.0, 1.0));
         let ratio = |(y_i, y_k): (f64, f64)| y_k / y_i;
         for j in 0..=n {
@@ -68,7 +68,7 @@ impl Lcp {
         tried.find(|y| self.proves_infeasible(y))
     }
 
-    /// A simpler Farkas vector: without the entries that the proof does not need, and the others with as few digits as suffice.
+    /// A simpler Farkas vector: without entries that the proof does not need, the others with as few digits as suffice.
     pub(super) fn plainer(&self, mut y: DVector<f64>) -> DVector<f64> {
         if self.len() > MOST_PAIRED_ROWS {
             return y;
@@ -87,7 +87,7 @@ impl Lcp {
     }
 }
 
-/// x rounded to this number of binary digits: adding and subtracting a number 2^(53 − digits) times as large drops the others.
+/// x rounded to this number of binary digits. Adding and subtracting a number 2^(53 − digits) times as large drops all further digits.
 fn rounded(x: f64, digits: i32) -> f64 {
     let far = x * 2.0_f64.powi(53 - digits);
     let rounded = (x + far) - far;

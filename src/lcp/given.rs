@@ -1,4 +1,4 @@
-//! Problems from rows, from the places of a sparse matrix, and from text.
+//! Problems from rows, from the entries of a sparse matrix, and from text.
 
 use super::error::LcpError;
 use super::problem::Lcp;
@@ -29,8 +29,8 @@ impl Lcp {
         Self::new(DMatrix::from_fn(n, n, |i, j| rows[i].as_ref()[j]), DVector::from_column_slice(q))
     }
 
-    /// The problem with the entries (row, column, value) of a sparse M, counted from 0, and q. Places without an entry are zero;
-    /// entries at one place are added.
+    /// The problem with the entries (row, column, value) of a sparse M, counted from 0, and q. Entries that are not given are zero; entries at
+    /// the same position are added.
     ///
     /// ```
     /// use grasp_lcp::lcp::Lcp;
@@ -60,7 +60,7 @@ impl Lcp {
     }
 }
 
-/// The problem as numbers separated by blanks or ends of lines: n, the rows of M, and q. The rest of a line after `#` is a remark.
+/// Reads a problem from numbers separated by white space: n, the rows of M, and q. The rest of a line after `#` is a comment.
 ///
 /// ```
 /// use grasp_lcp::lcp::Lcp;
@@ -71,7 +71,7 @@ impl Lcp {
 /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
 /// ```
 ///
-/// [`LcpError::Word`] for a word that is no number, [`LcpError::Count`] if there are not 1 + n² + n numbers.
+/// [`LcpError::Word`] for a word that is not a number, [`LcpError::Count`] if the text does not have 1 + n² + n numbers.
 impl FromStr for Lcp {
     type Err = LcpError;
 
@@ -93,7 +93,7 @@ impl FromStr for Lcp {
     }
 }
 
-/// The text that [`Lcp::from_str`] reads back bit by bit.
+/// Writes the text that [`Lcp::from_str`] reads back bit by bit.
 impl fmt::Display for Lcp {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.len())?;

@@ -1,9 +1,8 @@
-//! The inner loops of a pivot, written so that the compiler turns them into vector instructions
-//! (see [`crate::numerics::wide`]).
+//! Inner loops of a pivot, in a form that the compiler vectorises (see [`crate::numerics::wide`]).
 
 use crate::numerics::Loop;
 
-/// The update a_j += g_j u and the next entering column y −= Σ_j c_j a_j, four columns at once, in one pass over memory.
+/// The update a_j += g_j u, and the next entering column y −= Σ_j c_j a_j, for four columns at a time in one pass over memory.
 pub(super) struct UpdateAndCombine<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,
@@ -87,7 +86,7 @@ impl<const SIZES: bool> Loop for Combine<'_, SIZES> {
     }
 }
 
-/// a_j += g_j u.
+/// The update a_j += g_j u of all columns.
 pub(super) struct Update<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,
@@ -109,7 +108,7 @@ impl Loop for Update<'_> {
     }
 }
 
-/// a += g u.
+/// The update a += g u.
 #[inline(always)]
 pub(super) fn add(a: &mut [f64], g: f64, u: &[f64]) {
     for (a, u) in a.iter_mut().zip(u) {

@@ -1,7 +1,7 @@
-//! The ladder from one attempt to the next.
+//! The sequence of attempts to solve a problem.
 //!
-//! The rungs are: Lemke's path; a proof from its ray; a proof by linear programming; other paths;
-//! all complementary bases. [`Lcp::solve_with`] states when each is tried.
+//! In this order: Lemke's path; a proof from its ray; a proof by linear programming; other paths; all complementary bases. [`Lcp::solve_with`]
+//! states when each is tried.
 
 use super::enumerate;
 use super::exclusion;
@@ -19,7 +19,7 @@ use crate::prelude::*;
 use nalgebra::DVector;
 
 impl Workspace {
-    /// Runs through the rungs for a prepared problem, until it is solved (`None`) or settled otherwise.
+    /// Makes the attempts in turn for a prepared problem, until it is solved (`None`) or decided otherwise.
     pub(super) fn climb(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let first = self.first_path(lcp, settings)?;
         match first {
@@ -59,27 +59,26 @@ impl Workspace {
         Some(first.after(self.path.pivots))
     }
 
-    /// `Infeasible` by the certificate of one or two rows if there is one, otherwise by a simplified y.
+    /// `Infeasible`, with the certificate of one or two rows if there is one, otherwise with a simplified y.
     fn infeasible(&self, lcp: &Lcp, y: DVector<f64>) -> Unsolved {
         self.few_rows(lcp).unwrap_or_else(|| {
             Outcome::Infeasible(Certificate { y: lcp.plainer(y), pivots: self.path.pivots })
         })
     }
 
-    /// `Infeasible` by the certificate of one or two rows, if there is one.
+    /// `Infeasible`, with the certificate of one or two rows; `None` without one.
     fn few_rows(&self, lcp: &Lcp) -> Option<Unsolved> {
         let y = lcp.few_rows()?;
         Some(Outcome::Infeasible(Certificate { y, pivots: self.path.pivots }))
     }
 
-    /// Follows a path with another covering vector, then a path from a basis of one or two z's.
+    /// Follows a path with another covering vector, then a path from a basis with one or two z's.
     fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Unsolved> {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
         self.path.d.extend(
-            // 2^e of the balanced unit with e between −3 and 3. Smaller, the paths stay close to the first
-            // one; larger, the problems are badly scaled. No two attempts share generic numbers, since no
-            // dense problem has as many rows.
+            // 2^e times the balanced unit, with e between −3 and 3. Smaller, the paths stay close to the first one; larger, the problems are
+            // badly scaled. No two attempts share generic numbers, since no dense problem has that many rows.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);
@@ -109,10 +108,9 @@ impl Workspace {
     }
 }
 
-/// A basis of one or two z's to start a path from where the slack basis leads to rays.
+/// A basis with one or two z's as the start of a path, for problems whose paths from the slack basis end in rays.
 ///
-/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few z's. Each
-/// attempt takes another first index.
+/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few z's. Each attempt uses another first index.
 fn small_basis(lcp: &Lcp, attempt: usize) -> Option<[usize; 2]> {
     let n = lcp.len();
     let i = attempt.wrapping_mul(7).wrapping_add(attempt / n) % n;

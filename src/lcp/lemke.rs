@@ -1,8 +1,7 @@
 //! Lemke's method.
 //!
-//! The augmented problem w = q + M z + d z₀ has a path of points with w_i z_i = 0 for all i. It is
-//! followed from z = 0 with large z₀ to z₀ = 0. The next entering variable is always the complement
-//! of the variable that left last (Cottle, Pang & Stone, algorithm 4.4.5).
+//! The augmented problem w = q + M z + d z₀ has a path of points with w_i z_i = 0 for all i. The path is followed from z = 0 with large z₀ until
+//! z₀ = 0. The next entering variable is always the complement of the variable that left last (Cottle, Pang & Stone, algorithm 4.4.5).
 
 use super::dictionary::{LemkeVariable, largest};
 use super::outcome::BreakdownCause;
@@ -12,10 +11,10 @@ use super::settings::Settings;
 use super::tolerances::{DOUBTFUL_PIVOT, DRIFTED, ZERO_VALUE};
 use crate::numerics::tolerances::FEW_ROUNDINGS;
 
-/// How a path ends.
+/// The ways in which a path ends.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LemkeEnd {
-    /// z₀ left: the basis is a complementary one.
+    /// z₀ has left, so the basis is complementary.
     Complementary,
     /// This variable grows without bound; its column is in the dictionary.
     Ray(LemkeVariable),
@@ -24,8 +23,7 @@ pub(super) enum LemkeEnd {
 }
 
 impl LemkePath {
-    /// Lets z₀, whose column is in the dictionary, enter an infeasible basis, and follows the path
-    /// until z₀ has left again.
+    /// Lets z₀, whose column is in the dictionary, enter an infeasible basis. Then follows the path until z₀ leaves again.
     pub(super) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         let row = match most_violated_row(&self.dictionary, settings) {
             Ok(Some(row)) => row,
@@ -42,10 +40,9 @@ impl LemkePath {
         self.run(leaving.complement(), m, settings, limit)
     }
 
-    /// Follows a path from the complementary basis in which z_i is basic where `active(i)`.
+    /// Follows a path from the complementary basis in which z_i is basic if `active(i)`.
     ///
-    /// Returns whether the path ended in another complementary basis; a singular or feasible start
-    /// has no path.
+    /// Returns whether the path ended in another complementary basis; a singular or feasible start has no path.
     pub(super) fn run_from(
         &mut self,
         m: &[f64],
@@ -58,7 +55,7 @@ impl LemkePath {
             && self.cover_and_run(m, settings, limit) == LemkeEnd::Complementary
     }
 
-    /// Follows the path on which `entering` grows next; its column is in the dictionary.
+    /// Follows the path on which `entering` increases next; its column is in the dictionary.
     fn run(&mut self, mut entering: LemkeVariable, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         loop {
             if self.pivots >= limit {
@@ -77,18 +74,17 @@ impl LemkePath {
         }
     }
 
-    /// Makes one exchange. Afterwards the column of the leaving variable's complement is in the
-    /// dictionary.
+    /// Makes one exchange. Afterwards the dictionary holds the column of the leaving variable's complement.
     pub(super) fn pivot(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> LemkeVariable {
         self.pivots += 1;
         self.age += 1;
         self.dictionary.pivot(entering, row, m, &self.scaling)
     }
 
-    /// The blocking row for the entering variable, from a dictionary that can be trusted.
+    /// The blocking row of the ratio test for the entering variable, from a sufficiently accurate dictionary.
     ///
-    /// A dictionary that has drifted from the data, whose column has overflowed, or that offers no pivot, is computed anew first. So is one that
-    /// offers only a doubtful pivot, unless one step of refinement changes its column by at most [`DRIFTED`].
+    /// A dictionary is recomputed first if it has drifted from the data, if its column has overflowed, or if it offers no pivot. It is also
+    /// recomputed if it offers only a doubtful pivot, unless one step of refinement changes its column by at most [`DRIFTED`].
     pub(super) fn blocking_row(
         &mut self,
         entering: LemkeVariable,
@@ -96,7 +92,7 @@ impl LemkePath {
         m: &[f64],
         settings: &Settings,
     ) -> Result<Option<usize>, BreakdownCause> {
-        // The comparison with the data costs a pivot or two. Rarer, drift is found late.
+        // The comparison with the data costs as much as one or two pivots. If it were rarer, drift would be found late.
         if self.age > 0 && self.pivots.is_multiple_of(32) {
             if self.drift(m) > DRIFTED {
                 self.refactor(entering, m)?;
@@ -125,8 +121,7 @@ impl LemkePath {
                 continue;
             }
             if row.is_some() && pivot <= certain {
-                // The pivot is small against the column, but perhaps not against the terms of its
-                // own row.
+                // The pivot is small relative to the column, but perhaps not relative to the terms of its own row.
                 self.dictionary.clear_noise(entering, settings.pivot_tolerance);
                 let firm = blocking_row(&self.dictionary, certain, certain, role, settings);
                 if firm.is_some_and(|firm| !doubtful_row_breaks(&self.dictionary, certain, firm, role)) {

@@ -1,7 +1,7 @@
-//! The least violation of linear constraints, by linear programming.
+//! The least violation of linear constraints, by linear programming. It yields proofs of infeasibility.
 //!
-//! Where a ray is no proof, the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 } decides. If its
-//! least t is positive, no z ≥ 0 has M z + q ≥ 0, and the dual solution is a Farkas vector.
+//! If a ray proves nothing, the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 } decides. If the minimum of t is positive, no z ≥ 0 satisfies M z
+//! + q ≥ 0, and the dual solution is a Farkas vector.
 
 use super::farkas::cleaned;
 use super::outcome::{Certificate, Outcome, Unsolved};
@@ -12,7 +12,7 @@ use super::settings::Settings;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// A proof that the constraints contradict each other: one row of them, or the dual solution of the linear program.
+/// A proof that the constraints contradict each other: from a single row, or from the dual solution of the linear program.
 pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Unsolved> {
     let n = lcp.len();
     if let Some(row) = (0..n).find(|row| lcp.is_hopeless(*row, 1.0, 0..n)) {
@@ -20,8 +20,9 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
         return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
-    // Large problems get one program only and end as nearly infeasible if rounding spoils it: an exact proof would cost several large programs more.
-    // Each margin costs one more path on 2 n + 1 rows, and larger data usually carry rounding themselves.
+    // Large problems get only one program. They end as nearly infeasible if rounding invalidates its proof, since an exact proof would cost
+    // several more large programs.
+    // Each margin costs one more path on 2 n + 1 rows, and larger data usually contain rounding errors themselves.
     let margins = if n <= 64 { &MARGINS[..] } else { &MARGINS[..1] };
     let mut nearly = None;
     for y in contradictions(&a, &b, margins, settings) {
@@ -34,7 +35,8 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
     nearly
 }
 
-/// Dual solutions y ≥ 0 with bᵀy < 0, which may prove that no x ≥ 0 has A x + b ≥ 0: one for each margin, up to the first program without one.
+/// Dual solutions y ≥ 0 with bᵀy < 0, which may prove that no x ≥ 0 satisfies A x + b ≥ 0. One per margin, up to the first program that yields
+/// none.
 fn contradictions<'a>(
     a: &'a DMatrix<f64>,
     b: &'a DVector<f64>,
@@ -49,7 +51,8 @@ fn contradictions<'a>(
 }
 
 impl Lcp {
-    /// Candidate Farkas vectors of A x + b ≥ 0, x ≥ 0 with entries near one: dual solutions for each margin, as computed and [`cleaned`].
+    /// Candidate Farkas vectors of A x + b ≥ 0, x ≥ 0, whose entries are near one: the dual solution for each margin, as computed and
+    /// [`cleaned`].
     pub(crate) fn contradictions<'a>(
         a: &'a DMatrix<f64>,
         b: &'a DVector<f64>,
@@ -59,12 +62,12 @@ impl Lcp {
     }
 }
 
-/// The margins δ of the linear programs. A vertex of the dual program lies on its constraints, and rounding may put it outside; a margin keeps it
-/// inside where there is room.
+/// The margins δ of the linear programs. A vertex of the dual program lies on its constraints, and rounding may move it outside. With a margin
+/// it stays inside if there is room.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
-/// The program of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. Its x are the z_α, and its y
-/// has one entry for each row, of either sign where the row must vanish.
+/// The program for the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. Its x are the z_α. Its y has one entry per
+/// row, of either sign in the rows that must be zero.
 pub(super) fn of_piece(
     (m, q): (&DMatrix<f64>, &DVector<f64>),
     alpha: &[usize],
@@ -72,7 +75,7 @@ pub(super) fn of_piece(
     settings: &Settings,
 ) -> Option<LinearProgram> {
     let (n, k) = (q.len(), alpha.len());
-    // Each row that must vanish appears a second time with the opposite sign.
+    // Each row that must be zero appears a second time with the opposite sign.
     let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
     let a = DMatrix::from_fn(n + k, k, |i, j| row(i).1 * m[(row(i).0, alpha[j])]);
     let load = q.amax();
@@ -93,7 +96,7 @@ pub(super) struct LinearProgram {
     pub(super) y: DVector<f64>,
 }
 
-/// Both solutions, with t as one more column of A. The program is feasible and bounded.
+/// Solves the program and its dual, with t as an additional column of A. The program is feasible and bounded.
 fn least_violation(
     a: &DMatrix<f64>,
     b: &DVector<f64>,
@@ -101,7 +104,7 @@ fn least_violation(
     settings: &Settings,
 ) -> Option<LinearProgram> {
     let columns = a.ncols();
-    // For a column of zeros no margin is possible.
+    // A column of zeros allows no margin.
     let cost = |j: usize| match j {
         j if j == columns => 1.0,
         j if a.column(j).iter().all(|a| *a == 0.0) => 0.0,

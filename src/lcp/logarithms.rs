@@ -1,28 +1,27 @@
-//! Sums of the logarithms of the entries of a matrix, at the price of a few integer additions for
-//! each entry.
+//! Sums of the logarithms of the entries of a matrix, at the cost of a few integer additions per entry.
 
 use super::memory::refill;
 use super::pattern::counts;
 use crate::prelude::*;
 
-/// The number of mantissas, each below 2, that are multiplied before the logarithm of their product is taken.
+/// The number of mantissas, each below 2, that are multiplied before a logarithm of the product is taken.
 ///
-/// Above 1023 the product could overflow; smaller, more logarithms are taken.
+/// Above 1023 the product could overflow; smaller, more logarithms are needed.
 const MULTIPLIED: usize = 512;
 
-/// Σ log₂|M_ij| and the number of terms, for each row or column.
+/// Σ log₂|M_ij| and the number of terms, for each row or for each column.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Logarithms {
     pub(super) sum: Vec<f64>,
     pub(super) count: Vec<f64>,
-    /// Exponents in the lower 32 bits, the number of entries in the upper ones.
+    /// Sum of exponents in the lower 32 bits, number of entries in the upper ones.
     exponents: Vec<u64>,
     mantissas: Vec<f64>,
 }
 
 impl Logarithms {
-    /// The sums over the rows and over the columns of the n × n matrix m, stored by columns. A
-    /// logarithm is taken of a product of mantissas only, not of each entry.
+    /// The sums over the rows and over the columns of the n × n matrix m, stored by columns. Logarithms are taken only of products of mantissas,
+    /// not of single entries.
     pub(super) fn of(n: usize, m: &[f64], rows: &mut Self, columns: &mut Self) {
         rows.reset(n);
         columns.reset(n);
@@ -46,7 +45,7 @@ impl Logarithms {
         columns.finish();
     }
 
-    /// Adds q as one more column.
+    /// Adds q as one more column of the matrix.
     pub(super) fn append(q: &[f64], rows: &mut Self, columns: &mut Self) {
         let (mut sum, mut count) = (0.0, 0.0);
         for (i, q) in q.iter().enumerate().filter(|(_, q)| counts(**q)) {
@@ -67,7 +66,7 @@ impl Logarithms {
         refill(&mut self.count, n, 0.0);
     }
 
-    /// Adds the logarithm of a product of mantissas to the sum, before the product overflows.
+    /// Adds the logarithm of the product of mantissas to the sum, before the product overflows.
     fn put_away(&mut self, i: usize) {
         self.sum[i] += self.mantissas[i].log2();
         self.mantissas[i] = 1.0;
@@ -83,8 +82,8 @@ impl Logarithms {
     }
 }
 
-/// Adds the exponents of a column's entries to those of their rows and multiplies the mantissas likewise. Returns the
-/// sum and the product over the column.
+/// Adds the exponents of a column's entries to those of their rows, and multiplies the mantissas likewise. Returns the sum and the product over
+/// the column.
 fn accumulate(column: &[f64], exponents: &mut [u64], mantissas: &mut [f64]) -> (u64, f64) {
     let mut sum = [0_u64; 4];
     let mut product = [1.0_f64; 4];

@@ -1,4 +1,4 @@
-//! The classes of a matrix, and the guarantees that follow.
+//! The classes of a matrix, and what they guarantee for Lemke's method.
 
 use super::error::LcpError;
 use super::tolerances::{ELIMINATED_PIVOT, OFF_DIAGONAL, elimination_rounding};
@@ -8,16 +8,16 @@ use nalgebra::DMatrix;
 
 /// The classes to which a matrix M (n × n) belongs, as found by [`MatrixClass::of`].
 ///
-/// The tests are exact up to rounding. A matrix very close to the boundary of a class may be put on
-/// either side: closer than 32 n ε (ε = 2⁻⁵²) or 1e-14 of its diagonal.
+/// The tests are exact up to rounding. A matrix closer to the boundary of a class than 32 n ε (ε = 2⁻⁵²) or 1e-14 of its diagonal may be put on
+/// either side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct MatrixClass {
     /// M = Mᵀ, entry by entry.
     pub symmetric: bool,
-    /// The sign of zᵀMz for all z; the symmetric part (M + Mᵀ)/2 decides it.
+    /// The sign of zᵀMz for all z; it depends only on the symmetric part (M + Mᵀ)/2.
     pub definiteness: Definiteness,
-    /// The sign of zᵀMz for z ≥ 0, as far as the structure shows it.
+    /// The sign of zᵀMz for z ≥ 0, as far as the structure of M shows it.
     pub copositivity: Copositivity,
     /// No off-diagonal entry is positive.
     pub z_matrix: bool,
@@ -36,45 +36,41 @@ pub enum Definiteness {
     Indefinite,
 }
 
-/// The sign of zᵀMz for z ≥ 0, as far as the structure of M shows it. Deciding it in general is as hard
-/// as the problem itself.
+/// The sign of zᵀMz for z ≥ 0, as far as the structure of M shows it. The general decision is as hard as the complementarity problem itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Copositivity {
     /// zᵀMz > 0 for 0 ≠ z ≥ 0: positive definite, or no negative entries and a positive diagonal.
     Strict,
     /// zᵀMz ≥ 0 for z ≥ 0, and z ≥ 0, zᵀMz = 0 imply (M + Mᵀ)z = 0: positive semidefinite.
     Plus,
-    /// zᵀMz ≥ 0 for z ≥ 0: the symmetric part is the sum of a positive semidefinite matrix and one
-    /// without negative entries.
+    /// zᵀMz ≥ 0 for z ≥ 0: the symmetric part is the sum of a positive semidefinite matrix and a matrix without negative entries.
     Plain,
     /// zᵀMz < 0 for some z ≥ 0: a diagonal entry is negative.
     Not,
-    /// The structure does not show it.
+    /// The structure of M does not show the sign.
     Unknown,
 }
 
-/// The end of Lemke's method on a class, in exact arithmetic and with d > 0 (Cottle, Pang & Stone,
-/// *The Linear Complementarity Problem*, 1992).
+/// What Lemke's method achieves for a class of matrices, in exact arithmetic and with d > 0 (Cottle, Pang & Stone, *The Linear Complementarity
+/// Problem*, 1992).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Guarantee {
     /// Exactly one solution for every q (theorem 3.3.7), and it is found (4.4.1 with the remark on
     /// P-matrices).
     UniqueSolution,
-    /// A solution for every q (3.8.5), and one is found.
+    /// A solution exists for every q (3.8.5), and one is found.
     Solution,
-    /// A solution if any z ≥ 0 has M z + q ≥ 0, and it is found; a ray proves that there is no such
-    /// z (4.4.12).
+    /// If any z ≥ 0 satisfies M z + q ≥ 0, a solution is found. A ray proves that no such z exists (4.4.12).
     SolutionIfFeasible,
-    /// Nothing: a ray proves nothing, and there may be several solutions.
+    /// No guarantee: a ray proves nothing, and there may be several solutions.
     None,
 }
 
 impl MatrixClass {
-    /// Classifies M (n × n), at the cost of up to three eliminations of about 2n³/3 flops each.
+    /// Classifies M (n × n), with up to three eliminations of about 2n³/3 flops each.
     ///
-    /// Definiteness, diagonal dominance or signs mostly decide whether M is a P-matrix. Where they
-    /// do not, and n ≤ 12, up to 2ⁿ Schur complements come on top (M. J. Tsatsomeros and L. Li, *A
-    /// recursive test for P-matrices*, BIT 40, 2000).
+    /// Definiteness, diagonal dominance or signs usually decide whether M is a P-matrix. If they do not, and n ≤ 12, up to 2ⁿ Schur complements
+    /// are computed as well (M. J. Tsatsomeros and L. Li, *A recursive test for P-matrices*, BIT 40, 2000).
     ///
     /// ```
     /// use grasp_lcp::lcp::{Definiteness, Guarantee, MatrixClass};
@@ -108,8 +104,7 @@ impl MatrixClass {
         })
     }
 
-    /// The strongest guarantee of the classes found; a P-matrix has a stronger one than a
-    /// strictly copositive one.
+    /// The strongest guarantee of the classes found; that of a P-matrix is stronger than that of a strictly copositive one.
     #[must_use]
     pub fn guarantee(&self) -> Guarantee {
         if self.p_matrix == Some(true) {
@@ -128,8 +123,7 @@ fn symmetric_part(m: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(m.nrows(), m.nrows(), |i, j| 0.5 * m[(i, j)] + 0.5 * m[(j, i)])
 }
 
-/// Decides by Cholesky's factorisation with diagonal pivoting, after scaling s to a diagonal of ones
-/// and zeros.
+/// Decides by Cholesky factorisation with diagonal pivoting, after scaling s to a diagonal of ones and zeros.
 fn definiteness(s: &DMatrix<f64>) -> Definiteness {
     let n = s.nrows();
     if (0..n).any(|i| s[(i, i)] < 0.0) {
@@ -137,7 +131,7 @@ fn definiteness(s: &DMatrix<f64>) -> Definiteness {
     }
     let factor = |i: usize| if s[(i, i)] > 0.0 { 1.0 / s[(i, i)].sqrt() } else { 0.0 };
     for i in 0..n {
-        // A zero on the diagonal of a semidefinite matrix has a zero row.
+        // In a semidefinite matrix the row of a zero diagonal entry is zero.
         if s[(i, i)] == 0.0 && s.row(i).iter().any(|x| *x != 0.0) {
             return Definiteness::Indefinite;
         }
@@ -181,7 +175,7 @@ fn copositivity(
     if !diagonal(&|x| x >= 0.0) {
         return Copositivity::Not;
     }
-    // If s without its positive off-diagonal entries is semidefinite, s is the sum of that and of a matrix without negative entries.
+    // If s without its positive off-diagonal entries is semidefinite, then s is the sum of this matrix and of a matrix without negative entries.
     let mut rest = symmetric_part(m);
     for j in 0..n {
         for i in 0..n {
@@ -206,8 +200,7 @@ fn p_matrix(m: &DMatrix<f64>, definiteness: Definiteness, z_matrix: bool) -> Opt
         return Some(true);
     }
     if z_matrix {
-        // A Z-matrix is a P-matrix exactly if elimination without exchanges meets positive pivots
-        // only (3.11.10).
+        // A Z-matrix is a P-matrix exactly if all pivots of an elimination without exchanges are positive (3.11.10).
         let mut a = m.clone();
         for k in 0..n {
             if a[(k, k)] <= elimination_rounding(n) * m[(k, k)] {
@@ -217,7 +210,7 @@ fn p_matrix(m: &DMatrix<f64>, definiteness: Definiteness, z_matrix: bool) -> Opt
         }
         return Some(true);
     }
-    // Each further row doubles the work.
+    // Each additional row doubles the work.
     (n <= 12).then(|| minors_are_positive(m.clone(), m))
 }
 
@@ -232,10 +225,10 @@ fn eliminate(a: &mut DMatrix<f64>, k: usize) {
 
 /// Whether a is a P-matrix.
 ///
-/// The first entry of a must be positive. Two smaller matrices must be P-matrices: a without its first row and column, and the Schur
-/// complement of the first entry.
+/// The first entry of a must be positive. Two smaller matrices must be P-matrices: a without its first row and column, and the Schur complement
+/// of the first entry.
 ///
-/// m holds the diagonal given, in the order of a, as the measure of a pivot.
+/// m holds the original diagonal, in the order of a, relative to which a pivot is judged.
 fn minors_are_positive(a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     let n = a.nrows();
     if n == 0 {

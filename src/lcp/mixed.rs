@@ -22,10 +22,9 @@ use nalgebra::{DMatrix, DVector};
 /// 0 ≤ z  ⟂  w = D u + M z + q ≥ 0
 /// ```
 ///
-/// The free variables are eliminated by pivoting. Where A is singular, as in problems of
-/// equilibrium with A = 0, a free variable is exchanged with a w_i. The z_i of that pair is then
-/// exchanged with an equality row. The rest is then still a complementarity problem, in which the
-/// pair i has changed its roles.
+/// The free variables are eliminated by pivoting. If A is singular, as in equilibrium problems with A = 0, a free variable is exchanged with a
+/// w_i, and the z_i of that pair with an equality row. What remains is again a complementarity problem, in which w_i is the unknown of pair i
+/// and z_i the slack.
 ///
 /// The form is that of Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992, chapter 1.
 ///
@@ -46,7 +45,7 @@ use nalgebra::{DMatrix, DVector};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MixedLcp {
-    /// ([A, C; D, M], (b, q)), whose first `free` rows are equalities.
+    /// The matrix [A, C; D, M] and the vector (b, q); the first `free` rows are equalities.
     whole: Lcp,
     free: usize,
 }
@@ -56,25 +55,25 @@ pub struct MixedLcp {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct MixedSolution {
-    /// u (m entries).
+    /// Free unknowns u (m entries).
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub u: DVector<f64>,
-    /// z (n entries, none negative).
+    /// Unknowns z (n entries, none negative).
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub z: DVector<f64>,
-    /// w = D u + M z + q (n entries, none negative; exactly zero where z_i is basic).
+    /// Slacks w = D u + M z + q (n entries, none negative; exactly zero where z_i is basic).
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub w: DVector<f64>,
-    /// Which z_i are basic.
+    /// The basic z_i.
     pub basis: Basis,
-    /// The violations, recomputed from the data given.
+    /// Residuals, recomputed from the given data.
     pub residuals: Residuals,
-    /// Free variables that no row determines (a singular block), counted from 0. They are 0 here;
-    /// each may take any other value if the other free variables follow.
+    /// Free variables that no row determines (their block is singular), counted from 0. They are set to 0; each may have any other value if the
+    /// other free variables are changed accordingly.
     pub undetermined: Vec<usize>,
-    /// Equality rows which follow from the others, counted from 0.
+    /// Equality rows that follow from the others, counted from 0.
     pub dependent: Vec<usize>,
-    /// Pivots of Lemke's method on the problem that gave the solution, the reduced or the split one.
+    /// Pivots of Lemke's method on the problem that gave the solution, the reduced or the split problem.
     pub pivots: usize,
 }
 
@@ -119,19 +118,19 @@ impl MixedLcp {
         Ok(Self { whole, free })
     }
 
-    /// ([A, C; D, M], (b, q)).
+    /// The problem with the matrix [A, C; D, M] and the vector (b, q).
     #[cfg(feature = "serde")]
     pub(super) fn whole(&self) -> &Lcp {
         &self.whole
     }
 
-    /// The number m of free variables.
+    /// Number m of free variables.
     #[must_use]
     pub fn free(&self) -> usize {
         self.free
     }
 
-    /// The number n of pairs.
+    /// Number n of pairs.
     #[must_use]
     pub fn len(&self) -> usize {
         self.whole.len() - self.free
@@ -143,11 +142,10 @@ impl MixedLcp {
         self.len() == 0
     }
 
-    /// This problem without free variables, as one of n + 2m unknowns (u⁺, u⁻, z) with u = u⁺ − u⁻.
+    /// This problem without free variables, as a problem of n + 2m unknowns (u⁺, u⁻, z) with u = u⁺ − u⁻.
     ///
-    /// Each equality becomes two inequalities: the slacks are (±(A u + C z + b), w). If xᵀ[A, C; D,
-    /// M]x ≥ 0 for all x = (u, z) with u free and z ≥ 0, the matrix of the split problem is
-    /// copositive.
+    /// Each equality becomes two inequalities, so the slacks are (±(A u + C z + b), w). If xᵀ[A, C; D, M]x ≥ 0 for all x = (u, z) with u free
+    /// and z ≥ 0, the matrix of the split problem is copositive.
     #[must_use]
     pub fn split(&self) -> Lcp {
         let m = self.free;
@@ -171,8 +169,8 @@ impl MixedLcp {
         self.solve_with(&Settings::default())
     }
 
-    /// Solves the problem by elimination and, if that ends without a solution, in its split form.
-    /// The covering vector of the settings is not used.
+    /// Solves the problem by elimination of the free variables and, if that yields no solution, in its split form. The covering vector of the
+    /// settings is not used.
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> Outcome<MixedSolution> {
         let settings = Settings { covering: None, ..settings.clone() };
@@ -205,13 +203,13 @@ impl MixedLcp {
         }
     }
 
-    /// Whether y (m + n entries) proves that no u and z ≥ 0 have A u + C z + b = 0 and D u + M z + q ≥ 0, by Farkas' lemma:
+    /// Whether y (m + n entries) proves, by Farkas' lemma, that no u and z ≥ 0 satisfy A u + C z + b = 0 and D u + M z + q ≥ 0:
     ///
     /// ```text
     /// y_i ≥ 0 for i ≥ m,   [A, C; D, M]ᵀ y = 0 in the first m rows, ≤ 0 in the others,   (b, q)ᵀ y < 0
     /// ```
     ///
-    /// All sums are made without rounding, see [`Lcp::proves_infeasible`].
+    /// All sums are exact, see [`Lcp::proves_infeasible`].
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
         let free = |i: usize| i < self.free;
@@ -219,7 +217,7 @@ impl MixedLcp {
         self.whole.contradicts(y, free, domain)
     }
 
-    /// The certificate of this problem that follows from one of the split problem: the two entries of each equality are subtracted.
+    /// Converts a certificate of the split problem to one of this problem: the two entries of each equality are subtracted.
     fn joined(&self, of_split: &Certificate) -> Unsolved {
         let (y, m) = (&of_split.y, self.free);
         let y = DVector::from_fn(self.whole.len(), |i, _| if i < m { y[i] - y[m + i] } else { y[m + i] });
@@ -231,8 +229,8 @@ impl MixedLcp {
         }
     }
 
-    /// The better of two points: the (u, z) given, and the point of its basis computed from the data. An error if
-    /// it misses the tolerance or its basis is singular.
+    /// The better of two points: the given (u, z), and the point of its basis computed from the data. An error if its residuals exceed the
+    /// tolerance or its basis is singular.
     fn conclude(
         &self,
         point: Vec<f64>,
@@ -278,8 +276,7 @@ impl MixedLcp {
         })
     }
 
-    /// Measures how well u (m entries) and z (n entries) solve the problem. The residuals are
-    /// infinite for vectors of another length.
+    /// Residuals of the problem at u (m entries) and z (n entries); infinite for vectors of another length.
     #[must_use]
     pub fn residuals(&self, u: &DVector<f64>, z: &DVector<f64>) -> Residuals {
         if u.len() != self.free || z.len() != self.len() {
@@ -297,7 +294,7 @@ impl MixedLcp {
                 equality = if miss.is_nan() { f64::INFINITY } else { equality.max(miss) };
             }
         }
-        // The signs of the free part do not matter.
+        // Free unknowns and equality rows have no sign condition.
         let mut pairs = point.clone();
         pairs.z[..self.free].fill(0.0);
         pairs.w[..self.free].fill(0.0);

@@ -4,7 +4,7 @@
 //! 0 ≤ z  ⟂  w = M z + q ≥ 0,
 //! ```
 //!
-//! that is z ≥ 0, w ≥ 0 and z_i w_i = 0 for every i. This module knows nothing of contacts.
+//! that is, z ≥ 0, w ≥ 0 and z_i w_i = 0 for every i. This module is independent of contacts.
 //!
 //! | symbol | meaning | size |
 //! |---|---|---|
@@ -12,7 +12,7 @@
 //! | q | any real vector | n |
 //! | z, w | unknowns and slacks, complementary in pairs | n |
 //! | d, z₀ | covering vector and covering variable of the augmented problem w = q + M z + d z₀ | n, 1 |
-//! | α | the i with z_i basic; M_αα is the principal block | |
+//! | α | set of the i with z_i basic; M_αα is the principal block | |
 //!
 //! ```
 //! use grasp_lcp::lcp::{Lcp, Outcome};
@@ -37,35 +37,30 @@
 //! |---|---|---|
 //! | positive definite, or a P-matrix (all principal minors positive) | one solution for every q (3.3.7) | it is found |
 //! | strictly copositive (zᵀMz > 0 for 0 ≠ z ≥ 0) | a solution for every q (3.8.5) | one is found |
-//! | positive semidefinite, or copositive-plus | solvable if {z ≥ 0, Mz + q ≥ 0} is not empty (3.8.6) | one is found, and a ray proves that there is none (4.4.12) |
+//! | positive semidefinite, or copositive-plus | solvable if {z ≥ 0, Mz + q ≥ 0} is not empty (3.8.6) | one is found, or a ray proves that none exists (4.4.12) |
 //! | any other | perhaps no solution, perhaps many | a ray proves nothing |
 //!
-//! [`Outcome`] says which of these happened. It says "solved" only after the residuals have been
-//! recomputed from the M and q given. A ray that proves nothing is not the end: [`Lcp::solve_with`]
-//! lists the attempts that follow it.
+//! [`Outcome`] says which of these happened. It says "solved" only after the residuals have been recomputed from the given M and q. If a ray
+//! proves nothing, further attempts follow, which [`Lcp::solve_with`] lists.
 //!
-//! Proofs that there is no solution are checked without rounding. [`Lcp::verify`] proves on request, with bounds, that a basis has an exact solution.
+//! Proofs that no solution exists are checked without rounding. [`Lcp::verify`] proves on request, with error bounds, that a basis has an exact
+//! solution.
 //!
 //! # Units, ties, cost
 //!
-//! z_i and w_i have the units that M and q give them. Rows and columns of M are balanced first, by
-//! powers of two, so the path does not depend on units (A. R. Curtis and J. K. Reid, *On the
-//! automatic scaling of matrices for Gaussian elimination*, 1972).
+//! z_i and w_i have the units that follow from M and q. Rows and columns of M are balanced first, by powers of two, so that the path does not
+//! depend on units (A. R. Curtis and J. K. Reid, *On the automatic scaling of matrices for Gaussian elimination*, 1972).
 //!
-//! Where several variables reach zero together, the lexicographic rule (section 4.9) decides which
-//! of them leaves: the variable that would be first with q + ε p in place of q, ε → 0+. The
-//! vector p is fixed and without structure. Under this rule no path comes back to an earlier basis.
+//! If several variables reach zero together, the lexicographic rule (section 4.9) chooses the one that leaves: the variable that would be first
+//! with q + ε p in place of q, ε → 0+. The vector p is fixed and generic. With this rule no path returns to an earlier basis.
 //!
-//! A pivot costs O(n²) flops. The path takes O(n²) memory besides M, which a [`Workspace`] or a
-//! [`Series`] keeps.
+//! A pivot costs O(n²) flops. The path needs O(n²) memory in addition to M, which a [`Workspace`] or a [`Series`] keeps for reuse.
 
-// From the ground up: `tolerances` holds every number that a value is compared with.
-// `problem` is checked input, `scaling` balances it, and a `dictionary` represents one basis of it.
-// `path`, `lemke` and `refactor` walk through dictionaries and compute them afresh.
-// `point` and `conclusion` check the end of a path against the data.
-// `farkas` and `exclusion` prove without rounding that there is no solution, `verified` that there is one.
-// One `attempt` is one path with its end; the `ladder` goes from one attempt to the next.
-// The entry points come last: `solve`, `enumerate`, `series`, `parametric`, `mixed`.
+// Files, lowest level first. `tolerances` holds every number with which a value is compared. `problem` is validated input, `scaling` balances
+// it, and a `dictionary` represents one of its bases. `path`, `lemke` and `refactor` move from dictionary to dictionary and recompute them.
+// `point` and `conclusion` check the end of a path against the data. `farkas` and `exclusion` prove without rounding that no solution exists,
+// `verified` proves that one exists. One `attempt` is one path with its end; the `ladder` defines the sequence of attempts. The entry points are
+// `solve`, `enumerate`, `series`, `parametric` and `mixed`.
 
 mod attempt;
 mod basis;

@@ -7,50 +7,51 @@ use core::fmt;
 use nalgebra::DVector;
 use thiserror::Error;
 
-/// The end of a solve, and the conclusion that it allows. S is the type of a solution: of an [`Lcp`](super::Lcp), of a problem with free variables
-/// ([`MixedSolution`](super::MixedSolution)), or in the memory of a solver ([`OutcomeView`]).
+/// The end of a solve, and the conclusion that it allows. S is the type of a solution: of an [`Lcp`](super::Lcp), of a problem with free
+/// variables
+/// ([`MixedSolution`](super::MixedSolution)), or one that borrows the memory of a solver ([`OutcomeView`]).
 ///
-/// The first four state a fact about the problem; the last three leave it open. Its `Display` is one line.
+/// The first four variants state a fact about the problem; the last three leave it undecided. `Display` writes one line.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Outcome<S = Solution> {
-    /// A solution was found and checked against the data given.
+    /// A solution was found and checked against the given data.
     Solved(S),
-    /// No z ≥ 0 has M z + q ≥ 0, for the data given: the [`Certificate`] proves it without rounding.
+    /// No z ≥ 0 satisfies M z + q ≥ 0 for the given data: the [`Certificate`] proves it without rounding.
     Infeasible(Certificate),
-    /// Data that differ from those given by rounding are infeasible, as the [`Certificate`] shows.
+    /// Data that differ from the given ones by rounding are infeasible, as the [`Certificate`] shows.
     ///
-    /// The data given may have a z ≥ 0 with M z + q ≥ 0, but none that is small:
-    /// [`Lcp::least_feasible`](super::Lcp::least_feasible) bounds it from below. Computed data usually allow no stronger conclusion.
+    /// The given data may have a z ≥ 0 with M z + q ≥ 0, but only a large one: [`Lcp::least_feasible`](super::Lcp::least_feasible) bounds it
+    /// from below. For computed data, stronger conclusions are rarely possible.
     NearlyInfeasible(Certificate),
-    /// None of the 2ⁿ complementary bases has a solution, for the M and q given: each was excluded by a vector that
-    /// was checked without rounding. No Farkas certificate was found, so z ≥ 0 with M z + q ≥ 0 should exist.
+    /// None of the 2ⁿ complementary bases has a solution for the given M and q: each is excluded by a vector that was checked without rounding.
+    /// No Farkas certificate was found, so some z ≥ 0 with M z + q ≥ 0 probably exists.
     NoBasis {
         /// Pivots made.
         pivots: usize,
     },
-    /// The path ended in a secondary ray, along which z₀ never reaches zero. The ray proves nothing, and every further attempt
-    /// that the [`Settings`](super::Settings) allow has failed.
+    /// The path ended in a secondary ray, along which z₀ never reaches zero. The ray proves nothing, and all further attempts that the
+    /// [`Settings`](super::Settings) allow have failed.
     Ray(Ray),
-    /// The pivot limit was reached first.
+    /// The limit on the number of pivots was reached.
     PivotLimit {
         /// Pivots made.
         pivots: usize,
     },
-    /// The computation could not be carried through in double precision.
+    /// The computation failed in double precision.
     Breakdown {
-        /// Pivots made until then.
+        /// Pivots made before.
         pivots: usize,
         /// The reason.
         cause: BreakdownCause,
     },
 }
 
-/// The answer of a [`Workspace`](super::Workspace) or a [`Series`](super::Series), whose solution lies in their memory.
+/// The answer of a [`Workspace`](super::Workspace) or a [`Series`](super::Series); the solution borrows their memory.
 pub type OutcomeView<'a> = Outcome<SolutionView<'a>>;
 
-/// Any outcome but a solution.
+/// Any outcome except a solution.
 pub(super) type Unsolved = Outcome<Infallible>;
 
 impl<S> Outcome<S> {
@@ -60,13 +61,13 @@ impl<S> Outcome<S> {
         if let Self::Solved(solution) = self { Some(solution) } else { None }
     }
 
-    /// Whether the constraints are shown to contradict each other, exactly or but for rounding.
+    /// Whether the constraints are proved to contradict each other, exactly or up to rounding.
     #[must_use]
     pub fn is_infeasible(&self) -> bool {
         matches!(self, Self::Infeasible(_) | Self::NearlyInfeasible(_))
     }
 
-    /// Applies `next` to a solution and passes every other outcome on.
+    /// Applies `next` to a solution; every other outcome is returned unchanged.
     #[must_use]
     pub fn and_then<T>(self, next: impl FnOnce(S) -> Outcome<T>) -> Outcome<T> {
         match self {
@@ -80,7 +81,7 @@ impl<S> Outcome<S> {
         }
     }
 
-    /// This outcome with its number of pivots set to `made`; the pivots of a solution do not change.
+    /// This outcome with its number of pivots set to `made`; for a solution the number does not change.
     pub(super) fn after(mut self, made: usize) -> Self {
         match &mut self {
             Self::Solved(_) => {}
@@ -96,14 +97,14 @@ impl<S> Outcome<S> {
 }
 
 impl Unsolved {
-    /// The same outcome, with any type of solution.
+    /// The same outcome, typed for any kind of solution.
     pub(super) fn into<S>(self) -> Outcome<S> {
         self.and_then(|never| match never {})
     }
 }
 
 impl OutcomeView<'_> {
-    /// A copy that outlives the workspace.
+    /// A copy that is independent of the workspace.
     #[must_use]
     pub fn into_outcome(self) -> Outcome {
         self.and_then(|view| Outcome::Solved(view.to_solution()))
@@ -134,12 +135,12 @@ impl<S: fmt::Display> fmt::Display for Outcome<S> {
     }
 }
 
-/// A vector y (n entries) that shows that no z ≥ 0 has M z + q ≥ 0, by Farkas' lemma: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0.
+/// A vector y (n entries) that proves by Farkas' lemma that no z ≥ 0 satisfies M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0.
 ///
-/// But z ≥ 0 and M z + q ≥ 0 imply yᵀ(M z + q) ≥ 0. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks y
-/// without rounding.
+/// Such a z would imply yᵀ(M z + q) ≥ 0, in contradiction to these conditions. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks
+/// y without rounding.
 ///
-/// For a [`MixedLcp`](super::MixedLcp) y has m + n entries, the first m of either sign, see
+/// For a [`MixedLcp`](super::MixedLcp) y has m + n entries, the first m of either sign; see
 /// [`MixedLcp::proves_infeasible`](super::MixedLcp::proves_infeasible).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -167,26 +168,25 @@ impl fmt::Display for Certificate {
 
 /// The secondary ray on which the first path ended.
 ///
-/// Let ẑ, ŵ be the direction and ẑ₀ the rate of the covering variable. Then ŵ = M ẑ + d ẑ₀ with
-/// ẑ ≥ 0, ŵ ≥ 0, ẑ₀ ≥ 0 and ẑᵀŵ = 0. The augmented problem has solutions for arbitrarily large
-/// steps along this direction, none of which solves the problem itself (Cottle, Pang & Stone,
+/// Let ẑ, ŵ be the direction and ẑ₀ the rate of the covering variable. Then ŵ = M ẑ + d ẑ₀ with ẑ ≥ 0, ŵ ≥ 0, ẑ₀ ≥ 0 and ẑᵀŵ = 0. The augmented
+/// problem has solutions for arbitrarily large steps along this direction, none of which solves the original problem (Cottle, Pang & Stone,
 /// section 4.4).
 ///
-/// The covering vector d is that of the settings or, by default, that of the balanced problem.
+/// The covering vector d is that of the settings; by default it is the vector of ones on the balanced problem.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Ray {
-    /// ẑ (n entries, none negative, the largest 1), in the caller's units.
+    /// Direction ẑ (n entries, none negative, the largest 1), in the caller's units.
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub direction: DVector<f64>,
-    /// ẑ₀ ≥ 0, at the scale of the direction.
+    /// Rate ẑ₀ ≥ 0 of the covering variable, on the scale of the direction.
     pub covering_rate: f64,
     /// Pivots made.
     pub pivots: usize,
 }
 
-/// Why a solve broke down. The first three causes are settings that do not fit, the others lie in the arithmetic.
+/// The reason why a solve broke down. The first three are invalid settings; the others arise in the arithmetic.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
@@ -194,9 +194,9 @@ pub enum BreakdownCause {
     /// The covering vector of the settings has another length than the problem.
     #[error("the covering vector has {given} entries, but the problem has {needed} rows")]
     CoveringLength {
-        /// Its length.
+        /// Length of the covering vector.
         given: usize,
-        /// The length of the problem.
+        /// Number of rows of the problem.
         needed: usize,
     },
     /// An entry of the covering vector is negative or not finite, or is zero in a row with q_i < 0.
@@ -212,7 +212,7 @@ pub enum BreakdownCause {
     /// A tolerance of the settings is negative, infinite or not a number.
     #[error("{name} is {value}, but must be finite and not negative")]
     Tolerance {
-        /// Which.
+        /// Name of the tolerance.
         name: &'static str,
         /// Its value.
         value: f64,
@@ -220,15 +220,14 @@ pub enum BreakdownCause {
     /// A number left the range of double precision.
     #[error("a number left the range of double precision")]
     Overflow,
-    /// The principal block of the final basis is singular, or so nearly that q is lost in the terms
-    /// of M z.
+    /// The principal block of the final basis is singular, or so close to it that q is smaller than the rounding of M z.
     #[error("the final basis is singular")]
     SingularBasis,
-    /// Newton's method, which continues from the complementarity problem of a polygon, reached no smaller residual; see
+    /// Newton's method, started from the solution of a polygon's complementarity problem, reached no smaller residual; see
     /// [`FrictionProblem`](crate::friction::FrictionProblem).
     #[error("Newton's method came no closer than {residual:.1e}, at contact {contact}")]
     NoConvergence {
-        /// The least residual that was reached.
+        /// The smallest residual that was reached.
         residual: f64,
         /// The contact with this residual, counted from 0.
         contact: usize,
@@ -237,12 +236,12 @@ pub enum BreakdownCause {
     /// [`FrictionProblem::solve_watched`](crate::friction::FrictionProblem::solve_watched).
     #[error("stopped on request at a residual of {residual:.1e}, at contact {contact}")]
     Stopped {
-        /// The least residual that was reached.
+        /// The smallest residual that was reached.
         residual: f64,
         /// The contact with this residual, counted from 0.
         contact: usize,
     },
-    /// The final basis was reached, but its point misses the tolerance for these residuals.
+    /// The final basis was reached, but these residuals of its point exceed the tolerance.
     #[error("the point of the final basis misses its tolerance, {0}")]
     Residual(Residuals),
 }

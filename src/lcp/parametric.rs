@@ -1,4 +1,4 @@
-//! The path of solutions of q(τ) = q₀ + τ dq.
+//! The path of solutions as a function of a parameter: q(τ) = q₀ + τ dq.
 
 use super::basis::{Basis, Variable};
 use super::dictionary::{LemkeVariable, largest};
@@ -12,70 +12,64 @@ use super::workspace::Workspace;
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// The direction of τ along a piece of the path.
+/// Direction of τ along a piece of the path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trend {
-    /// τ grows.
+    /// τ increases.
     Forward,
-    /// τ falls: the path has turned back. Near it there are no solutions for larger τ.
+    /// τ decreases: the path has turned back. Near the turning point there are no solutions for larger τ.
     Backward,
-    /// τ is constant while the solution moves: all points of the piece solve the problem at this
-    /// τ.
+    /// τ is constant while the solution moves: all points of the piece are solutions at this τ.
     Still,
 }
 
-/// The end of one piece of the path and the beginning of the next.
+/// A point at which one piece of the path ends and the next begins.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Breakpoint {
     /// τ at the breakpoint; it may be negative on a path that has turned back.
     pub tau: f64,
-    /// z at the breakpoint (n entries, none negative).
+    /// Solution z at the breakpoint (n entries, none negative).
     pub z: DVector<f64>,
     /// The variable that has reached zero and leaves the basis.
     pub leaving: Variable,
-    /// Its complement, which grows from zero on the next piece.
+    /// Its complement, which increases from zero on the next piece.
     pub entering: Variable,
     /// The complementary basis of the next piece.
     pub basis: Basis,
-    /// The direction of τ on the next piece.
+    /// Direction of τ on the next piece.
     pub trend: Trend,
-    /// dz/dτ on the next piece (n entries), in either direction of τ; zero if τ is constant.
+    /// dz/dτ on the next piece (n entries), for either direction of τ; zero if τ is constant.
     pub rate: DVector<f64>,
 }
 
-/// Why there are no further breakpoints.
+/// The reason why the path has no further breakpoints.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum PathEnd {
-    /// The last piece has no end: τ → ∞ (forward), τ → −∞ (backward), or τ is constant
-    /// (still).
+    /// The last piece is unbounded: τ → ∞ (forward), τ → −∞ (backward), or τ is constant (still).
     Unbounded(Trend),
-    /// The path has come back to an earlier piece: it is a closed loop and never ends. The last
-    /// breakpoint leads back to that piece, usually the first.
+    /// The path has returned to an earlier piece, usually the first: it is a closed loop. The last breakpoint leads to that piece.
     ///
-    /// The loop has solutions up to the largest τ of its breakpoints. Beyond it there may be others, on other paths.
+    /// The loop has solutions up to the largest τ of its breakpoints. For larger τ other paths may have solutions.
     Loop,
     /// The number of breakpoints has reached the pivot limit of the settings.
     PivotLimit,
-    /// The path could not be followed further in double precision.
+    /// In double precision the path could not be followed further.
     Breakdown(BreakdownCause),
-    /// The problem at τ = 0 has no known solution from which a path could start.
+    /// No solution is known at τ = 0, where the path would start.
     NoStart,
 }
 
-/// The breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0, one by one. The path starts
-/// at τ = 0 with τ growing.
+/// An iterator over the breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0. The path starts at τ = 0 with increasing τ.
 ///
-/// On a complementary basis z is an affine function of τ. Where a basic variable reaches zero it
-/// leaves, and its complement enters. This is Lemke's method with dq in place of d (Cottle, Pang &
-/// Stone, section 4.5).
+/// On a complementary basis z is an affine function of τ. When a basic variable reaches zero it leaves, and its complement enters. This is
+/// Lemke's method with dq in place of d (Cottle, Pang & Stone, section 4.5).
 ///
-/// This is an iterator: each call of `next` follows one piece, at the cost of one pivot. When it is
-/// exhausted, [`Parametric::end`] returns the reason.
+/// Each call of `next` follows one piece, at the cost of one pivot. When the iterator is exhausted, [`Parametric::end`] returns the reason.
 ///
-/// Several breakpoints may have one τ, when several variables reach zero together; the pieces
-/// between them have no length. There are no more breakpoints than the settings allow pivots.
+/// If several variables reach zero together, several breakpoints have the same τ; the pieces between them have zero length. The settings' pivot
+/// limit also bounds the number of breakpoints.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, Parametric, PathEnd, Settings, Trend, Variable};
@@ -100,17 +94,15 @@ pub struct Parametric<'a> {
     entering: LemkeVariable,
     trend: Trend,
     breakpoints: usize,
-    /// The basis of an earlier piece, replaced after 1, 2, 4, 8, … breakpoints: every loop comes back to it in the end (R. P. Brent, BIT
-    /// 20, 1980).
+    /// The basis of an earlier piece, replaced after 1, 2, 4, 8, … breakpoints. Every loop eventually returns to it (R. P. Brent, BIT 20, 1980).
     remembered: Basis,
-    /// Whether the path is back on an earlier piece.
+    /// Whether the path has returned to an earlier piece.
     closed: bool,
     end: Option<PathEnd>,
 }
 
 impl<'a> Parametric<'a> {
-    /// The path of solutions for q₀ of `lcp` and the direction dq (n entries), starting from the
-    /// solution that [`Lcp::solve_with`] finds.
+    /// The path for q₀ of `lcp` and the direction dq (n entries), from the solution that [`Lcp::solve_with`] finds.
     ///
     /// # Errors
     ///
@@ -120,8 +112,7 @@ impl<'a> Parametric<'a> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
 
-    /// [`Parametric::new`] from the solution that [`Lcp::solve_from`] finds, so that a chosen one of several
-    /// solutions can be followed.
+    /// [`Parametric::new`] from the solution that [`Lcp::solve_from`] finds. Of several solutions, a chosen one can thus be followed.
     ///
     /// # Errors
     ///
@@ -157,7 +148,7 @@ impl<'a> Parametric<'a> {
         Ok(path)
     }
 
-    /// Prepares the dictionary of the solution at τ = 0, with the column of τ as the entering one.
+    /// Prepares the dictionary of the solution at τ = 0, with the column of τ as the entering column.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
         self.remembered.clone_from(&self.basis);
@@ -171,26 +162,25 @@ impl<'a> Parametric<'a> {
         Ok(())
     }
 
-    /// The solution at τ = 0, or the outcome that left none.
+    /// The solution at τ = 0, or the outcome of the failed solve.
     #[must_use]
     pub fn start(&self) -> &Outcome {
         &self.start
     }
 
-    /// The direction of τ on the present piece, the one after the last breakpoint; forward before the
-    /// first.
+    /// Direction of τ on the current piece, which follows the last breakpoint; forward before the first.
     #[must_use]
     pub fn trend(&self) -> Trend {
         self.trend
     }
 
-    /// The reason why there are no further breakpoints, once the iterator is exhausted.
+    /// The reason why there are no further breakpoints; `None` until the iterator is exhausted.
     #[must_use]
     pub fn end(&self) -> Option<&PathEnd> {
         self.end.as_ref()
     }
 
-    /// Rates of z and τ as the entering variable grows by one, in the caller's units.
+    /// Rates of z and τ per unit increase of the entering variable, in the caller's units.
     fn rates(&self) -> (DVector<f64>, f64) {
         let path = &self.workspace.path;
         let mut rate = Vec::new();
@@ -203,7 +193,7 @@ impl<'a> Parametric<'a> {
         (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
 
-    /// Follows one piece to the breakpoint at its end.
+    /// Follows one piece up to the breakpoint at its end.
     fn step(&mut self) -> Result<Breakpoint, PathEnd> {
         if self.closed {
             return Err(PathEnd::Loop);
@@ -223,7 +213,7 @@ impl<'a> Parametric<'a> {
         match leaving {
             LemkeVariable::W(i) => Ok(self.breakpoint(Variable::W(i))),
             LemkeVariable::Z(i) => Ok(self.breakpoint(Variable::Z(i))),
-            // The parameter is exempt from the ratio test, so it leaves no row.
+            // The parameter is exempt from the ratio test, so it cannot leave.
             LemkeVariable::Covering => Err(PathEnd::Breakdown(BreakdownCause::SingularBasis)),
         }
     }
@@ -241,7 +231,7 @@ impl<'a> Parametric<'a> {
             rate /= tau_rate;
         }
         self.basis.toggle(leaving.index());
-        // Each basis has one piece of the path, and an exact path meets itself only at its start. Rounding, or a start where
+        // Each basis has one piece of the path, and in exact arithmetic the path returns only to its start. Rounding, or a start at which
         // variables are zero, may lead into a loop from outside.
         let begun = self.start.solution().is_some_and(|start| start.basis == self.basis);
         self.closed = begun || self.remembered == self.basis;

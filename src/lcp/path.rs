@@ -1,4 +1,4 @@
-//! A path through the dictionaries of one problem.
+//! A path through the dictionaries of one problem, by pivots.
 
 use super::dictionary::{Dictionary, LemkeVariable};
 use super::memory::{make_room, refill};
@@ -6,19 +6,19 @@ use super::scaling::Scaling;
 use crate::numerics::generic;
 use crate::prelude::*;
 
-/// A path through the dictionaries of one balanced problem.
+/// State of a path through the dictionaries of one balanced problem.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LemkePath {
     pub(super) scaling: Scaling,
     pub(super) dictionary: Dictionary,
-    /// The balanced right-hand side, perturbation and covering vector.
+    /// Balanced right-hand side q; `p` and `d` are the balanced perturbation and covering vector.
     pub(super) q: Vec<f64>,
     pub(super) p: Vec<f64>,
     pub(super) d: Vec<f64>,
     pub(super) pivots: usize,
-    /// Pivots since the dictionary was last computed from the data.
+    /// Number of pivots since the dictionary was last computed from the data.
     pub(super) age: usize,
-    /// The perturbation of each basic variable while the dictionary is computed anew.
+    /// The perturbation of each variable while the dictionary is recomputed.
     pub(super) saved: Vec<f64>,
     pub(super) members: Vec<LemkeVariable>,
     pub(super) active: Vec<bool>,
@@ -27,7 +27,7 @@ pub(super) struct LemkePath {
 }
 
 impl LemkePath {
-    /// Balances M, and q and p with it. The dictionary still has to be started.
+    /// Balances M, q and p. The dictionary must be started afterwards.
     pub(super) fn prepare(&mut self, m: &[f64], q: &[f64]) {
         self.scaling.balance(q.len(), m, q);
         self.p.clear();
@@ -37,8 +37,7 @@ impl LemkePath {
         self.reserve(q.len());
     }
 
-    /// Makes room for steps that only some problems need, so no later problem of this size
-    /// allocates.
+    /// Reserves memory for steps that only some problems need, so that later problems of this size do not allocate.
     fn reserve(&mut self, n: usize) {
         for list in [&mut self.d, &mut self.defect, &mut self.terms] {
             make_room(list, n);
@@ -53,14 +52,14 @@ impl LemkePath {
         self.q.extend(q.iter().zip(&self.scaling.row).map(|(q, row)| q * row));
     }
 
-    /// Starts from the slack basis with the present q, p and d.
+    /// Starts from the slack basis with the current q, p and d.
     pub(super) fn start_from_slacks(&mut self) {
         self.dictionary.reset(&self.q, &self.p, &self.d);
         self.age = 0;
     }
 
-    /// Converts one number per row, that of its basic variable, into z in the caller's units. Returns the number of z₀ if z₀
-    /// is basic.
+    /// Converts one number per row, that of its basic variable, to z in the caller's units. Returns the number that belongs to z₀ if z₀ is
+    /// basic.
     pub(super) fn unknowns(&self, rows: &[f64], z: &mut Vec<f64>) -> Option<f64> {
         refill(z, self.q.len(), 0.0);
         let mut covering = None;
@@ -74,7 +73,7 @@ impl LemkePath {
         covering
     }
 
-    /// Reads the present z and z₀; negative entries of z, which are noise, are set to zero.
+    /// The current z and z₀. Negative entries of z, which are noise, are set to zero.
     pub(super) fn read_point(&self, z: &mut Vec<f64>) -> Option<f64> {
         let covering = self.unknowns(&self.dictionary.x, z);
         for z in z.iter_mut() {

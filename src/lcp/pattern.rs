@@ -1,23 +1,23 @@
-//! Iteration over the entries of [M, q] that are not zero.
+//! Iteration over the nonzero entries of [M, q].
 
 use crate::prelude::*;
 
-/// The entries of [M, q] that take part, in all columns.
+/// The entries of [M, q] that are counted by [`counts`], column by column: as a list of rows, or tested in place.
 pub(super) enum Pattern<'a> {
     Listed(&'a [u32]),
     InPlace { n: usize, m: &'a [f64], q: &'a [f64] },
 }
 
-/// The entries of one column that take part.
+/// The counted entries of one column.
 pub(super) enum Column<'a> {
     Listed(&'a [u32]),
     InPlace(&'a [f64]),
 }
 
 impl<'a> Pattern<'a> {
-    /// The entries of [M, q], n rows stored by columns; `counted` is the number that takes part in each column.
+    /// The entries of [M, q], n rows stored by columns; `counted` is the number of counted entries of each column.
     ///
-    /// Few entries are listed; many are faster to test in place than to find through a list.
+    /// Few entries are listed. Many are faster to test in place than to look up in a list.
     pub(super) fn of(n: usize, m: &'a [f64], q: &'a [f64], counted: &[f64], list: &'a mut Vec<u32>) -> Self {
         let total: f64 = counted.iter().sum();
         if 4.0 * total >= (n * n) as f64 {
@@ -31,8 +31,7 @@ impl<'a> Pattern<'a> {
         Self::Listed(list)
     }
 
-    /// Calls `visit` with the index, the count and the entries of each column of [M, q] that has
-    /// any.
+    /// Calls `visit` with index, count and entries of each column of [M, q] that has counted entries.
     #[inline]
     pub(super) fn for_each(&self, counts: &[f64], mut visit: impl FnMut(usize, f64, &Column)) {
         match self {
@@ -58,7 +57,7 @@ impl<'a> Pattern<'a> {
 }
 
 impl Column<'_> {
-    /// Σ ρ_i over the entries.
+    /// The sum of ρ_i over the rows i of the entries.
     pub(super) fn sum(&self, rho: &[f64]) -> f64 {
         match self {
             Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).sum(),
@@ -75,12 +74,12 @@ impl Column<'_> {
     }
 }
 
-/// Whether an entry takes part: not zero, and not so small that it has no full mantissa.
+/// Whether an entry is counted: it is neither zero nor subnormal.
 pub(super) fn counts(m: f64) -> bool {
     m.abs() >= f64::MIN_POSITIVE
 }
 
-/// Σ ρ_i over the entries of a column that take part.
+/// The sum of ρ_i over the rows i of a column's counted entries.
 fn sum_where(column: &[f64], rho: &[f64]) -> f64 {
     let mut lanes = [0.0; 4];
     let mut columns = column.chunks_exact(4);
@@ -96,7 +95,7 @@ fn sum_where(column: &[f64], rho: &[f64]) -> f64 {
     (lanes[0] + lanes[1]) + (lanes[2] + lanes[3])
 }
 
-/// Adds a number to the rows whose entry takes part.
+/// Adds a number to the rows of a column's counted entries.
 fn add_where(column: &[f64], what: f64, to: &mut [f64]) {
     for (to, m) in to.iter_mut().zip(column) {
         *to += if counts(*m) { what } else { 0.0 };

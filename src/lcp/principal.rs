@@ -1,26 +1,25 @@
-//! The point of a complementary basis, by a fresh factorisation of its principal block.
+//! The point of a complementary basis, by factorisation of its principal block.
 
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use crate::numerics::tolerances::FEW_ROUNDINGS;
 use nalgebra::{DMatrix, DVector};
 
-/// Solves M_αα z_α = −q_α by LU with pivoting of the balanced block, and refinement. `None` if the
-/// block is singular to working precision.
+/// Solves M_αα z_α = −q_α by pivoted LU of the balanced block, with refinement. `None` if the block is singular to working precision.
 pub(super) fn solve(lcp: &Lcp, alpha: &[usize]) -> Option<DVector<f64>> {
     let size = alpha.len();
     let block = DMatrix::from_fn(size, size, |i, j| lcp.m[(alpha[i], alpha[j])]);
     solve_block(block, &DVector::from_fn(size, |i, _| -lcp.q[alpha[i]]))
 }
 
-/// Solves a square system by LU with pivoting of the balanced matrix, and refinement. `None` if the matrix is singular to working precision.
+/// Solves a square system by pivoted LU of the balanced matrix, with refinement. `None` if the matrix is singular to working precision.
 pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     if size == 0 {
         return Some(DVector::zeros(0));
     }
     let mut scaling = Scaling::default();
-    // The right-hand side takes no part in the balance: its zeros and small entries would move the entries of regular blocks away from one.
+    // The right-hand side is left out of the balancing: its zeros and small entries would move the entries of regular blocks away from one.
     scaling.balance(size, block.as_slice(), &vec![0.0; size]);
     for j in 0..size {
         for i in 0..size {
@@ -28,8 +27,7 @@ pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option
         }
     }
     let rhs = DVector::from_fn(size, |i, _| rhs[i] * scaling.row[i]);
-    // Complete pivoting identifies singular blocks more reliably; larger blocks are pivoted by rows only,
-    // which is several times faster.
+    // Complete pivoting identifies singular blocks more reliably. For larger blocks partial pivoting is used, which is several times faster.
     let y = if size <= 32 {
         let lu = block.clone().full_piv_lu();
         is_regular(&lu.lu_internal().diagonal()).then_some(())?;
@@ -53,7 +51,7 @@ fn refined(
     solve: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
 ) -> Option<DVector<f64>> {
     let mut y = solve(rhs)?;
-    // The first step removes the error of the factors, the second its rest in badly conditioned blocks.
+    // The first step removes the error of the factorisation, the second what remains in ill-conditioned blocks.
     for _ in 0..2 {
         y += solve(&(rhs - block * &y))?;
     }

@@ -16,7 +16,7 @@ impl Lcp {
     ///
     /// # Errors
     ///
-    /// [`LcpError::NotSquare`] for M, [`LcpError::Length`] if q has another length than M has rows.
+    /// [`LcpError::NotSquare`] for M, [`LcpError::Length`] if the length of q differs from the number of rows of M.
     /// [`LcpError::MatrixEntry`] and [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn new(m: DMatrix<f64>, q: DVector<f64>) -> Result<Self, LcpError> {
         LcpError::check_square("M", &m)?;
@@ -36,7 +36,7 @@ impl Lcp {
         &self.q
     }
 
-    /// The number n of pairs (w_i, z_i).
+    /// Number n of pairs (w_i, z_i).
     #[must_use]
     pub fn len(&self) -> usize {
         self.q.len()

@@ -1,4 +1,4 @@
-//! A convex quadratic program with non-negative unknowns, as the complementarity problem of its optimality conditions.
+//! Convex quadratic programs with nonnegative unknowns, solved as complementarity problems of their optimality conditions.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -6,7 +6,7 @@ use super::outcome::Outcome;
 use super::problem::Lcp;
 use super::settings::Settings;
 
-/// The minimum x and the multipliers y of the rows of
+/// The minimiser x and the multipliers y of the rows of
 ///
 /// ```text
 /// minimise  gᵀx + ½ xᵀH x     subject to  A x + b >= 0,  x >= 0,
@@ -14,8 +14,8 @@ use super::settings::Settings;
 /// 0 <= x ⟂ H x - Aᵀy + g >= 0,     0 <= y ⟂ A x + b >= 0;
 /// ```
 ///
-/// H = 0 if it is `None`. For a positive semidefinite H the matrix `[H, -Aᵀ; A, 0]` is copositive-plus, so that Lemke's method finds a minimum if
-/// there is one. `None` without a minimum, or where rounding prevents it.
+/// `None` for H means H = 0. For a positive semidefinite H the matrix `[H, -Aᵀ; A, 0]` is copositive-plus, so Lemke's method finds a minimum if
+/// one exists. Returns `None` without a minimum, or if rounding prevents the solution.
 pub(crate) fn quadratic_program(
     h: Option<&DMatrix<f64>>,
     g: &DVector<f64>,

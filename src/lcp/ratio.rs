@@ -1,31 +1,28 @@
-//! The ratio test: the basic variable that blocks the entering one, and the choice among several.
+//! The ratio test: which basic variable blocks the entering one, and the choice among several.
 //!
-//! **Ties.** Symmetric problems tie all the time, and breaking ties by index or size can cycle. The
-//! rule here is the lexicographic one (Cottle, Pang & Stone, section 4.9) with a single generic
-//! vector p: think of q + ε p with ε → 0+. The perturbed problem has no ties. Its path is found by
-//! comparing, among rows that tie, the column of p next; nothing is added to the data.
+//! **Ties.** Symmetric problems have ties at almost every step, and breaking them by index or size may lead to cycling. The rule used here is
+//! the lexicographic one (Cottle, Pang & Stone, section 4.9) with a single generic vector p, for q + ε p with ε → 0+. The perturbed problem has
+//! no ties. Its path is found by comparing the column of p among rows that tie; the data are not changed.
 //!
-//! If z₀ is among the tied variables, z₀ leaves: then z₀ = 0, and the point solves the problem.
+//! If z₀ is among the tied variables it leaves, since the point with z₀ = 0 solves the problem.
 
 use super::dictionary::{Dictionary, LemkeVariable, largest};
 use super::settings::Settings;
 use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{Loop, wide};
 
-/// The role of z₀ on the path that is followed.
+/// The role of z₀ on a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Covering {
-    /// z₀ is to be brought to zero: it leaves as soon as it can.
+    /// z₀ is to become zero: it leaves as soon as possible.
     Artificial,
-    /// z₀ is the parameter of a family of problems, and may take any value.
+    /// z₀ is the parameter of a family of problems, and may have any value.
     Parameter,
 }
 
-/// The row in which a basic variable reaches zero first as the entering one grows; `None` if no variable
-/// ever does.
+/// The row whose basic variable reaches zero first as the entering variable increases; `None` if none ever does.
 ///
-/// Only rows with u_i < −`noise` count. Among rows that tie, those with u_i < −`certain` are
-/// preferred.
+/// Only rows with u_i < −`noise` are considered. Among tied rows, those with u_i < −`certain` are preferred.
 pub(super) fn blocking_row(
     dictionary: &Dictionary,
     noise: f64,
@@ -34,7 +31,7 @@ pub(super) fn blocking_row(
     settings: &Settings,
 ) -> Option<usize> {
     let least = -noise;
-    // The parameter of a family is exempt: its value may have any sign.
+    // The parameter of a family is exempt, since its value may have any sign.
     let exempt = if role == Covering::Parameter {
         dictionary.basic.iter().position(|basic| *basic == LemkeVariable::Covering)
     } else {
@@ -55,8 +52,7 @@ pub(super) fn blocking_row(
         let margin = settings.tie_tolerance * (u.abs() * step) + ROUNDED_SUM * level;
         (u < least) & (if x > 0.0 { x } else { 0.0 } + u * step <= margin)
     };
-    // Blocking rows are rare: eight rows are tested together first, without a branch for
-    // each.
+    // Blocking rows are rare, so eight rows are first tested together without a branch for each.
     let n = dictionary.u.len();
     let (x, u, level) = (&dictionary.x[..n], &dictionary.u[..n], &dictionary.level[..n]);
     for start in (0..n).step_by(8) {
@@ -88,11 +84,10 @@ pub(super) fn blocking_row(
     best.map(|(row, ..)| row)
 }
 
-/// Whether the step to the row `firm` breaks a doubtful row, one with −`certain` ≤ u_i < 0.
+/// Whether the step to the row `firm` violates a doubtful row, one with −`certain` ≤ u_i < 0.
 ///
-/// A row is broken if it falls below zero by more than the rounding error of its value, or of the
-/// largest one. If no row is, it makes no difference whether a doubtful row blocks first: its u_i may
-/// be noise.
+/// A row is violated if its value becomes negative by more than its own rounding error, or that of the largest value. If no row is violated, it
+/// does not matter whether a doubtful row, whose u_i may be noise, blocks first.
 pub(super) fn doubtful_row_breaks(
     dictionary: &Dictionary,
     certain: f64,
@@ -109,9 +104,9 @@ pub(super) fn doubtful_row_breaks(
     })
 }
 
-/// min x_i / −u_i over the rows with u_i < least, x_i < 0 counting as 0.
+/// min x_i / −u_i over the rows with u_i < `least`, where negative x_i count as 0.
 ///
-/// The loop has no branches, since half of them would be mispredicted.
+/// The loop is free of branches, half of which would be mispredicted.
 struct ShortestStep<'a> {
     x: &'a [f64],
     u: &'a [f64],
@@ -143,10 +138,9 @@ impl Loop for ShortestStep<'_> {
     }
 }
 
-/// The row of the smallest (x_i + ε p_i) / u_i with x_i < 0: its variable leaves when z₀ enters
-/// an infeasible basis.
+/// The row with the smallest (x_i + ε p_i) / u_i among those with x_i < 0. Its variable leaves when z₀ enters an infeasible basis.
 ///
-/// `Err(row)` if x_i < 0 but u_i is not positive, so that no z₀ makes that row feasible.
+/// `Err(row)` if x_i < 0 but u_i is not positive: then no z₀ makes that row feasible.
 pub(super) fn most_violated_row(
     dictionary: &Dictionary,
     settings: &Settings,

@@ -1,4 +1,4 @@
-//! Eliminating free variables by pivoting.
+//! Elimination of free variables by pivoting.
 
 use super::problem::Lcp;
 use super::scaling::Scaling;
@@ -7,12 +7,12 @@ use super::tolerances::{DEPENDENT_EQUALITY, FREE_PIVOT};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// The tableau after every free variable with a pivot was made basic.
+/// The tableau after every free variable that has a pivot was made basic.
 pub(super) struct Reduction {
-    /// The remaining complementarity problem, in balanced units. `None` if its numbers are not
-    /// finite, a dependent equality is not satisfied, or a free variable without a pivot still acts on some w_i.
+    /// The remaining complementarity problem, in balanced units. `None` if its numbers are not finite, a dependent equality is not satisfied, or
+    /// a free variable without a pivot still affects some w_i.
     pub(super) problem: Option<Lcp>,
-    /// The pairs that changed their roles: the remaining problem's unknown is w_i.
+    /// For each pair, whether its roles are exchanged: w_i is then the unknown of the remaining problem.
     pub(super) swapped: Vec<bool>,
     /// Free variables without a pivot.
     pub(super) undetermined: Vec<usize>,
@@ -29,8 +29,7 @@ pub(super) struct Reduction {
 }
 
 impl Reduction {
-    /// Eliminates the first `free` unknowns of 0 = …, w = M z + q, whose first `free` rows are
-    /// equalities.
+    /// Eliminates the first `free` unknowns of a problem whose first `free` rows are equalities.
     pub(super) fn of(whole: &Lcp, free: usize) -> Self {
         let size = whole.len();
         let n = size - free;
@@ -61,7 +60,7 @@ impl Reduction {
             out.constant[*r].abs() <= noise
                 && out.column_of_pair.iter().all(|c| out.tableau[(*r, *c)].abs() <= FREE_PIVOT)
         });
-        // A free variable that still acts on some w_i cannot be set to zero.
+        // A free variable that affects some w_i cannot simply be set to zero.
         let idle =
             columns.iter().all(|c| out.row_of_pair.iter().all(|r| out.tableau[(*r, *c)].abs() <= FREE_PIVOT));
         out.undetermined = columns;
@@ -74,7 +73,7 @@ impl Reduction {
         out
     }
 
-    /// The powers of two that balance the rows.
+    /// Powers of two that balance the rows.
     pub(super) fn row_factors(&self) -> &[f64] {
         &self.scaling.row
     }
@@ -91,7 +90,7 @@ impl Reduction {
         true
     }
 
-    /// Makes a free variable basic in the row of w_i, and z_i in an equality row. Returns whether both pivots were found.
+    /// Makes a free variable basic in the row of some w_i, and z_i basic in an equality row. Returns whether both pivots were found.
     fn pivot_pair(&mut self, rows: &mut Vec<usize>, columns: &mut Vec<usize>) -> bool {
         let (height, width) = (rows.len(), columns.len());
         let pairs = 0..self.swapped.len();
@@ -104,8 +103,7 @@ impl Reduction {
         let Some((pair, a, b)) = largest_pivot(sizes) else { return false };
         let (r, c) = (rows.swap_remove(a), columns.swap_remove(b));
         let (r_pair, c_pair) = (self.row_of_pair[pair], self.column_of_pair[pair]);
-        // First u for w_i: column c then belongs to w_i. Then z_i for the equality: row r belongs
-        // to z_i.
+        // The first exchange makes u basic in place of w_i, so that column c belongs to w_i. The second makes z_i basic in the equality row r.
         self.exchange(r_pair, c);
         self.exchange(r, c_pair);
         self.tableau.column_mut(c_pair).fill(0.0);
@@ -141,7 +139,7 @@ impl Reduction {
         self.tableau[(r, c)] = inverse;
     }
 
-    /// (u, z) in the caller's units from a solution of the remaining problem.
+    /// Converts a solution of the remaining problem to (u, z) in the caller's units.
     pub(super) fn point(&self, solution: &Solution) -> Vec<f64> {
         let n = self.swapped.len();
         let mut point = vec![0.0; self.free + n];
@@ -160,7 +158,7 @@ impl Reduction {
     }
 }
 
-/// The first place of the largest size, if that size exceeds [`FREE_PIVOT`].
+/// The first position with the largest size; `None` unless that size exceeds [`FREE_PIVOT`].
 fn largest_pivot<P>(sizes: impl Iterator<Item = (P, f64)>) -> Option<P> {
     let mut best = (None, FREE_PIVOT);
     for (place, size) in sizes {

@@ -1,5 +1,4 @@
-//! Dictionaries computed from the data: their drift over many pivots, a fresh start in the same basis,
-//! and a start in another.
+//! Recomputation of dictionaries from the data: measurement of drift, refactorisation of the current basis, and factorisation of another one.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;
@@ -10,8 +9,8 @@ use super::tolerances::{DRIFT_FLOOR, ELIMINATED_PIVOT};
 use crate::numerics::generic;
 
 impl LemkePath {
-    /// The largest violation of w = q + M z + d z₀ by the basic values, relative to the terms of its row.
-    /// [`DRIFT_FLOOR`] of the largest q_i is added to the terms.
+    /// Drift of the basic values: the largest violation of w = q + M z + d z₀, relative to the terms of its row plus [`DRIFT_FLOOR`] times the
+    /// largest q_i.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
         let floor = DRIFT_FLOOR * largest(&self.q);
@@ -21,7 +20,7 @@ impl LemkePath {
             .fold(0.0, |drift, (r, a)| r.abs().max(drift * (a + floor)) / (a + floor))
     }
 
-    /// r = q + M z + d z₀ − w at the present values, and the size of its terms, row by row.
+    /// Computes the defect q + M z + d z₀ − w of the current values, and the magnitude of its terms, row by row.
     fn compute_defect(&mut self, m: &[f64]) {
         self.defect.clone_from(&self.q);
         self.terms.clear();
@@ -30,10 +29,10 @@ impl LemkePath {
         add_basic_columns(defect, terms, (&dictionary.basic, &dictionary.x), d, scaling, m);
     }
 
-    /// Corrects the entering column u by the effect of its defect A_e + Σ A_v u_v over the basic variables v, where A_v is the column
-    /// of v in q + M z + d z₀ − w.
+    /// One step of refinement of the entering column u, by its defect A_e + Σ A_v u_v over the basic variables v. A_v is the column of v in q +
+    /// M z + d z₀ − w.
     ///
-    /// Returns the larger of two ratios of the correction to the corrected column: |Δu_r| / |u_r| in the row given, and max |Δu| / max |u|.
+    /// Returns the larger of two relative corrections: |Δu_r| / |u_r| in the given row, and max |Δu| / max |u|.
     pub(super) fn refine_column(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> f64 {
         let n = self.q.len();
         let Self { dictionary, scaling, d, defect, terms, .. } = self;
@@ -48,8 +47,8 @@ impl LemkePath {
         (terms[row] / dictionary.u[row]).abs().max(largest(terms) / largest(&dictionary.u))
     }
 
-    /// Computes the dictionary of the present basis anew from the data, by elimination with row
-    /// pivoting, and puts the column of the entering variable back.
+    /// Recomputes the dictionary of the current basis from the data, by elimination with row pivoting, and loads the column of the entering
+    /// variable.
     pub(super) fn refactor(&mut self, entering: LemkeVariable, m: &[f64]) -> Result<(), BreakdownCause> {
         self.members.clear();
         refill(&mut self.saved, 2 * self.q.len() + 1, 0.0);
@@ -69,7 +68,7 @@ impl LemkePath {
         Ok(())
     }
 
-    /// The dictionary in which `members` are basic and the w_i with `active[i]` are not.
+    /// Computes the dictionary in which `members` are basic and the w_i with `active[i]` are nonbasic.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
         for member in 0..self.members.len() {
@@ -94,8 +93,7 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Adds to the values the effect of the defect computed last, and computes anew the rounding
-    /// they may carry.
+    /// Corrects the values by the effect of the last computed defect, and recomputes their levels of rounding.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);
@@ -106,7 +104,7 @@ impl LemkePath {
         self.terms = effect;
     }
 
-    /// The values for a new right-hand side in the present dictionary.
+    /// Recomputes the values of the current dictionary for a new right-hand side.
     pub(super) fn recompute_values(&mut self) {
         let mut x = core::mem::take(&mut self.dictionary.x);
         self.dictionary.effect(&self.q, &mut x);
@@ -114,24 +112,23 @@ impl LemkePath {
         self.dictionary.sum_terms(&self.q);
     }
 
-    /// Prepares z₀ to enter the present complementary basis. It covers only the rows that are
-    /// infeasible there by more than `noise`, a part of their largest term. Returns whether there are any.
+    /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows that are infeasible by more than `noise` times their
+    /// largest term. Returns whether there are any.
     ///
-    /// The column of z₀ has one unit in these rows of the dictionary and 0 in the others; d is the
-    /// vector that belongs to this column.
+    /// In the dictionary, the column of z₀ has one unit in these rows and 0 in the others; d is the covering vector that gives this column.
     pub(super) fn cover_violations(&mut self, m: &[f64], noise: f64) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // The unit of the exactly balanced problem, as in every covering vector.
+            // One unit of the exactly balanced problem, as in every covering vector.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),
                 LemkeVariable::Covering => 1.0,
             };
-            // The perturbation depends on the variable, not on the row: the order of rows depends on rounding.
+            // The perturbation belongs to the variable, not to the row, since the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -noise * dictionary.level[row] {
@@ -155,8 +152,7 @@ impl LemkePath {
         violated
     }
 
-    /// Makes z₀ the parameter of q + z₀ d from here on, and writes its column into the dictionary.
-    /// The vector d is given in the caller's rows.
+    /// Makes z₀ the parameter of q + z₀ d and loads its column. The vector d is given in the caller's units of rows.
     pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));
@@ -164,7 +160,7 @@ impl LemkePath {
         self.dictionary.enter(LemkeVariable::Covering, m, &self.scaling);
     }
 
-    /// Installs the complementary basis in which z_i is basic where `active(i)`.
+    /// Computes the dictionary of the complementary basis in which z_i is basic if `active(i)`.
     pub(super) fn install_basis(
         &mut self,
         m: &[f64],
@@ -186,7 +182,7 @@ fn index(variable: LemkeVariable, n: usize) -> usize {
     }
 }
 
-/// Adds the columns of all basic variables in q + M z + d z₀ − w, each times its number, to a sum, and their sizes to `terms`.
+/// Adds the columns of all basic variables in q + M z + d z₀ − w, each times its number, to `sum`, and their magnitudes to `terms`.
 fn add_basic_columns(
     sum: &mut [f64],
     terms: &mut [f64],
@@ -200,7 +196,7 @@ fn add_basic_columns(
     }
 }
 
-/// Adds the column of one variable, times its number.
+/// Adds the column of one variable, times its number, to `sum`, and its magnitude to `terms`.
 fn add_column(
     sum: &mut [f64],
     terms: &mut [f64],
@@ -237,7 +233,7 @@ mod tests {
 
     #[test]
     fn a_column_that_has_drifted_is_put_right() {
-        // Diagonally dominant, without structure else.
+        // Diagonally dominant, otherwise without structure.
         let m: Vec<f64> =
             (0..36).map(|k| f64::from(k + 1).sin() + if k % 7 == 0 { 3.0 } else { 0.0 }).collect();
         let mut path = LemkePath::default();

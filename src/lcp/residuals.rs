@@ -1,26 +1,23 @@
-//! The violations at a point, measured on the data as given.
+//! The residuals of a point, computed from the original data.
 
 use super::tolerances::{BACKWARD_ERROR, FAINT_ROW, LOST, residual_rounding};
 use crate::numerics::{ExactSum, times_power_of_two};
 use core::fmt;
 use nalgebra::DMatrix;
 
-/// The violations of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, and of equalities in a [`MixedLcp`](super::MixedLcp), as pure
-/// numbers.
+/// Residuals of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, and of the equalities in a [`MixedLcp`](super::MixedLcp), without units.
 ///
-/// Row i is measured by the size of its terms, a_i = |q_i| + Σ_j |M_ij| |z_j|, as in W. Oettli and
-/// W. Prager, Numer. Math. 6, 1964. An entry z_j is measured by the largest share it has in any
-/// row, s_j = max_i |M_ij| |z_j| / a_i.
+/// Row i is measured relative to the magnitude of its terms, a_i = |q_i| + Σ_j |M_ij| |z_j| (W. Oettli and W. Prager, Numer. Math. 6, 1964). An
+/// entry z_j is measured by its largest contribution to any row, s_j = max_i |M_ij| |z_j| / a_i.
 ///
-/// Neither measure changes when rows, columns or the whole problem change their units. A row
-/// without terms (a_i = 0) is satisfied exactly.
+/// Both measures are independent of the units of rows, columns and the whole problem. A row without terms (a_i = 0) is satisfied exactly.
 ///
-/// A z_j ≠ 0 whose column of M is zero counts as s_j = 1: no change of the rows can make up for it.
+/// A z_j ≠ 0 whose column of M is zero has s_j = 1, since no change of the rows could compensate it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// max_i |A u + C z + b|_i / a_i over the equality rows of a mixed problem; zero where there are none.
+    /// max_i |A u + C z + b|_i / a_i over the equality rows of a mixed problem; zero without any.
     pub equality: f64,
     /// max_j s_j over the j with z_j < 0.
     pub negative_z: f64,
@@ -31,14 +28,14 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// The largest of them; NaN if any of them is NaN.
+    /// The largest of the four; NaN if any of them is NaN.
     #[must_use]
     pub fn max(&self) -> f64 {
         let all = self.all();
         if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
     }
 
-    /// Whether all of them are numbers of at most this size.
+    /// Whether all four are numbers of at most this size.
     #[must_use]
     pub fn within(&self, tolerance: f64) -> bool {
         self.all().iter().all(|r| *r <= tolerance)
@@ -63,8 +60,8 @@ impl fmt::Display for Residuals {
     }
 }
 
-/// Whether a point with these residuals and terms does not depend on q, because a quite different q
-/// would have passed as well. `row` balances the rows.
+/// Whether a point with these residuals and terms does not depend on q: a very different q would have passed as well. `row` holds the factors
+/// that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();
@@ -74,12 +71,12 @@ pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f
     q.iter().any(|q| *q != 0.0) && (0..q.len()).all(|i| is_lost(q[i], terms[i]))
 }
 
-/// Whether q_i is lost in the terms of its row.
+/// Whether q_i is smaller than the rounding of the terms of its row.
 pub(super) fn is_lost(q: f64, terms: f64) -> bool {
     q.abs() <= LOST * terms
 }
 
-/// w = M z + q, summed from the columns with z_j ≠ 0, and a_i = |q_i| + Σ_j |M_ij| |z_j|.
+/// Computes w = M z + q from the columns with z_j ≠ 0, and a_i = |q_i| + Σ_j |M_ij| |z_j|.
 pub(super) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f64], terms: &mut [f64]) {
     w.copy_from_slice(q);
     for (a, q) in terms.iter_mut().zip(q) {
@@ -119,7 +116,7 @@ fn add_four(columns: [(&[f64], f64); 4], w: &mut [f64], terms: &mut [f64]) {
     }
 }
 
-/// The residuals at z, given w = M z + q and the sizes a of its terms.
+/// The residuals at z, given w = M z + q and the magnitudes a of its terms.
 pub(super) fn residuals_from(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &[f64], terms: &[f64]) -> Residuals {
     let n = z.len();
     let mut out = Residuals { equality: 0.0, negative_z: 0.0, negative_w: 0.0, complementarity: 0.0 };
@@ -147,7 +144,7 @@ pub(super) fn residuals_from(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &[f64], 
     out
 }
 
-/// The rows of a problem at a point, with the sizes of their terms.
+/// The rows of a problem at a point, with the magnitudes of their terms.
 struct Rows<'a> {
     m: &'a DMatrix<f64>,
     q: &'a [f64],
@@ -156,7 +153,7 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// w_i / a_i, zero in a row without terms.
+    /// w_i / a_i; zero in a row without terms.
     fn relative_slack(&self, i: usize, w: f64) -> f64 {
         let a = self.terms[i];
         if a >= FAINT_ROW {
@@ -165,8 +162,7 @@ impl Rows<'_> {
         self.exact_terms(i).map_or(0.0, |a| ratio(&ExactSum::of_products(self.products(i)), &a))
     }
 
-    /// s_j for one column, the largest share of z_j in a row. The first share that reaches `enough` is returned
-    /// without evaluating further rows.
+    /// s_j for one column, the largest contribution of z_j to a row. Stops at the first contribution that reaches `enough`.
     fn share(&self, column: &[f64], z: f64, enough: f64) -> f64 {
         let mut share = None;
         for (i, (m, a)) in column.iter().zip(self.terms).enumerate() {
@@ -188,20 +184,20 @@ impl Rows<'_> {
         share.unwrap_or(1.0)
     }
 
-    /// The products whose sum is w_i.
+    /// The pairs of factors whose products sum to w_i.
     fn products(&self, i: usize) -> impl Iterator<Item = (f64, f64)> + Clone + '_ {
         let &Self { m, q, z, .. } = self;
         z.iter().enumerate().map(move |(j, z)| (m[(i, j)], *z)).chain([(q[i], 1.0)])
     }
 
-    /// a_i without rounding; `None` for a row without terms.
+    /// The exact a_i; `None` for a row without terms.
     fn exact_terms(&self, i: usize) -> Option<ExactSum> {
         let sizes = self.products(i).map(|(a, b)| (a.abs(), b.abs()));
         sizes.clone().any(|(a, b)| a > 0.0 && b > 0.0).then(|| ExactSum::of_products(sizes))
     }
 }
 
-/// The quotient of two sums, which may lie outside the range of doubles.
+/// The quotient of two sums, each of which may lie outside the range of doubles.
 fn ratio(sum: &ExactSum, of: &ExactSum) -> f64 {
     let ((x, k), (y, l)) = (sum.leading(), of.leading());
     times_power_of_two(x / y, k - l)

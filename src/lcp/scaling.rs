@@ -1,21 +1,17 @@
-//! Balancing rows and columns.
+//! Balancing of rows and columns.
 //!
-//! The factors solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the entries
-//! that are not zero (A. R. Curtis and J. K. Reid, *On the automatic scaling of matrices for
-//! Gaussian elimination*, 1972). The scaled matrix 2^ρ_i M_ij 2^γ_j does not change when rows or
-//! columns of M are multiplied by positive numbers. Neither, then, does the path of a solver that
-//! works on it.
+//! The factors solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the nonzero entries (A. R. Curtis and J. K. Reid, *On the
+//! automatic scaling of matrices for Gaussian elimination*, 1972). The scaled matrix 2^ρ_i M_ij 2^γ_j does not change when rows or columns of M
+//! are multiplied by positive numbers. The path of a solver that works on it is therefore independent of units.
 //!
-//! Scaling by the largest entries has no such property: it depends on the start. If M has zeros, q
-//! takes part as one more column. Otherwise blocks of M that are not coupled would each keep a free
-//! factor.
+//! Scaling by the largest entries has no such property: its result depends on the initial scaling. If M has zeros, q is included as one more
+//! column. Otherwise uncoupled blocks of M would each keep an undetermined factor.
 //!
-//! The data are multiplied by powers of two only, which adds no rounding error and leaves ties
-//! ties. The part of ρ_i lost in rounding it to an integer is kept in the covering vector, where it
-//! costs nothing.
+//! The data are multiplied only by powers of two, which causes no rounding and preserves ties. The part of ρ_i that is lost in rounding it to an
+//! integer enters the covering vector, where it does no harm.
 //!
-//! For the sake of ties, too, the least-squares problem is solved to rounding. Rows that are alike must get equal entries of d;
-//! nearly equal ones would turn ties into badly conditioned near-ties.
+//! Ties are also the reason for solving the least-squares problem to rounding. Equal rows must get equal entries of d; nearly equal entries
+//! would turn ties into ill-conditioned near-ties.
 
 use super::logarithms::Logarithms;
 use super::memory::refill;
@@ -25,18 +21,18 @@ use crate::numerics::dot;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Row and column factors: scaled M_ij = row_i M_ij column_j, all factors powers of two.
+/// Row and column factors, all powers of two: scaled M_ij = row_i M_ij column_j.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scaling {
     pub(super) row: Vec<f64>,
     pub(super) column: Vec<f64>,
-    /// The size of one unit of the exactly balanced row i in the rounded row: row_i / 2^ρ_i.
+    /// Size of one unit of the exactly balanced row i in the row balanced by powers of two: row_i / 2^ρ_i.
     pub(super) row_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
     rows: Logarithms,
     columns: Logarithms,
-    /// The rows of the entries that take part, column after column.
+    /// Row indices of the counted entries, column after column.
     pattern: Vec<u32>,
     residual: Vec<f64>,
     direction: Vec<f64>,
@@ -64,7 +60,7 @@ impl Scaling {
         self.round();
     }
 
-    /// Solves the least-squares problem over those entries of [M, q] that take part.
+    /// Solves the least-squares problem over the counted entries of [M, q].
     fn solve_for_pattern(&mut self, n: usize, m: &[f64], q: &[f64]) {
         Logarithms::append(q, &mut self.rows, &mut self.columns);
         let mut list = core::mem::take(&mut self.pattern);
@@ -90,10 +86,9 @@ impl Scaling {
         refill(&mut self.direction, n, 0.0);
         refill(&mut self.image, n, 0.0);
         let mut before = 0.0;
-        // Contact problems take about ten steps of conjugate gradients. On chains the influence of the ends
-        // arrives later, but is small by then.
+        // Contact problems need about ten steps of conjugate gradients. On chains the influence of the ends arrives later, but is small by then.
         for _ in 0..24 {
-            // Preconditioned by the counts.
+            // Preconditioned by the number of entries of each row.
             let mut size = 0.0;
             let mut worst = 0.0_f64;
             for (r, count) in self.residual.iter().zip(&self.rows.count) {
@@ -128,7 +123,7 @@ impl Scaling {
         }
     }
 
-    /// The size of one unit of the exactly balanced z_j in the rounded z_j: 2^γ_j / column_j.
+    /// Size of one unit of the exactly balanced z_j in the z_j balanced by powers of two: 2^γ_j / column_j.
     pub(super) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
     }
@@ -155,7 +150,7 @@ impl Scaling {
     }
 }
 
-/// 2^k for an integer k; clamped to the normal numbers.
+/// 2^k for an integer k, clamped to the range of normal numbers.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn power_of_two(k: f64) -> f64 {
     f64::from_bits(((k.clamp(-1022.0, 1023.0) + 1023.0) as u64) << 52)

@@ -1,4 +1,4 @@
-//! Many right-hand sides, one matrix.
+//! Many right-hand sides for one matrix.
 
 use super::error::LcpError;
 use super::outcome::OutcomeView;
@@ -7,11 +7,10 @@ use super::settings::Settings;
 use super::workspace::Workspace;
 use nalgebra::{DMatrix, DVector};
 
-/// A series of problems that share one M, each solved from the basis of the one before.
+/// A series of problems with the same M, each solved from the basis of the previous one.
 ///
-/// The dictionary of the last basis is kept. A new q costs about one pivot for its values, and then the
-/// pivots by which its basis differs. Once two problems have been solved, nothing more is allocated
-/// unless a path fails.
+/// The dictionary of the last basis is kept. A new q costs about as much as one pivot for its values, plus one pivot per change of the basis.
+/// After two problems nothing is allocated any more, unless a path fails.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Series, OutcomeView, Settings};
@@ -36,7 +35,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// The series of the n × n matrix M.
+    /// A series of problems with the n × n matrix M.
     ///
     /// # Errors
     ///
@@ -51,8 +50,7 @@ impl Series {
     ///
     /// # Errors
     ///
-    /// [`LcpError::Length`] if q has another length than M has rows, [`LcpError::VectorEntry`] for
-    /// an entry that is not finite.
+    /// [`LcpError::Length`] if the length of q differs from the number of rows of M, [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn solve(&mut self, q: &DVector<f64>) -> Result<OutcomeView<'_>, LcpError> {
         LcpError::check_vector("q", q, self.lcp.len())?;
         self.lcp.q.copy_from(q);

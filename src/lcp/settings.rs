@@ -3,12 +3,10 @@
 use super::outcome::BreakdownCause;
 use nalgebra::DVector;
 
-/// Limits, tolerances and the covering vector of a solve. [`Settings::default`] is right for almost
-/// every problem.
+/// Limits, tolerances and the covering vector of a solve. [`Settings::default`] suits almost every problem.
 ///
-/// Every tolerance is a pure number. The solver balances rows and columns of M first and compares
-/// each quantity with the largest terms it was computed from. So no tolerance has to follow the
-/// units of a problem.
+/// Every tolerance is without units. The solver balances rows and columns of M first and compares each quantity with the largest terms from
+/// which it was computed. Tolerances therefore need not follow the units of a problem.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, Outcome, Settings};
@@ -29,72 +27,61 @@ pub struct Settings {
     /// The covering vector d of the augmented problem w = q + M z + d z₀, one entry per row, in the
     /// caller's units.
     ///
-    /// Lemke's path starts at z = 0 with z₀ so large that q + d z₀ ≥ 0, and ends when z₀ reaches
-    /// zero. Every entry of d must be finite and not negative, and positive where q is negative;
-    /// otherwise the solve ends in [`Outcome::Breakdown`](super::Outcome::Breakdown).
+    /// Lemke's path starts at z = 0 with z₀ so large that q + d z₀ ≥ 0, and ends when z₀ reaches zero. Every entry of d must be finite and
+    /// nonnegative, and positive where q is negative; otherwise the solve ends in [`Outcome::Breakdown`](super::Outcome::Breakdown).
     ///
-    /// Another d gives another path. It may end in another solution and, on matrices without a
-    /// guarantee, in a ray where this one finds a solution. `None` takes the vector of ones on the
-    /// balanced problem, which makes the path independent of the units of rows, columns and q.
+    /// Another d gives another path. It may end in another solution and, for matrices without a guarantee, in a ray where this path finds a
+    /// solution. `None` stands for the vector of ones on the balanced problem, which makes the path independent of the units of rows, columns
+    /// and q.
     pub covering: Option<DVector<f64>>,
-    /// The number of pivots after which the solve gives up with
-    /// [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
+    /// Number of pivots after which the solve ends with [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
     ///
-    /// It guards against the problems on which Lemke's method takes about 2ⁿ pivots (Murty, Fathi);
-    /// the tie rule excludes cycling. A number given here bounds all paths together.
+    /// It guards against problems on which Lemke's method takes about 2ⁿ pivots (Murty, Fathi); the tie rule excludes cycling. A given number
+    /// bounds the sum over all paths.
     ///
-    /// `None` allows 10000 + 100 n for the first path, and 100 + 10 n for each retry. Ordinary
-    /// problems need one to three times n, and the exponential families are still solved up to
-    /// n = 13. Smaller values cut solvable problems off, larger ones only make the exponential
-    /// families run longer.
+    /// `None` allows 10000 + 100 n pivots for the first path, and 100 + 10 n for each retry. Ordinary problems need n to 3 n pivots, and the
+    /// exponential families are still solved up to n = 13. Smaller limits stop solvable problems; larger ones only make the exponential families
+    /// take longer.
     pub max_pivots: Option<usize>,
-    /// A coefficient of the entering column blocks the entering variable only if it is more than noise
-    /// (default 1e-11). It must exceed this part of the largest entry of the column, at least 1 in
-    /// balanced units, or of the terms of its own row.
+    /// Relative size from which a coefficient of the entering column can block the entering variable; smaller ones are noise (default 1e-11).
+    /// The coefficient must exceed this fraction of the largest entry of the column, at least 1 in balanced units, or of the terms of its own
+    /// row.
     ///
-    /// It guards against pivots on rounding noise where the true coefficient is zero. Noise is some
-    /// 1e-16 times the growth of the elimination. A value below 1e-14 lets noise become a pivot and
-    /// turns rays into wrong bases; one above 1e-6 overlooks real blocking rows of badly
-    /// conditioned problems.
+    /// It guards against pivots on rounding errors where the true coefficient is zero. These errors are some 1e-16 times the growth of the
+    /// elimination. Below 1e-14 rounding errors become pivots and turn rays into wrong bases; above 1e-6 true blocking rows of ill-conditioned
+    /// problems are overlooked.
     pub pivot_tolerance: f64,
-    /// Part of the decrease of a basic variable in a step below which the remaining value counts as zero (default 1e-12).
-    /// Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero
-    /// in any case.
+    /// Relative size below which a basic variable counts as zero after a step: its remaining value divided by its decrease in the step (default
+    /// 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero in any
+    /// case.
     ///
-    /// It guards the tie rule: rows which tie in exact arithmetic must be recognised as ties, although
-    /// rounding separated them. At 0 exact ties may be missed and z₀ lose one, so the path of a solved problem
-    /// continues into a ray. Above 1e-8 rows that do not tie are treated as if they did, and
-    /// values of that size become negative.
+    /// It guards the tie rule: rows that tie in exact arithmetic must be recognised as ties although rounding separates them. At 0 exact ties
+    /// may be missed, and if z₀ loses one, the path of a solved problem continues into a ray. Above 1e-8 rows that do not tie are treated as
+    /// ties, and values of that size become negative.
     pub tie_tolerance: f64,
-    /// A point is called a solution only if all its [`Residuals`](super::Residuals), recomputed
-    /// from the M and q given, are at most this (default 1e-10).
+    /// Largest [`Residuals`](super::Residuals), recomputed from the given M and q, with which a point is accepted as a solution (default 1e-10).
     ///
-    /// It guards against wrong success. Solutions come out below 1e-14 unless the basis is nearly
-    /// singular. A value below 1e-15 would reject correctly rounded solutions; one above 1e-6 would
-    /// accept points that solve a visibly different problem.
+    /// It guards against false solutions. Computed solutions have residuals below 1e-14 unless the basis is nearly singular. Below 1e-15
+    /// correctly rounded solutions are rejected; above 1e-6 points are accepted that solve a visibly different problem.
     pub residual_tolerance: f64,
-    /// Whether linear programming searches for a proof that no z ≥ 0 has M z + q ≥ 0 (default `true`), where a ray contains none.
+    /// Whether linear programming searches for a proof that no z ≥ 0 satisfies M z + q ≥ 0, if a ray contains none (default `true`).
     ///
-    /// It guards against a ray where the answer is known. Up to 64 rows it takes up to four linear programs, beyond that one;
-    /// each is a path of a problem of 2 n + 1 rows. Without it most problems that are infeasible end in
-    /// [`Outcome::Ray`](super::Outcome::Ray), after all retries.
+    /// It avoids an undecided ray. Up to 64 rows it takes up to four linear programs, beyond that one; each is a path of a problem of 2 n + 1
+    /// rows. Without it most infeasible problems end in [`Outcome::Ray`](super::Outcome::Ray), after all retries.
     pub prove_infeasible: bool,
-    /// How many other covering vectors, and as many other starting bases, are tried (default 8).
-    /// They follow a ray that proves nothing, a breakdown, or a first path of its default length
-    /// that reached no end.
+    /// Number of other covering vectors, and of other starting bases, that are tried (default 8). They are tried after a ray that proves
+    /// nothing, a breakdown, or a first path that reached its default limit.
     ///
-    /// With at least one retry, a solution with slacks negative by more than rounding is improved as well. Its path is followed
-    /// further, with ties resolved more finely.
+    /// With at least one retry, a solution whose slacks are negative by more than rounding is improved as well: its path is continued with ties
+    /// resolved more finely.
     ///
-    /// It guards against rays on solvable problems, which other paths often avoid. The retries are
-    /// fixed, so a problem takes the same paths in every solve. 0 follows one path only; more than
-    /// a few dozen hardly ever find more.
+    /// It guards against rays on solvable problems, which other paths often avoid. The retries are deterministic, so a problem takes the same
+    /// paths in every solve. 0 follows one path only; more than a few dozen rarely find more.
     pub retries: usize,
-    /// Largest n for which all 2ⁿ complementary bases are tried (default 10). That comes last, when no path has
-    /// ended in a solution and no proof of infeasibility was found.
+    /// Largest n for which all 2ⁿ complementary bases are tried (default 10). This is the last resort, if no path ended in a solution and no
+    /// proof of infeasibility was found.
     ///
-    /// It guards against missing solutions that no path reaches. Each further row doubles the cost;
-    /// no n above 20 is tried.
+    /// It guards against missing solutions that no path reaches. Each further row doubles the cost; n above 20 is never tried.
     pub enumerate_up_to: usize,
 }
 
@@ -174,7 +161,7 @@ impl Settings {
         }
     }
 
-    /// Settings for one path only: for problems on which Lemke's method cannot fail, and for callers with a better next step.
+    /// Settings for a single path: for problems on which Lemke's method cannot fail, and for callers that have a better alternative.
     pub(crate) fn one_path() -> Self {
         Self { prove_infeasible: false, retries: 0, enumerate_up_to: 0, ..Self::default() }
     }
@@ -184,9 +171,9 @@ impl Settings {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
     }
 
-    /// The pivot limit of one more path for a problem of n rows, after `made` pivots.
+    /// The limit for the pivots after one more path on a problem of n rows, if `made` pivots were made before.
     ///
-    /// It keeps a path of exponential length from being followed to its end a second time.
+    /// A path of exponential length is thus not followed to its end a second time.
     pub(super) fn retry_limit(&self, n: usize, made: usize) -> usize {
         self.max_pivots.unwrap_or_else(|| made.saturating_add(100 + 10 * n))
     }

@@ -1,4 +1,4 @@
-//! A solution, owned or in the memory of a solver.
+//! A solution, owned or borrowed from a solver.
 
 use super::basis::Basis;
 use super::residuals::Residuals;
@@ -10,45 +10,44 @@ use nalgebra::DVector;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Solution {
-    /// z (n entries, none negative).
+    /// Unknowns z (n entries, none negative).
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub z: DVector<f64>,
-    /// w = M z + q (n entries, none negative; exactly zero where z_i is basic).
+    /// Slacks w = M z + q (n entries, none negative; exactly zero where z_i is basic).
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub w: DVector<f64>,
-    /// Which z_i are basic.
+    /// The basic z_i.
     pub basis: Basis,
-    /// The violations at z, recomputed from the M and q given, before zeros are set in w = M z + q.
+    /// Residuals at z, recomputed from the given M and q before entries of w are set to zero.
     pub residuals: Residuals,
-    /// Pivots made, on all paths.
+    /// Number of pivots, on all paths.
     pub pivots: usize,
-    /// Whether a basic variable is zero: other bases then have this point as well, and the
-    /// solution may be one of several.
+    /// Whether a basic variable is zero. Other bases then have the same point, and the solution may be one of several.
     pub degenerate: bool,
 }
 
-/// A [`Solution`] in the memory of its [`Workspace`](super::Workspace) or
-/// [`Series`](super::Series); each field is that of the same name there.
+/// A [`Solution`] that borrows the memory of its [`Workspace`](super::Workspace) or [`Series`](super::Series). Each field corresponds to the one
+/// of the same name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct SolutionView<'a> {
-    /// z (n entries, none negative).
+    /// Unknowns z (n entries, none negative).
     pub z: &'a [f64],
-    /// w = M z + q (n entries, none negative; exactly zero where z_i is basic).
+    /// Slacks w = M z + q (n entries, none negative; exactly zero where z_i is basic).
     pub w: &'a [f64],
-    /// Which z_i are basic.
+    /// The basic z_i.
     pub basis: &'a Basis,
-    /// The violations at z, recomputed from the M and q given; see [`Residuals`].
+    /// Residuals at z, recomputed from the given M and q; see [`Residuals`].
     pub residuals: Residuals,
-    /// Pivots made, on all paths.
+    /// Number of pivots, on all paths.
     pub pivots: usize,
-    /// Whether a basic variable is zero: other bases then have this point as well.
+    /// Whether a basic variable is zero, so that other bases have the same point.
     pub degenerate: bool,
 }
 
 impl SolutionView<'_> {
-    /// A copy that outlives the workspace.
+    /// A copy that is independent of the workspace.
     #[must_use]
     pub fn to_solution(&self) -> Solution {
         Solution {

@@ -1,5 +1,4 @@
-//! The starts of a solve: from the slacks, from a basis, or from the dictionary of the previous
-//! problem.
+//! The starts of a solve: from the slack basis, from a given basis, or from the dictionary of the previous problem.
 
 use super::basis::Basis;
 use super::lemke::LemkeEnd;
@@ -17,11 +16,10 @@ impl Lcp {
         self.solve_with(&Settings::default())
     }
 
-    /// Solves the problem by Lemke's method. An ordinary path has one to three times n pivots.
+    /// Solves the problem by Lemke's method. An ordinary path has n to 3 n pivots.
     ///
-    /// The first path may end without a solution. If the caller has set a limit on pivots or a wrong covering vector, that
-    /// is then the answer. Otherwise these follow, each only if those before
-    /// have settled nothing:
+    /// The first path may end without a solution. If it ended because of a pivot limit or an invalid covering vector that the caller has set,
+    /// that is the answer. Otherwise the following attempts are made until one decides the problem:
     ///
     /// 1. the ray itself as a Farkas vector;
     /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }
@@ -45,14 +43,13 @@ impl Lcp {
         Workspace::new().solve(self, settings).into_outcome()
     }
 
-    /// Solves the problem by Lemke's method from a complementary basis instead of the slacks, for
-    /// example that of a neighbouring problem.
+    /// Solves the problem by Lemke's method from a complementary basis instead of the slack basis, for example from the solution of a
+    /// neighbouring problem.
     ///
-    /// Only rows that are infeasible there are covered by z₀, so the path is as short as the bases
-    /// are close.
+    /// z₀ covers only the rows that are infeasible for this basis. The path is therefore short if the basis is close to that of the solution.
     ///
-    /// A singular basis, a basis of another length, or a path that does not end in a solution lead
-    /// back to [`Lcp::solve_with`]. For many q with one M use a [`Series`](super::Series).
+    /// If the basis is singular or has another length, or if the path does not end in a solution, [`Lcp::solve_with`] takes over. For many q
+    /// with the same M use a [`Series`](super::Series).
     ///
     /// ```
     /// use grasp_lcp::lcp::{Basis, Lcp, Settings};
@@ -72,7 +69,7 @@ impl Lcp {
 }
 
 impl Workspace {
-    /// Solves a problem like [`Lcp::solve_with`].
+    /// Solves a problem like [`Lcp::solve_with`], in the memory of this workspace.
     pub fn solve(&mut self, lcp: &Lcp, settings: &Settings) -> OutcomeView<'_> {
         let failure = match self.refuse(lcp, settings) {
             Some(refused) => Some(refused),
@@ -82,7 +79,7 @@ impl Workspace {
         self.answer(failure)
     }
 
-    /// Solves a problem like [`Lcp::solve_from`].
+    /// Solves a problem like [`Lcp::solve_from`], in the memory of this workspace.
     pub fn solve_from(&mut self, lcp: &Lcp, basis: &Basis, settings: &Settings) -> OutcomeView<'_> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return self.answer(Some(refused));
@@ -95,7 +92,7 @@ impl Workspace {
         self.answer(failure)
     }
 
-    /// Solves a problem and leaves the dictionary of its basis, even if that is the slack basis.
+    /// Solves a problem and keeps the dictionary of its basis, even if it is the slack basis.
     pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);
@@ -104,7 +101,7 @@ impl Workspace {
         self.climb(lcp, settings)
     }
 
-    /// Solves for a right-hand side that belongs to the matrix whose dictionary the path holds.
+    /// Solves the problem of a new right-hand side for the matrix whose dictionary the path holds.
     pub(super) fn solve_next(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);
@@ -114,8 +111,7 @@ impl Workspace {
         self.resume(lcp, settings)
     }
 
-    /// Follows the path from the present complementary basis. A failure starts again from the
-    /// slacks.
+    /// Follows the path from the current complementary basis. If it fails, the solve starts again from the slack basis.
     fn resume(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let limit = settings.pivot_limit(lcp.len());
         let m = lcp.m.as_slice();

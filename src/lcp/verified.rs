@@ -1,17 +1,17 @@
-//! Verified solutions: proofs that the data given have an exact solution with a given basis, with bounds on it.
+//! Verified solutions: proofs that the given data have an exact solution with a given basis, and bounds on it.
 //!
-//! For a basis α let A = M_αα and R a computed inverse of it. If G = |I − R A| has a norm below one, A is regular, and the exact
-//! point z with A z = −q_α is near any computed one ẑ (S. M. Rump, *Verification methods*, Acta Numerica 19, 2010):
+//! For a basis α let A = M_αα and R a computed inverse of it. If G = |I − R A| has a norm below one, A is regular. The exact point z with A z =
+//! −q_α is then close to any computed point ẑ (S. M. Rump, *Verification methods*, Acta Numerica 19, 2010):
 //!
 //! ```text
 //! |z − ẑ| ≤ |R r| + G e,     r = −q_α − A ẑ,     e = ‖R r‖ / (1 − ‖G‖)
 //! ```
 //!
-//! The residual r is summed without rounding, and ẑ is the sum of two doubles. So the bounds of entries that are not
-//! tiny beside the others are as tight as doubles are. All other rounding is counted against them.
+//! The residual r is summed without rounding, and ẑ is the sum of two doubles. Bounds of entries that are not tiny compared with others are
+//! therefore as tight as doubles allow. All other rounding widens them.
 //!
-//! Where a z or a w is exactly zero, no bound proves its sign. Then a row may leave z no other value, or two rows may be alike;
-//! otherwise ẑ is tried as a vector of fractions.
+//! If a z or a w is exactly zero, no bound proves its sign. The proof is then that a row allows no other value, or that two rows are equal or
+//! opposite. Otherwise ẑ is tried as a vector of fractions.
 
 use super::basis::Basis;
 use super::farkas::cleaned;
@@ -23,27 +23,27 @@ use crate::prelude::*;
 use core::cmp::Ordering;
 use nalgebra::{DMatrix, DVector};
 
-/// Bounds of the exact solution of a problem that belongs to a basis; see [`Lcp::verify`].
+/// Bounds on the exact solution of a problem for a given basis; see [`Lcp::verify`].
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Verified {
-    /// No z_i is smaller (n entries, none negative; zero where z_i is not basic).
+    /// Lower bounds of z (n entries, none negative; zero where z_i is not basic).
     pub lower: DVector<f64>,
-    /// No z_i is larger (n entries).
+    /// Upper bounds of z (n entries).
     pub upper: DVector<f64>,
 }
 
 impl Lcp {
-    /// Bounds on the exact solution of the M and q given with z_i = 0 outside of a basis and w_i = 0 in it, if one is proved to exist.
+    /// Bounds on the exact solution for the given M and q with z_i = 0 outside the basis and w_i = 0 inside it, if one is proved to exist.
     ///
-    /// A computed [`Solution`](super::Solution) solves the problem up to its residuals. This is a proof, by interval
-    /// and exact arithmetic. `None` means that no proof was found:
+    /// A computed [`Solution`](super::Solution) solves the problem up to its residuals. This is a proof, by interval and exact arithmetic.
+    /// `None` means that no proof was found:
     ///
     /// * the block of the basis is singular or close to it,
     /// * some z_i or w_i is negative,
-    /// * or one of them vanishes exactly, no single row proves it, and the z are no small fractions.
+    /// * or one of them is exactly zero, no single row proves it, and the z are not fractions with a small denominator.
     ///
-    /// It costs some 6k³ flops for a basis of k entries, and a few times n k products that are summed without rounding.
+    /// The cost is some 6k³ flops for a basis of k entries, and a few times n k products that are summed without rounding.
     ///
     /// ```
     /// use grasp_lcp::lcp::Lcp;
@@ -80,7 +80,7 @@ impl Lcp {
                 (errors[k] + point.1[k].abs()) * SAFE_BOUND + point.0[k].abs() * f64::EPSILON + UNDERFLOW;
             verified.lower[*i] = point.0[k] - error;
             verified.upper[*i] = point.0[k] + error;
-            // The bound of a sum of two doubles decides a sign more sharply than the bound of one double.
+            // The bound of a sum of two doubles determines a sign more sharply than that of one double.
             if point.0[k] + point.1[k] <= errors[k] * SAFE_BOUND + UNDERFLOW {
                 return None;
             }
@@ -94,10 +94,10 @@ impl Lcp {
         (0..n).all(|i| basis.contains(i) || holds(i) || self.is_settled(i, alpha)).then_some(verified)
     }
 
-    /// Whether w_i is the same for all z_α that the basis allows, and not negative.
+    /// Whether w_i is the same nonnegative number for all z_α that the basis allows.
     ///
-    /// It equals q_i if row i has no entries in the columns α. It is zero if row i equals a row of α or its negative: the
-    /// two directions of a friction force have such rows.
+    /// It equals q_i if row i has no entries in the columns α. It is zero if row i equals a row of α or its negative, as for the two directions
+    /// of a friction force.
     fn is_settled(&self, i: usize, alpha: &[usize]) -> bool {
         let alike = |j: usize, sign: f64| {
             self.q[i] == sign * self.q[j] && alpha.iter().all(|k| self.m[(i, *k)] == sign * self.m[(j, *k)])
@@ -106,11 +106,11 @@ impl Lcp {
             || alpha.iter().any(|j| alike(*j, -1.0) || alike(*j, 1.0))
     }
 
-    /// The solution as fractions p / D with one denominator D, if z has such entries up to rounding. Summed without rounding, M p + q D is zero in the basis and not
-    /// negative elsewhere.
+    /// The solution as fractions p / D with a common denominator D, if z has such entries up to rounding. Summed without rounding, M p + q D
+    /// must be zero for rows in the basis and nonnegative for the others.
     fn exact_fractions(&self, z: &DVector<f64>, basis: &Basis) -> Option<Verified> {
         let n = self.len();
-        // The denominator D is appended as one more entry, that of 1.
+        // The denominator D is appended as the entry that corresponds to 1.
         let with_one = z.clone().insert_row(n, 1.0);
         let holds = |p: &DVector<f64>| {
             p.iter().all(|p| p.is_finite() && *p >= 0.0)
@@ -127,8 +127,8 @@ impl Lcp {
     }
 }
 
-/// The block of a basis, balanced by powers of two, with its computed inverse. The z_j that one row with q_i = 0 forces to zero, and those rows, are
-/// left out.
+/// The block of a basis, balanced by powers of two, with its computed inverse. It omits each z_j that a single row with q_i = 0 forces to zero,
+/// and that row.
 struct Block<'a> {
     lcp: &'a Lcp,
     rows: Vec<usize>,
@@ -144,7 +144,7 @@ type Twice = (DVector<f64>, DVector<f64>);
 impl<'a> Block<'a> {
     fn of(lcp: &'a Lcp, basis: &Basis) -> Option<Self> {
         let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = basis.iter().map(|i| (i, i)).unzip();
-        // In a row with q_i = 0 and an entry of one z alone, that z is zero.
+        // If a row with q_i = 0 has only one entry, the z of that entry is zero.
         let vanishes = |rows: &[usize], columns: &[usize]| {
             rows.iter().enumerate().filter(|(_, i)| lcp.q[**i] == 0.0).find_map(|(at, i)| {
                 let mut entries = columns.iter().enumerate().filter(|(_, j)| lcp.m[(*i, **j)] != 0.0);
@@ -161,7 +161,7 @@ impl<'a> Block<'a> {
         let mut scaling = Scaling::default();
         scaling.balance(size, block.as_slice(), &vec![0.0; size]);
         let a = DMatrix::from_fn(size, size, |i, j| block[(i, j)] * scaling.row[i] * scaling.column[j]);
-        // Powers of two round nothing unless they lead out of the normal numbers.
+        // Powers of two cause no rounding unless the result is subnormal.
         let kept = |i: usize, j: usize| {
             let halfway = block[(i, j)] * scaling.row[i];
             block[(i, j)] == 0.0 || halfway.is_normal() && a[(i, j)].is_normal()
@@ -173,7 +173,7 @@ impl<'a> Block<'a> {
         Some(Self { lcp, rows, columns, inverse, a, scaling })
     }
 
-    /// q_i + M_iα z without rounding.
+    /// The exact sum q_i + M_iα z.
     fn row(&self, i: usize, point: &Twice) -> ExactSum {
         let mut sum = ExactSum::of_products([(self.lcp.q[i], 1.0)]);
         for (k, j) in self.columns.iter().enumerate() {
@@ -183,7 +183,7 @@ impl<'a> Block<'a> {
         sum
     }
 
-    /// The residual −q_α − M_αα z in balanced rows, to one rounding each.
+    /// The residual −q_α − M_αα z in balanced rows, each rounded once.
     fn residual(&self, point: &Twice) -> DVector<f64> {
         DVector::from_fn(self.columns.len(), |k, _| {
             -self.row(self.rows[k], point).rounded_in(self.scaling.row[k])
@@ -203,7 +203,7 @@ impl<'a> Block<'a> {
         for _ in 0..4 {
             let step = self.step(&self.residual(&point));
             for i in 0..size {
-                // The pair keeps its sum: the part that the first double cannot hold goes to the second.
+                // The pair is renormalised: the second double holds what the first one cannot.
                 let rest = point.1[i] + step[i];
                 let high = point.0[i] + rest;
                 point.1[i] = rest - (high - point.0[i]);
@@ -213,13 +213,13 @@ impl<'a> Block<'a> {
         point
     }
 
-    /// Bounds of |z − ẑ|, in the caller's units; `None` if the block may be singular.
+    /// Bounds on |z − ẑ|, in the caller's units; `None` if the block may be singular.
     fn errors(&self, point: &Twice) -> Option<DVector<f64>> {
         let size = self.columns.len();
         let rounding = (size as f64 + 4.0) * f64::EPSILON;
         let product = &self.inverse * &self.a;
         let sizes = self.inverse.abs() * self.a.abs();
-        // Row sums of G, with the rounding of the product.
+        // Row sums of G, including the rounding of the product.
         let g = DVector::from_fn(size, |i, _| {
             let row = (0..size).map(|j| {
                 (product[(i, j)] - f64::from(u8::from(i == j))).abs() + rounding * sizes[(i, j)] + UNDERFLOW

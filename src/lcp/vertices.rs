@@ -1,8 +1,8 @@
-//! Vertices of small polyhedra, for problems where linear programming has failed: entries many orders of magnitude apart.
+//! Vertices of small polyhedra, for problems in which linear programming has failed because entries differ by many orders of magnitude.
 //!
-//! A piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } that is not empty has a vertex: some rows vanish there, and as many z are not zero. The
-//! cone of vectors y ≥ 0 with Mᵀy ≤ 0 has edges, and one with qᵀy < 0 proves that no z ≥ 0 has M z + q ≥ 0. Each is a small regular
-//! system, balanced by itself.
+//! A nonempty piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } has a vertex: some rows are zero there, and as many z are nonzero. The cone of
+//! vectors y ≥ 0 with Mᵀy ≤ 0 has edges, and an edge with qᵀy < 0 proves that no z ≥ 0 satisfies M z + q ≥ 0. Each vertex or edge is the
+//! solution of a small regular system, balanced separately.
 
 use super::farkas::cleaned;
 use super::linear_program::MARGINS;
@@ -31,14 +31,14 @@ pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<It
     })
 }
 
-/// A Farkas vector among the edges of { y ≥ 0, Mᵀy ≤ 0 }, as computed or, so that rounding does not matter, with a margin.
+/// A Farkas vector among the edges of { y ≥ 0, Mᵀy ≤ 0 }, as computed or with a margin that covers rounding.
 pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
     let load = if q.amax() > 0.0 { q.amax() } else { 1.0 };
     subsets(n).filter(|rows| !rows.is_empty()).find_map(|rows| {
         let k = rows.len();
-        // The columns of M, and that of q: one sum fewer vanishes than there are rows.
+        // The columns are those of M, and q as the last one. One sum fewer is zero than there are rows.
         subsets(n + 1).filter(|columns| columns.len() + 1 == k).find_map(|columns| {
             let column = |j: usize, row: usize| if j < n { m[(row, j)] } else { q[row] / load };
             MARGINS.into_iter().find_map(|margin| {
@@ -56,8 +56,8 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     })
 }
 
-/// The solution of a square system. Rows and columns with a single entry are eliminated first: they cannot be balanced against the rest, and
-/// make it appear singular where it is not.
+/// Solves a square system. Rows and columns with a single entry are eliminated first: they cannot be balanced against the rest, and could make
+/// the system appear singular.
 fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     let alone = |line: &mut dyn Iterator<Item = f64>| {
@@ -81,12 +81,12 @@ fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     value.is_finite().then(|| x.insert_row(j, value))
 }
 
-/// All subsets of 0 … count − 1, those of few elements first.
+/// All subsets of 0 … count − 1, in order of increasing size.
 fn subsets(count: usize) -> Subsets {
     Subsets { count, size: 0, bits: 0 }
 }
 
-/// Subsets as bits: all of one size, then those of the next.
+/// Iterator over subsets as bits: all of one size, then those of the next.
 struct Subsets {
     count: usize,
     size: usize,

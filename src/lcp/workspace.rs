@@ -1,4 +1,4 @@
-//! Memory for solving many problems.
+//! Memory for solving many problems, reused from problem to problem.
 
 use super::basis::Basis;
 use super::dictionary::LemkeVariable;
@@ -10,10 +10,9 @@ use super::residuals::Residuals;
 use super::solution::SolutionView;
 use crate::prelude::*;
 
-/// Memory for the solver that is kept between problems.
+/// Memory of the solver that is reused from problem to problem.
 ///
-/// Once a workspace has held a problem, it allocates nothing for others that are no larger, as long
-/// as the first path solves them.
+/// Once a workspace has solved a problem, it allocates nothing for others that are no larger, provided that their first path succeeds.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, OutcomeView, Settings, Workspace};
@@ -32,21 +31,21 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
     pub(super) path: LemkePath,
-    /// The point at the end of the last path, and another point to compare it with.
+    /// The point at the end of the last path; `spare` is another point for comparison.
     pub(super) point: LcpPoint,
     pub(super) spare: LcpPoint,
-    /// Which basic z's are zero but for rounding.
+    /// For each z, whether it is basic but zero up to rounding.
     pub(super) vanishing: Vec<bool>,
     pub(super) correction: Vec<f64>,
     pub(super) defect: Vec<f64>,
     pub(super) basis: Basis,
-    /// The residuals of the point, once it has passed as a solution.
+    /// The residuals of the point, if it was accepted as a solution.
     pub(super) residuals: Option<Residuals>,
     pub(super) degenerate: bool,
 }
 
 impl Workspace {
-    /// A workspace without memory yet.
+    /// A workspace without allocated memory.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
@@ -69,7 +68,7 @@ impl Workspace {
         }
     }
 
-    /// Makes room for steps that only some problems need.
+    /// Reserves memory for steps that only some problems need.
     pub(super) fn reserve(&mut self, n: usize) {
         let LcpPoint { z, w, terms } = &mut self.spare;
         for scratch in [&mut self.correction, &mut self.defect, z, w, terms] {
@@ -77,7 +76,7 @@ impl Workspace {
         }
     }
 
-    /// Whether the dictionary is that of a complementary basis.
+    /// Whether the dictionary belongs to a complementary basis.
     pub(super) fn is_complementary(&self) -> bool {
         let dictionary = &self.path.dictionary;
         dictionary.basic.iter().all(|basic| match *basic {
@@ -87,7 +86,7 @@ impl Workspace {
         })
     }
 
-    /// Whether the dictionary is that of this complementary basis.
+    /// Whether the dictionary belongs to this complementary basis.
     pub(super) fn holds(&self, basis: &Basis) -> bool {
         self.is_complementary()
             && (0..basis.len()).all(|i| self.path.dictionary.is_active(i) == basis.contains(i))

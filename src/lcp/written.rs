@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// A matrix by its rows. The number of columns is given by the other blocks, since a matrix without rows does not show it.
+/// A matrix as a list of rows. The other blocks give the number of columns, which a matrix without rows does not show.
 #[derive(Serialize, Deserialize)]
 #[serde(transparent)]
 struct Rows(Vec<Vec<f64>>);
@@ -94,14 +94,14 @@ impl<'de> Deserialize<'de> for MixedLcp {
     }
 }
 
-/// A basis is written as the list of the i with z_i basic.
+/// A basis is serialised as the list of the i with z_i basic.
 impl Serialize for Basis {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(self.iter())
     }
 }
 
-/// A vector as a list.
+/// Serialises a vector as a list.
 pub(crate) fn list<S: Serializer>(v: &DVector<f64>, serializer: S) -> Result<S::Ok, S::Error> {
     v.as_slice().serialize(serializer)
 }

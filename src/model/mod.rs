@@ -1,4 +1,4 @@
-//! The question, checked: contacts with their law of friction and stiffness, hands, bodies, wrenches and twists.
+//! The validated question: contacts with their law of friction and stiffness, hands, bodies, wrenches and twists.
 
 pub(crate) mod contact;
 pub mod grasp;

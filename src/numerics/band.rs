@@ -1,17 +1,18 @@
 //! A square band matrix and its LU factors with partial pivoting.
 //!
-//! With entries up to b places from the diagonal, row exchanges fill up to 2b places to the right. Factors of n rows cost 2 n b² multiplications in place of
-//! n³/3, and a solution 3 n b in place of n².
+//! With entries up to b positions from the diagonal, row exchanges fill up to 2b positions to the right. LU factors of n rows cost 2 n b²
+//! multiplications in place of n³/3, and a solution 3 n b in place of n².
 
 use super::tolerances::BAND_PIVOT;
 use crate::numerics::{dot, mapped};
 use crate::prelude::*;
 
-/// A matrix whose entries are up to `reach` places from the diagonal.
+/// A band matrix whose entries are at most `reach` positions from the diagonal.
 #[derive(Debug, Clone)]
 pub(crate) struct Band {
     reach: usize,
-    /// Column by column, each from `2 reach` places above the diagonal to `reach` below it: room for exchanged rows.
+    /// The columns, each from `2 reach` rows above the diagonal to `reach` rows below it. The upper part has room for the fill-in of row
+    /// exchanges.
     entries: Vec<f64>,
     count: usize,
 }
@@ -27,7 +28,7 @@ impl Band {
         self.entries[j * (3 * self.reach + 1) + 2 * self.reach + i - j] += x;
     }
 
-    /// The entry in row i and column j, zero outside of the band.
+    /// The entry in row i and column j; zero outside the band.
     pub(crate) fn entry(&self, i: usize, j: usize) -> f64 {
         let is_near = i.abs_diff(j) <= self.reach;
         if is_near { self.entries[j * (3 * self.reach + 1) + 2 * self.reach + i - j] } else { 0.0 }
@@ -38,12 +39,12 @@ impl Band {
         &mut self.entries
     }
 
-    /// The largest size of an entry.
+    /// The largest absolute value of an entry.
     pub(crate) fn amax(&self) -> f64 {
         self.entries.iter().fold(0.0, |most, x| most.max(x.abs()))
     }
 
-    /// Subtracts the product with x from a vector.
+    /// Subtracts the product of the matrix and x from a vector.
     pub(crate) fn subtract_product(&self, x: &[f64], from: &mut [f64]) {
         let height = 3 * self.reach + 1;
         for (j, (column, x)) in self.entries.chunks_exact(height).zip(x).enumerate() {
@@ -54,15 +55,15 @@ impl Band {
         }
     }
 
-    /// The LU factors. A column without a pivot is replaced, so that the factored matrix is regular, see [`BandFactors::is_singular`]. `None` if a
-    /// pivot is not finite.
+    /// The LU factors. A column without a pivot is replaced by a unit column, so that the factored matrix is regular, see
+    /// [`BandFactors::is_singular`]. `None` if a pivot is not finite.
     pub(crate) fn factors(mut self) -> Option<BandFactors> {
         let Self { reach, count, .. } = self;
         let height = 3 * reach + 1;
         let entries = &mut self.entries[..];
         let least = BAND_PIVOT * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let (mut pivots, mut pinned) = (Vec::with_capacity(count), Vec::new());
-        // The last column that an exchanged row reaches so far.
+        // Rightmost column that an exchanged row has reached.
         let mut last = 0;
         for k in 0..count {
             let below = reach.min(count - 1 - k);
@@ -107,9 +108,9 @@ impl Band {
 pub(crate) struct BandFactors {
     /// U on and above the diagonal, L below it.
     band: Band,
-    /// For each row, the number of rows below it from which its pivot row came.
+    /// For each row, the distance to the row below it that became its pivot row.
     pivots: Vec<usize>,
-    /// Columns without a pivot. If `A x = b` has a solution, the one returned is zero there.
+    /// Columns without a pivot. If `A x = b` has a solution, the returned one has zeros there.
     pinned: Vec<usize>,
 }
 
@@ -119,12 +120,12 @@ impl BandFactors {
         !self.pinned.is_empty()
     }
 
-    /// Vectors x with `A x = 0`, one for each column without a pivot.
+    /// Vectors x with `A x = 0`, one per column without a pivot.
     pub(crate) fn null_vectors(&self) -> Vec<Vec<f64>> {
         self.each_pinned(Self::back)
     }
 
-    /// Vectors z with `Aᵀz = 0`, as many as columns without a pivot.
+    /// Vectors z with `Aᵀz = 0`, one per column without a pivot.
     pub(crate) fn left_null_vectors(&self) -> Vec<Vec<f64>> {
         self.each_pinned(Self::solve_transposed)
     }
@@ -139,20 +140,20 @@ impl BandFactors {
         mapped(&self.pinned, &from)
     }
 
-    /// The part of a stored column that begins `above` places above the diagonal.
+    /// The stored column k, from `above` rows above the diagonal on.
     fn column(&self, k: usize, above: usize) -> &[f64] {
         let reach = self.band.reach;
         let height = 3 * reach + 1;
         &self.band.entries[k * height..(k + 1) * height][2 * reach - above..]
     }
 
-    /// The solution of `A x = b` in place of b.
+    /// Replaces b by the solution of `A x = b`.
     pub(crate) fn solve(&self, x: &mut [f64]) {
         let (count, reach) = (self.band.count, self.band.reach);
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, k + pivot);
             let (known, below) = (x[k], reach.min(count - 1 - k));
-            // The load of one contact changes later rows only: zeros before it need no work.
+            // A right-hand side with leading zeros, such as the load of one contact, changes later rows only.
             if known != 0.0 {
                 let factors = &self.column(k, 0)[1..];
                 x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);
@@ -161,7 +162,7 @@ impl BandFactors {
         self.back(x);
     }
 
-    /// The solution of `U x = b` in place of b.
+    /// Replaces b by the solution of `U x = b`.
     fn back(&self, x: &mut [f64]) {
         for k in (0..self.band.count).rev() {
             let above = (2 * self.band.reach).min(k);
@@ -172,7 +173,7 @@ impl BandFactors {
         }
     }
 
-    /// The solution of `Aᵀx = b` in place of b.
+    /// Replaces b by the solution of `Aᵀx = b`.
     pub(crate) fn solve_transposed(&self, x: &mut [f64]) {
         let (count, reach) = (self.band.count, self.band.reach);
         for k in 0..count {
@@ -228,7 +229,7 @@ mod tests {
     #[test]
     fn what_is_singular_has_null_vectors() {
         let (mut band, mut full) = some(20, 3);
-        // The sum of rows 8 and 9 becomes row 10, which reaches no farther then.
+        // Row 10 becomes the sum of rows 8 and 9, both restricted to columns that row 10 can reach.
         for j in 5..14 {
             let sum = full[8][j] + full[9][j];
             if (7..14).contains(&j) {

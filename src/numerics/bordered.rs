@@ -1,11 +1,11 @@
-//! The linear system of a pivot: the balance of the object, bordered by one row and one column.
+//! The linear system of a pivot in Lemke's method: the balance of the object, bordered by one row and one column.
 //!
 //! ```text
 //! T y  + c₀ z₀ = …      balance
-//! gᵀy  + γ  z₀ = …      the pair outside the basis
+//! gᵀy  + γ  z₀ = …      condition of the pair outside the basis
 //! ```
 //!
-//! T alone may be singular on the way; the bordered matrix of an exact basis is regular.
+//! T alone may become singular on a path, but the bordered matrix of an exact basis is regular.
 
 use super::coordinates::{Indices, Size, Square, Vector};
 
@@ -16,16 +16,16 @@ pub(crate) struct Bordered {
     rows: Square,
     /// The entries of these rows in the last column.
     last: Vector,
-    /// The row below them.
+    /// The border row, below the rows of T.
     border: Vector,
     corner: f64,
-    /// The original index of each row; the border has index d.
+    /// The original index of each row after row exchanges; the border row has index d.
     order: Indices,
     order_of_border: usize,
 }
 
 impl Default for Bordered {
-    /// Factors of no matrix yet.
+    /// Factors without a matrix, to be assigned later.
     fn default() -> Self {
         let size = Size::default();
         Self {
@@ -40,14 +40,14 @@ impl Default for Bordered {
 }
 
 impl Bordered {
-    /// `None` if the matrix is singular.
+    /// The LU factors; `None` if the matrix is singular.
     pub(crate) fn new(stiffness: &Square, cover: &Vector, gradient: &Vector, corner: f64) -> Option<Self> {
         let mut factors = Self::default();
         factors.assign(stiffness, cover, gradient, corner)?;
         Some(factors)
     }
 
-    /// The factors of another matrix, in the same memory. If it is singular, `None`, and the factors are unusable.
+    /// Factorises another matrix in the same memory. `None` if it is singular; the factors must then not be used.
     pub(crate) fn assign(
         &mut self,
         stiffness: &Square,
@@ -78,7 +78,7 @@ impl Bordered {
         Some(())
     }
 
-    /// Makes column k zero below its pivot, the largest entry in it.
+    /// Eliminates column k below its pivot, the largest entry of the column.
     fn eliminate(&mut self, k: usize) -> Option<()> {
         let size = self.rows.size();
         let d = size.count();
@@ -102,9 +102,9 @@ impl Bordered {
             order.swap(k, pivot);
         }
         let inverse = inverse(top[k])?;
-        // Stored inverted, since the pivot is used as a divisor only.
+        // The inverse is stored, since a pivot is only used as a divisor.
         top[k] = inverse;
-        // Zeros up to the pivot: loops over a fixed number of coordinates run over all of them.
+        // Components up to the pivot are zero, so that loops of fixed length may run over all components.
         let row = Vector::from_fn(size, |j| if j > k { top[j] } else { 0.0 });
         let open = k + 1..d;
         let row = &row.as_slice()[open.clone()];
@@ -121,7 +121,7 @@ impl Bordered {
         Some(())
     }
 
-    /// The smallest pivot divided by the largest, in size.
+    /// The smallest absolute pivot divided by the largest.
     pub(crate) fn least_pivot(&self) -> f64 {
         let inverses =
             (0..self.rows.size().count()).map(|k| self.rows[(k, k)]).chain(core::iter::once(self.corner));
@@ -135,7 +135,7 @@ impl Bordered {
         solution
     }
 
-    /// Solutions for several right-hand sides.
+    /// Solves for several right-hand sides.
     pub(crate) fn solve_each<const R: usize>(&self, sides: [(&Vector, f64); R]) -> [(Vector, f64); R] {
         sides.map(|(balance, last)| self.solved(balance, last))
     }
@@ -171,9 +171,9 @@ impl Bordered {
     }
 }
 
-/// The solution of [`Bordered::solve`], to the last bit, for a matrix of `N` rows whose factors are not kept: T column by column, the column and the
-/// row beside it, the corner, and zeros on the right but `last` in the border. With it the smallest pivot divided by the largest. `None` if the matrix
-/// is singular.
+/// Solves a bordered system of `N` rows once, without storing factors, with the same bits as [`Bordered::solve`]. T is given column by column,
+/// then the border's column and row, and its corner. The right-hand side is zero except for `last` in the border. Also returns the smallest
+/// absolute pivot divided by the largest. `None` if the matrix is singular.
 pub(crate) fn solved_once<const N: usize>(
     stiffness: &[f64],
     [column, border]: [&Vector; 2],
@@ -219,7 +219,7 @@ pub(crate) fn solved_once<const N: usize>(
     Some((x, least / most))
 }
 
-/// The inverse of a pivot; `None` if the pivot is not a normal number.
+/// The reciprocal of a pivot; `None` if the pivot is not a normal number.
 fn inverse(pivot: f64) -> Option<f64> {
     pivot.is_normal().then(|| 1.0 / pivot)
 }

@@ -1,12 +1,12 @@
-//! The bordered system of many coordinates, where T is a band.
+//! The bordered system of many coordinates, if T is a band matrix.
 //!
 //! ```text
 //! T y  + c z = b          z = (β - gᵀT⁻¹b) / (γ - gᵀT⁻¹c)
 //! gᵀy  + γ z = β          y = T⁻¹b - T⁻¹c z
 //! ```
 //!
-//! Near a singular T this loses digits, and iterative refinement restores them (W. Govaerts, Stable solvers and block elimination for bordered
-//! systems, SIAM J. Matrix Anal. Appl. 12, 1991). If T has no factors, the caller factorises the whole matrix.
+//! If T is nearly singular this loses digits, which iterative refinement restores (W. Govaerts, Stable solvers and block elimination for
+//! bordered systems, SIAM J. Matrix Anal. Appl. 12, 1991). If T has no factors, the caller factorises the whole matrix.
 
 use super::band::{Band, BandFactors};
 use crate::numerics::dot;
@@ -20,14 +20,14 @@ pub(crate) struct BorderedBand {
     cover: Vec<f64>,
     gradient: Vec<f64>,
     corner: f64,
-    /// T⁻¹c.
+    /// The vector T⁻¹c.
     covered: Vec<f64>,
-    /// One over γ - gᵀT⁻¹c.
+    /// The reciprocal of γ - gᵀT⁻¹c.
     inverse: f64,
 }
 
 impl BorderedBand {
-    /// The factors, with rows and columns in the order of the band; `None` if T or the whole matrix is singular.
+    /// The factors. Rows and columns are in the order of the band. `None` if T or the whole matrix is singular.
     pub(crate) fn new(band: Band, cover: Vec<f64>, gradient: Vec<f64>, corner: f64) -> Option<Self> {
         let factors = band.clone().factors().filter(|factors| !factors.is_singular())?;
         let mut covered = cover.clone();
@@ -42,7 +42,7 @@ impl BorderedBand {
         let given = balance.to_vec();
         let mut z = self.solve_once(balance, last);
         let mut left = vec![0.0; given.len()];
-        // Steps of iterative refinement.
+        // Two steps of iterative refinement.
         for _ in 0..2 {
             left.copy_from_slice(&given);
             self.band.subtract_product(balance, &mut left);
@@ -67,7 +67,7 @@ mod tests {
     use super::*;
     use crate::numerics::generic;
 
-    /// The bordered matrix of a nearly singular band is regular, and its solution keeps its digits.
+    /// The bordered matrix of a nearly singular band is regular; its solution must keep all digits.
     #[test]
     fn solves_near_a_singular_band() {
         let (count, reach) = (24, 3);
@@ -78,7 +78,7 @@ mod tests {
                 band.add(i, j, x);
                 full[i][j] += x;
             };
-            // A chain of springs that hangs on a weak one.
+            // A chain of springs that is attached by a weak spring.
             for k in 1..count {
                 for (i, j, x) in [(k, k, 1.0), (k - 1, k - 1, 1.0), (k, k - 1, -1.0), (k - 1, k, -1.0)] {
                     add(i, j, x);

@@ -1,8 +1,8 @@
-//! Lists that are refilled in their own memory.
+//! Refilling of lists in their own memory.
 
 use crate::prelude::*;
 
-/// Empties a list and makes room for a number of entries. A larger allocation is exact: growing a list while it is filled takes longer.
+/// Empties a list and reserves capacity. A larger allocation is exact, since growing a list while it is filled takes longer.
 #[inline]
 pub(crate) fn cleared_for<T>(list: &mut Vec<T>, entries: usize) {
     if list.capacity() < entries {

@@ -1,4 +1,4 @@
-//! Small linear systems by complete pivoting, with rank, kernels and the unreachable part of a right-hand side.
+//! Small linear systems by LU with complete pivoting: rank, kernels, and the part of a right-hand side outside the range.
 
 use super::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{Indices, Square, Vector};
@@ -28,7 +28,7 @@ impl CompletePivoting {
             for j in k..cols {
                 for (i, entry) in a.column_slice(j)[..rows].iter().enumerate().skip(k) {
                     let size = entry.abs();
-                    // Of equal entries the first one, row by row, is the pivot, in whatever order they are compared.
+                    // The pivot is the first of equal entries, row by row, independently of the order of comparison.
                     if size > most || size == most && (i, j) < (pi, pj) {
                         (pi, pj, most) = (i, j, size);
                     }
@@ -57,7 +57,7 @@ impl CompletePivoting {
         Self { lu: a, row_order, col_order, rows, cols, rank }
     }
 
-    /// A solution of `A x = b` with zeros in the free columns, and the largest remainder of b that no x can reach.
+    /// A solution of `A x = b` with zeros in the free columns, and the largest component of the remainder of b that no x can produce.
     pub(crate) fn solve(&self, b: &Vector) -> (Vector, f64) {
         let mut reached = Vector::all_zero(self.lu.size());
         let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.row_order.as_ref());
@@ -87,7 +87,8 @@ impl CompletePivoting {
 
     /// A basis of {z : Aᵀ z = 0}.
     pub(crate) fn left_kernel(&self) -> Vec<Vector> {
-        // With P A Q = L U, `Aᵀ z = 0` requires `(P z)ᵀ L = 0` in the first `rank` places, solved from the last row of L up.
+        // With P A Q = L U, `Aᵀ z = 0` requires that the first `rank` components of `(P z)ᵀ L` vanish. They are solved from the last row of L
+        // upwards.
         (self.rank..self.rows)
             .map(|free| {
                 let mut y = Vector::zeros();
@@ -104,7 +105,7 @@ impl CompletePivoting {
             .collect()
     }
 
-    /// Largest row sum of |A⁻¹|, but at least 1: the growth of an error of the right-hand side.
+    /// Largest row sum of |A⁻¹|, at least 1: the factor by which an error of the right-hand side may grow.
     pub(crate) fn growth(&self) -> f64 {
         let mut sums = Vector::zeros();
         for e in 0..self.rank {

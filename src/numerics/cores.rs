@@ -1,5 +1,5 @@
-//! Work spread over the cores (feature `parallel`): the only module that uses threads. The work is passed behind a pointer, so that the
-//! machinery of threads is compiled once and not for every question.
+//! Parallel work on all cores (feature `parallel`); no other module uses threads. The work is passed as a function pointer, so that the code for
+//! threads is compiled only once.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -7,12 +7,12 @@ use rayon::prelude::*;
 
 use crate::prelude::*;
 
-/// Calls `what` with each number below `count`. A panic is passed on to the caller.
+/// Calls `what` with each number below `count`, in parallel. A panic is passed on to the caller.
 fn for_each(count: usize, what: &(dyn Fn(usize) + Sync)) {
     (0..count).into_par_iter().for_each(what);
 }
 
-/// `f` of every item, with results in the order of the items.
+/// Results of `f` for all items, in the order of the items.
 pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sync)) -> Vec<R> {
     let mut answers: Vec<Mutex<Option<R>>> = Vec::new();
     answers.resize_with(items.len(), Mutex::default);
@@ -29,7 +29,7 @@ pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sy
     all
 }
 
-/// Calls `f` with each item, which it consumes.
+/// Calls `f` with each item by value.
 pub(crate) fn each_taken<T: Send>(items: impl Iterator<Item = T>, f: &(impl Fn(T) + Sync)) {
     let items: Vec<Mutex<Option<T>>> = items.map(|item| Mutex::new(Some(item))).collect();
     for_each(items.len(), &|k| {
@@ -39,7 +39,7 @@ pub(crate) fn each_taken<T: Send>(items: impl Iterator<Item = T>, f: &(impl Fn(T
     });
 }
 
-/// The results of both functions, run on two threads.
+/// Results of both functions, which run on two threads.
 pub(crate) fn both<R: Send>(a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
     let (mut first, mut second) = (None, None);
     {

@@ -4,25 +4,25 @@
 //! k_s = f(y + h Σ_j a_sj k_j),      y₁ = y + h Σ b_s k_s,      e = 4 err₅² / √(err₅² + 0.01 err₃²)
 //! ```
 //!
-//! Two embedded sums, of orders 5 and 3, estimate the error. Their combination e is of order h⁸, like the error of a method of order 7.
-//! It is multiplied by four, since e alone is as often too small as too large.
+//! Two embedded formulas, of orders 5 and 3, estimate the error. Their combination e is of order h⁸, like the error of a method of order 7. It
+//! is multiplied by four, since e alone underestimates the error about as often as it overestimates it.
 //!
 //! Source: the method DOP853 of Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, second edition, section II.10.
 
 use crate::prelude::*;
 
-/// A weighted sum of stages: pairs of a stage and its coefficient.
+/// A weighted sum of stages, as pairs of stage index and coefficient.
 type Sum = &'static [(usize, f64)];
 
 /// The coefficients of the method.
 struct Tableau {
-    /// The a_sj of each stage after the first, row by row.
+    /// Coefficients a_sj of each stage after the first, row by row.
     ways: [Sum; 11],
-    /// The b_s.
+    /// Weights b_s of the result.
     weights: Sum,
-    /// Error of the embedded sum of order 5.
+    /// Weights of the error of the embedded formula of order 5.
     fifth: Sum,
-    /// The embedded sum of order 3: its difference to the weights is its error.
+    /// Weights of the embedded formula of order 3; its error is the difference from the result.
     third: Sum,
 }
 
@@ -107,14 +107,14 @@ const TABLEAU: Tableau = Tableau {
 /// The result of a step.
 #[derive(Debug, Clone)]
 pub(crate) struct Stepped {
-    /// Changes of the variables.
+    /// Change of the variables in the step.
     pub(crate) change: Vec<f64>,
-    /// The estimated error, in the measure that the caller gave.
+    /// Estimated error, in the measure given by the caller.
     pub(crate) error: f64,
 }
 
-/// One step of this length. `first` is the rate at its beginning, from which the variables are counted. `rate` writes f(y), or returns `None` where
-/// f is not defined; `size` measures an error of the variables.
+/// One step of this length. Variables are counted from the start of the step, where their rate is `first`. `rate` computes f(y), or returns
+/// `None` where f is not defined; `size` measures an error of the variables.
 pub(crate) fn explicit_step(
     length: f64,
     first: &[f64],
@@ -138,12 +138,12 @@ pub(crate) fn explicit_step(
     y.iter_mut().zip(&change).for_each(|(third, best)| *third -= best);
     let third = size(&y);
     let scale = fifth.hypot(0.1 * third);
-    // The factor makes the estimate exceed the true error usually.
+    // With the factor 4 the estimate usually exceeds the true error.
     let error = if scale > 0.0 { 4.0 * fifth * (fifth / scale) } else { scale };
     error.is_finite().then_some(Stepped { change, error })
 }
 
-/// `h Σ c_s k_s`.
+/// The weighted sum `h Σ c_s k_s`.
 fn add_up(stages: &[f64], length: f64, sum: Sum, y: &mut [f64]) {
     let n = y.len();
     y.fill(0.0);
@@ -157,7 +157,7 @@ fn add_up(stages: &[f64], length: f64, sum: Sum, y: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// The error of a turn about the origin by an angle, `y' = (-y₂, y₁)` from (1, 0), and its estimate.
+    /// The error of a rotation about the origin by an angle, `y' = (-y₂, y₁)` from (1, 0), and its estimate.
     fn turn(angle: f64) -> (f64, f64) {
         let rate = |y: &[f64], out: &mut [f64]| {
             (out[0], out[1]) = (-y[1], 1.0 + y[0]);

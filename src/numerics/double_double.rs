@@ -1,9 +1,9 @@
-//! Sums in twice the working precision: a second number collects the rounding errors of the sum.
+//! Sums in double-double precision: a second number collects the rounding errors of the sum.
 //!
-//! A sum of terms that nearly cancel keeps the digits that its terms have (T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and dot
-//! product*, SIAM J. Sci. Comput. 26, 2005). The residual of an equation near its solution is such a sum.
+//! A sum of nearly cancelling terms keeps all digits of its terms (T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and dot product*, SIAM J. Sci.
+//! Comput. 26, 2005). The residual of an equation near its solution is such a sum.
 
-/// A sum as `high + low`, known to about 1e-32 of its largest term.
+/// A sum `high + low`, accurate to about 1e-32 of its largest term.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct DoubleDouble {
     pub(crate) high: f64,
@@ -36,35 +36,35 @@ impl DoubleDouble {
         self.add(product);
     }
 
-    /// Adds `(a + rest) b`, where `rest` is the rounding error of a.
+    /// Adds `(a + rest) b`, with the rounding error `rest` of a.
     #[inline(always)]
     pub(crate) fn add_product_of_twice(&mut self, (a, rest): (f64, f64), b: Self) {
         self.low += a * b.low + rest * b.high;
         self.add_product(a, b.high);
     }
 
-    /// The sum divided by a number that is known exactly.
+    /// The sum divided by an exact number.
     pub(crate) fn over(self, k: f64) -> Self {
         let high = self.high / k;
         let product = high * k;
         Self { high, low: ((self.high - product) - rounding_of(product, high, k) + self.low) / k }
     }
 
-    /// The sum, rounded.
+    /// The sum, rounded to a double.
     pub(crate) fn value(self) -> f64 {
         self.high + self.low
     }
 }
 
-/// `a b - product`, exactly, by halves of 26 bits (T. J. Dekker, 1971). A fused multiplication would take one instruction, but is a
-/// call into a library if the target processor may lack it.
+/// The exact value of `a b - product`, by splitting into halves of 26 bits (T. J. Dekker, 1971). A fused multiply-add would be one instruction,
+/// but becomes a library call if the target processor may lack it.
 #[inline(always)]
 pub(crate) fn rounding_of(product: f64, a: f64, b: f64) -> f64 {
     let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
     ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
 }
 
-/// Halves of 26 bits. They overflow from 1e300 on; numbers of the library stay far below.
+/// Splits a double into halves of 26 bits. Overflows above 1e300; numbers of this library are far smaller.
 #[inline(always)]
 fn halves(x: f64) -> (f64, f64) {
     let shifted = 134_217_729.0 * x; // 2^27 + 1

@@ -1,7 +1,7 @@
-//! An event queue: numbered items with times on a clock that only runs forwards.
+//! An event queue: numbered items with times, and a clock that only moves forwards.
 //!
-//! Most items are rescheduled before their time comes. So only the next ones are kept in order, few enough for the nearest cache. Behind
-//! them the queue has unordered tiers, each longer than the one before by about the same factor.
+//! Most items are rescheduled before their time. Therefore only the earliest items are kept sorted, few enough for the first-level cache. All
+//! later items are in unsorted tiers, each longer than the previous one by about the same factor.
 
 use alloc::collections::BinaryHeap;
 use core::cmp::Reverse;
@@ -9,12 +9,13 @@ use core::cmp::Reverse;
 use super::pairwise::in_halves;
 use crate::prelude::*;
 
-/// Number of items of a longer tier that are sampled to find the end of that part. With more, sorting them costs more than it spares.
+/// Number of sampled items of a long tier, from which the end of its first part is estimated. Sorting more would cost more than it saves.
 const SAMPLED: usize = 32;
-/// Number of tiers: with fewer, the ordered items of a queue of a hundred thousand exceed the nearest cache; with more, items are moved more often.
+/// Number of tiers. With fewer, the sorted items of a queue of a hundred thousand exceed the first-level cache; with more, items are moved more
+/// often.
 const TIERS: usize = 3;
 
-/// An item as one integer, which takes one comparison: the bits of its time, then its number and its stamp. Times are not negative, so
+/// An item as one integer, so that one comparison suffices: the bits of its time, then its number and its stamp. Times are not negative, so
 /// their bits have the order of the times.
 type Entry = u128;
 
@@ -27,19 +28,19 @@ fn parts(entry: Entry) -> (f64, u32, u32) {
     (f64::from_bits((entry >> 64) as u64), (entry >> 32) as u32, entry as u32)
 }
 
-/// The items up to a horizon, without order.
+/// The unsorted items up to a horizon in time.
 #[derive(Debug, Clone, Default)]
 struct Tier {
     waiting: Vec<Entry>,
     horizon: f64,
 }
 
-/// A queue of numbers with their times.
+/// A queue of numbers, each with a time.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EventQueue {
-    /// The items up to the nearest horizon.
+    /// The sorted items up to the earliest horizon.
     next: BinaryHeap<Reverse<Entry>>,
-    /// All other items, the farthest tier first; each reaches up to the horizon of the one before.
+    /// All other items, the latest tier first. Each tier ends at the horizon of the tier before it in this list.
     later: [Tier; TIERS],
     pub(crate) clock: f64,
 }
@@ -55,7 +56,7 @@ impl EventQueue {
         self.clock = 0.0;
     }
 
-    /// Refills the queue with the first `count` numbers; `time` returns the stamp and the time of each.
+    /// Refills the queue with the numbers below `count`; `time` returns the stamp and the time of each.
     pub(crate) fn line_up(&mut self, count: usize, time: &(impl Fn(u32) -> (u32, f64) + Sync)) {
         self.clear();
         self.next.reserve(count);
@@ -68,7 +69,7 @@ impl EventQueue {
         all.retain(|entry| parts(*entry).0.is_finite());
     }
 
-    /// Schedules a number after `time` from now; an infinite time schedules nothing.
+    /// Schedules a number `time` after the present clock. An infinite time is not scheduled.
     pub(crate) fn wait(&mut self, number: u32, stamp: u32, time: f64) {
         if !time.is_finite() {
             return;
@@ -81,9 +82,9 @@ impl EventQueue {
         }
     }
 
-    /// Whether a number is due later than `than` from now; if so, it is scheduled.
+    /// Whether `time` is later than `than`, both from the present clock. If so, the number is scheduled.
     pub(crate) fn waits_longer(&mut self, than: f64, number: u32, stamp: u32, time: f64) -> bool {
-        // Compared as in `next_within`: the number must not come back within the same time.
+        // The comparison is that of `next_within`, so that the number cannot return within the same time.
         let longer = self.clock + time > self.clock + than;
         if longer {
             self.wait(number, stamp, time);
@@ -91,7 +92,7 @@ impl EventQueue {
         longer
     }
 
-    /// The next number that is due within `time` from now, with its stamp.
+    /// The next number whose time is at most `time` after the present clock, with its stamp.
     pub(crate) fn next_within(&mut self, time: f64) -> Option<(u32, u32)> {
         let until = self.clock + time;
         loop {
@@ -110,7 +111,7 @@ impl EventQueue {
         }
     }
 
-    /// Moves a part of the nearest tier with items on, tier by tier, until some items are in order.
+    /// Moves the first part of the earliest nonempty tier to the next tier, and so on, until some items are sorted.
     fn look_further(&mut self) -> Option<()> {
         let nearest = self.later.iter().rposition(|tier| !tier.waiting.is_empty())?;
         for at in nearest..TIERS {
@@ -134,19 +135,19 @@ impl EventQueue {
 
 /// The last item of about the first part of a tier; `None` if the tier is empty.
 fn last_to_move_on(waiting: &[Entry]) -> Option<Entry> {
-    // A short tier moves on as a whole: to part it would cost more than to keep it in order.
+    // A short tier is moved as a whole, since dividing it would cost more than sorting it.
     if waiting.len() <= 256 {
         return waiting.iter().copied().max();
     }
     let apart = waiting.len() / SAMPLED;
     let mut sample: [Entry; SAMPLED] = core::array::from_fn(|k| waiting[k * apart]);
     sample.sort_unstable();
-    // An eighth of the tier moves on. A larger part sorts items that are then rescheduled; a smaller one
-    // scans the others too often.
+    // The first part is an eighth of the tier. A larger part sorts items that are later rescheduled; a smaller one scans the remaining items too
+    // often.
     Some(sample[SAMPLED / 8])
 }
 
-/// Fills in the stamp and the time of each item.
+/// Computes the stamp and the time of each item.
 fn each_time(entries: &mut [Entry], time: &(impl Fn(u32) -> (u32, f64) + Sync)) {
     let fill = |entries: &mut [Entry]| {
         for slot in entries {

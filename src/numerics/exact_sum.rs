@@ -1,19 +1,19 @@
-//! Sums of products of doubles without any rounding.
+//! Exact sums of products of doubles.
 //!
-//! A product of two doubles is an integer times 2⁻²¹⁴⁸, below 2⁴¹⁹⁶ such units. A fixed-point number of this width and some bits more holds every sum
-//! of products: neither cancellation nor underflow nor overflow of a term loses a bit (U. Kulisch's long accumulator).
+//! A product of two doubles is an integer multiple of 2⁻²¹⁴⁸ with less than 4196 bits. A fixed-point number with some more bits holds every sum
+//! of products exactly, without cancellation, underflow or overflow (U. Kulisch's long accumulator).
 
 use core::cmp::Ordering;
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Number of limbs of 64 bits: 4196 bits of a product, the rest for carries and the sign.
+/// Number of limbs of 64 bits: 4196 bits for a product, the rest for carries and the sign.
 const LIMBS: usize = 68;
-/// Exponent of the unit: the square of the smallest subnormal number.
+/// Binary exponent of the unit: the square of the smallest subnormal number.
 const LOWEST: i32 = -2148;
 
-/// A sum in two's complement, least limb first.
+/// A sum in two's complement, least significant limb first.
 #[derive(Debug, Clone)]
 pub(crate) struct ExactSum([u64; LIMBS]);
 
@@ -22,7 +22,7 @@ impl ExactSum {
         Self([0; LIMBS])
     }
 
-    /// The sum of products of finite numbers.
+    /// The sum of products of pairs of finite numbers.
     pub(crate) fn of_products(pairs: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let mut sum = Self::new();
         for (a, b) in pairs {
@@ -31,7 +31,7 @@ impl ExactSum {
         sum
     }
 
-    /// Adds `a b`; both are finite.
+    /// Adds `a b`, for finite a and b.
     pub(crate) fn add_product(&mut self, a: f64, b: f64) {
         let ((m, e), (n, f)) = (parts(a), parts(b));
         let product = u128::from(m) * u128::from(n);
@@ -65,18 +65,18 @@ impl ExactSum {
         }
     }
 
-    /// The sum as a double: within 2⁻⁵¹ of itself, or within the smallest positive number; infinite beyond the largest.
+    /// The sum as a double, with a relative error below 2⁻⁵¹ or an error below the smallest positive number; infinite if too large.
     pub(crate) fn rounded(&self) -> f64 {
         self.rounded_in(1.0)
     }
 
-    /// The sum times a power of two as a double, rounded once: a sum that would underflow by itself keeps its digits.
+    /// The sum times a power of two as a double, rounded once. A sum that would underflow otherwise keeps its digits.
     pub(crate) fn rounded_in(&self, unit: f64) -> f64 {
         let ((x, k), (m, e)) = (self.leading(), parts(unit));
         times_power_of_two(x * m as f64, k + e)
     }
 
-    /// The leading digits of the sum: `(x, k)` with the sum within a part 2⁻⁵² of `x 2ᵏ`, and x zero or 1 ≤ |x| < 2¹²⁸.
+    /// The leading digits of the sum as `(x, k)`: `x 2ᵏ` has a relative error below 2⁻⁵², and x is zero or 1 ≤ |x| < 2¹²⁸.
     pub(crate) fn leading(&self) -> (f64, i32) {
         let mut size = self.0;
         let negative = self.sign() == Ordering::Less;
@@ -86,7 +86,7 @@ impl ExactSum {
                 (*limb, carry) = add(!*limb, 0, carry);
             }
         }
-        // Each limb with the exponent of its lowest bit.
+        // Pairs of each limb and the exponent of its lowest bit.
         let limbs = size.iter().zip((LOWEST..).step_by(64));
         let Some((top, exponent)) = limbs.filter(|(limb, _)| **limb != 0).last() else { return (0.0, 0) };
         let below = size.iter().zip((LOWEST + 64..).step_by(64)).find(|(_, above)| *above == exponent);
@@ -96,7 +96,7 @@ impl ExactSum {
     }
 }
 
-/// x 2ᵏ, without overflow or underflow on the way to a number in range.
+/// x 2ᵏ, without intermediate overflow or underflow.
 pub(crate) fn times_power_of_two(mut x: f64, mut k: i32) -> f64 {
     while k != 0 && x != 0.0 && x.is_finite() {
         let step = k.clamp(-1000, 1000);
@@ -106,13 +106,13 @@ pub(crate) fn times_power_of_two(mut x: f64, mut k: i32) -> f64 {
     x
 }
 
-/// The low and the high limb.
+/// The low and the high limb of a product.
 #[expect(clippy::cast_possible_truncation, reason = "the low half is what is asked for")]
 fn halves(x: u128) -> [u64; 2] {
     [x as u64, (x >> 64) as u64]
 }
 
-/// `x = ± m 2ᵉ` with a whole number m.
+/// Decomposes `x = ± m 2ᵉ` with an integer m.
 fn parts(x: f64) -> (u64, i32) {
     let bits = x.to_bits();
     let (exponent, mantissa) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));

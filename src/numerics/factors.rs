@@ -1,4 +1,4 @@
-//! LU factors of a small square matrix: partial pivoting if it is far from singular, complete pivoting otherwise.
+//! LU factors of a small square matrix: with partial pivoting if the matrix is far from singular, otherwise with complete pivoting.
 
 use crate::numerics::{Square, Vector};
 
@@ -9,7 +9,7 @@ use super::partial_pivoting::PartialPivoting;
 #[derive(Debug, Clone)]
 pub(crate) enum Factors {
     Regular(PartialPivoting),
-    /// Singular or nearly so: complete pivoting distinguishes singular from soft.
+    /// The matrix is singular or nearly so. Complete pivoting tells singular from merely soft.
     Singular(CompletePivoting),
 }
 
@@ -22,7 +22,7 @@ impl Factors {
         Self::Singular(CompletePivoting::new(matrix.clone(), d, d))
     }
 
-    /// A solution of `A y = b`. A part of b that no y reaches is ignored.
+    /// A solution of `A y = b`. A component of b outside the range of A is ignored.
     pub(crate) fn solve(&self, b: &Vector) -> Vector {
         match self {
             Self::Regular(regular) => regular.solve(b),

@@ -1,6 +1,6 @@
-//! Gram–Schmidt orthogonalisation with column pivoting, every column twice, of rows that lie one behind the other.
+//! Gram–Schmidt orthogonalisation with column pivoting, each column twice, on a matrix stored row by row.
 //!
-//! All functions are inlined with the number of columns d, so that loops of one object have a length that the compiler knows.
+//! All functions are inlined with the number of columns d, so that the compiler knows the length of the loops for a single object.
 
 use core::ops::Range;
 
@@ -9,7 +9,7 @@ use super::tolerances::{FEW_ROUNDINGS, LINEARLY_DEPENDENT};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Factorises the rows in `q`, which become those of Q. Returns the rank.
+/// Factorises the rows in `q`, which are overwritten with those of Q. Returns the rank.
 #[inline(always)]
 pub(super) fn factorise(
     d: usize,
@@ -21,7 +21,7 @@ pub(super) fn factorise(
     let size = r.size();
     r.fill(0.0);
     order.iter_mut().enumerate().for_each(|(j, order)| *order = j);
-    // Lengths of the columns, of the rounding in them, and of their remaining parts.
+    // For each column its length, the length of its rounding errors, the length of its remainder, and its coefficients.
     let [mut full, mut noise, mut left, mut parts] = core::array::from_fn(|_| Vector::all_zero(size));
     let [full, noise, left, parts] =
         [&mut full, &mut noise, &mut left, &mut parts].map(|list| &mut list.as_mut_slice()[..d]);
@@ -30,7 +30,7 @@ pub(super) fn factorise(
     let mut rank = 0;
     while rank < d {
         let k = rank;
-        // The largest remaining column, among those that exceed the rounding noise of their original size.
+        // The pivot is the largest remaining column among those that exceed their rounding errors.
         let mut best = None;
         for j in k..d {
             if left[j] > (LINEARLY_DEPENDENT * full[j]).max(noise[j])
@@ -53,7 +53,7 @@ pub(super) fn factorise(
         let square = again_from_those_before(d, q, (parts, r.column_slice_mut(k)), k);
         let norm = square.sqrt();
         if norm <= (LINEARLY_DEPENDENT * full[k]).max(noise[k]) {
-            // The remainder was noise: the column is never a pivot again.
+            // The remainder was rounding: this column is never tried again.
             full[k] = f64::INFINITY;
             continue;
         }
@@ -100,8 +100,8 @@ fn lengths_and_noise(d: usize, q: &[f64], full: &mut [f64], noise: &mut [f64]) {
     }
 }
 
-/// Orthogonalises column k a second time against the finished columns: the first time was their own elimination step. Adds the coefficients to column k of R,
-/// and returns the squared length that is left.
+/// Orthogonalises column k a second time against the finished columns; the first time was their own elimination step. Adds the coefficients to
+/// column k of R, and returns the squared length of the remainder.
 #[inline(always)]
 fn again_from_those_before(d: usize, q: &mut [f64], (parts, r): (&mut [f64], &mut [f64]), k: usize) -> f64 {
     let over = looped(d, 0..k);
@@ -123,8 +123,8 @@ fn again_from_those_before(d: usize, q: &mut [f64], (parts, r): (&mut [f64], &mu
     square
 }
 
-/// Subtracts the projection on column k, a unit vector, from the columns behind it. Leaves the coefficients in `parts`, and the squared lengths of the
-/// remaining columns in `left`.
+/// Subtracts from the later columns their projection on column k, a unit vector. Stores the coefficients in `parts`, and the squared lengths of
+/// the remaining columns in `left`.
 #[inline(always)]
 fn take_from_the_others(d: usize, q: &mut [f64], k: usize, (parts, left): (&mut [f64], &mut [f64])) {
     let over = looped(d, k + 1..d);
@@ -141,7 +141,7 @@ fn take_from_the_others(d: usize, q: &mut [f64], k: usize, (parts, left): (&mut 
     }
 }
 
-/// Products of column k with the columns `over`; all others are zero.
+/// Products of column k with the columns `over`; all other entries are set to zero.
 #[inline(always)]
 fn add_products(d: usize, q: &[f64], k: usize, (products, over): (&mut [f64], Range<usize>)) {
     let products = &mut products[..d];
@@ -154,7 +154,8 @@ fn add_products(d: usize, q: &[f64], k: usize, (products, over): (&mut [f64], Ra
     }
 }
 
-/// The columns of a loop that needs `needed`. For one object these are all: the compiler knows that length, and the others have coefficients of zero.
+/// The columns over which a loop runs that needs the columns `needed`. For a single object it runs over all columns, a length that the compiler
+/// knows; the other columns have zero coefficients.
 #[inline(always)]
 fn looped(d: usize, needed: Range<usize>) -> Range<usize> {
     if d <= WHOLE { 0..d } else { needed }

@@ -1,11 +1,11 @@
-//! Quantities that depend harmonically on an angle, `x(φ) = x₀ + x_c cos φ + x_s sin φ`: numbers, vectors and wrenches.
+//! Quantities that are harmonic functions of an angle, `x(φ) = x₀ + x_c cos φ + x_s sin φ`: numbers, vectors and wrenches.
 
 use core::ops::{Add, Mul, Sub};
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A quantity x(φ).
+/// A harmonic function x(φ).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Harmonic<X> {
     pub(crate) constant: X,
@@ -14,36 +14,36 @@ pub(crate) struct Harmonic<X> {
 }
 
 impl<X> Harmonic<X> {
-    /// From x₀, x_c and x_s.
+    /// The function with the coefficients x₀, x_c and x_s.
     pub(crate) fn new([constant, cosine, sine]: [X; 3]) -> Self {
         Self { constant, cosine, sine }
     }
 
-    /// The image of x under a linear function.
+    /// The image of x(φ) under a linear function.
     pub(crate) fn map<Y>(&self, mut by: impl FnMut(&X) -> Y) -> Harmonic<Y> {
         Harmonic { constant: by(&self.constant), cosine: by(&self.cosine), sine: by(&self.sine) }
     }
 
-    /// x₀, x_c and x_s.
+    /// The coefficients x₀, x_c and x_s.
     pub(crate) fn parts(&self) -> [&X; 3] {
         [&self.constant, &self.cosine, &self.sine]
     }
 }
 
 impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Harmonic<X> {
-    /// x at an angle.
+    /// The value x(φ) at an angle.
     pub(crate) fn at(&self, angle: f64) -> X {
         let (sin, cos) = angle.sin_cos();
         self.constant.clone() + self.cosine.clone() * cos + self.sine.clone() * sin
     }
 
-    /// dx/dφ at an angle, per radian.
+    /// The derivative dx/dφ at an angle, per radian.
     pub(crate) fn rate_at(&self, angle: f64) -> X {
         let (sin, cos) = angle.sin_cos();
         self.sine.clone() * cos - self.cosine.clone() * sin
     }
 
-    /// `x(angle + φ)` as a function of φ.
+    /// The shifted function `x(angle + φ)` of φ.
     pub(crate) fn from(&self, angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self {
@@ -55,11 +55,11 @@ impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Harmon
 }
 
 impl Harmonic<f64> {
-    /// `∫ x dy` from 0 to an angle: the work of a force x on a displacement y that turn together.
+    /// `∫ x dy` from 0 to an angle: the work of a force x on a displacement y, both functions of the angle.
     pub(crate) fn work_on(&self, moved: &Self, angle: f64) -> f64 {
         let (sin, cos) = angle.sin_cos();
         let (mixed, squares) = (0.5 * sin * sin, [0.5 * (angle + sin * cos), 0.5 * (angle - sin * cos)]);
-        // 1 - cos φ without cancellation.
+        // 1 - cos φ, computed without cancellation.
         let versine = sin * (0.5 * angle).tan();
         let versine = if cos > 0.0 { versine } else { 1.0 - cos };
         self.constant * (moved.sine * sin - moved.cosine * versine)

@@ -1,9 +1,8 @@
-//! The order of anything by a number: one sort, compiled once.
+//! Sorting by a number, with one sort that is compiled once.
 
 use crate::prelude::*;
 
-/// The positions of these values from the lowest to the highest; equal values keep their order. With the values negated, from the highest to the
-/// lowest.
+/// The indices of these values from the lowest to the highest; equal values keep their order. For the reverse order, negate the values.
 pub(crate) fn increasing(values: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));

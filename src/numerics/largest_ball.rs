@@ -1,13 +1,13 @@
-//! The largest ball about the origin in a convex set, between two bounds.
+//! The largest ball about the origin in a convex set, with lower and upper bounds.
 //!
-//! A polytope of support points grows where it is nearest to the origin. The distance of its nearest face is a lower bound on the radius. The support
-//! point in the direction of the face's normal gives an upper bound: its extent in that direction. The point joins the polytope, and the faces that
-//! see it are replaced by new ones.
+//! A polytope of support points grows where it is closest to the origin. The distance of its closest face is a lower bound on the radius. The
+//! support point in the direction of that face's normal gives an upper bound, its extent in this direction. The point is added to the polytope,
+//! and new faces replace those that are visible from it.
 //!
 //! In three dimensions: G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001.
 //!
-//! Where a set is smooth, faces become so thin that rounding corrupts their planes. If the polytope thereby comes nearer to the origin, the search
-//! ends with the bounds known before.
+//! If the set is smooth, faces become so thin that rounding corrupts their planes. If the polytope seems to come closer to the origin for this
+//! reason, the search ends with the bounds known before.
 
 use alloc::collections::BinaryHeap;
 use core::cmp::Ordering;
@@ -19,27 +19,27 @@ use super::tolerances::{POLYTOPE_SHRINKS, SOLVED_ROUNDING};
 use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
-/// Bounds of the radius.
+/// Bounds of the radius of the largest ball.
 #[derive(Debug, Clone)]
 pub(crate) struct BallBounds {
     /// Lower bound of the radius; negative if the origin lies outside the polytope.
     pub(crate) at_least: f64,
     pub(crate) at_most: f64,
-    /// The unit direction in which the set extends no farther than `at_most`.
+    /// Unit direction in which the set extends no farther than `at_most`.
     pub(crate) direction: Vector,
 }
 
-/// Indices of as many points as there are dimensions, in ascending order; behind them the largest index, of no point.
+/// Indices of the vertices of a face, as many as there are dimensions, in ascending order; unused places hold the largest index.
 type Corners = [usize; WHOLE];
 
 struct Face {
     vertices: Corners,
-    /// v, where the plane is `v·(x - middle) = 1`.
+    /// Vector v for which the face's plane is `v·(x - middle) = 1`.
     normal: Vector,
     is_alive: bool,
 }
 
-/// A face in the queue, the nearest first.
+/// A face in the queue; the closest face comes first.
 struct Waiting {
     distance: f64,
     face: usize,
@@ -72,12 +72,12 @@ struct Polytope {
     faces: Vec<Face>,
     alive: Vec<usize>,
     queue: BinaryHeap<Waiting>,
-    /// The ridges of the faces that a new point sees, each with that point: one list for all points, so that none is allocated for each.
+    /// The ridges of the faces that a new point removes, each joined with that point. One list is reused for all points.
     ridges: Vec<Corners>,
 }
 
 impl Polytope {
-    /// The simplex of some vertices, one more than there are dimensions.
+    /// The simplex of some vertices, one more than the dimension.
     fn of(simplex: &[Vertex]) -> Self {
         let size = Size::of(simplex.len() - 1);
         let points: Vec<_> = mapped(simplex, &|vertex| vertex.at.clone());
@@ -93,7 +93,7 @@ impl Polytope {
         polytope
     }
 
-    /// Adds the face through these points. A face so thin that it has no plane is left out: its neighbours meet there, up to rounding.
+    /// Adds the face through these points. A face too thin to have a plane is omitted: its neighbours meet there, up to rounding.
     fn add(&mut self, vertices: Corners) {
         let columns = Square::from_columns(self.size, |k| &self.points[vertices[k]] - &self.middle);
         let Some(solver) = PartialPivoting::new(&columns.transpose()) else { return };
@@ -104,7 +104,7 @@ impl Polytope {
         self.faces.push(Face { vertices, normal, is_alive: true });
     }
 
-    /// Adds a point: the faces that see it, or have it in their plane, are replaced by the faces from their rim to the point.
+    /// Adds a point. The faces that are visible from it, or contain it in their plane, are replaced by faces from their common rim to the point.
     fn take_in(&mut self, point: Vector) {
         let number = self.points.len();
         let (d, from_middle) = (self.size.count(), &point - &self.middle);
@@ -124,7 +124,7 @@ impl Polytope {
             }
             face.is_alive
         });
-        // A ridge between two removed faces appears twice, a ridge of their rim once; equal ridges are neighbours once sorted.
+        // A ridge between two removed faces occurs twice, a ridge of their rim once. After sorting, equal ridges are adjacent.
         let mut ridges = core::mem::take(&mut self.ridges);
         ridges.sort_unstable();
         for same in ridges.chunk_by(|a, b| a == b).filter(|same| same.len() == 1) {
@@ -133,7 +133,7 @@ impl Polytope {
         self.ridges = ridges;
     }
 
-    /// The distance and the unit normal of the nearest face.
+    /// Distance and unit normal of the face closest to the origin.
     fn nearest(&mut self) -> Option<(f64, Vector)> {
         while let Some(first) = self.queue.peek() {
             let face = &self.faces[first.face];
@@ -146,7 +146,8 @@ impl Polytope {
     }
 }
 
-/// Bounds of the largest ball about the origin. They differ by at most `closeness` times the size of the set, or by what `most_points` points leave.
+/// Bounds of the largest ball about the origin. They differ by at most `closeness` times the size of the set, unless `most_points` points do not
+/// suffice.
 pub(crate) fn largest_ball(
     support: &SupportFunction<'_>,
     simplex: &[Vertex],
@@ -160,7 +161,7 @@ pub(crate) fn largest_ball(
         let shrinks = bounds
             .as_ref()
             .is_some_and(|known| known.at_least > 0.0 && distance < known.at_least - POLYTOPE_SHRINKS * size);
-        // Each new point is compared with all faces, so that their number is limited.
+        // The number of faces is limited, since each new point is compared with all of them.
         if shrinks || polytope.alive.len() > 20_000 {
             break;
         }
@@ -171,7 +172,7 @@ pub(crate) fn largest_ball(
         now.at_least = distance.min(now.at_most);
         let (at_most, close) = (now.at_most, closeness * next.norm());
         bounds = Some(now);
-        // A set that ends at the origin in some direction contains no ball, however well its points are known.
+        // If the set ends at the origin in some direction it contains no ball, and more points would not help.
         if at_most - distance <= close || at_most <= close {
             break;
         }

@@ -1,4 +1,4 @@
-//! The shortest vector that meets linear inequalities:
+//! The shortest vector that satisfies linear inequalities:
 //!
 //! ```text
 //! min |τ|,    b_i + a_i·τ >= 0      by the nearest point of the cone of (a_i, -b_i) to (0, 1)
@@ -11,7 +11,8 @@ use super::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{dot, largest, mapped, moved, summed};
 use crate::prelude::*;
 
-/// The least τ with `b + a·τ >= 0` for all rows (b, a) of one length, none of which is zero. `None` if no τ meets all rows, or there are none.
+/// The shortest τ with `b + a·τ >= 0` for all rows (b, a), which have equal length and nonzero a. `None` if no τ satisfies all rows, or without
+/// rows.
 pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
     let largest = largest(&rows, &|(value, _)| value.abs());
     let count = rows.first()?.1.len();
@@ -33,10 +34,10 @@ pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
             if nearest.has(*k) { f64::NEG_INFINITY } else { work }
         };
         let most = (0..generators.len()).max_by(|a, b| works(a).total_cmp(&works(b)))?;
-        // Tolerance of the nearest point, relative to the largest b: below it no generator violates its row.
+        // Below this tolerance, relative to the largest b, no generator violates its row.
         if works(&most) <= SOLVED_ROUNDING {
             let (parts, last) = nearest.residual().split_at(count);
-            // If the last component of the residual is below this, no τ meets all rows.
+            // If the last component of the residual is zero, no τ satisfies all rows.
             return (last[0] > NEGLIGIBLE).then(|| mapped(parts, &|r| -r / last[0] * largest));
         }
         if !nearest.take_in(most, &generators[most], &target) {

@@ -1,19 +1,19 @@
-//! One step of a stiff differential equation `y' = f(y)`: Euler's method, linearly implicit, extrapolated.
+//! One step of a stiff differential equation `y' = f(y)` by the extrapolated linearly implicit Euler method.
 //!
 //! ```text
 //! (1 - h_j J) Δ = h_j f(y),   h_j = h / j,   j = 1, 2, 3, …        T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / (j / (j-k+1) - 1)
 //! ```
 //!
 //! Each column of the scheme removes one power of h from the error, and the difference of the last two columns estimates the rest. A step damps
-//! a variable however fast it relaxes. The caller solves with J, since it knows its structure.
+//! every variable, however fast it decays. The caller solves systems with J, whose structure it knows.
 //!
 //! Source: Hairer and Wanner, Solving Ordinary Differential Equations II, second edition, section IV.9.
 
 use super::dormand_prince::Stepped;
 use crate::prelude::*;
 
-/// One step of this length with an error below the tolerance. `first` is the rate at its beginning, from which the variables are counted. For a
-/// length h `damped` returns a function that solves `(1 - hJ) Δ = x` in place, if the matrix is regular.
+/// One step of this length with an error below the tolerance. Variables are counted from the start of the step, where their rate is `first`. For
+/// a length h, `damped` returns a function that solves `(1 - hJ) Δ = x` in place, if the matrix is regular.
 pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     length: f64,
     first: &[f64],
@@ -25,7 +25,7 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     let (mut y, mut change) = (vec![0.0; first.len()], vec![0.0; first.len()]);
     let mut before: Vec<Vec<f64>> = Vec::new();
     let mut last_error = f64::INFINITY;
-    // Largest number of rows of the scheme.
+    // At most nine rows of the extrapolation scheme.
     for j in 1..=9 {
         let part = length / j as f64;
         let solve = damped(part)?;
@@ -56,7 +56,7 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
             if error <= tolerance {
                 return row.pop().map(|change| Stepped { change, error });
             }
-            // A step fails if its error grows in a row after the fourth.
+            // A step fails if its error increases in a row after the fourth.
             if !error.is_finite() || j > 4 && error > last_error {
                 return None;
             }
@@ -71,7 +71,7 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
 mod tests {
     use super::*;
 
-    /// A body that turns into a direction, `θ' = -c sin θ`, `x' = cos θ`: for any c, `tan(θ/2) = tan(θ₀/2) exp(-ct)`.
+    /// A body that turns towards a direction, `θ' = -c sin θ`, `x' = cos θ`: for any c, `tan(θ/2) = tan(θ₀/2) exp(-ct)`.
     #[test]
     fn what_relaxes_fast_has_relaxed() {
         for (c, start) in [(1.0, 1.0), (1e3, 1e-6), (1e8, 1e-8)] {

@@ -1,4 +1,4 @@
-//! Lists made of other lists or of numbers, without a copy of std's iterators for each function that makes one.
+//! Lists and sums over lists or index ranges. They replace std's iterators, which are compiled anew for each function that uses them.
 
 use crate::prelude::*;
 
@@ -29,7 +29,7 @@ pub(crate) fn tried<'a, T, U, E>(list: &'a [T], f: &dyn Fn(&'a T) -> Result<U, E
     Ok(all)
 }
 
-/// The largest of `f` of all elements, and at least 0.
+/// The largest value of `f` over all elements, at least 0.
 pub(crate) fn largest<T>(list: &[T], f: &dyn Fn(&T) -> f64) -> f64 {
     let mut largest = 0.0_f64;
     for element in list {
@@ -38,9 +38,9 @@ pub(crate) fn largest<T>(list: &[T], f: &dyn Fn(&T) -> f64) -> f64 {
     largest
 }
 
-/// The sum of `f` of all elements, from the first on.
+/// The sum of `f` over all elements, added in order.
 pub(crate) fn summed<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
-    // The neutral element of a sum; 0.0 would lose the sign of a sum of negative zeros.
+    // -0.0 is the neutral element of addition; 0.0 would change the sign of a sum of negative zeros.
     let mut sum = -0.0;
     for element in list {
         sum += f(element);
@@ -48,7 +48,7 @@ pub(crate) fn summed<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
     sum
 }
 
-/// `f` of each element of a list that the caller no longer needs, in order.
+/// `f` of each element by value, in order.
 pub(crate) fn moved<T, U>(list: Vec<T>, f: &dyn Fn(T) -> U) -> Vec<U> {
     let mut all = Vec::with_capacity(list.len());
     for element in list {
@@ -57,7 +57,7 @@ pub(crate) fn moved<T, U>(list: Vec<T>, f: &dyn Fn(T) -> U) -> Vec<U> {
     all
 }
 
-/// `f` of each element and its place, in order.
+/// `f` of each element with its index, in order.
 pub(crate) fn indexed<'a, T, U>(list: &'a [T], f: &dyn Fn((usize, &'a T)) -> U) -> Vec<U> {
     let mut all = Vec::with_capacity(list.len());
     for (place, element) in list.iter().enumerate() {
@@ -66,7 +66,7 @@ pub(crate) fn indexed<'a, T, U>(list: &'a [T], f: &dyn Fn((usize, &'a T)) -> U) 
     all
 }
 
-/// `f` of the elements at each place of two lists, up to the end of the shorter.
+/// `f` of the elements with equal index in two lists, up to the end of the shorter list.
 pub(crate) fn paired<'a, 'b, T, U, V>(
     one: &'a [T],
     other: &'b [U],
@@ -79,7 +79,7 @@ pub(crate) fn paired<'a, 'b, T, U, V>(
     all
 }
 
-/// The values of `f` at those elements where it has one, in order.
+/// The values of `f` that are not `None`, in order.
 pub(crate) fn picked<'a, T, U>(list: &'a [T], f: &dyn Fn(&'a T) -> Option<U>) -> Vec<U> {
     let mut all = Vec::new();
     for element in list {
@@ -90,7 +90,7 @@ pub(crate) fn picked<'a, T, U>(list: &'a [T], f: &dyn Fn(&'a T) -> Option<U>) ->
     all
 }
 
-/// The numbers from 0 to `count` − 1 that `keeps` accepts.
+/// The numbers below `count` that `keeps` accepts.
 pub(crate) fn chosen(count: usize, keeps: &dyn Fn(&usize) -> bool) -> Vec<usize> {
     let mut all = Vec::new();
     for k in 0..count {
@@ -101,7 +101,7 @@ pub(crate) fn chosen(count: usize, keeps: &dyn Fn(&usize) -> bool) -> Vec<usize>
     all
 }
 
-/// The least of `f` of all elements; infinite for none.
+/// The least value of `f` over all elements; infinite for an empty list.
 pub(crate) fn least<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
     let mut least = f64::INFINITY;
     for element in list {
@@ -110,7 +110,7 @@ pub(crate) fn least<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
     least
 }
 
-/// The sum of the products of two lists, place by place from the first on.
+/// The dot product of two lists, added in order.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sum = -0.0;
     for (a, b) in a.iter().zip(b) {

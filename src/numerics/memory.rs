@@ -1,16 +1,16 @@
-//! Memory that is kept from question to question.
+//! Memory that is reused from question to question.
 
 use core::any::Any;
 use core::fmt::{Debug, Formatter};
 
 use crate::prelude::*;
 
-/// Memory of an engine for its next question. Memory of another engine is dropped, and a copy begins empty.
+/// Memory that an engine keeps for its next question. Memory of another type is dropped, and a clone starts empty.
 #[derive(Default)]
 pub(crate) struct Memory(Option<Box<dyn Any + Send + Sync>>);
 
 impl Memory {
-    /// The memory of this type: what was kept before, or a new one.
+    /// The stored memory if it has this type, otherwise a new one.
     pub(crate) fn of<T: Any + Send + Sync>(&mut self, new: impl FnOnce() -> T) -> &mut T {
         let kept = self.0.take().and_then(|kept| kept.downcast::<T>().ok());
         let kept = self.0.insert(kept.unwrap_or_else(|| Box::new(new())));

@@ -1,45 +1,45 @@
-//! Small dense linear algebra and sums, used by all other modules: nothing here knows of contacts.
+//! Small dense linear algebra, sums and other numerical methods for all other modules. Nothing here depends on contacts.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `coordinates` | vectors and matrices over the coordinates of a grasp |
-//! | `orthogonal` | rank-revealing orthogonal factors of a tall matrix with graded rows |
-//! | `gram_schmidt` | its orthogonalisation, column by column |
-//! | `orthonormal_set` | the part of a vector across orthonormal vectors |
-//! | `complete_pivoting` | LU with rank, kernels and the unreachable part of a right-hand side |
-//! | `cores` | work spread over the cores |
+//! | `orthogonal` | rank-revealing orthogonal factors of a tall matrix whose rows differ in size by orders of magnitude |
+//! | `gram_schmidt` | the Gram–Schmidt orthogonalisation for `orthogonal`, column by column |
+//! | `orthonormal_set` | the component of a vector orthogonal to an orthonormal set |
+//! | `complete_pivoting` | LU with rank, kernels and the part of a right-hand side outside the range |
+//! | `cores` | parallel work on all cores |
 //! | `partial_pivoting` | LU of a matrix far from singular |
-//! | `factors` | the choice between these two |
+//! | `factors` | LU with partial or complete pivoting, by condition |
 //! | `linearly_implicit` | one step of a stiff ordinary differential equation |
 //! | `student_t` | quantiles of Student's distribution |
-//! | `tolerances` | the numbers below which a value is zero or rounding |
-//! | `support` | convex sets given by their support points |
-//! | `ray_shooting` | the length of a ray inside such a set |
-//! | `largest_ball` | the largest ball about the origin inside it |
-//! | `harmonic` | numbers, vectors and wrenches that turn with an angle |
+//! | `tolerances` | limits below which a value is zero or rounding |
+//! | `support` | convex sets described by support functions |
+//! | `ray_shooting` | the point where a ray leaves such a set |
+//! | `largest_ball` | the largest ball about the origin inside such a set |
+//! | `harmonic` | numbers, vectors and wrenches as harmonic functions of an angle |
 //! | `trigonometric` | first sign change of a trigonometric polynomial |
-//! | `on_a_circle` | the angles at which a number is smaller than a vector, while both turn |
-//! | `least_distance` | the shortest vector that meets linear inequalities |
-//! | `nearest_point` | the nearest point of a polyhedral cone |
+//! | `on_a_circle` | angles at which one harmonic function is smaller than the norm of another |
+//! | `least_distance` | the shortest vector that satisfies linear inequalities |
+//! | `nearest_point` | the closest point of a polyhedral cone |
 //! | `band` | LU of a band matrix |
 //! | `positive_band` | Cholesky factors of a symmetric positive definite band matrix |
-//! | `increasing` | the order of anything by a number |
-//! | `narrow_order` | an order of coordinates with a narrow band |
-//! | `bordered` | LU of a matrix with one more row and column |
-//! | `bordered_band` | the same for a band |
-//! | `dormand_prince` | one step of an ordinary differential equation |
-//! | `double_double` | sums in twice the working precision |
+//! | `increasing` | sorting by a number |
+//! | `narrow_order` | an order of coordinates that gives a narrow band |
+//! | `bordered` | LU of a matrix bordered by one row and column |
+//! | `bordered_band` | the same for a band matrix |
+//! | `dormand_prince` | one step of an ordinary differential equation by a Runge-Kutta method |
+//! | `double_double` | sums in double-double precision |
 //! | `normal_tail` | upper tail of the normal distribution |
 //! | `exact_sum` | sums of products without rounding |
-//! | `pairwise` | sums made of halves, on several threads |
+//! | `pairwise` | pairwise summation, on several threads |
 //! | `unit_vector` | unit vectors along an axis |
-//! | `event_queue` | an event queue: numbered items ordered by their time |
-//! | `vector_dispatch` | loops on the widest vectors of the processor |
-//! | `pseudo_random` | numbers without structure, the same on every machine |
-//! | `square_root` | the square root of std under a name of its own |
-//! | `mapped` | lists, sums and extremes made of other lists or of numbers |
-//! | `cleared_for` | lists that are refilled in their own memory |
-//! | `memory` | memory that is kept from question to question |
+//! | `event_queue` | an event queue: numbered items sorted by time |
+//! | `vector_dispatch` | loops on the widest vector instructions of the processor |
+//! | `pseudo_random` | reproducible pseudorandom numbers |
+//! | `square_root` | the square root of std under another name |
+//! | `mapped` | lists, sums and extremes over lists or index ranges |
+//! | `cleared_for` | refilling of lists in their own memory |
+//! | `memory` | memory that is reused from question to question |
 //! | `without_std` | replacements for std where it is missing |
 
 mod band;

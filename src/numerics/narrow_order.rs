@@ -1,7 +1,7 @@
-//! An order of coordinates in which coupled ones are near each other.
+//! An order of coordinates in which coupled coordinates are close to each other.
 //!
-//! Coordinates that always come together form one node of a graph. The nodes are visited breadth first from a node at the rim, and neighbours of low
-//! degree first: the order of Cuthill and McKee.
+//! Coordinates that always occur together form one node of a graph. The nodes are visited breadth first, starting from a peripheral node, and
+//! neighbours of low degree first (Cuthill–McKee order).
 //!
 //! Source: A. George and J. W. H. Liu, Computer Solution of Large Sparse Positive Definite Systems (1981), chapter 4.
 
@@ -11,7 +11,7 @@ use super::increasing::increasing;
 use super::mapped::mapped;
 use crate::prelude::*;
 
-/// The number of each of `count` coordinates in the order; a coupling connects all coordinates of its ranges.
+/// The position of each of `count` coordinates in the order. A coupling connects all coordinates of its ranges.
 pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec<usize> {
     let (starts, neighbours) = graph(count, couplings);
     let places = neighbours.len();
@@ -33,7 +33,7 @@ pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec
     numbers
 }
 
-/// The largest distance in the order between two coordinates of one coupling.
+/// The largest distance in the order between two coordinates of the same coupling.
 pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usize {
     let mut widest = 0;
     for ranges in couplings {
@@ -48,7 +48,7 @@ pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usiz
     widest
 }
 
-/// The first coordinate of each node, followed by their total number, and the neighbours of each node.
+/// The first coordinate of each node, followed by the number of coordinates, and the neighbours of each node.
 fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<usize>>) {
     let mut starts = vec![0, count];
     for range in couplings.iter().flatten() {
@@ -83,7 +83,7 @@ fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<
     (starts, neighbours)
 }
 
-/// A node at the rim: the search moves to a node of the last level until the number of levels no longer grows.
+/// A peripheral node: the search moves to a node of the last level until the number of levels no longer increases.
 fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize, seen: &mut [bool]) -> usize {
     let mut levels = outwards(neighbours, place, seen);
     loop {
@@ -97,7 +97,7 @@ fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize, seen: &mut [bool]) ->
     }
 }
 
-/// All nodes that can be reached from one, level by level. Marks in `seen` are cleared at the end.
+/// All nodes reachable from one node, level by level. Marks in `seen` are cleared at the end.
 fn outwards(neighbours: &[Vec<usize>], from: usize, seen: &mut [bool]) -> Vec<Vec<usize>> {
     seen[from] = true;
     let mut levels = vec![vec![from]];
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn a_grid_is_as_wide_as_its_short_side() {
-        // A grid of 20 by 5 places with 3 coordinates each, numbered along the long side.
+        // A grid of 20 by 5 nodes with 3 coordinates each, numbered along the long side.
         let at = |row: usize, column: usize| 3 * (20 * row + column)..3 * (20 * row + column) + 3;
         let along = (0..5).flat_map(|row| (0..19).map(move |column| [at(row, column), at(row, column + 1)]));
         let across = (0..4).flat_map(|row| (0..20).map(move |column| [at(row, column), at(row + 1, column)]));

@@ -1,30 +1,30 @@
-//! The nearest point of a polyhedral cone to a target t,
+//! The closest point of a polyhedral cone to a target t,
 //!
 //! ```text
 //! min |Σ s_k a_k - t|,     s >= 0
 //! ```
 //!
-//! by the active sets of Lawson and Hanson ("Solving Least Squares Problems", 1974, chapter 23), on an orthogonal factorisation of
-//! the active generators. The cone may have infinitely many generators: the caller finds the next one.
+//! by the active-set method of Lawson and Hanson ("Solving Least Squares Problems", 1974, chapter 23), with an orthogonal factorisation of the
+//! active generators. The cone may have infinitely many generators, since the caller supplies the next one.
 //!
-//! At the nearest point the residual `r = t - Σ s_k a_k` has `a·r <= 0` for every generator and `t·r = |r|²`. Where r is not zero it
-//! separates t from the cone.
+//! At the closest point the residual `r = t - Σ s_k a_k` has `a·r <= 0` for every generator a, and `t·r = |r|²`. A nonzero r separates t from
+//! the cone.
 
 use super::tolerances::LINEARLY_DEPENDENT;
 use crate::prelude::*;
 
-/// The nearest point so far, by the active generators, each named by a tag, and their shares s.
+/// The closest point so far: the active generators, each identified by a tag, and their coefficients s.
 #[derive(Debug, Clone)]
 pub(crate) struct NearestPoint<Tag> {
     size: usize,
     tags: Vec<Tag>,
     shares: Vec<f64>,
     residual: Vec<f64>,
-    /// The orthonormal columns, one after the other.
+    /// The orthonormal columns, one after another.
     q: Vec<f64>,
-    /// Column k of the triangular factor from entry `size k` on.
+    /// The triangular factor; its column k starts at entry `size k`.
     r: Vec<f64>,
-    /// Qᵀt, by column.
+    /// Components of Qᵀt, one per column of Q.
     seen: Vec<f64>,
 }
 
@@ -43,24 +43,24 @@ fn subtract(from: &mut [f64], factor: f64, what: &[f64]) {
 }
 
 impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
-    /// Starts at the apex of the cone.
+    /// Starts at the apex of the cone, without active generators.
     pub(crate) fn new(target: &[f64]) -> Self {
         let size = target.len();
         let (tags, shares, residual) = (Vec::new(), Vec::new(), target.to_vec());
         Self { size, tags, shares, residual, q: Vec::new(), r: Vec::new(), seen: Vec::new() }
     }
 
-    /// `t - Σ s_k a_k`.
+    /// The residual `t - Σ s_k a_k`.
     pub(crate) fn residual(&self) -> &[f64] {
         &self.residual
     }
 
-    /// The length of the residual.
+    /// Norm of the residual.
     pub(crate) fn distance(&self) -> f64 {
         dot(&self.residual, &self.residual).sqrt()
     }
 
-    /// The tags of the active generators with their shares.
+    /// Tags and coefficients of the active generators.
     pub(crate) fn shares(&self) -> impl Iterator<Item = (Tag, f64)> {
         self.tags.iter().copied().zip(self.shares.iter().copied())
     }
@@ -69,7 +69,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         self.tags.contains(&tag)
     }
 
-    /// Removes the generators with these tags; afterwards [`Self::settle`] finds the nearest point again.
+    /// Removes the generators with these tags. [`Self::settle`] must then find the closest point again.
     pub(crate) fn forget(&mut self, which: impl Fn(Tag) -> bool) {
         for k in (0..self.tags.len()).rev() {
             if which(self.tags[k]) {
@@ -78,7 +78,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         }
     }
 
-    /// Adds a generator of length at most one, with share zero. Returns whether it is independent of the others.
+    /// Adds a generator of length at most one, with coefficient zero. Returns whether it is linearly independent of the active ones.
     pub(crate) fn take_in(&mut self, tag: Tag, generator: &[f64], target: &[f64]) -> bool {
         let (m, k) = (self.size, self.tags.len());
         if k == m {
@@ -90,7 +90,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         let (before, w) = self.q.split_at_mut(from);
         let column = &mut self.r[from..to];
         let mut length = 1.0;
-        // The projection is subtracted at most three times: twice is enough, and the third finds nothing.
+        // The projection is subtracted at most three times; twice is enough, and the third time changes nothing.
         for _ in 0..3 {
             for (entry, q) in column.iter_mut().zip(before.chunks_exact(m)) {
                 let h = dot(q, w);
@@ -98,8 +98,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
                 subtract(w, h, q);
             }
             let left = dot(w, w).sqrt();
-            // A column that keeps this part of its length when its projection on the others is subtracted has
-            // lost no digits.
+            // A column that keeps this fraction of its length when its projection is subtracted has lost no digits.
             let done = left > 0.1 * length;
             length = left;
             if done {
@@ -121,7 +120,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         true
     }
 
-    /// Moves to the nearest point of the cone of the active generators, and removes those without a share in it.
+    /// Moves to the closest point of the cone of the active generators, and removes generators whose coefficient becomes zero.
     pub(crate) fn settle(&mut self, target: &[f64]) {
         loop {
             let wanted = self.unbounded();
@@ -143,14 +142,14 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         for (q, h) in self.q.chunks_exact(self.size).zip(&self.seen) {
             subtract(&mut self.residual, *h, q);
         }
-        // Once more: a small residual must be orthogonal to the columns relative to its own size.
+        // Repeated, so that a small residual is orthogonal to the columns relative to its own size.
         for q in self.q.chunks_exact(self.size) {
             let h = dot(q, &self.residual);
             subtract(&mut self.residual, h, q);
         }
     }
 
-    /// The least-squares shares of the active generators, of any sign.
+    /// Least-squares coefficients of the active generators, of any sign.
     fn unbounded(&self) -> Vec<f64> {
         let mut shares = self.seen.clone();
         for j in (0..shares.len()).rev() {
@@ -162,7 +161,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         shares
     }
 
-    /// Removes column k; rotations make the rest triangular again.
+    /// Removes column k; Givens rotations restore the triangular form.
     fn remove(&mut self, k: usize) {
         let (m, last) = (self.size, self.tags.len() - 1);
         self.tags.remove(k);

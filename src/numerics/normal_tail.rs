@@ -5,12 +5,12 @@ use core::f64::consts::TAU;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// `φ(x) = exp(-x²/2) / √(2π)`.
+/// Density of the standard normal distribution, `φ(x) = exp(-x²/2) / √(2π)`.
 pub(crate) fn normal_density(x: f64) -> f64 {
     (-0.5 * x * x).exp() / TAU.sqrt()
 }
 
-/// `Φ(-x)`: the probability that a normally distributed number (mean 0, variance 1) exceeds x, to some 1e-14 of itself.
+/// The tail `Φ(-x)`: the probability that a standard normal variable exceeds x, with a relative error of some 1e-14.
 pub(crate) fn normal_tail(x: f64) -> f64 {
     if x.is_nan() {
         return x;
@@ -18,7 +18,7 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     if x < 0.0 {
         return 1.0 - normal_tail(-x);
     }
-    // Below 3 the series of the integral converges in some tens of terms, above it the continued fraction of the tail.
+    // Below 3 the series of the integral converges in some tens of terms; above 3 the continued fraction of the tail is used.
     if x < 3.0 {
         // Φ(x) - 1/2 = φ(x) (x + x³/3 + x⁵/(3·5) + …)
         let (mut term, mut sum, mut k) = (x, x, 1.0);
@@ -31,7 +31,7 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     }
     // Φ(-x) = φ(x) / (x + 1/(x + 2/(x + 3/(x + …))))
     let mut fraction = x;
-    // Farther terms no longer change the result.
+    // Further terms no longer change the result.
     let mut k = (1080.0 / (x * x)).ceil() + 4.0;
     while k > 0.0 {
         fraction = x + k / fraction;
@@ -46,7 +46,7 @@ mod tests {
 
     use super::*;
 
-    /// Values of Φ(-x) from tables in thirty digits (NIST, Digital Library of Mathematical Functions, 7.12 and 26.2).
+    /// Tables of Φ(-x) with thirty digits (NIST, Digital Library of Mathematical Functions, 7.12 and 26.2).
     #[test]
     fn tails_are_those_of_tables() {
         for (x, tail) in [
@@ -61,7 +61,7 @@ mod tests {
             assert!((normal_tail(x) / tail - 1.0).abs() < 1e-13, "{x}: {:e}", normal_tail(x));
             assert!((normal_tail(-x) - (1.0 - tail)).abs() < 1e-15);
         }
-        // The two expansions agree at their limit.
+        // Both expansions agree where they meet.
         let [below, above] = [3.0 - 1e-9, 3.0].map(normal_tail);
         assert!(((below - above) / (1e-9 * normal_density(3.0)) - 1.0).abs() < 1e-4);
     }

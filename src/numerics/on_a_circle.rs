@@ -1,6 +1,6 @@
-//! Angles at which `N(φ) - |v(φ)|` is negative, for a number N and a vector v of the form `x₀ + x_c cos φ + x_s sin φ`.
+//! Angles at which `N(φ) - |v(φ)|` is negative, for a harmonic number N and a harmonic vector v, `x₀ + x_c cos φ + x_s sin φ`.
 //!
-//! There are none exactly if N is not negative and `N² - |v|²`, a trigonometric polynomial of degree two, does not fall below zero.
+//! There are none exactly if N is never negative and `N² - |v|²`, a trigonometric polynomial of degree two, never becomes negative.
 
 use core::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ use super::harmonic::Harmonic;
 use super::tolerances::ROUNDED_SUM;
 use super::trigonometric::{FirstZero, Trigonometric};
 
-/// N and v.
+/// The number N and the vector v as functions of an angle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Turning<const C: usize> {
     pub(crate) number: Harmonic<f64>,
@@ -22,19 +22,19 @@ impl<const C: usize> Turning<C> {
         self.number.at(angle) - self.vector.at(angle).norm()
     }
 
-    /// The sum of the sizes of all coefficients.
+    /// The sum of the absolute values of all coefficients.
     fn size(&self) -> f64 {
         let [numbers, vectors] = [self.number.map(|x| x.abs()), self.vector.map(SVector::norm)];
         numbers.parts().into_iter().chain(vectors.parts()).sum()
     }
 
-    /// N² - |v|².
+    /// N² - |v|² as a trigonometric polynomial.
     pub(crate) fn square(&self) -> Trigonometric {
         let square = Trigonometric::square_of(&self.number);
         (0..C).fold(square, |sum, axis| sum.minus(&Trigonometric::square_of(&self.vector.map(|v| v[axis]))))
     }
 
-    /// An angle from 0 to `most` at which the value is negative by more than rounding, a local minimum; `None` if there is no such angle.
+    /// An angle from 0 to `most` at which N - |v| has a local minimum that is negative by more than rounding; `None` without such an angle.
     pub(crate) fn deepest(&self, most: f64) -> Option<f64> {
         let rounding = ROUNDED_SUM * self.size();
         if self.value(0.0) < -rounding {
@@ -50,10 +50,10 @@ impl<const C: usize> Turning<C> {
         })
     }
 
-    /// The local minimum reached downhill from an angle, between 0 and `most` unless that is a full turn.
+    /// The local minimum that is reached downhill from an angle, between 0 and `most` unless `most` is a full turn.
     fn least_near(&self, start: f64, most: f64) -> f64 {
         let within = |angle: f64| if most < TAU { angle.clamp(0.0, most) } else { angle };
-        // First step of the search for the least value, in radians.
+        // First step of the search for the minimum, rad.
         let first_step = 1e-3;
         let way = if self.value(within(start + first_step)) <= self.value(within(start - first_step)) {
             1.0

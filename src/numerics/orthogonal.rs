@@ -1,8 +1,8 @@
-//! Rank-revealing orthogonal factors of a tall matrix with graded rows.
+//! Rank-revealing orthogonal factors of a tall matrix whose rows differ in size by orders of magnitude.
 //!
-//! The rows are those of K^{1/2}Gᵀ and similar matrices: with stiffness ratios of 1e14 they differ by 1e7 in size. Normal
-//! equations (G K Gᵀ)⁻¹ would lose the square of that. Gram–Schmidt with column pivoting, every column
-//! orthogonalised twice, keeps the columns of Q orthonormal to working precision for any grading.
+//! The rows are those of K^{1/2}Gᵀ and similar matrices. With stiffness ratios of 1e14 their sizes differ by 1e7, and normal equations (G K
+//! Gᵀ)⁻¹ would lose the square of that. Gram–Schmidt with column pivoting, each column orthogonalised twice, keeps the columns of Q orthonormal
+//! to working precision for any such rows.
 
 use super::coordinates::{Indices, Size, Square, Vector};
 use core::ops::Range;
@@ -14,21 +14,21 @@ use super::tolerances::FEW_ROUNDINGS;
 use crate::numerics::summed;
 use crate::prelude::*;
 
-/// `A Π = Q [R11 R12; 0 0]` for an `m x D` matrix A of rank r: Q is `m x r` with orthonormal columns, R11 is upper
-/// triangular `r x r`, Π permutes columns.
+/// Factors `A Π = Q [R11 R12; 0 0]` of an `m x D` matrix A of rank r. Q is `m x r` with orthonormal columns, R11 is upper triangular `r x r`,
+/// and Π permutes columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Orthogonal {
-    /// Q row by row; entries at `rank` and above are zero.
+    /// Q row by row; entries in columns from `rank` on are zero.
     q: Vec<f64>,
     r: Square,
-    /// The inverse diagonal of R11: a product takes a third of the time of a quotient, and each waits for the one before.
+    /// The inverse diagonal of R11. Each division must wait for the previous one, and a multiplication takes a third of the time.
     over_diagonal: Vector,
     order: Indices,
     rank: usize,
 }
 
 impl Default for Orthogonal {
-    /// Factors of no rows and no columns.
+    /// Factors of a matrix without rows and columns.
     fn default() -> Self {
         Self::of(Size::default())
     }
@@ -41,13 +41,13 @@ impl Orthogonal {
         factor
     }
 
-    /// Factors of no rows yet.
+    /// Factors of a matrix without rows.
     fn of(size: Size) -> Self {
         let (r, over_diagonal) = (Square::zeros(size), Vector::all_zero(size));
         Self { q: Vec::new(), r, over_diagonal, order: size.in_order(), rank: 0 }
     }
 
-    /// The factors of other rows, in the same memory.
+    /// Factorises other rows in the same memory.
     pub(crate) fn assign(&mut self, size: Size, rows: &[Vector]) {
         if self.size() != size {
             *self = Self { q: core::mem::take(&mut self.q), ..Self::of(size) };
@@ -59,7 +59,7 @@ impl Orthogonal {
             let row = row.as_slice();
             to[..row.len()].copy_from_slice(row);
         }
-        // Loops of one object have a length that the compiler knows.
+        // For a single object the compiler knows the length of the loops.
         self.rank = match d {
             3 => factorise(3, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
             6 => factorise(6, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
@@ -75,13 +75,13 @@ impl Orthogonal {
         self.rank
     }
 
-    /// Row i of Q; its entries at the rank and above are zero.
+    /// Row i of Q; its entries from `rank` on are zero.
     pub(crate) fn row(&self, i: usize) -> &[f64] {
         let d = self.size().count();
         &self.q[i * d..(i + 1) * d]
     }
 
-    /// Qᵀx.
+    /// The coordinates Qᵀx.
     pub(crate) fn coordinates(&self, x: &[f64]) -> Vector {
         let d = self.size().count();
         let part = |rows: Range<usize>| {
@@ -97,13 +97,11 @@ impl Orthogonal {
         in_halves(0..x.len(), &part, &|a, b| a + b)
     }
 
-    /// Moves x to the nearest vector with `Aᵀx = -w`, for a w in the range of Aᵀ. Returns the y of the move
-    /// `x - Q y`.
+    /// Moves x to the closest vector with `Aᵀx = -w`, for a w in the range of Aᵀ. Returns the y of the move `x - Q y`.
     pub(crate) fn project(&self, x: &mut [f64], w: &Vector) -> Vector {
         let load = self.load_coordinates(w);
         let mut moved = Vector::zeros();
-        // The projection solves, and is repeated for its own rounding. Rows graded over many decades need
-        // more than one repetition.
+        // The projection is repeated to remove its own rounding. Rows whose sizes differ by many decades need more than one repetition.
         for _ in 0..4 {
             let step = self.coordinates(x) + &load;
             if step.norm() <= FEW_ROUNDINGS * summed(x, &|x| x * x).sqrt() {
@@ -115,7 +113,7 @@ impl Orthogonal {
         moved
     }
 
-    /// x - Q y.
+    /// Subtracts Q y from x.
     pub(crate) fn subtract(&self, x: &mut [f64], y: &Vector) {
         let (d, y) = (self.size().count(), y.as_slice());
         match (d, y.len()) {
@@ -147,7 +145,8 @@ impl Orthogonal {
         v
     }
 
-    /// The coordinates `y = Qᵀx` of every x with `Aᵀx = w`, for a w in the range of Aᵀ: `R11ᵀ y = Πᵀw`, first r rows.
+    /// The coordinates `y = Qᵀx`, which are the same for every x with `Aᵀx = w`, for a w in the range of Aᵀ. They solve the first r rows of
+    /// `R11ᵀ y = Πᵀw`.
     pub(crate) fn load_coordinates(&self, w: &Vector) -> Vector {
         let mut found = Vector::all_zero(self.size());
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
@@ -168,7 +167,7 @@ impl Orthogonal {
         basis
     }
 
-    /// [`Self::null_space`] in the memory of `basis`, which gets room for the null space of any rows.
+    /// [`Self::null_space`] in the memory of `basis`, which reserves capacity for the largest possible null space.
     pub(crate) fn null_space_into(&self, basis: &mut Vec<Vector>) {
         basis.clear();
         basis.reserve(self.size().count());
@@ -185,7 +184,7 @@ impl Orthogonal {
     }
 }
 
-/// Adds the rows, each times its number.
+/// Adds the rows, each times its factor.
 #[inline(always)]
 fn add_rows(d: usize, q: &[f64], times: &[f64], sums: &mut [f64]) {
     let sums = &mut sums[..d];
@@ -196,7 +195,7 @@ fn add_rows(d: usize, q: &[f64], times: &[f64], sums: &mut [f64]) {
     }
 }
 
-/// Subtracts from each number the product of its row with y.
+/// Subtracts from each entry of x the product of its row with y.
 #[inline(always)]
 fn subtract_rows(d: usize, q: &[f64], y: &[f64], x: &mut [f64]) {
     let y = &y[..d];
@@ -209,7 +208,7 @@ fn subtract_rows(d: usize, q: &[f64], y: &[f64], x: &mut [f64]) {
     }
 }
 
-/// The sum of products over the common length.
+/// The dot product over the common length.
 fn product(row: &[f64], y: &[f64]) -> f64 {
     let mut sum = 0.0;
     for (entry, y) in row.iter().zip(y) {
@@ -226,7 +225,7 @@ mod tests {
 
     #[test]
     fn a_dependent_column_gives_its_null_vector() {
-        // Third column = first - 2 second, rows graded over 14 decades.
+        // The third column equals the first minus twice the second; the sizes of rows differ by 14 decades.
         let rows = [[1e7, 0.0], [1.0, 1.0], [1e-7, 3e-7], [0.5, 1e7]]
             .map(|[a, b]| Vector::from(SVector::from([a, b, a - 2.0 * b])));
         let factor = Orthogonal::new(Size::of(3), &rows);

@@ -1,4 +1,4 @@
-//! The part of a vector across an orthonormal set.
+//! The component of a vector orthogonal to an orthonormal set.
 
 use super::coordinates::Vector;
 
@@ -11,12 +11,12 @@ pub(crate) fn without(mut v: Vector, basis: &[Vector]) -> Vector {
     v
 }
 
-/// v minus its projection, twice, so that rounding leaves no part along the set.
+/// v minus its projection, computed twice, so that rounding leaves no component along the set.
 pub(crate) fn across(v: Vector, basis: &[Vector]) -> Vector {
     without(without(v, basis), basis)
 }
 
-/// Makes v a unit vector orthogonal to an orthonormal set, in two passes.
+/// Makes v a unit vector orthogonal to an orthonormal set; the projection is subtracted twice.
 pub(crate) fn orthonormalise_against(v: &mut Vector, basis: &[Vector]) {
     *v = across(core::mem::take(v), basis);
     let norm = v.norm();

@@ -1,21 +1,21 @@
-//! Sums over very many terms, made of halves. Their rounding grows only with the logarithm of their
-//! length, and they are the same for any number of threads.
+//! Pairwise summation of very many terms. Rounding grows only with the logarithm of their number, and the result is the same for any number of
+//! threads.
 
 use core::ops::Range;
 
 use super::cores;
 
-/// Both results, on two threads if `count` terms are worth it.
+/// Both results, on two threads if there are enough terms.
 fn both<R: Send>(count: usize, a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
-    // With fewer terms, waking a second thread costs more than their sum.
+    // With fewer terms, waking a second thread costs more than the summation.
     if count >= 4096 { cores::both(a, b) } else { (a(), b()) }
 }
 
-/// A sequence that can be divided into a first and a second half.
+/// A sequence that can be divided in two.
 pub(crate) trait Halves: Send + Sized {
     fn count(&self) -> usize;
 
-    /// The first `middle` elements, and the others.
+    /// The first `middle` elements, and the remaining ones.
     fn divided(self, middle: usize) -> (Self, Self);
 }
 
@@ -42,7 +42,7 @@ impl<T: Send> Halves for &mut [T] {
     }
 }
 
-/// Two sequences of equal length.
+/// Two sequences of equal length, divided together.
 impl<A: Halves, B: Halves> Halves for (A, B) {
     #[inline]
     fn count(&self) -> usize {
@@ -55,14 +55,14 @@ impl<A: Halves, B: Halves> Halves for (A, B) {
     }
 }
 
-/// The sum over a whole, from `part`, the sum of a short part, and `plus`, the sum of two halves.
+/// The pairwise sum over a sequence: `part` sums a short part, and `plus` adds the sums of two halves.
 pub(crate) fn in_halves<W: Halves, S: Send>(
     whole: W,
     part: &(impl Fn(W) -> S + Sync),
     plus: &(impl Fn(S, S) -> S + Sync),
 ) -> S {
     let count = whole.count();
-    // With fewer terms, calls would cost more than the digits are worth.
+    // With fewer terms, the gain in accuracy is not worth the calls.
     if count <= 256 {
         return part(whole);
     }

@@ -1,4 +1,4 @@
-//! Small linear systems far from singular, by partial pivoting.
+//! Small linear systems far from singular, by LU with partial pivoting.
 
 use super::tolerances::PARTIAL_PIVOT;
 use crate::numerics::{Indices, Size, Square, Vector};
@@ -6,14 +6,14 @@ use crate::numerics::{Indices, Size, Square, Vector};
 /// Partial-pivoting LU of a regular `D x D` matrix.
 #[derive(Debug, Clone)]
 pub(crate) struct PartialPivoting {
-    /// U above the diagonal, L below it.
+    /// U on and above the diagonal, L below it.
     lu: Square,
     reciprocal_pivots: Vector,
     row_order: Indices,
 }
 
 impl PartialPivoting {
-    /// The factors, unless the matrix is nearly singular or not finite.
+    /// The factors; `None` if the matrix is nearly singular or not finite.
     pub(crate) fn new(matrix: &Square) -> Option<Self> {
         let size = matrix.size();
         let d = size.count();
@@ -23,7 +23,7 @@ impl PartialPivoting {
         let mut row_order = size.in_order();
         let (entries, reciprocal, order) =
             (lu.as_mut_slice(), reciprocal_pivots.as_mut_slice(), row_order.as_mut());
-        // Loops of one object have a length that the compiler knows.
+        // For a single object the compiler knows the length of the loops.
         match d {
             3 => eliminate(3, entries, reciprocal, order, least)?,
             6 => eliminate(6, entries, reciprocal, order, least)?,
@@ -51,7 +51,7 @@ impl PartialPivoting {
     }
 }
 
-/// Makes the entries below the diagonal zero in place, with L there. `None` if a pivot is not more than `least`, or not finite.
+/// Gaussian elimination in place; L is stored below the diagonal. `None` if a pivot is at most `least`, or not finite.
 #[inline(always)]
 fn eliminate(
     d: usize,
@@ -70,7 +70,7 @@ fn eliminate(
                 pivot = i;
             }
         }
-        // Written so that NaN fails, too.
+        // The condition also fails for NaN.
         let large_enough = column[pivot].abs() > least && column[pivot].is_finite();
         if !large_enough {
             return None;
@@ -96,7 +96,7 @@ fn eliminate(
     Some(())
 }
 
-/// The solution in place of the right-hand side, whose rows are in the order of the pivots.
+/// Replaces a right-hand side, whose rows are in pivot order, by the solution.
 #[inline(always)]
 fn substitute(d: usize, lu: &[f64], reciprocal_pivots: &[f64], x: &mut [f64]) {
     let (lu, reciprocal_pivots, x) = (&lu[..d * d], &reciprocal_pivots[..d], &mut x[..d]);

@@ -1,15 +1,15 @@
 //! A symmetric positive definite band matrix and its Cholesky factors.
 //!
-//! With entries up to b places from the diagonal, n rows cost ½ n b² multiplications, a quarter of those of an unsymmetric band.
+//! With entries up to b positions from the diagonal, n rows cost ½ n b² multiplications, a quarter of the cost for an unsymmetric band.
 
 use super::tolerances::POSITIVE_PIVOT;
 use crate::numerics::dot;
 use crate::prelude::*;
 
-/// The lower half of a matrix with entries up to `reach` places from the diagonal, or of its factors.
+/// The lower half of a band matrix with entries up to `reach` positions from the diagonal, or of its Cholesky factor.
 #[derive(Debug, Clone)]
 pub(crate) struct PositiveBand {
-    /// Column by column, each from the diagonal down.
+    /// The columns, each from the diagonal downwards.
     entries: Vec<f64>,
     height: usize,
 }
@@ -19,7 +19,7 @@ impl PositiveBand {
         Self { entries: vec![0.0; count * (reach + 1)], height: reach + 1 }
     }
 
-    /// Sets all entries to zero, in the same memory.
+    /// Sets all entries to zero without new memory.
     pub(crate) fn clear(&mut self) {
         self.entries.fill(0.0);
     }
@@ -30,7 +30,7 @@ impl PositiveBand {
         self.entries[j * self.height + i - j] += x;
     }
 
-    /// Replaces the matrix by L with `L Lᵀ` equal to it; `None` if it is not clearly positive definite.
+    /// Replaces the matrix by its factor L, `L Lᵀ`; `None` if it is not clearly positive definite.
     pub(crate) fn factor(&mut self) -> Option<()> {
         let height = self.height;
         let least: Vec<f64> =

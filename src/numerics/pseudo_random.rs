@@ -1,4 +1,4 @@
-//! Numbers without structure, the same on every machine and in every run.
+//! Reproducible pseudorandom numbers, the same on every machine and in every run.
 
 use core::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use crate::prelude::*;
 
 const WEYL_STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Entry i of a fixed vector without structure, from 1/2 to below 3/2.
+/// Entry i of a fixed generic vector, from 1/2 to below 3/2.
 pub(crate) fn generic(i: usize) -> f64 {
     let bits = mixed((i as u64).wrapping_add(1).wrapping_mul(WEYL_STEP));
     0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64
@@ -20,12 +20,12 @@ fn mixed(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Random numbers that depend on the place of the draw alone: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number
+/// Random numbers that depend only on three words, the place of the draw: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number
 /// generators, 2014).
 pub(crate) struct Draw(u64);
 
 impl Draw {
-    /// The numbers of a place. Each word of it changes all bits of the state.
+    /// The generator for a place. Each of its words changes all bits of the state.
     pub(crate) fn new(place: [u64; 3]) -> Self {
         let mut draw = Self(0);
         for word in place {
@@ -45,12 +45,12 @@ impl Draw {
         if self.next() >> 63 == 0 { 1.0 } else { -1.0 }
     }
 
-    /// A uniform number in (0, 1), never at its ends.
+    /// A uniform number in the open interval (0, 1).
     pub(crate) fn uniform(&mut self) -> f64 {
         ((self.next() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
     }
 
-    /// A normal number (mean 0, variance 1), by the method of Box and Muller.
+    /// A standard normal number (mean 0, variance 1), by the Box–Muller method.
     pub(crate) fn normal(&mut self) -> f64 {
         let (radius, angle) = ((-2.0 * self.uniform().ln()).sqrt(), TAU * self.uniform());
         radius * angle.cos()

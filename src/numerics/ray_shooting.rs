@@ -1,8 +1,8 @@
-//! The exit of a ray from a convex set, by a simplex method on the set's support points.
+//! The point where a ray leaves a convex set, by a simplex method on support points of the set.
 //!
-//! Let points p_k of the set span a cone that contains the ray r, `r = Σ β_k p_k`. The plane through them is `v·x = 1`, and r leaves their simplex at
-//! `r / s` with `s = Σ β_k`. If no point of the set lies beyond that plane, the ray leaves the set there. Otherwise the farthest point beyond it
-//! replaces one of them, and s decreases.
+//! Let points p_k of the set span a cone that contains the ray r, `r = Σ β_k p_k`. Their plane is `v·x = 1`, and r crosses it at `r / s` with `s
+//! = Σ β_k`. If no point of the set lies beyond that plane, the ray leaves the set there. Otherwise the point farthest beyond the plane replaces
+//! one of the p_k, and s decreases.
 
 use super::coordinates::{Size, Square, Vector};
 use super::partial_pivoting::PartialPivoting;
@@ -10,21 +10,21 @@ use super::support::{SupportFunction, Vertex, middle};
 use super::tolerances::BEYOND_PLANE;
 use crate::prelude::*;
 
-/// A place where a ray leaves a set, between two bounds.
+/// The point where a ray leaves a set, between two bounds.
 #[derive(Debug, Clone)]
 pub(crate) struct RayExit {
     pub(crate) vertices: Vec<Vertex>,
-    /// β, not negative.
+    /// Coefficients β, not negative.
     pub(crate) shares: Vector,
-    /// v: all of the set has `v·(x - middle) <= reach`.
+    /// Normal v: all points x of the set satisfy `v·(x - middle) <= reach`.
     pub(crate) normal: Vector,
-    /// At least one, and one up to rounding if the pivots have converged.
+    /// At least one; it is one up to rounding if the pivots have converged.
     pub(crate) reach: f64,
-    /// s: the distance of the target in units of that at which the ray leaves the simplex.
+    /// s: distance of the target divided by the distance at which the ray leaves the simplex.
     pub(crate) stretch: f64,
 }
 
-/// The exit of the ray from the middle of a simplex to a target. `None` if rounding leaves no simplex.
+/// The exit of the ray from the middle of a simplex to a target. `None` if rounding leaves no face.
 pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &Vector) -> Option<RayExit> {
     let size = Size::of(simplex.len() - 1);
     let origin = middle(simplex);
@@ -35,10 +35,10 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
     }
     let (mut vertices, mut shares) = first_face(simplex, &origin, &ray)?;
     let mut found: Option<RayExit> = None;
-    // The number of pivots is limited, since rounding could lead to a cycle.
+    // The number of pivots is limited, since rounding could cause cycling.
     for _ in 0..1000 {
         let points = matrix(&vertices, &origin);
-        // Where the set is smooth, points come so close that rounding corrupts the plane through them: the result so far is kept.
+        // If the set is smooth, points come so close together that rounding corrupts their plane. The best result is then kept.
         let solvers = [PartialPivoting::new(&points), PartialPivoting::new(&points.transpose())];
         let [Some(solver), Some(transposed)] = solvers else { break };
         let normal = transposed.solve(&Vector::from_fn(size, |_| 1.0));
@@ -54,7 +54,7 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
         let least = BEYOND_PLANE * change.amax();
         let leaving = (0..size.count()).filter(|&k| change[k] > least).min_by(|&a, &b| {
             let part = |k: usize| shares[k] / change[k];
-            // Among ties the largest pivot.
+            // Among ties the largest pivot is chosen.
             part(a).total_cmp(&part(b)).then(change[b].total_cmp(&change[a]))
         });
         let Some(leaving) = leaving else { break };
@@ -67,12 +67,12 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
     found
 }
 
-/// The points of vertices as columns, seen from the origin of the ray.
+/// Positions of vertices relative to the origin of the ray, as columns.
 fn matrix(vertices: &[Vertex], origin: &Vector) -> Square {
     Square::from_columns(Size::of(vertices.len()), |k| &vertices[k].at - origin)
 }
 
-/// The face of the simplex that the ray from its middle passes, the one with the largest least share, and its shares.
+/// The face of the simplex through which the ray from its middle passes, with the coefficients β. It is the face with the largest minimum of β.
 fn first_face(simplex: &[Vertex], origin: &Vector, ray: &Vector) -> Option<(Vec<Vertex>, Vector)> {
     let mut best: Option<(Vec<Vertex>, Vector, f64)> = None;
     for without in 0..simplex.len() {

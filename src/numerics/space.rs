@@ -1,6 +1,6 @@
-//! The plane or space.
+//! Distinction between the plane and space.
 
-/// The number of axes and of rotations: known at run time, so that code for the plane and for space is compiled once.
+/// Plane or space as a run-time value, so that code for both is compiled once.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Space {
     /// Two axes and one rotation.
@@ -10,7 +10,7 @@ pub(crate) enum Space {
 }
 
 impl Space {
-    /// The space in which a point has `C` coordinates.
+    /// The space in which points have `C` coordinates.
     pub(crate) const fn of<const C: usize>() -> Self {
         if C == 2 { Self::Planar } else { Self::Spatial }
     }
@@ -23,12 +23,12 @@ impl Space {
         }
     }
 
-    /// Number of coordinates of the object: its translations, then its rotations. Those of joints come behind them.
+    /// Number of coordinates of the object: translations, then rotations. Those of joints follow them.
     pub(crate) const fn of_the_object(self) -> usize {
         self.axes() + self.planes().len()
     }
 
-    /// The planes of rotation.
+    /// The coordinate planes in which rotations take place.
     pub(crate) const fn planes(self) -> &'static [(usize, usize)] {
         match self {
             Self::Planar => &[(0, 1)],
@@ -36,7 +36,7 @@ impl Space {
         }
     }
 
-    /// For each coordinate of the object its place among the components of a `Wrench<C>` or a `Twist<C>`.
+    /// For each coordinate of the object, its position among the components of a `Wrench<C>` or a `Twist<C>`.
     pub(crate) const fn components<const C: usize>(self) -> &'static [usize] {
         match self {
             Self::Planar if C == 3 => &[0, 1, 5],

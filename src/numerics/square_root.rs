@@ -1,4 +1,4 @@
-//! The square root under a name of its own, for a number trait whose own method has the name of std's.
+//! The square root under another name, for use in a number trait whose own method is called `sqrt`.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;

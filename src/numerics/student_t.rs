@@ -6,8 +6,8 @@ use super::normal_tail::normal_tail;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The number of standard errors on both sides that contain the truth with a probability from 0 to below 1. `None` degrees of freedom mean a known
-/// scatter. Otherwise there is at least one degree; fractions are allowed.
+/// Half width of a two-sided confidence interval in standard errors, for a probability from 0 to below 1. `None` degrees of freedom mean that
+/// the scatter is known. Otherwise there is at least one degree; fractions are allowed.
 ///
 /// With t = √ν tan θ, `|t|` is exceeded with the probability `I(cos² θ; ν/2, 1/2)`, an incomplete beta function (Abramowitz and Stegun, 26.7.1 and
 /// 26.5.27).
@@ -17,11 +17,11 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
             let middle = 0.5 * (low + high);
             if within(middle) < probability { (middle, high) } else { (low, middle) }
         };
-        // Halvings of an angle, enough for all digits.
+        // Bisection steps, enough for all digits.
         let (low, high) = (0..60).fold((least, most), halve);
         0.5 * (low + high)
     };
-    // Above 4000 degrees of freedom the normal distribution differs by some 1e-4, and is used instead.
+    // Above 4000 degrees of freedom the normal distribution replaces Student's, from which it differs by some 1e-4.
     match degrees {
         Some(nu) if nu <= 4000.0 => {
             let a = 0.5 * nu.max(1.0);
@@ -37,7 +37,7 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
 fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let x = cos * cos;
-    // The fraction that converges fast.
+    // Of two continued fractions, the one that converges fast.
     if x < (a + 1.0) / (a + 2.5) {
         1.0 - x.powf(a) * sin / (a * whole) * fraction(x, a, 0.5)
     } else {
@@ -45,7 +45,7 @@ fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     }
 }
 
-/// The continued fraction of an incomplete beta function (Abramowitz and Stegun, 26.5.8), evaluated from its head.
+/// The continued fraction of the incomplete beta function (Abramowitz and Stegun, 26.5.8), evaluated forwards.
 fn fraction(x: f64, a: f64, b: f64) -> f64 {
     let term = |k: usize| {
         let m = (k / 2) as f64;
@@ -55,7 +55,7 @@ fn fraction(x: f64, a: f64, b: f64) -> f64 {
             -(a + m) * (a + b + m) * x / ((a + 2.0 * m) * (a + 2.0 * m + 1.0))
         }
     };
-    // Convergents p / q by their recurrence, scaled to q = 1.
+    // Convergents p / q by their recurrence, normalised to q = 1.
     let ([mut p, mut before], mut q_before) = ([1.0, 1.0], 0.0);
     // The fraction needs some √ν terms.
     for k in 1..500 {
@@ -70,10 +70,11 @@ fn fraction(x: f64, a: f64, b: f64) -> f64 {
     p.recip()
 }
 
-/// B(a, 1/2), by its recurrence up to the range of the series for the quotient of gamma functions (Abramowitz and Stegun, 6.1.47).
+/// B(a, 1/2), by its recurrence up to arguments where the series for the quotient of gamma functions is accurate (Abramowitz and Stegun,
+/// 6.1.47).
 fn beta_with_half(a: f64) -> f64 {
     let (mut a, mut times) = (a, 1.0);
-    // From this argument on the series is exact to 1e-13.
+    // From this argument on the series is accurate to 1e-13.
     while a < 100.0 {
         times *= (a + 0.5) / a;
         a += 1.0;
@@ -108,7 +109,7 @@ mod tests {
         assert!((two_sided(0.99, Some(7.0)) - 3.499_483).abs() < 1e-6);
     }
 
-    /// With one or two degrees of freedom the distribution is arctan t and t / √(2 + t²).
+    /// For one or two degrees of freedom the distribution function is that of arctan t and of t / √(2 + t²).
     #[test]
     fn few_degrees_of_freedom_have_closed_forms() {
         for probability in [0.1_f64, 0.5, 0.9, 0.95, 0.999] {
@@ -121,7 +122,7 @@ mod tests {
         }
     }
 
-    /// Fractions of a degree of freedom, compared with `scipy.stats.t.ppf(0.975, nu)`.
+    /// Fractional degrees of freedom, compared with `scipy.stats.t.ppf(0.975, nu)`.
     #[test]
     fn degrees_of_freedom_have_parts() {
         for (nu, quantile) in [
@@ -136,7 +137,7 @@ mod tests {
         }
     }
 
-    /// At the largest number that is computed, the distribution meets the normal one.
+    /// At the largest number of degrees that is computed, the quantile must agree with that of the normal distribution.
     #[test]
     fn many_degrees_of_freedom_are_a_scatter_that_is_known() {
         let [many, more] = [4000.0, 4001.0].map(|nu| two_sided(0.95, Some(nu)));

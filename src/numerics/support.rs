@@ -1,14 +1,14 @@
-//! Convex sets given by their support function: in each direction the farthest point.
+//! Convex sets described by their support function, which returns the farthest point in each direction.
 
 use super::coordinates::{Size, Vector};
 use super::orthonormal_set::across;
 use super::tolerances::FLAT_SET;
 use crate::prelude::*;
 
-/// The farthest point of a set in a direction.
+/// The farthest point of a set in a given direction.
 pub(crate) type SupportFunction<'s> = dyn Fn(&Vector) -> Vector + 's;
 
-/// A support point of a set, with its direction.
+/// A support point of a set, and the direction in which it is the farthest.
 #[derive(Debug, Clone)]
 pub(crate) struct Vertex {
     pub(crate) at: Vector,
@@ -22,7 +22,8 @@ impl Vertex {
     }
 }
 
-/// One point more than there are dimensions, which do not lie in one plane; or, as error, orthonormal directions in which the set is flat.
+/// Support points that span a simplex, one more than the dimension. For a flat set the error holds orthonormal directions in which it has no
+/// extent.
 pub(crate) fn simplex(size: Size, support: &SupportFunction<'_>) -> Result<Vec<Vertex>, Vec<Vector>> {
     let first = Vertex::of(support, Vector::unit(size, 0));
     let origin = first.at.clone();
@@ -48,7 +49,7 @@ pub(crate) fn simplex(size: Size, support: &SupportFunction<'_>) -> Result<Vec<V
     if flat.is_empty() { Ok(vertices) } else { Err(flat) }
 }
 
-/// The mean of some points: an interior point if they do not lie in one plane.
+/// The mean of some points; it is an interior point if they do not lie in one plane.
 pub(crate) fn middle(vertices: &[Vertex]) -> Vector {
     let mut sum = Vector::zeros();
     for vertex in vertices {

@@ -4,9 +4,9 @@
 //! f(φ) = c + a₁ cos φ + b₁ sin φ + a₂ cos 2φ + b₂ sin 2φ
 //! ```
 //!
-//! A full turn is four quarters. With t = tan(φ/2) from the beginning of a quarter, `(1 + t²)² f` is a polynomial of degree four on
-//! 0 ≤ t ≤ 1. Its extrema are the roots of its derivative, found in the
-//! same way, down to a straight line. Between two of them there is one root or none, so that none is lost and none invented.
+//! A full turn is treated as four quarter turns. With t = tan(φ/2) from the start of a quarter, `(1 + t²)² f` is a polynomial of degree four on
+//! 0 ≤ t ≤ 1. Its extrema are the roots of its derivative, which are found recursively down to degree one. Between two neighbouring extrema lies
+//! at most one root, so none is missed and none is spurious.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -15,7 +15,7 @@ use crate::numerics::summed;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The polynomial f.
+/// The trigonometric polynomial f.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Trigonometric {
     pub(crate) constant: f64,
@@ -25,12 +25,12 @@ pub(crate) struct Trigonometric {
     pub(crate) second: [f64; 2],
 }
 
-/// The first event on the way.
+/// The first zero of f on an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum FirstZero {
-    /// f falls below zero at this angle.
+    /// f changes from positive to negative at this angle, rad.
     At(f64),
-    /// f stays above zero, but touches it within rounding at this angle.
+    /// f stays positive, but touches zero to within rounding at this angle, rad.
     Touches(f64),
 }
 
@@ -53,7 +53,7 @@ impl Trigonometric {
         [self.constant + a + a2, b + 2.0 * b2, -a - 4.0 * a2]
     }
 
-    /// The square of `c + a cos φ + b sin φ`.
+    /// The square of `c + a cos φ + b sin φ` as a trigonometric polynomial.
     pub(crate) fn square_of(&Harmonic { constant: c, cosine: a, sine: b }: &Harmonic<f64>) -> Self {
         Self {
             constant: c * c + 0.5 * (a * a + b * b),
@@ -62,7 +62,7 @@ impl Trigonometric {
         }
     }
 
-    /// `c + a cos φ + b sin φ`.
+    /// `c + a cos φ + b sin φ` as a trigonometric polynomial.
     pub(crate) fn linear(&Harmonic { constant, cosine, sine }: &Harmonic<f64>) -> Self {
         Self { constant, first: [cosine, sine], second: [0.0; 2] }
     }
@@ -76,15 +76,15 @@ impl Trigonometric {
         }
     }
 
-    /// f(φ + π/2).
+    /// The shifted polynomial f(φ + π/2).
     fn a_quarter_on(&self) -> Self {
         let ([a, b], [a2, b2]) = (self.first, self.second);
         Self { constant: self.constant, first: [b, -a], second: [-a2, -b2] }
     }
 
-    /// The first angle in (0, `most`] at which f falls below zero; `most` is at most a full turn.
+    /// The first angle in (0, `most`] at which f becomes negative, or touches zero; `most` is at most a full turn.
     ///
-    /// A value is zero within `rounding`. The first `roots_here` roots at the beginning do not count: f is zero there, and rises.
+    /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: f is zero there and increases.
     pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<FirstZero> {
         let most = most.min(TAU);
         let mut here = *self;
@@ -100,7 +100,7 @@ impl Trigonometric {
             let divided = if quarter == 0 { roots_here } else { 0 };
             p[..divided].fill(0.0);
             p.rotate_left(divided);
-            // Divided by powers of t, a value near the beginning is as accurate as its slope.
+            // Since powers of t are divided out, a value near the start is as accurate as its slope.
             match fall_of(&p, end, if divided > 0 { 0.0 } else { rounding }) {
                 Some(FirstZero::At(t)) => return Some(FirstZero::At(begin + 2.0 * t.atan())),
                 Some(FirstZero::Touches(t)) => {
@@ -113,8 +113,8 @@ impl Trigonometric {
         touched
     }
 
-    /// cot(φ/2) of the first angle in a full turn at which f is zero, falling or touching. It is found without
-    /// trigonometric functions, hence with equal bits on every processor. f must begin above zero.
+    /// cot(φ/2) of the first angle in a full turn at which f becomes negative or touches zero. It is computed without trigonometric functions,
+    /// hence with the same bits on every processor. f must be positive at φ = 0.
     pub(crate) fn first_cotangent(&self) -> Option<f64> {
         let mut here = *self;
         for quarter in 0_u8..4 {
@@ -133,16 +133,16 @@ impl Trigonometric {
         None
     }
 
-    /// Coefficients of `(1 + t²)² f`, the constant first.
+    /// Coefficients of the polynomial `(1 + t²)² f`, the constant first.
     fn of_the_half_angle(&self) -> [f64; 5] {
         let (c, [a, b], [a2, b2]) = (self.constant, self.first, self.second);
         [c + a + a2, 2.0 * b + 4.0 * b2, 2.0 * c - 6.0 * a2, 2.0 * b - 4.0 * b2, c - a + a2]
     }
 }
 
-/// The first fall of a polynomial in (0, end].
+/// The first zero in (0, end] at which the polynomial changes from positive to negative, or touches zero to within `rounding`.
 fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
-    // The constant exceeds all that the negative terms can subtract.
+    // No zero exists if the constant exceeds the sum of all negative coefficients.
     if p[0] + summed(&p[1..], &|p| p.min(0.0)) > rounding {
         return None;
     }
@@ -153,7 +153,7 @@ fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
     for &high in bends.list().iter().chain([&end]) {
         let next = horner(p, high);
         if next < -rounding {
-            // The polynomial begins at zero, or below by rounding.
+            // If the polynomial starts at zero, or slightly below by rounding, the zero is the start.
             let root = if value > 0.0 { root_between(p, low, high) } else { low };
             return Some(FirstZero::At(root));
         }
@@ -183,7 +183,7 @@ impl Roots {
     }
 }
 
-/// The roots of p' in (0, end) at which p' changes its sign.
+/// The roots of p' in (0, end) at which p' changes sign.
 fn roots_of_derivative(p: &[f64; 5], end: f64, into: &mut Roots) {
     let derivative = [p[1], 2.0 * p[2], 3.0 * p[3], 4.0 * p[4], 0.0];
     if derivative[1..].iter().all(|p| *p == 0.0) {
@@ -205,11 +205,11 @@ fn horner(p: &[f64; 5], t: f64) -> f64 {
     p.iter().rev().fold(0.0, |sum, p| sum * t + p)
 }
 
-/// The root of a polynomial in an interval on which it is monotone and changes its sign.
+/// The root of a polynomial in an interval on which it is monotone and changes sign.
 fn root_between(p: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
     let falls = horner(p, low) > horner(p, high);
     let mut t = 0.5 * (low + high);
-    // Steps of Newton's method and bisection for one root: bisection alone would need 53.
+    // Newton's method with bisection as a fallback; bisection alone would need 53 steps.
     for _ in 0..80 {
         let (mut value, mut slope) = (0.0, 0.0);
         for p in p.iter().rev() {
@@ -239,7 +239,7 @@ mod tests {
     use super::*;
     use crate::numerics::generic;
 
-    /// The first fall, found by small steps.
+    /// Reference: the first zero crossing, found by small steps.
     fn stepped(f: &Trigonometric, most: f64) -> Option<f64> {
         let steps = 4_000;
         let angle = |k: i32| most * f64::from(k) / f64::from(steps);
@@ -257,7 +257,7 @@ mod tests {
         let mut drawn = 0;
         let (mut falls, mut none) = (0, 0);
         for k in 0..6_000 {
-            // Between -1 and 1.
+            // Numbers between -1 and 1.
             let mut number = || {
                 drawn += 1;
                 2.0 * generic(drawn) - 2.0
@@ -278,7 +278,7 @@ mod tests {
                     assert!((root - known).abs() < 1e-9, "{f:?}: {root} {known}");
                 }
                 (None | Some(FirstZero::Touches(_)), None) => none += 1,
-                // Between two steps it may dip below zero.
+                // The polynomial may become negative between two sampled angles.
                 (Some(FirstZero::At(root)), None) => assert!(f.at(root + 1e-6) > -1e-6, "{f:?}: {root}"),
                 (found, known) => panic!("{f:?}: {found:?} {known:?}"),
             }
@@ -316,7 +316,7 @@ mod tests {
         for (turn, lift) in
             [(0.3_f64, 0.0_f64), (2.0, 0.0), (4.4, 0.0), (6.0, 0.0), (1.0, 1e-9), (1.0, -1e-9)]
         {
-            // (1 - cos(φ - turn))² from above, and 1 - cos(φ - turn).
+            // The polynomials (1 - cos(φ - turn))² and 1 - cos(φ - turn), which touch zero from above.
             let once = Trigonometric::linear(&Harmonic::new([1.0 + lift, -turn.cos(), -turn.sin()]));
             let twice = Trigonometric::square_of(&Harmonic::new([1.0, -turn.cos(), -turn.sin()]));
             match once.first_fall(TAU, 1e-13, 0) {
@@ -330,7 +330,7 @@ mod tests {
 
     #[test]
     fn roots_at_the_beginning_do_not_count() {
-        // sin φ rises from zero and falls at π; 1 - cos φ touches zero at the beginning only.
+        // sin φ increases from zero and changes sign at π; 1 - cos φ touches zero only at the start.
         let sine = Trigonometric::linear(&Harmonic::new([0.0, 0.0, 1.0])).first_fall(TAU, 1e-14, 1);
         assert!(matches!(sine, Some(FirstZero::At(angle)) if (angle - TAU / 2.0).abs() < 1e-15), "{sine:?}");
         assert_eq!(Trigonometric::linear(&Harmonic::new([1.0, -1.0, 0.0])).first_fall(6.0, 1e-14, 2), None);

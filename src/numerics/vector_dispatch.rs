@@ -1,13 +1,12 @@
-//! Loops compiled for the widest vectors that the processor has.
+//! Loops compiled for the widest vector instructions of the processor.
 //!
-//! Loops are written so that the compiler turns them into vector instructions. With the feature
-//! `simd` they are also compiled for wider vectors, and the widest that the processor has is
-//! chosen at run time. The operations and their order are the same, hence so are all bits.
+//! Loops are written so that the compiler vectorises them. With the feature `simd` they are also compiled for wider vectors, and the widest that
+//! the processor supports are chosen at run time. The operations and their order are the same, hence all bits are, too.
 
 /// A loop with its operands.
 pub(crate) trait Loop {
     type Output;
-    /// Must be inlined for the caller's vectors to be used.
+    /// Runs the loop; must be inlined so that it is compiled for the caller's vectors.
     fn run(self) -> Self::Output;
 }
 
@@ -25,10 +24,10 @@ pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
     on_the_widest(Inlined(work))
 }
 
-/// Vectors that the processor is known to have. Work that spans several functions passes them along, so that each function is compiled separately for
-/// these vectors.
+/// A token for vector instructions that the processor is known to support. Work that spans several functions passes it along, so that each
+/// function is compiled for these vectors.
 pub(crate) trait Vectors: Copy {
-    /// Runs the work, compiled for these vectors. The work must be inlined here.
+    /// Runs the work, compiled for these vectors; the work must be inlined here.
     fn run<R>(self, work: impl FnOnce() -> R) -> R;
 }
 
@@ -43,13 +42,13 @@ impl Vectors for Compiled {
     }
 }
 
-/// Work that is generic over the vectors.
+/// Work that is generic over the vector instructions.
 pub(crate) trait OnVectors {
     type Output;
     fn on<V: Vectors>(self, vectors: V) -> Self::Output;
 }
 
-/// Does the work on the widest vectors of the processor.
+/// Runs the work on the widest vectors of the processor.
 #[inline]
 pub(crate) fn on_the_widest<W: OnVectors>(work: W) -> W::Output {
     #[cfg(feature = "simd")]

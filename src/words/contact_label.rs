@@ -7,27 +7,27 @@ use super::link_kind::LinkKind;
 use super::names::printable;
 use crate::prelude::*;
 
-/// A contact as messages and answers name it: by its number and, where the user gave one, by its name.
+/// Label of a contact in messages and answers: its number and, if the user gave one, its name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ContactLabel {
-    /// Position in the list of contacts, from 0: of the grasp, or of the scene in the answer to a scene. Written as `contact`.
+    /// Position in the list of contacts, from 0. In the answer to a scene it is the position in the scene. Written as `contact`.
     #[cfg_attr(feature = "serde", serde(rename = "contact"))]
     pub index: usize,
-    /// Number of the point in its soft fingertip, from 0, in the answer to a scene; `None`, and omitted, for a contact that is a point itself.
+    /// Number of the point in its soft fingertip, from 0. `None`, and omitted, for a contact that is a single point.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub point: Option<usize>,
-    /// The user's name for it; omitted if it has none.
+    /// The name that the user gave; omitted without one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub name: Option<Arc<str>>,
-    /// Kind of the link between bodies that it belongs to; omitted for a contact.
+    /// Kind of the link between bodies to which this contact belongs; omitted for a contact that is no link.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub link: Option<LinkKind>,
 }
 
 impl ContactLabel {
-    /// Name of the contact in tables and pictures: its own, safe to print, or "contact" and its number, and the point of a soft fingertip.
+    /// Name in tables and pictures: the user's, safe to print, or "contact" and its number; then the point of a soft fingertip.
     #[must_use]
     pub fn text(&self) -> String {
         let name = self.name.as_deref().map(|name| printable(name).into_owned());
@@ -35,7 +35,7 @@ impl ContactLabel {
         self.point.map_or(name.clone(), |point| format!("{name}, point {point}"))
     }
 
-    /// The soft fingertip that a point belongs to; a contact that is a point itself stays.
+    /// Label of the soft fingertip to which a point belongs; of a single point, its own label.
     #[must_use]
     pub fn whole(&self) -> Self {
         Self { point: None, ..self.clone() }

@@ -1,4 +1,4 @@
-//! Verbs for links in sentences: hinges carry, cables pull and go slack.
+//! Kinds of links between bodies, and their verbs in sentences: hinges carry, cables pull and go slack.
 
 use super::Words;
 use crate::prelude::*;
@@ -37,8 +37,8 @@ impl LinkKind {
         }
     }
 
-    /// The load of a link in a sentence: "carries 12 N", "pulls with 3 N", "is slack". `along` is the force of a spring or cable along its line, N,
-    /// and `moment` that of other links that can carry one, N m.
+    /// The load of a link in a sentence: "carries 12 N", "pulls with 3 N", "is slack". `along` is the force of a spring or cable along its line,
+    /// N. `force` and `moment` are those of the other links, N and N m; `None` if such a link carries no moment.
     pub(crate) fn carries(self, words: Words, along: f64, force: f64, moment: Option<f64>) -> String {
         let newtons = |x: f64| format!("{} N", words.number(x));
         match self {
@@ -58,7 +58,7 @@ pub(crate) fn opens(link: Option<LinkKind>) -> &'static str {
     if link.is_some() { "goes slack" } else { "opens" }
 }
 
-/// The same verb in the plural.
+/// The verb for several contacts that open, or links that go slack.
 pub(crate) fn open(link: Option<LinkKind>) -> &'static str {
     if link.is_some() { "go slack" } else { "open" }
 }

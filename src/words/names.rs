@@ -7,8 +7,8 @@ use super::tolerances::MOST_NAMES;
 use crate::numerics::mapped;
 use crate::prelude::*;
 
-/// A user's text in a form that is safe to print. Control characters, marks of writing direction and line separators are escaped as in Rust, so that
-/// a name can neither clear a screen nor look like an answer.
+/// A user's text, safe to print. Control characters, marks of writing direction and line separators are escaped as in Rust, so that a name can
+/// neither clear a screen nor imitate an answer.
 #[must_use]
 pub fn printable(text: &str) -> Cow<'_, str> {
     if !text.contains(is_control) {
@@ -18,7 +18,7 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
-/// Control characters, marks of writing direction, line separators, and characters that XML forbids.
+/// Whether a character is escaped: control characters, marks of writing direction, line separators, and characters that XML forbids.
 fn is_control(c: char) -> bool {
     let directs =
         matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');

@@ -12,14 +12,14 @@ use crate::prelude::*;
 /// Default number of significant digits.
 const DEFAULT_DIGITS: usize = 6;
 
-/// Added to the precision of a formatter that writes an answer of the plane with three components a vector; far beyond every number of digits.
+/// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. It exceeds every number of digits.
 const IN_THE_PLANE: usize = 1 << 14;
 
-/// The form of numbers: significant digits, without trailing zeros, and without a minus before zero.
+/// Format of numbers: significant digits, without trailing zeros, and without a minus sign before zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Words {
     digits: usize,
-    /// The space of values with three components a vector.
+    /// Whether vectors that are stored with three components belong to the plane or to space.
     space: Space,
 }
 
@@ -37,7 +37,7 @@ impl Words {
         Self { digits: digits.clamp(1, 17), ..Self::default() }
     }
 
-    /// Numbers with the precision of a formatter as significant digits, of the space that its [`Self::precision`] says.
+    /// The format that [`Self::precision`] put into a formatter: significant digits, and plane or space.
     pub(crate) fn of(f: &fmt::Formatter<'_>) -> Self {
         match f.precision() {
             None => Self::default(),
@@ -48,23 +48,23 @@ impl Words {
         }
     }
 
-    /// The same words for values of this space.
+    /// The same format for vectors of the plane or of space.
     #[must_use]
     pub(crate) fn in_space(self, space: Space) -> Self {
         Self { space, ..self }
     }
 
-    /// The space of values with `C` axes.
+    /// The space of vectors with `C` components; three components may also belong to the plane.
     pub(crate) fn space<const C: usize>(self) -> Space {
         if C == 2 { Space::Planar } else { self.space }
     }
 
-    /// The precision for formatting a part of an answer: the digits, and the space.
+    /// Digits and space as one number, a formatter's precision, for formatting a part of an answer.
     pub(crate) fn precision(self) -> usize {
         self.digits + if self.space == Space::Planar { IN_THE_PLANE } else { 0 }
     }
 
-    /// Number of significant digits; also the precision for formatting a part of an answer.
+    /// Number of significant digits.
     #[must_use]
     pub fn digits(self) -> usize {
         self.digits
@@ -94,7 +94,7 @@ impl Words {
         trimmed(&text).to_owned()
     }
 
-    /// Numbers in brackets; those that are rounding beside the largest are zero.
+    /// Numbers in parentheses. Components that are only rounding beside the largest are written as zero.
     #[must_use]
     pub fn numbers(self, components: &[f64]) -> String {
         let largest = components.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
@@ -105,7 +105,7 @@ impl Words {
     /// The number, or zero if it is rounding beside `largest`.
     #[must_use]
     pub fn beside(self, x: f64, largest: f64) -> f64 {
-        // A smaller number beside a larger one is rounding.
+        // Components below this fraction of the largest are taken for rounding errors. With more than six digits the limit is stricter.
         let rounding = if self.digits > DEFAULT_DIGITS { 1e-13 } else { NEGLIGIBLE };
         if x.abs() <= rounding * largest { 0.0 } else { x }
     }
@@ -126,12 +126,12 @@ impl Words {
         format!("{}°", self.number(radians.to_degrees()))
     }
 
-    /// The components of a vector in brackets.
+    /// The components of a vector in parentheses.
     pub(crate) fn vector<const C: usize>(self, vector: &SVector<f64, C>) -> String {
         self.numbers(&vector.as_slice()[..self.space::<C>().axes()])
     }
 
-    /// A direction: "−z", or the components.
+    /// A direction: a signed axis such as "−z", or the components.
     #[must_use]
     pub fn along<const C: usize>(self, direction: &SVector<f64, C>) -> String {
         self.along_axes(&direction.as_slice()[..self.space::<C>().axes()])

@@ -1,4 +1,4 @@
-//! Units of length of scenes, of meshes, which do not say theirs, and of command lines.
+//! Units of length: of scenes, of meshes (whose files name no unit) and of command lines.
 
 use core::fmt;
 
@@ -14,7 +14,7 @@ pub enum Unit {
     /// Centimetres.
     #[cfg_attr(feature = "serde", serde(rename = "cm"))]
     Centimetre,
-    /// Millimetres, as most programs for construction write.
+    /// Millimetres, the unit of most CAD files.
     #[cfg_attr(feature = "serde", serde(rename = "mm"))]
     Millimetre,
     /// Inches of 25.4 mm.
@@ -23,7 +23,8 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// One length in this unit, m. Division of a length keeps round numbers of mm the nearest to their decimals.
+    /// A length in this unit, converted to m. Division by 1000 yields the nearest double to the decimal fraction; multiplication by 0.001 would
+    /// not.
     #[must_use]
     pub fn in_metres(self, length: f64) -> f64 {
         match self {

@@ -1,7 +1,8 @@
-//! The edges of its cone that a contact has reached at an event, and the law of its rates that follows.
+//! The active set of a contact at an event: the edges of its cone that it has reached. It determines the law of the contact's rates beyond the
+//! event.
 //!
-//! Inside its cone a contact sticks in every next step. On facets of the cone it may slide along these. At the apex and at a closed
-//! gap every state is possible, so the rates have the whole law again. The onset and the path use the same laws for the next step.
+//! Inside its cone a contact keeps sticking in the next step. On facets of the cone it may slide along them. At the apex and at a closed gap
+//! every state is possible, so the rates obey the whole law again. The onset and the load path share these laws.
 
 use nalgebra::SVector;
 
@@ -13,17 +14,17 @@ use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The edges, or the apex, of its cone that a contact has reached.
+/// The edges of its cone that a contact has reached, or the apex.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet {
-    /// Normals of the facets without margin: facets on which the contact slides, and others that it has reached.
+    /// Normals of the active facets: those on which the contact slides, and those that it has reached without margin.
     pub(crate) facets: Vec<SVector<f64, 3>>,
-    /// Closed without force, or open with a gap of zero.
+    /// Whether the contact is closed without force, or open with a gap of zero.
     pub(crate) apex: bool,
 }
 
 impl ActiveSet {
-    /// Inside the cone, or open with a gap.
+    /// The empty set: inside the cone, or open with a gap.
     pub(crate) const NOWHERE: Self = Self { facets: Vec::new(), apex: false };
 
     pub(crate) fn is_nowhere(&self) -> bool {
@@ -36,7 +37,7 @@ impl ActiveSet {
         self.apex = false;
     }
 
-    /// Whether a force is small enough to be zero, at the apex of the cone.
+    /// Whether a force is zero up to rounding, so that the contact is at the apex of its cone.
     pub(crate) fn is_weightless(force: &SVector<f64, 3>, force_size: f64) -> bool {
         force.norm() <= WEIGHTLESS * force_size
     }
@@ -44,21 +45,21 @@ impl ActiveSet {
     /// Adds the facets, or the apex, of these exits.
     pub(crate) fn reach(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
-            // Without a facet the normal force itself vanishes, or the gap.
+            // A facet of zero marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding are one facet:
+            // on the round cone a facet that is reached again has a slightly different direction.
             if state.is_open() || exit.facet.norm() == 0.0 {
-                // Facets closer than this are one facet: on the round cone the direction of a facet reached again differs by rounding.
                 self.apex = true;
             } else if !self.facets.iter().any(|facet| (facet - exit.facet).norm() <= NEGLIGIBLE) {
                 self.facets.push(exit.facet);
             }
         }
-        // As many facets as axes meet only at the apex.
+        // As many facets as the frame has axes intersect only at the apex.
         self.apex |= self.facets.len() >= axes;
     }
 }
 
 impl LocalLaw<'_> {
-    /// The law of the rates of a contact with this active set.
+    /// The law that the rates of a contact with this active set obey.
     pub(crate) fn law_of_rates(&self, stand: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
@@ -73,7 +74,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The active set of a closed contact with this force.
+    /// The active set of a closed contact under this force.
     pub(crate) fn stand(&self, line: &Line) -> ActiveSet {
         if !self.has_edges() {
             return ActiveSet::NOWHERE;
@@ -94,7 +95,7 @@ impl LocalLaw<'_> {
         ActiveSet { apex, facets: if on_the_edge { vec![friction.normalize()] } else { Vec::new() } }
     }
 
-    /// The sliding state in which a sticking contact on an edge of its cone may have the same force; `None` away from an edge.
+    /// The sliding state that shares the force of a sticking contact on an edge of its cone; `None` away from an edge.
     pub(crate) fn on_its_edge(&self, line: &Line) -> Option<State> {
         let ActiveSet { facets, apex } = self.stand(line);
         if apex || facets.is_empty() {
@@ -107,7 +108,7 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&numbers.collect::<Vec<_>>()))
     }
 
-    /// Removes the facets, or the apex, from which the contact moves away.
+    /// Removes the facets, or the apex, whose margin, normal force or gap grows at these rates.
     pub(crate) fn leave(&self, stand: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
@@ -139,7 +140,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Removes the facets, or the apex, that the contact has left with this force.
+    /// Removes the facets, or the apex, that are no longer reached at this force. Facets on which the contact slides stay.
     pub(crate) fn leave_behind(&self, stand: &mut ActiveSet, state: &State, line: &Line) {
         let there = self.stand(line);
         stand.apex &= there.apex;
@@ -156,8 +157,8 @@ impl LocalLaw<'_> {
         state.own_facets(facets.len()).iter().flatten().any(|&j| facets[j] == *facet)
     }
 
-    /// Whether a sticking contact on the edge of the round cone moves along a tangent of the cone with these rates. The tangent leads outside: the
-    /// contact slides, with a rate that may be zero at first.
+    /// Whether these rates move the force of a sticking contact along a tangent of the round cone, from a point on its edge. A tangent leads
+    /// outside, so the contact slides, with a rate that may start at zero.
     pub(crate) fn grazes(&self, state: &State, rate: &SVector<f64, 3>, size: f64) -> bool {
         let (Law::Edge(facets), Mode::Sticking) = (self.law, state) else { return false };
         let (p, cone) = (&facets[0], self.cone());
@@ -166,7 +167,8 @@ impl LocalLaw<'_> {
             && across > ZERO_SLACK * size
     }
 
-    /// Whether the force of a sticking contact on the edge of the round cone moves along a tangent: a straight line that leads outside.
+    /// Whether the force of a sticking contact moves straight along a tangent of the round cone, from a point on its edge. The tangent leads
+    /// outside.
     pub(crate) fn leaves_by_a_tangent(&self, line: &Line) -> bool {
         let (friction, cone) = (tangential(&line.force), self.cone());
         if !self.on_round_cone || !self.may_slide() || friction.norm() == 0.0 {
@@ -175,15 +177,15 @@ impl LocalLaw<'_> {
         let (p, weight) = (friction.normalize(), cone.round_weight());
         let rate = tangential(&line.rate);
         let across = (rate - p * p.dot(&rate)).norm();
-        // At the end of a slip the margin and its rate are zero up to this error of the steps.
+        // At the end of a slip the margin and its rate are zero only to the accuracy of the integration steps.
         let on_the_edge = cone.round_margin(&line.force) <= NEGLIGIBLE * line.force_size * weight;
-        // A force whose rate across its direction is below this part moves straight outwards or inwards.
+        // If the rate across the friction direction is below this part, the force moves radially, outwards or inwards.
         on_the_edge
             && cone.facet_margin(&line.rate, &p) <= NEGLIGIBLE * line.rate_size * weight
             && across > 1e-6 * line.rate_size * weight
     }
 
-    /// A state of the rates, with facets numbered among those of the edge, as a state among the facets of the whole law. On the round cone it is the
+    /// Translates a state of the rates, whose facets are numbered within the edge, into a state of the whole law. On the round cone this is the
     /// slide along that edge. `None` for facets that the law does not have.
     pub(crate) fn of_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         let Law::Edge(edge) = rates else { return Some(state) };
@@ -201,19 +203,19 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&facets))
     }
 
-    /// The inverse of [`Self::of_the_rates`]: a state among the facets of the whole law as a state of the rates, with facets numbered among those of
-    /// the edge. `None` where the rates do not determine it.
+    /// Translates a state of the whole law into a state of the rates, whose facets are numbered within the edge: the inverse of
+    /// [`Self::of_the_rates`]. `None` if the rates do not determine it.
     pub(crate) fn in_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         if !state.slides() {
             return Some(state);
         }
         let edge = match (rates, state) {
-            // On the round cone the edge is the direction of the slide.
+            // On the round cone the only facet of the edge is the direction of the slide.
             (Law::Edge(_), Mode::Round(_)) => return Some(Mode::Facet(0)),
             (Law::Edge(edge), _) => edge,
-            // The contact has just stopped sliding.
+            // The rates are bonded although the state slides: the contact has just stopped sliding.
             (Law::Bonded, _) => return Some(Mode::Sticking),
-            // At the apex of a round cone the rates contain no direction of the slide.
+            // At the apex of a round cone the law of the rates contains no slip direction.
             (Law::Absent, _) | (Law::Cone { .. }, Mode::Round(_)) => return None,
             (Law::Cone { .. }, _) => return Some(state),
         };

@@ -8,8 +8,8 @@
 //! sliding   |T| > r                     F_t = S v_t,  S = (K_t⁻¹ + λ)⁻¹,  λ > 0 from |S v_t| = r
 //! ```
 //!
-//! In the last case the slip is `s = v_t - K_t⁻¹F_t = λ F_t`, along the force. With equal tangential stiffnesses this is the radial return,
-//! with two different ones the closest point of the disc in the metric K_t⁻¹. On a polygon it is the closest point in that metric, too.
+//! In the last case the slip is `s = v_t - K_t⁻¹F_t = λ F_t`, along the force. With equal tangential stiffnesses this is the radial return. With
+//! two different ones F_t is the closest point of the disc in the metric K_t⁻¹. On a polygon it is the closest point in that metric, too.
 
 use nalgebra::SVector;
 
@@ -22,23 +22,24 @@ use super::tangential::{cross, tangential_norm};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// State and force of a contact at a stretch.
+/// State and force of a contact, as functions of its stretch.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ContactResponse {
     pub(crate) state: State,
-    /// N, contact frame.
+    /// Contact force in the contact frame, N.
     pub(crate) force: SVector<f64, 3>,
 }
 
 impl ContactResponse {
-    /// No force.
+    /// The open state, without force.
     pub(crate) fn open() -> Self {
         Self { state: Mode::Open, force: SVector::zeros() }
     }
 }
 
 impl LocalLaw<'_> {
-    /// The force at a stretch, on the round cone or on the edge of the law. `near` is the λ of a nearby stretch, or zero.
+    /// The force at a stretch on the round cone, or on the edge of the law. `near` starts the iteration for λ: its value at a nearby stretch, or
+    /// zero.
     pub(crate) fn answer(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         let mut force = self.springs.force(stretch);
         let sticking = ContactResponse { state: Mode::Sticking, force };
@@ -67,7 +68,8 @@ impl LocalLaw<'_> {
         ContactResponse { state: Mode::Round(slide), force }
     }
 
-    /// Puts a trial force on the cone of radius r. Its traction, softened by a slip of λ per force, gives the direction.
+    /// Projects a trial force onto the cone of radius r. The friction direction is that of the trial traction with springs softened by the slip
+    /// λ.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
         let softened =
             SVector::from_fn(|a, _| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
@@ -78,13 +80,13 @@ impl LocalLaw<'_> {
         slide
     }
 
-    /// The force at a stretch on the cone of the question: round, or a polygon.
+    /// The force at a stretch on the cone in use, round or polygonal.
     #[inline]
     pub(crate) fn response(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         if self.on_round_cone { self.answer(stretch, near) } else { self.answer_on_polygon(stretch) }
     }
 
-    /// The force at a stretch on the polygon: the nearest one of the cone in the metric K⁻¹.
+    /// The force at a stretch on the polygonal cone: the cone's closest point to the trial force in the metric K⁻¹.
     #[inline]
     fn answer_on_polygon(&self, stretch: &SVector<f64, 3>) -> ContactResponse {
         if self.is_absent() {
@@ -105,7 +107,7 @@ impl LocalLaw<'_> {
         ContactResponse { state, force }
     }
 
-    /// The state at a trial force `K v`, the force of springs without opening or slip.
+    /// The state at a trial force `K v`, the elastic force without opening or slip.
     #[inline]
     fn state_on_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>) -> State {
         if trial[0] <= 0.0 && self.may_open() {
@@ -124,7 +126,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The state on the polygon `h·F_t <= r` at the point nearest to a trial force.
+    /// The state at the point of the polygon `h·F_t <= r` that is closest to a trial force.
     fn nearest_of_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>, r: f64) -> State {
         let after = |j: u16| if usize::from(j) + 1 == facets.len() { 0 } else { j + 1 };
         let (mut facet, mut last, mut most) = (0_u16, 0, f64::NEG_INFINITY);
@@ -138,7 +140,7 @@ impl LocalLaw<'_> {
         if most <= r {
             return Mode::Sticking;
         }
-        // Moves from facet to facet towards the side on which the projected force lies outside. With equal springs the first facet decides.
+        // Moves from facet to facet towards the neighbour that the projected force violates. With equal springs the first facet is final.
         for _ in facets {
             let h = &facets[usize::from(facet)];
             let softened = self.springs.force(h);
@@ -153,7 +155,7 @@ impl LocalLaw<'_> {
             } else {
                 return Mode::Facet(facet);
             };
-            // At a corner both slips must point outwards.
+            // At a corner the slip must be a nonnegative combination of both facet normals.
             let (h1, h2) = (&facets[usize::from(at)], &facets[usize::from(after(at))]);
             let slip = self.springs.give(&(trial - corner(h1, h2) * r));
             let turn = cross(h1, h2);
@@ -168,24 +170,24 @@ impl LocalLaw<'_> {
 
 /// λ with `|S(λ) v_t| = r`, from the trial traction T = K_t v_t; positive if |T| > r.
 ///
-/// The secular equation 1/|S v| = 1/r of trust regions is nearly linear in λ and concave. From any start Newton's steps
-/// lead left of the root; from there they increase towards the root and never pass it.
+/// The secular equation 1/|S v| = 1/r, known from trust regions, is nearly linear in λ and concave. From any start the first Newton step lands
+/// left of the root. From there the steps increase towards the root and never pass it.
 fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
-    // Least r, as a part of the traction. With r = 0 every λ is too small; with this one S is negligible beside K.
+    // Least r, relative to the traction, at which S becomes negligible beside K. With r = 0 no λ would be large enough.
     let excess = traction / r.max(traction * 1e-200);
     if springs.is_isotropic() {
         return springs.give_along(1, excess - 1.0);
     }
     let unit = trial / traction;
-    // A larger start makes squares underflow, and no step would lead back.
-    // Largest starting λ, as a multiple of the compliance of the stiffest spring: beyond, squares underflow.
+    // Largest starting λ, as a multiple of the compliance of the stiffest spring. Beyond it squares underflow, and Newton's steps could not
+    // return.
     let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
-    // A backward slip, λ < 0, is bounded by the softer axis. It also stays above -1/k of the stiffer axis, where 1 + λk vanishes.
+    // λ < 0 is a backward slip. It is bounded by the softer axis, and stays above -1/k of the stiffer axis, where 1 + λk vanishes.
     let [soft, stiff] = springs.tangential_range();
-    // A step shorter than this part of λ is the last.
+    // Relative step length of λ at which the iteration ends.
     let last = 1e-8;
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };
-    // Most Newton steps on the secular equation. Starting from its lower bound, each step gains digits.
+    // Upper bound of the number of Newton steps; each gains digits.
     for _ in 0..60 {
         let softened = springs.softened(lambda);
         let (mut square, mut slope) = (0.0, 0.0);
@@ -199,7 +201,7 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
             break;
         }
         lambda = (lambda + step).max(least);
-        // The error after a step is of the order of its square.
+        // Newton's method converges quadratically: the remaining error is of the order of the squared step.
         if step.abs() <= last * lambda.abs() {
             break;
         }

@@ -4,7 +4,7 @@
 //! F = K v,   K = diag(k_n, k_t…),   v = a - u_c + g - s        stretch, in m; force, in N; stiffness, in N/m
 //! ```
 //!
-//! **Energy units.** `x = K^{-1/2}F = K^{1/2}v` has the unit √J, and `½|x|²` is the energy stored. Stiffness ratios do not show in it.
+//! **Energy units.** `x = K^{-1/2}F = K^{1/2}v` has the unit √J, and `½|x|²` is the stored energy. These units hide the ratios of stiffnesses.
 
 use nalgebra::SVector;
 
@@ -22,7 +22,7 @@ pub(crate) struct Compliance {
 }
 
 impl Compliance {
-    /// Springs along the first `axes` axes, of stiffnesses that are positive there.
+    /// Springs along the first `axes` axes, whose stiffnesses are positive.
     pub(crate) fn new(series: &SVector<f64, 3>, axes: usize) -> Self {
         Self { k: SVector::from_fn(|a, _| if a < axes { series[a] } else { 0.0 }), axes }
     }
@@ -38,13 +38,13 @@ impl Compliance {
         self.axes > 1
     }
 
-    /// `K v`.
+    /// Elastic force `K v`, N.
     #[inline(always)]
     pub(crate) fn force(&self, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {
         self.k.component_mul(stretch)
     }
 
-    /// Part of `K v` along an axis.
+    /// Component of `K v` along an axis, N.
     #[inline(always)]
     pub(crate) fn force_along(&self, axis: usize, stretch: f64) -> f64 {
         self.k[axis] * stretch
@@ -56,46 +56,46 @@ impl Compliance {
         self.k
     }
 
-    /// `K⁻¹F`, zero along axes without a spring.
+    /// Elastic deflection `K⁻¹F`, m, zero along axes without a spring.
     pub(crate) fn give(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         SVector::from_fn(|a, _| if a < self.axes { force[a] / self.k[a] } else { 0.0 })
     }
 
-    /// Part of `K⁻¹F` along an axis with a spring.
+    /// Component of `K⁻¹F` along an axis with a spring, m.
     #[inline(always)]
     pub(crate) fn give_along(&self, axis: usize, force: f64) -> f64 {
         force / self.k[axis]
     }
 
-    /// The same in twice the working precision.
+    /// Component of `K⁻¹F` along an axis in double-double precision, m.
     pub(crate) fn precise_give_along(&self, axis: usize, force: DoubleDouble) -> DoubleDouble {
         force.over(self.k[axis])
     }
 
-    /// The slip of the surfaces: the tangential part of `v - K⁻¹F`, or of v itself along axes without a spring.
+    /// The slip: the tangential part of `v - K⁻¹F`, m, or of v itself along axes without a spring.
     pub(crate) fn slip(&self, stretch: &SVector<f64, 3>, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut slip = stretch - self.give(force);
         slip[0] = 0.0;
         slip
     }
 
-    /// `½ F·K⁻¹F`, J.
+    /// Stored elastic energy `½ F·K⁻¹F`, J.
     pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         (0..self.axes).map(|a| 0.5 * force[a] * force[a] / self.k[a]).sum()
     }
 
-    /// `K^{1/2}`, a diagonal: from energy units to forces, and from stretches to energy units.
+    /// The diagonal of `K^{1/2}`, which converts energy units to forces, and stretches to energy units.
     pub(crate) fn root(&self) -> SVector<f64, 3> {
         self.k.map(f64::sqrt)
     }
 
-    /// The entry of [`Self::root`] along an axis.
+    /// The diagonal entry of `K^{1/2}` along an axis.
     #[inline(always)]
     pub(crate) fn root_along(&self, axis: usize) -> f64 {
         self.k[axis].sqrt()
     }
 
-    /// The stiffness along one axis over that along another with a spring.
+    /// Stiffness along one axis divided by that along another, which has a spring.
     pub(crate) fn ratio(&self, one: usize, other: usize) -> f64 {
         self.k[one] / self.k[other]
     }
@@ -105,7 +105,7 @@ impl Compliance {
         self.axes < 3 || self.k[1] == self.k[2]
     }
 
-    /// The stiffness along the normal over that along the last tangent.
+    /// Normal stiffness divided by the stiffness along the last tangent.
     pub(crate) fn ratio_to_the_last(&self) -> f64 {
         self.k[0] / self.k[self.axes - 1]
     }
@@ -127,13 +127,13 @@ impl Compliance {
         [self.k[1].min(last), self.k[1].max(last)]
     }
 
-    /// The diagonal of `S = (K_t⁻¹ + λ)⁻¹`, zero along the normal: tangential springs in series with a slip of λ per force.
+    /// The diagonal of `S = (K_t⁻¹ + λ)⁻¹`, zero along the normal: tangential springs in series with the slip per force λ.
     #[inline(always)]
     pub(crate) fn softened(&self, lambda: f64) -> SVector<f64, 3> {
         SVector::from_fn(|a, _| if a == 0 { 0.0 } else { self.k[a] * self.softening(a, lambda) })
     }
 
-    /// `1 / (1 + λ k)` along a tangential axis.
+    /// Factor `1 / (1 + λ k)` by which a slip per force λ softens the spring of a tangential axis.
     #[inline(always)]
     pub(crate) fn softening(&self, axis: usize, lambda: f64) -> f64 {
         1.0 / (1.0 + lambda * self.k[axis])

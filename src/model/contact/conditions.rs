@@ -1,4 +1,4 @@
-//! The conditions that a state of a contact must satisfy, each with the size that scales its rounding.
+//! The inequalities that a state of a contact must satisfy, each with the size that scales its rounding.
 //!
 //! ```text
 //! open      gap = n·u_c - a_n                 >= 0
@@ -6,7 +6,7 @@
 //! sliding   F_n, slip across its facets, the other facets' μ F_n - h·F_t >= 0
 //! ```
 //!
-//! All conditions are linear in stretch and force, so the same function gives their rates along a load or a motion.
+//! All conditions are linear in stretch and force, so the same function evaluates their rates along a load or a motion.
 
 use nalgebra::SVector;
 
@@ -18,26 +18,26 @@ use super::tolerances::SMALLEST;
 /// Stretch and force of a contact, or the rates of both.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SpringState<'s> {
-    /// `a - G_iᵀq`, m.
+    /// Stretch `a - G_iᵀq`, m.
     pub(crate) stretch: SVector<f64, 3>,
-    /// N.
+    /// Contact force, N.
     pub(crate) force: &'s SVector<f64, 3>,
-    /// Size of the displacements whose difference is the stretch, m.
+    /// Size of the displacements whose difference is the stretch, m; it scales the rounding of the stretch.
     pub(crate) span: f64,
-    /// Size of the largest force of the scene, N.
+    /// The largest contact force of the grasp, N.
     pub(crate) largest: f64,
 }
 
 impl LocalLaw<'_> {
-    /// Size that scales the rounding of the contact's force, N. The force of a stiff contact follows from equilibrium with the others, since its
-    /// displacements cancel; the force of a soft contact follows from its displacements.
+    /// Size that scales the rounding of the contact's force, N. The force of a stiff contact is accurate to the forces of the other contacts,
+    /// since its displacements cancel. The force of a soft contact is accurate to its displacements.
     #[inline(always)]
     pub(crate) fn force_size(&self, force: &SVector<f64, 3>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)
     }
 
-    /// Calls `visit(value, size)` for every condition `value >= 0` of a state; rounding errors of the value are of the order of
-    /// `size` times the machine precision.
+    /// Calls `visit(value, size)` for every condition `value >= 0` of a state. The rounding error of the value is of the order of `size` times
+    /// the machine precision.
     pub(crate) fn for_each_condition(
         &self,
         state: &State,
@@ -64,8 +64,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The components of a slip that cannot decrease in a sliding state, each with its rounding scale for a unit slip. They lie along the facet
-    /// or the round slide, or along both facets of a corner.
+    /// Slip components that must not be negative in a sliding state, each with its rounding scale for a unit slip. There is one along the slide
+    /// or the facet normal, and two at a corner, along both normals.
     pub(super) fn slips_along(&self, state: &State, slip: &SVector<f64, 3>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();
         match state {
@@ -76,7 +76,7 @@ impl LocalLaw<'_> {
                 [Some([slip.dot(h) / h.norm(), 1.0]), None]
             }
             Mode::Corner(j) => {
-                // slip = σ₁ h₁ + σ₂ h₂, each σ with the sign of the other normal's right angle to it.
+                // The slip is σ₁ h₁ + σ₂ h₂. Each σ is a quotient of cross products with the other normal.
                 let (h1, h2) = (facets[usize::from(*j)], facets[(usize::from(*j) + 1) % facets.len()]);
                 let turn = cross(&h1, &h2);
                 [
@@ -87,7 +87,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Friction in reserve at every edge of the cone on which the contact does not slide.
+    /// Visits the friction margin at every edge of the cone on which the contact does not slide.
     fn for_each_margin(
         &self,
         state: &State,

@@ -1,7 +1,7 @@
 //! Coulomb's cone `|F_t| <= μ F_n` of one contact. No other type reads a coefficient of friction.
 //!
-//! A facet of a polygonal cone is `h·F_t <= μ F_n` with an outward normal h. On the round cone the facet that touches it at
-//! a tangential force has the unit normal along that force.
+//! A facet of a polygonal cone is `h·F_t <= μ F_n` with an outward normal h. The round cone is replaced at a tangential force by its tangent
+//! facet, whose unit normal points along that force.
 
 use nalgebra::SVector;
 
@@ -10,7 +10,7 @@ use super::tangential::tangential_norm;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A coefficient of friction, 0 to infinity.
+/// A coefficient of friction, from 0 to infinity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Coulomb {
     mu: f64,
@@ -35,43 +35,42 @@ impl Coulomb {
         self.mu > 0.0 && self.mu.is_finite()
     }
 
-    /// A cone with edges in place of infinite friction, for contacts that can open only with facets; a finite cone stays unchanged.
+    /// This cone; infinite friction is replaced by a very large finite coefficient, which gives the contact facets.
     pub(crate) fn with_edges(self, springs: &Compliance) -> Self {
         if self.mu.is_finite() {
             return self;
         }
-        // Coefficient in place of infinite friction where a contact with infinite friction must open: only then does it need facets. It is multiplied
-        // by the root of k_n/k_t where that exceeds one.
+        // A contact with infinite friction needs facets only where it must open. The coefficient grows with √(k_n/k_t) where that exceeds one.
         Self { mu: 1e8 * springs.ratio_to_the_last().sqrt().max(1.0) }
     }
 
-    /// `μ F_n`, the most that a tangential force can be.
+    /// The friction limit `μ F_n`, N.
     #[inline(always)]
     pub(crate) fn limit(self, normal_force: f64) -> f64 {
         self.mu * normal_force
     }
 
-    /// `e_n + μ t`: a force on the cone with a tangential part along t, for a normal force of one.
+    /// `e_n + μ t`: the force on the cone for unit normal force and tangential direction t.
     pub(crate) fn generator(self, t: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut force = t * self.mu;
         force[0] = 1.0;
         force
     }
 
-    /// `(μ, -h)`: its product with a force is the margin `μ F_n - h·F_t` of a facet.
+    /// The row `(μ, -h)`, whose product with a force is the facet's margin `μ F_n - h·F_t`.
     pub(crate) fn facet_row(self, h: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut row = -h;
         row[0] = self.mu;
         row
     }
 
-    /// Friction in reserve at a facet, `μ F_n - h·F_t`, N.
+    /// Margin at a facet, `μ F_n - h·F_t`, N.
     #[inline(always)]
     pub(crate) fn facet_margin(self, force: &SVector<f64, 3>, h: &SVector<f64, 3>) -> f64 {
         self.mu * force[0] - h.dot(force)
     }
 
-    /// Friction in reserve on the round cone, `μ F_n - |F_t|`, N.
+    /// Margin on the round cone, `μ F_n - |F_t|`, N.
     #[inline(always)]
     pub(crate) fn round_margin(self, force: &SVector<f64, 3>) -> f64 {
         self.mu * force[0] - tangential_norm(force)

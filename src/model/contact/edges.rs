@@ -1,6 +1,6 @@
-//! The edges of a contact's cone, as conditions on its force while it sticks, and the conditions that sets of forces come nearest to.
+//! The edges of a contact's cone, as conditions on its force while it sticks, and the conditions that a set of forces violates most.
 //!
-//! The round cone has a facet `a(φ) = (μ, -cos φ, -sin φ)` at every angle φ. Margins `a·F` of forces in a set are then trigonometric in φ.
+//! The round cone has a facet `a(φ) = (μ, -cos φ, -sin φ)` at every angle φ. The margin `a·F` is therefore a trigonometric function of φ.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -13,10 +13,10 @@ use super::tolerances::ZERO_SLACK;
 use crate::numerics::{Harmonic, Turning, moved, numbered, unit};
 use crate::prelude::*;
 
-/// Conditions on the force of a contact that keeps sticking, or on the gap of one that stays open.
+/// Conditions on the force of a contact that keeps sticking. For a contact that stays open, the first component is the gap.
 #[derive(Debug, Clone)]
 pub(crate) enum Edges {
-    /// `a·F >= 0` for each row: facets, or the normal force or the gap alone.
+    /// `a·F >= 0` for each row a: a facet, or the normal force or the gap alone.
     Rows(Vec<SVector<f64, 3>>),
     /// `limit F_n >= |F_t|`.
     Round {
@@ -25,23 +25,23 @@ pub(crate) enum Edges {
     },
 }
 
-/// The facets `(limit, -cos φ, -sin φ)` of a round cone as functions of φ.
+/// The facets `(limit, -cos φ, -sin φ)` of a round cone as functions of the angle φ.
 pub(crate) fn round_rows(limit: f64) -> Harmonic<SVector<f64, 3>> {
     Harmonic { constant: unit(0) * limit, cosine: -unit(1), sine: -unit(2) }
 }
 
-/// Whether a condition with this value is broken by more than rounding of terms of this size.
+/// Whether a condition is violated by more than the rounding of terms of this size.
 pub(crate) fn is_broken(value: f64, row: &SVector<f64, 3>, size: f64) -> bool {
     value < -ZERO_SLACK * row.norm() * size
 }
 
-/// Whether friction multiplies the normal force in this condition, which is not that of a normal force alone.
+/// Whether this condition involves friction, rather than the normal force alone.
 pub(crate) fn rubs(row: &SVector<f64, 3>) -> bool {
     row[1] != 0.0 || row[2] != 0.0
 }
 
 impl Edges {
-    /// The row with the least value for a force, and that value; `None` without conditions.
+    /// The row with the least value at a force, and that value; `None` without conditions.
     pub(crate) fn worst(&self, force: &SVector<f64, 3>) -> Option<(SVector<f64, 3>, f64)> {
         match self {
             Self::Rows(rows) => {
@@ -58,12 +58,12 @@ impl Edges {
         }
     }
 
-    /// Whether a force, whose rounding scales with `size`, meets all conditions.
+    /// Whether a force satisfies all conditions up to rounding, which scales with `size`.
     pub(crate) fn hold(&self, force: &SVector<f64, 3>, size: f64) -> bool {
         self.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, size))
     }
 
-    /// All rows; of a round cone those at the angles that `angles` finds from its facets.
+    /// All rows. Of a round cone, the rows at the angles that `angles` selects.
     pub(crate) fn rows(
         &self,
         angles: &dyn Fn(&Harmonic<SVector<f64, 3>>) -> Vec<f64>,
@@ -77,7 +77,7 @@ impl Edges {
         }
     }
 
-    /// All rows; of a round cone those at all local minima of `value`, four all around if it has none.
+    /// All rows. Of a round cone, the rows at the local minima of `value`, or four rows around the cone if it has none.
     pub(crate) fn least(&self, value: &dyn Fn(&SVector<f64, 3>) -> f64) -> Vec<SVector<f64, 3>> {
         self.rows(&|around| {
             let angles = local_minima(&|angle| value(&around.at(angle)));
@@ -85,7 +85,7 @@ impl Edges {
         })
     }
 
-    /// The rows that forces `F + A x` with `|x| = size` may break, at `min a·F - size |Aᵀa|` of a round cone.
+    /// The rows that forces `F + A x` with `|x| = size` may violate. On a round cone it is the row a with the least `a·F - size |Aᵀa|`.
     pub(crate) fn on_a_sphere(
         &self,
         force: &SVector<f64, 3>,
@@ -98,15 +98,15 @@ impl Edges {
         })
     }
 
-    /// Rows that include the worst for every corner of a box `F + Σ ±c_p`. On a round cone the worst corner changes only where some `a·c_p` changes its
-    /// sign, at two angles for each p; so one angle between these suffices.
+    /// Rows that include the most violated one at every corner of a box `F + Σ ±c_p`. On a round cone the worst corner changes only at angles
+    /// where some `a·c_p` changes sign, two for each p. One angle between neighbouring changes therefore suffices.
     pub(crate) fn in_a_box(&self, sides: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         self.rows(&|around| {
             let mut turns = vec![0.0];
             for c in sides {
                 // μ c_n = c₁ cos φ + c₂ sin φ.
                 let (towards, aside) = (c[2].atan2(c[1]), (around.constant.dot(c) / c[1].hypot(c[2])).acos());
-                // The angle is NaN where the sign never changes.
+                // The angle is NaN if the sign never changes.
                 let both = [towards - aside, towards + aside].map(|x| x.rem_euclid(TAU));
                 turns.extend(both.iter().filter(|x| x.is_finite()));
             }
@@ -116,7 +116,7 @@ impl Edges {
         })
     }
 
-    /// Angles up to `most` at which a force that turns breaks a condition the most.
+    /// Angles up to `most` at which the force of a turning load violates a condition most.
     pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
         let nothing = Harmonic::new([SVector::zeros(); 3]);
         let margins = match self {
@@ -129,14 +129,14 @@ impl Edges {
 
 /// The angles of all local minima of a periodic function of an angle.
 fn local_minima(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
-    // Fewer samples can pass over a narrow minimum.
+    // Number of samples around the circle; with fewer, a narrow minimum could be missed.
     let count = 36;
     let step = TAU / count as f64;
     let values: Vec<f64> = numbered(count, &|k| of(step * k as f64));
     let lowest =
         |k: &usize| values[*k] <= values[(k + count - 1) % count] && values[*k] < values[(k + 1) % count];
     let refine = |k: usize| {
-        // The neighbours enclose the minimum for a golden section.
+        // Golden-section search between the two neighbours, which enclose the minimum.
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let (mut from, mut to) = (step * (k as f64 - 1.0), step * (k as f64 + 1.0));
         for _ in 0..60 {
@@ -149,7 +149,7 @@ fn local_minima(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
 }
 
 impl LocalLaw<'_> {
-    /// The conditions of sticking, or of staying open on the gap as the first component.
+    /// The conditions of sticking; for an open contact, that its gap (the first component) stays nonnegative.
     pub(crate) fn edges(&self, state: &State) -> Edges {
         if self.is_absent() || self.is_bonded() {
             return Edges::Rows(Vec::new());

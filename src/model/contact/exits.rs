@@ -1,4 +1,4 @@
-//! The distance along a straight line of forces at which a contact leaves its state.
+//! The load step at which a contact leaves its state, for forces that grow along a straight line.
 
 use nalgebra::SVector;
 
@@ -8,16 +8,16 @@ use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
 use crate::prelude::*;
 
-/// An exit from the cone: the step to it, and the uncertainty of that step from rounding.
+/// An exit of a straight line of forces from the cone. `step` is the line's parameter at the exit, `uncertainty` its rounding error.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Exit {
     pub(crate) step: f64,
     pub(crate) uncertainty: f64,
-    /// Outward normal of the facet, in the scale `h·F_t <= μ F_n`; zero where the normal force itself vanishes.
+    /// Outward normal h of the facet `h·F_t <= μ F_n` that is reached; zero if the normal force or the gap vanishes.
     pub(crate) facet: SVector<f64, 3>,
 }
 
-/// Force, its rate, and the sizes that scale their rounding.
+/// A straight line of contact forces: force, rate, and the sizes that scale the rounding of both.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line {
     pub(crate) force: SVector<f64, 3>,
@@ -37,7 +37,7 @@ impl Line {
     }
 }
 
-/// A gap on a straight line, with the sizes of the displacements whose difference it is, all in m.
+/// A gap that changes linearly, with the sizes of the displacements whose difference it is, in m.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GapLine {
     pub(crate) gap: f64,
@@ -58,12 +58,12 @@ impl GapLine {
 }
 
 impl LocalLaw<'_> {
-    /// All exits from a state: facets that a closed contact reaches and does not slide on, or the closing of a gap.
+    /// All exits from a state. A closed contact may reach a facet on which it does not slide; an open one may close its gap.
     pub(crate) fn ways_out(&self, state: &State, line: &Line, gap: &GapLine) -> Vec<Exit> {
         match state {
             Mode::Open => gap.closing().into_iter().collect(),
             Mode::Sticking => self.exits(line),
-            // The contact stays on the facets on which it slides.
+            // Facets on which the contact slides are no exits: it stays on them.
             Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => {
                 let facets = self.facets();
                 let own = state.own_facets(facets.len());
@@ -74,7 +74,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The first exit of a sticking contact's line from its cone, and the step to the second.
+    /// The first exit of a sticking contact's force from its cone, and the step of the second exit.
     pub(crate) fn first_exit(&self, line: &Line) -> Option<(Exit, f64)> {
         let mut first: Option<Exit> = None;
         let mut next = f64::INFINITY;
@@ -85,12 +85,12 @@ impl LocalLaw<'_> {
         first.map(|first| (first, next))
     }
 
-    /// Whether the edge of the contact's cone is round.
+    /// Whether the contact is limited by a round friction cone.
     pub(super) fn has_a_round_edge(&self) -> bool {
         self.on_round_cone && self.cone().has_edges() && !self.is_bonded() && !self.is_absent()
     }
 
-    /// All exits of the line from the cone.
+    /// All exits of the line from the cone, in any order.
     fn exits(&self, line: &Line) -> Vec<Exit> {
         let mut exits = Vec::new();
         self.for_each_exit(line, |exit| exits.push(exit));
@@ -106,7 +106,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Visits every facet of the polygon that the line reaches, or the vanishing normal force where no facets exist.
+    /// Visits every facet of the polygon that the line reaches. Without facets it visits the point at which the normal force vanishes.
     fn for_each_polygon_exit(&self, line: &Line, mut visit: impl FnMut(Exit)) {
         let (cone, facets) = (self.cone(), self.facets());
         if facets.is_empty() && self.may_open() {
@@ -118,7 +118,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The step from a force along a straight line of this rate to an exit.
+    /// The step along a straight line of forces at which it reaches the facet, or the apex, of an exit.
     pub(crate) fn way_to(&self, exit: &Exit, force: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> f64 {
         let slack = |f: &SVector<f64, 3>| {
             if exit.facet.norm() == 0.0 { f[0] } else { self.cone().facet_margin(f, &exit.facet) }
@@ -132,8 +132,8 @@ impl LocalLaw<'_> {
     /// c₀ + 2 c₁ s + c₂ s² = 0,   c₀ = (μF_n - |F_t|)(μF_n + |F_t|),   c₁ = μ²F_n F_n' - F_t·F_t',   c₂ = μ²F_n'² - |F_t'|²
     /// ```
     ///
-    /// computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which does not cancel. From the edge itself (c₀ = 0) a line that points
-    /// inwards can only return at `s = -2c₁/c₂`.
+    /// computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which avoids cancellation. A line that starts on the edge (c₀ = 0) and points inwards can
+    /// only return at `s = -2c₁/c₂`.
     fn round_exit(&self, line: &Line) -> Option<Exit> {
         let cone = self.cone();
         let (t0, t1) = (tangential(&line.force), tangential(&line.rate));
@@ -143,7 +143,7 @@ impl LocalLaw<'_> {
         let on_edge = n0 - friction <= ZERO_SLACK * line.force_size * weight;
         let leaves = |at: &SVector<f64, 3>| at / at.norm().max(f64::MIN_POSITIVE);
         if on_edge {
-            // At the apex the rates themselves must lie in the cone.
+            // At the apex, where friction has no direction, the direction of its rate replaces it.
             let outward =
                 if friction > ZERO_SLACK * line.force_size * weight { leaves(&t0) } else { leaves(&t1) };
             if let Some(exit) = line.linear(n0 - friction, n1 - outward.dot(&t1), weight, outward) {
@@ -156,10 +156,10 @@ impl LocalLaw<'_> {
         let discriminant = c1 * c1 - c0 * c2;
         // Without a root the step is NaN.
         let mut step = if on_edge { -2.0 * c1 / c2 } else { c0 / (discriminant.sqrt() - c1) };
-        // Close to a double root the discriminant cancels. The margin μF_n - |F_t| itself is concave and does not cancel: Newton's
-        // method on it restores the digits.
+        // Near a double root the discriminant cancels. The margin μF_n - |F_t| itself is concave and does not cancel, so Newton's method on it
+        // restores the digits.
         let mut moved = 0.0;
-        // Newton's steps on the margin of a round cone: each doubles the correct digits of the quadratic's root.
+        // Newton steps on the margin: each doubles the correct digits of the quadratic's root.
         for _ in 0..3 {
             let at = t0 + t1 * step;
             let slope = n1 - leaves(&at).dot(&t1);
@@ -169,18 +169,17 @@ impl LocalLaw<'_> {
                 step = better;
             }
         }
-        // A line through the apex has a double root there, which costs half the digits. Beyond the apex it continues in the other half
-        // of the cone, F_n < 0. The exit is then the linear root of F_n.
+        // A line through the apex has a double root there, which costs half the digits. Beyond the apex it continues in the opposite nappe of
+        // the cone, F_n < 0. The exit is then the linear root of F_n.
         if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
             let missed = (t0 + t1 * apex.step).norm();
             let through = missed <= ZERO_SLACK * (line.force_size + apex.step * line.rate_size);
             if through {
                 return Some(apex);
             }
-            // Polishing has not converged if its last step moves the root by more than this part of the distance from the apex. The next step would
-            // move the root by the square of that.
+            // Newton's method has not converged if its last step moves the root by more than this part of the distance from the apex.
             if step.is_nan() || step <= 0.0 || step > apex.step || moved > 1e-8 * (apex.step - step) {
-                // Beside the apex both roots are as close as rounding of the discriminant. The margin is negative at the apex, so Newton's
+                // Near the apex the two roots differ only by rounding of the discriminant. The margin is negative at the apex, so Newton's
                 // method descends from there to the root before it.
                 let root = from_above(apex.step, |step| {
                     let at = t0 + t1 * step;
@@ -204,10 +203,12 @@ impl LocalLaw<'_> {
     }
 }
 
-/// The root of a concave function below a start where it is negative; `value` returns value and slope. `None` if no step leads down.
+/// Newton's method for the root of a concave function below a start at which the function is negative. `value` returns value and slope. `None`
+/// if no step leads down.
 fn from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
-    // Most Newton's steps down from the apex. Near it the margin bends within a distance of rounding; farther off each step doubles the digits.
+    // Upper bound of the number of Newton steps. Near the apex the margin bends within a distance of rounding; farther away each step doubles
+    // the correct digits.
     for _ in 0..60 {
         let (height, slope) = value(at);
         let better = at - height / slope;
@@ -226,8 +227,7 @@ mod tests {
     use super::Line;
     use crate::contact::{Compliance, Coulomb, Fit, Law, LocalLaw, Polygon, PolygonCone};
 
-    /// A line that misses the apex by a friction of ε leaves where `√(μ² - a²) (1 - s) = ε`.
-    /// F_n vanishes at s = 1, and with it the friction a F_n.
+    /// A line that misses the apex by a friction ε leaves the cone where `√(μ² - a²) (1 - s) = ε`. F_n and the friction a F_n vanish at s = 1.
     #[test]
     fn a_line_beside_the_apex_leaves_before_it() {
         let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);
@@ -238,7 +238,7 @@ mod tests {
         for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {
             let local =
                 LocalLaw::new(&springs, Coulomb::new(mu), &Law::Cone { gap: true }, &polygon, [true, false]);
-            // Rounding of margins near one, over their rate at the edge.
+            // Rounding of margins near one, divided by their rate at the edge.
             let rounding = 1e-15 * mu * mu / (mu * mu - a * a);
             for missed in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
                 let (force, rate) = (Vector3::new(1.0, a, missed), Vector3::new(-1.0, -a, 0.0));
@@ -246,7 +246,7 @@ mod tests {
                 let (exit, _) = local.first_exit(&line).expect("leaves");
                 let left = missed / f64::sqrt(mu * mu - a * a);
                 assert!((1.0 - exit.step - left).abs() <= rounding, "{mu} {a} {missed}: {}", exit.step);
-                // The remaining friction at the apex has a direction, so the exit is not the apex.
+                // At the apex some friction remains, whose direction identifies the facet: the exit is not the apex itself.
                 assert!(exit.facet.norm() > 0.9, "{mu} {a} {missed}: {}", exit.facet);
             }
         }

@@ -1,8 +1,8 @@
-//! Convex hull of the contact law where only part of the state is known: a cone with few generators.
+//! Convex hull of the contact law if only part of the state is known: a convex cone with few generators.
 //!
-//! The law is positively homogeneous: with (v, F) it allows every positive multiple. So is the law under a label, which fixes whether the
-//! contact is open or closed, sticks or slides, and between which angles its friction points. In force units `ξ = K v` and with
-//! p on the circle the hull is spanned by
+//! The law is positively homogeneous: with (v, F) it also allows every positive multiple. So is the law under a label. A label fixes whether the
+//! contact is open or closed, whether it sticks or slides, and between which angles its friction points. In force units `ξ = K v`, with p on the
+//! unit circle, the hull is spanned by
 //!
 //! ```text
 //!                   ξ            F
@@ -11,8 +11,8 @@
 //! slides            e_n + μ p    e_n + μ p           K_t p   0
 //! ```
 //!
-//! A polygon around the arc replaces the directions p, so that the hull contains everything that the law allows and a little more.
-//! A contradiction with the hulls of all contacts thus contradicts the law.
+//! A polygon circumscribed about the arc replaces the directions p. The hull thus contains all that the law allows, and slightly more. If the
+//! hulls of all contacts contradict equilibrium, the law does so, too.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
 
@@ -24,26 +24,26 @@ use super::tolerances::NARROWEST_ARC;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
-/// Directions of friction between two angles, the second the larger, at most a turn apart.
+/// A sector of friction directions, from one angle to a larger one, at most a full turn apart, rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sector {
     pub(crate) from: f64,
     pub(crate) to: f64,
 }
 
-/// Partial knowledge of a contact's state.
+/// A label: partial knowledge of a contact's state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Label {
     Anything,
     Open,
     Closed,
-    /// Sticks or slides, with friction in this sector.
+    /// The contact sticks or slides, with its friction force in this sector.
     Friction(Sector),
     Sticking(Sector),
     Sliding(Sector),
 }
 
-/// A generator of the hull in energy units, `K^{-1/2}ξ` and `K^{-1/2}F`, of length one together.
+/// A generator of the hull in energy units, `K^{-1/2}ξ` and `K^{-1/2}F`, scaled so that both together have length one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct HullRay {
     pub(crate) stretch: SVector<f64, 3>,
@@ -51,7 +51,7 @@ pub(crate) struct HullRay {
 }
 
 impl Label {
-    /// The directions that friction may have.
+    /// The sector to which the friction force is restricted.
     pub(super) fn sector(&self) -> Sector {
         match self {
             Self::Friction(sector) | Self::Sticking(sector) | Self::Sliding(sector) => *sector,
@@ -59,7 +59,7 @@ impl Label {
         }
     }
 
-    /// Whether two labels together allow everything that this label allows.
+    /// Whether two labels together allow every state that this label allows.
     pub(crate) fn is_covered_by(&self, halves: &[Self; 2]) -> bool {
         let joined = |parts: [&Sector; 2]| {
             parts[0]
@@ -72,7 +72,7 @@ impl Label {
             (Self::Anything, [Self::Open, Self::Closed]) => true,
             (Self::Friction(whole), [Self::Sticking(a), Self::Sliding(b)]) => whole == a && whole == b,
             (Self::Closed, [Self::Friction(a), Self::Friction(b)]) => {
-                // The ends of a whole turn may miss it by this angle: rounding of their difference.
+                // The ends of a full turn may miss each other by this angle, the rounding of their difference.
                 joined([a, b]).is_some_and(|whole| whole.width() >= TAU - 1e-14)
             }
             (Self::Friction(whole), [Self::Friction(a), Self::Friction(b)])
@@ -86,7 +86,7 @@ impl Label {
 impl Sector {
     const FULL_TURN: Self = Self { from: -PI, to: PI };
 
-    /// The unit tangent in the sector that is farthest along a vector.
+    /// The unit tangent of the sector with the largest component along a vector.
     pub(super) fn most_along(&self, a: &SVector<f64, 3>) -> SVector<f64, 3> {
         let angle = self.from + self.inside(a[2].atan2(a[1]));
         vector(0.0, on_circle(angle))
@@ -96,7 +96,7 @@ impl Sector {
         self.to - self.from
     }
 
-    /// Number of equal parts of at most this width; 16 at most.
+    /// Number of equal parts of at most the width `most` into which the sector is divided; 16 at most.
     fn pieces(&self, most: f64) -> u8 {
         (1..16).find(|k| self.width() <= most * f64::from(*k)).unwrap_or(16)
     }
@@ -105,9 +105,9 @@ impl Sector {
         [Self { to: middle, ..*self }, Self { from: middle, ..*self }]
     }
 
-    /// Points of a polygon around the arc: its ends, and the corners of tangents between them.
+    /// Vertices of a polygon that encloses the arc: its ends, and the intersections of tangents between them.
     fn around(&self) -> Vec<[f64; 2]> {
-        // A polygon around an arc has a corner for every piece of at most this angle.
+        // The enclosing polygon has one vertex for every piece of at most this angle.
         let pieces = self.pieces(FRAC_PI_8);
         let half = 0.5 * self.width() / f64::from(pieces);
         let reach = 1.0 / half.cos();
@@ -118,14 +118,14 @@ impl Sector {
 
     /// Directions whose nonnegative combinations include every direction of the sector.
     fn spanned(&self) -> impl Iterator<Item = [f64; 2]> {
-        // Largest angle between directions that span the slips on an arc; it must stay below a half turn.
+        // Largest angle between neighbouring spanning directions; it must stay below a half turn.
         let pieces = self.pieces(0.6 * PI);
         let step = self.width() / f64::from(pieces);
         let from = self.from;
         (0..=pieces).map(move |k| on_circle(from + step * f64::from(k)))
     }
 
-    /// The position of an angle from the start of the sector; an angle outside counts as the nearer end.
+    /// The angle measured from the start of the sector; an angle outside is moved to the nearer end.
     fn inside(&self, angle: f64) -> f64 {
         let (along, width) = ((angle - self.from).rem_euclid(TAU), self.width());
         if along <= width {
@@ -143,7 +143,7 @@ fn on_circle(angle: f64) -> [f64; 2] {
     [cos, sin]
 }
 
-/// The vector with this normal and this tangential part.
+/// The vector with this normal component and these tangential components.
 fn vector(normal: f64, tangential: [f64; 2]) -> SVector<f64, 3> {
     SVector::from_fn(|a, _| if a == 0 { normal } else { tangential[a - 1] })
 }
@@ -151,7 +151,7 @@ fn vector(normal: f64, tangential: [f64; 2]) -> SVector<f64, 3> {
 const AXES: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
 
 impl LocalLaw<'_> {
-    /// The label of the contact before any division.
+    /// The label at the root of the search, before any division.
     pub(crate) fn first_label(&self) -> Label {
         match self.law {
             Law::Absent => Label::Open,
@@ -160,7 +160,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Generators of the hull of the law under a label.
+    /// Generators of the convex hull of the law under a label.
     pub(crate) fn hull(&self, label: &Label) -> Vec<HullRay> {
         let root = self.springs.root();
         let rubs = self.springs.resists_tangentially();
@@ -203,7 +203,7 @@ impl LocalLaw<'_> {
         }
         let on_cone = |t: [f64; 2]| self.friction.generator(&vector(0.0, t));
         match label {
-            // Where slips may have any direction, the tangential stretch does not restrict friction.
+            // The label allows slip in any direction, so the tangential stretch does not restrict friction.
             Label::Anything | Label::Closed => {
                 for t in
                     Sector::FULL_TURN.around().into_iter().filter(|t| t[0].hypot(t[1]) > 1.0 + NARROWEST_ARC)
@@ -232,8 +232,8 @@ impl LocalLaw<'_> {
         rays
     }
 
-    /// Two narrower labels that together allow as much, chosen by where a stretch and a force of the hull violate the law. `None` where
-    /// the label cannot be divided.
+    /// Two narrower labels that together allow the same states. The place of the cut is where the stretch and force, a point of the hull,
+    /// violate the law. `None` if the label cannot be divided.
     pub(crate) fn divide(
         &self,
         label: &Label,
@@ -244,7 +244,7 @@ impl LocalLaw<'_> {
         let slip = self.springs.slip(stretch, force);
         let (traction, friction) = (tangential_norm(&pushed), tangential_norm(force));
         let angle = |x: &SVector<f64, 3>| x[2].atan2(x[1]);
-        // Tangential parts below this part of larger vectors are rounding and have no direction.
+        // Tangential parts below this fraction of larger vectors are rounding and have no direction.
         let towards = if friction > SOLVED_ROUNDING * (force[0].abs() + traction) {
             angle(force)
         } else {
@@ -258,7 +258,7 @@ impl LocalLaw<'_> {
             Label::Closed if !self.may_slide() => None,
             Label::Closed => {
                 let apart = (slides_towards - towards + PI).rem_euclid(TAU) - PI;
-                // Directions that differ by less than this angle are equal for the choice of the first division.
+                // If the directions of friction and slip differ by less than 0.1 rad, the first cut is made at right angles to them.
                 let from = towards + if apart.abs() < 0.1 { FRAC_PI_2 } else { 0.5 * apart };
                 Some(Sector { from, to: from + TAU }.at(from + PI).map(Label::Friction))
             }
@@ -271,13 +271,13 @@ impl LocalLaw<'_> {
                 let limit = self.friction.limit(force[0]).min(traction);
                 let turned = friction * (a - b).abs().min(1.0);
                 let width = sector.width();
-                // Wider arcs are halved; on narrower ones the friction force and the slip determine where to divide.
+                // Wider sectors are halved; narrower ones are cut between the directions of friction and slip.
                 let wide = 1.1 * PI;
                 if matches!(label, Label::Friction(_)) && (limit - friction).abs() > turned && width < wide {
                     return Some([Label::Sticking(sector), Label::Sliding(sector)]);
                 }
                 let part = if width > wide { 0.5 } else { 0.5 * (a + b) / width };
-                // Least part of an arc after a division.
+                // Least part of a sector that a cut leaves on either side.
                 let least_part = 0.15;
                 let middle = sector.from + width * part.clamp(least_part, 1.0 - least_part);
                 let label =

@@ -5,8 +5,8 @@
 //! sliding    F_t  =  μ_k F_n p,      μ_k <= μ_s
 //! ```
 //!
-//! A contact has one cone at a time, which depends on its state. When it begins to slide, its springs answer the same stretch with the smaller
-//! cone: they relax, and the contact slips by the loss of their force, `Δs = -K_t⁻¹ ΔF_t`.
+//! A contact has one cone at a time, which depends on its state. When it begins to slide, the same stretch is evaluated with the smaller cone.
+//! The springs relax, and the contact slips by their loss of deflection, `Δs = -K_t⁻¹ ΔF_t`.
 
 use nalgebra::SVector;
 
@@ -14,8 +14,8 @@ use super::answer::ContactResponse;
 use super::law::LocalLaw;
 
 impl LocalLaw<'_> {
-    /// State and force on the sliding cone of a contact that has just begun to slide, at the stretch at which it left the cone of rest. `None`
-    /// where its force does not change: from an apex it starts without force.
+    /// State and force on the kinetic cone of a contact that has just begun to slide, at the stretch at which it left the static cone. `None` if
+    /// its force does not change, as at the apex, where it starts without force.
     pub(crate) fn relaxed(&self, stretch: &SVector<f64, 3>) -> Option<ContactResponse> {
         let answer = self.response(stretch, 0.0);
         answer.state.slides().then_some(answer)

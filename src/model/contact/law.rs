@@ -1,8 +1,8 @@
 //! The law of one contact: springs, friction cone, and the conditions that apply.
 //!
-//! An equilibrium and its continuation are the same kind of problem. At rest a contact has its whole cone. Rates describe what happens
-//! next. In rates a contact inside its cone is bonded, and an open contact is absent. A contact on an edge has only that edge, and a contact
-//! at the apex has the whole cone again.
+//! An equilibrium and its continuation are the same kind of problem. At rest a contact has its whole cone. Rates describe the continuation
+//! beyond a state. In rates a contact inside its cone is bonded, an open contact is absent, and a contact on an edge has only that edge. A
+//! contact at the apex has the whole cone again.
 
 use nalgebra::SVector;
 
@@ -13,33 +13,33 @@ use super::state::{Mode, State};
 use crate::numerics::least;
 use crate::prelude::*;
 
-/// The conditions that a contact has.
+/// The set of conditions that a contact obeys.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Law {
-    /// The contact is and stays open: no conditions, no force.
+    /// The contact stays open: no conditions, no force.
     Absent,
-    /// The springs act both ways, without limit: no conditions.
+    /// The springs push and pull without limit: no conditions.
     Bonded,
     /// The friction cone.
     Cone {
         /// Whether the contact may also open.
         gap: bool,
     },
-    /// On an edge of its cone with F_n > 0: only these facets `h·F_t <= μ F_n`, at most one for each tangent.
+    /// On an edge of its cone with F_n > 0: only these facets `h·F_t <= μ F_n`, at most one per tangent.
     Edge(Vec<SVector<f64, 3>>),
 }
 
-/// One contact with its law, independent of the scene.
+/// One contact with its law, independent of the grasp.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LocalLaw<'c> {
     pub(crate) springs: &'c Compliance,
     pub(crate) law: &'c Law,
-    /// The polygon in place of the round cone.
+    /// The polygon that replaces the round cone.
     pub(crate) polygon: &'c Polygon,
     pub(super) friction: Coulomb,
-    /// In space: the round cone limits a sticking contact, and the polygon only proposes states.
+    /// In space: whether the round cone limits the contact. The polygon then only proposes states.
     pub(super) on_round_cone: bool,
-    /// Whether a contact with infinite friction has facets, as with a very large finite coefficient.
+    /// Whether a contact with infinite friction gets facets, those of a very large finite coefficient.
     pub(super) infinite_friction_has_edges: bool,
 }
 
@@ -54,7 +54,7 @@ impl<'c> LocalLaw<'c> {
         Self { springs, law, polygon, friction, on_round_cone, infinite_friction_has_edges }
     }
 
-    /// The cone to which the facets belong.
+    /// The cone whose facets are the contact's, with a finite coefficient if infinite friction has facets.
     pub(crate) fn cone(&self) -> Coulomb {
         if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
     }
@@ -77,7 +77,7 @@ impl<'c> LocalLaw<'c> {
         self.has_a_whole_cone() && self.friction.has_edges()
     }
 
-    /// Whether any force exceeds the contact's limits. A frictionless guide that is kept closed carries every force, like a bonded contact.
+    /// Whether some force exceeds the contact's limits. A frictionless guide that is kept closed carries every force, like a bonded contact.
     pub(crate) fn has_edges(&self) -> bool {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
@@ -110,7 +110,7 @@ impl<'c> LocalLaw<'c> {
         matches!(self.law, Law::Edge(_))
     }
 
-    /// Whether the contact keeps its tangential force until the normal force vanishes.
+    /// Whether friction is infinite: the contact slides only when the normal force vanishes.
     pub(crate) fn never_slides(&self) -> bool {
         self.friction.is_infinite()
     }
@@ -136,17 +136,17 @@ impl<'c> LocalLaw<'c> {
         alike && self.has_a_whole_cone() && other.has_a_whole_cone()
     }
 
-    /// Complementary pairs of the contact: one for the gap, one for each facet.
+    /// Number of complementary pairs of the contact: one for the gap, one for each facet.
     pub(crate) fn pairs(&self) -> usize {
         usize::from(self.may_open()) + self.facets().len()
     }
 
-    /// The state that needs no jump: sticking, or open where the contact is absent.
+    /// The state without slip or opening: sticking. For an absent contact it is open.
     pub(crate) fn unjumped(&self) -> State {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
-    /// The state in which the contact yields most: on an edge it slides along it, at the apex it opens.
+    /// The state with the least stiffness: sliding on an edge, open at the apex.
     pub(crate) fn yielding(&self) -> State {
         match self.law {
             Law::Edge(facets) if facets.len() == 2 => Mode::Corner(0),
@@ -156,7 +156,7 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// The possible states on the polygon, the one without a jump first.
+    /// All states that the law allows on the polygon, sticking first.
     pub(crate) fn states(&self) -> Vec<State> {
         if self.is_absent() {
             return vec![Mode::Open];
@@ -175,8 +175,8 @@ impl<'c> LocalLaw<'c> {
         states
     }
 
-    /// The state in which these facets slip, in ascending order. Facets beyond one edge or corner of the cone can slip together only at its
-    /// apex, F = 0.
+    /// The state in which the given facets, in ascending order, slip together. Facets that share no corner slip together only at the apex, F =
+    /// 0.
     pub(crate) fn slipping_state(&self, facets: &[u16]) -> State {
         let count = self.facets().len();
         match *facets {
@@ -189,7 +189,7 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// The middle of the directions in which a sliding contact may slip, of any length.
+    /// The central slip direction of a sliding state, of any length: the facet normal, or the sum of the two normals at a corner.
     pub(crate) fn outward(&self, state: &State) -> Option<SVector<f64, 3>> {
         if let Mode::Round(slide) = state {
             return Some(slide.direction);
@@ -200,7 +200,7 @@ impl<'c> LocalLaw<'c> {
         Some(second.map_or(first, |second| first + facets[second]))
     }
 
-    /// Friction in reserve at a force, on the round cone or at the nearest facet, N; infinite for infinite friction.
+    /// Friction margin at a force, on the round cone or at the nearest facet, N; infinite for infinite friction.
     pub(crate) fn margin(&self, force: &SVector<f64, 3>) -> f64 {
         if self.never_slides() {
             return f64::INFINITY;

@@ -10,19 +10,19 @@
 //! | `state`, `slide` | the states of a contact, with their data |
 //! | `law` | the conditions that apply: at rest, in rates, on an edge |
 //! | `answer` | stretch → state and force |
-//! | `kinetic` | the smaller cone of a sliding contact, and the drop of its force as it begins to slide |
+//! | `kinetic` | the smaller cone of a sliding contact, and the loss of friction as it begins to slide |
 //! | `springs` | the springs of a contact in a known state: left and right factors |
-//! | `straight_stretch` | the force after a straight stretch, with the slip turning on the way |
-//! | `relaxing_slide` | the direction of the slip at the end of a straight stretch |
-//! | `tangent` | the derivative of force by stretch |
-//! | `conditions` | the conditions of a state, with sizes |
-//! | `hull` | everything the law allows where only part of the state is known |
-//! | `most_work` | the most work of a contact along a virtual motion |
-//! | `resistance` | the most power of a contact against a motion, whatever it has slipped |
-//! | `edges` | the conditions on the force of a sticking contact, and those that sets of forces come nearest to |
+//! | `straight_stretch` | the force after a stretch that grows along a straight line, while the slip direction turns |
+//! | `relaxing_slide` | the slip direction after a straight stretch with unequal tangential springs |
+//! | `tangent` | the tangent stiffness: derivative of force by stretch |
+//! | `conditions` | the inequalities of a state, with the sizes that scale their rounding |
+//! | `hull` | convex hull of all stretches and forces that the law allows if only part of the state is known |
+//! | `most_work` | upper bound of a contact's work along a virtual motion |
+//! | `resistance` | upper bound of a contact's power against a motion, for any previous slip |
+//! | `edges` | the conditions on the force of a sticking contact, and the least of them over a set of forces |
 //! | `exits` | the distance along a straight line to the end of a state |
 //! | `turning_exits` | the angle of a turning load to the end of a state |
-//! | `active_set` | the edges reached at an event, and the law of the rates |
+//! | `active_set` | the edges reached at an event, and the law of the rates beyond it |
 //! | `tolerances` | limits below which a quantity counts as zero |
 
 mod active_set;

@@ -1,17 +1,18 @@
-//! The most work of a contact along a virtual stretch and a virtual force under a label, in closed form.
+//! Upper bound of a contact's work along a virtual stretch and a virtual force, under a label, in closed form.
 //!
-//! Let `w(v, F) = φ·v + u·F`, c = K⁻¹φ and ξ = K v. The work w is at most the largest of these values over the directions p of friction
-//! that the label leaves:
+//! Let `w(v, F) = φ·v + u·F`, c = K⁻¹φ and ξ = K v. The work w is bounded by its largest value at the generators of the label's hull, over the
+//! directions p of friction that the label allows:
 //!
 //! ```text
 //! open       -c_n,  |c_t|                      sticks, slides    (c + u)_n + μ (c + u)_t·p,   (c + u)_n
 //! slides     c_t·K_t p
 //! ```
 //!
-//! each for a generator of length one in energy units. Where none is positive, the contact does no positive work in any state that the law allows.
+//! The generators are scaled to length one in energy units. If no value is positive, the contact does no positive work in any state that the law
+//! allows.
 //!
-//! In rates a contact on an edge `μ F_n >= h·F_t` has generators of its own: forces along the edge both ways, forces into the cone,
-//! and slips along h.
+//! In rates a contact on an edge `μ F_n >= h·F_t` has other generators: forces along the edge both ways, forces into the cone, and slips along
+//! h.
 
 use nalgebra::SVector;
 
@@ -23,11 +24,11 @@ use crate::numerics::unit;
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// The most work along φ (N) and u (m) of a stretch and a force of length one in energy units that the label allows.
+    /// Largest work along φ (N) and u (m) over the label's stretches and forces of length one in energy units.
     pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, 3>, u: &SVector<f64, 3>) -> f64 {
         let c = self.springs.give(phi);
         let mut most = f64::NEG_INFINITY;
-        // Work of a generator (ξ, F) in force units.
+        // Records the work of a generator (ξ, F), given in force units.
         let mut note = |xi: &SVector<f64, 3>, force: &SVector<f64, 3>| {
             let size = (2.0 * (self.springs.stored(xi) + self.springs.stored(force))).sqrt();
             most = most.max((c.dot(xi) + u.dot(force)) / size);
@@ -49,7 +50,7 @@ impl LocalLaw<'_> {
                 note(&normal, &none);
             }
         }
-        // Where slips may have any direction, the tangential stretch is free, and only the force counts.
+        // The label allows slip in any direction: the tangential stretch is free, and only the force does work.
         let slips_anyhow = may_be_open || *label == Label::Closed && self.may_slide();
         if slips_anyhow {
             for axis in tangents.clone().map(unit::<3>) {
@@ -80,7 +81,7 @@ impl LocalLaw<'_> {
         most
     }
 
-    /// The friction force for μ F_n = 1 with the most work along a stretch, in a sector of the round cone or at a corner of the polygon.
+    /// The friction force for μ F_n = 1 that does the most work along a stretch, in a sector of the round cone or at a corner of the polygon.
     fn most_along(&self, sector: &Sector, along: &SVector<f64, 3>) -> SVector<f64, 3> {
         if self.on_round_cone {
             return sector.most_along(along);
@@ -90,7 +91,7 @@ impl LocalLaw<'_> {
         most.copied().unwrap_or_else(SVector::zeros)
     }
 
-    /// Visits generators of the forces of a contact on the edge of these facets.
+    /// Visits the generators of the forces of a contact on the edge of these facets.
     fn for_each_force_at_an_edge(&self, facets: &[SVector<f64, 3>], mut visit: impl FnMut(SVector<f64, 3>)) {
         let edge = self.edge(&self.yielding());
         let on_the_edge = self.cone().generator(&edge.pull);
@@ -103,7 +104,7 @@ impl LocalLaw<'_> {
             both_ways(edge.across);
         }
         match facets {
-            // Into the cone away from one facet and along the other.
+            // Forces into the cone that leave one facet and stay on the other.
             [first, second] => {
                 let turn = cross(first, second);
                 visit(right_angle(second) / turn);

@@ -1,6 +1,6 @@
 //! The friction cone as a polygon: `F_t` lies in μF_n times a polygon around the origin.
 //!
-//! In the plane the polygon is the interval [-1, 1] and nothing is approximated.
+//! In the plane the polygon is the interval [-1, 1], which is exact.
 
 use alloc::sync::Arc;
 use core::any::Any;
@@ -13,22 +13,22 @@ use crate::error::Error;
 use crate::numerics::{Once, Space, mapped, numbered};
 use crate::prelude::*;
 
-/// Position of the polygon of m facets relative to the circle of radius one, the section of the round cone at `μ F_n = 1`.
+/// Size of the polygon of m facets relative to the unit circle, the section of the round cone at `μ F_n = 1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Fit {
-    /// Corners on the circle: never more friction than Coulomb's, less by up to 1 - cos(π/m).
+    /// Corners on the circle: never more friction than on the round cone, and less by up to 1 - cos(π/m).
     #[default]
     Inscribed,
-    /// Facets touch the circle: never less friction than Coulomb's, more by up to 1/cos(π/m) - 1.
+    /// Facets touch the circle: never less friction than on the round cone, and more by up to 1/cos(π/m) - 1.
     Circumscribed,
-    /// Corners as far outside as facets inside: facets at `cos(π/m)^(1/2)`, corners at its reciprocal.
+    /// Facets as far inside the circle as corners outside: facets at the distance `cos(π/m)^(1/2)`, corners at its reciprocal.
     Balanced,
 }
 
-/// The polygonal cone in place of the round one in space. Planar grasps ignore it.
+/// The polygonal cone that approximates the round one in space. Planar grasps ignore it.
 ///
 /// `F_t` lies in `μ F_n` times a regular polygon around the origin, with m facets normal to h_j and m corners d_j:
 ///
@@ -56,7 +56,7 @@ pub struct PolygonCone {
 }
 
 impl PolygonCone {
-    /// Most facets: rounding blurs the difference between finer polygons.
+    /// Largest number of facets; beyond it neighbouring facets differ by little more than rounding.
     pub const MOST_FACETS: usize = 4096;
 
     /// A polygon of `facets` facets.
@@ -100,15 +100,15 @@ impl Default for PolygonCone {
 pub(crate) struct Polygon {
     /// Facet normals h_j, scaled so that the facet is h_j·x = 1.
     pub(crate) normals: Vec<SVector<f64, 3>>,
-    /// Corners d_j; in space corner j lies between facets j and j + 1, in the plane it is facet j itself.
+    /// Corners d_j. In space corner j lies between facets j and j + 1; in the plane corner and facet j coincide.
     pub(crate) corners: Vec<SVector<f64, 3>>,
 }
 
-/// The polygons of the plane and of the default cone, made once.
+/// The polygons of the plane and of the default cone, computed once.
 static SHARED: [Once<Arc<dyn Any + Send + Sync>>; 2] = [const { Once::new() }; 2];
 
 impl Polygon {
-    /// The polygon of a cone; in the plane and for the default cone it is made once.
+    /// The polygon of a cone. That of the plane and that of the default cone are computed once and shared.
     pub(crate) fn shared(space: Space, cone: &PolygonCone) -> Arc<Self> {
         let made = || Arc::new(Self::new(space, cone));
         let place = match space {
@@ -149,7 +149,7 @@ impl Polygon {
         self.normals.len() == 2
     }
 
-    /// The same polygon with its first corner along a tangent direction (of any length but zero).
+    /// The polygon rotated so that its first corner points along a tangent direction of any nonzero length.
     pub(crate) fn turned_to(&self, to: &SVector<f64, 3>) -> Self {
         let (cos, sin) = (to[1] / to[1].hypot(to[2]), to[2] / to[1].hypot(to[2]));
         let turn =
@@ -167,11 +167,10 @@ pub(crate) fn corner(h1: &SVector<f64, 3>, h2: &SVector<f64, 3>) -> SVector<f64,
     p
 }
 
-/// Cosine and sine.
+/// Cosine and sine of an angle.
 fn direction(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
-    // A cosine of 6e-17 instead of 0 would blur the ties of symmetric grasps.
-    // A sine or cosine below this is rounding of zero at a right angle.
+    // Values below this limit are rounding of zero at a right angle. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps.
     [cos, sin].map(|x| if x.abs() < 1e-15 { 0.0 } else { x })
 }
 

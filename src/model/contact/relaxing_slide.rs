@@ -1,54 +1,57 @@
-//! The direction in which a contact slides after a straight stretch: it relaxes towards the direction of the stretch.
+//! The direction in which a contact slides after a straight stretch. It turns gradually towards the direction of the stretch rate.
 //!
-//! Its friction force is r p, p at an angle φ from the first tangent, and the contact slips along p. With K = diag(k₁, k₂) the spring law gives
+//! The friction force is r p, with the unit vector p at an angle φ from the first tangent, and the contact slips along p. With K = diag(k₁, k₂)
+//! the spring law gives
 //!
 //! ```text
 //! r p·K p φ' = k₁k₂ p⊥·v_t' + r' p⊥·K p
 //! dφ/ds = A sin(θ - φ) + B sin 2φ,      ds = dτ / (r p·K p),   A = k₁k₂ |v_t'|,   B = r' (k₂ - k₁)/2
 //! ```
 //!
-//! with v_t' at the angle θ. Each of the two terms alone has a closed form, the first with `∫ p·K p ds = ∫ dτ/r`, which determines s:
+//! with v_t' at the angle θ. Each of the two terms alone has a closed form. The first also gives `∫ p·K p ds = ∫ dτ/r`, which determines s:
 //!
 //! ```text
 //! drawn        tan(ψ/2) = tan(ψ₀/2) e^{-A s}, ψ = φ - θ
 //! squeezed     tan φ = tan φ₀ e^{2B s}
 //! ```
 //!
-//! Half a step drawn, a whole step squeezed, and half a step drawn are correct to second order, and exact for a constant normal force or equal
-//! springs. Sliding does not stop: its slip rate γ, with γ p·K p = p·K v_t' - r', increases where it vanishes, by `(p⊥·K v_t')²`.
+//! Half a step `drawn`, a whole step `squeezed` and half a step `drawn` (Strang splitting) are correct to second order. They are exact for a
+//! constant normal force or equal springs. Sliding never stops: where its rate γ, with γ p·K p = p·K v_t' - r', vanishes, it increases by `(p⊥·K
+//! v_t')²`.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Two tangential springs with a constant rate of stretch while they slide.
+/// Two tangential springs that slide under a constant rate of stretch; τ from 0 to 1 has no unit.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RelaxingSlide {
-    /// k₁ and k₂, N/m.
+    /// Tangential stiffnesses k₁ and k₂, N/m.
     pub(super) tangential: [f64; 2],
-    /// v_t', m.
+    /// Rate of the tangential stretch, v_t', m.
     pub(super) stretched: [f64; 2],
-    /// r', N.
+    /// Rate of the cone's radius, r', N.
     pub(super) growth: f64,
 }
 
 impl RelaxingSlide {
-    /// The unit direction of the friction force after `∫ dτ/r = per_radius`, 1/N, from the direction `start`.
+    /// The unit direction of the friction force after `∫ dτ/r = per_radius`, in 1/N, from the direction `start`.
     pub(super) fn direction_after(&self, start: [f64; 2], per_radius: f64) -> [f64; 2] {
         let [k1, k2] = self.tangential;
-        // With equal springs the squeezed term vanishes, and s is known.
+        // With equal springs the term `squeezed` vanishes, and s is known.
         if k1 == k2 {
             return self.drawn(start, per_radius / k1).0;
         }
         let (mut low, mut high) = (per_radius / k1.max(k2), per_radius / k1.min(k2));
         let mut s = per_radius / self.stiffness(start);
-        // Most steps towards s; each gains digits.
+        // Upper bound of the number of Newton steps for s; each gains digits.
         for _ in 0..60 {
             let (p, gone) = self.gone(start, s);
             let off = gone - per_radius;
             *(if off > 0.0 { &mut high } else { &mut low }) = s;
             let newton = s - off / self.stiffness(p);
             let next = if low <= newton && newton <= high { newton } else { 0.5 * (low + high) };
-            // A step shorter than this part of s is the last: rounding of s. A coarser limit would show as jumps to Newton's method for the object.
+            // Relative step length of s at which the iteration ends: rounding. A coarser limit would make the force discontinuous for Newton's
+            // method on the object.
             let last = (next - s).abs() <= 1e-15 * s;
             s = next;
             if last {
@@ -58,19 +61,19 @@ impl RelaxingSlide {
         self.gone(start, s).0
     }
 
-    /// `p·K p`.
+    /// Stiffness along the direction p, `p·K p`, N/m.
     fn stiffness(&self, p: [f64; 2]) -> f64 {
         self.tangential[0] * p[0] * p[0] + self.tangential[1] * p[1] * p[1]
     }
 
-    /// The direction after s, with `∫ p·K p ds`.
+    /// The direction after the length s, and the integral `∫ p·K p ds` up to there.
     fn gone(&self, start: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let (p, first) = self.drawn(start, 0.5 * s);
         let (p, second) = self.drawn(self.squeezed(p, s), 0.5 * s);
         (p, first + second)
     }
 
-    /// The direction and integral at a constant normal force.
+    /// Direction and integral after the length s at a constant normal force.
     fn drawn(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let [k1, k2] = self.tangential;
         let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();
@@ -91,9 +94,9 @@ impl RelaxingSlide {
         ([cos * e[0] - sin * e[1], sin * e[0] + cos * e[1]], gone)
     }
 
-    /// The direction after s at a constant stretch.
+    /// The direction after the length s under a constant tangential stretch, while the normal force changes.
     fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
-        // Largest exponent: beyond it no digit of the previous direction is left, and squares do not overflow yet.
+        // Largest exponent. Beyond it no digit of the previous direction would remain; up to it squares do not overflow.
         let far = 300.0;
         let y = (0.5 * self.growth * (self.tangential[1] - self.tangential[0]) * s).clamp(-far, far);
         let q = [p[0] * (-y).exp(), p[1] * y.exp()];
@@ -106,7 +109,7 @@ impl RelaxingSlide {
 mod tests {
     use super::RelaxingSlide;
 
-    /// The equation integrated by a million steps of the midpoint rule, from the radius 1.
+    /// Reference solution: the differential equation integrated by a million steps of the midpoint rule, from the radius 1.
     fn in_tiny_steps(slide: &RelaxingSlide, start: [f64; 2]) -> [f64; 2] {
         let [k1, k2] = slide.tangential;
         let (drawn, steps) = ([k1 * slide.stretched[0], k2 * slide.stretched[1]], 1_000_000);
@@ -124,7 +127,7 @@ mod tests {
         [phi.cos(), phi.sin()]
     }
 
-    /// The direction after `steps` steps of the closed forms.
+    /// The direction after dividing the path into `steps` steps of the closed forms.
     fn in_steps(slide: &RelaxingSlide, mut p: [f64; 2], steps: u32) -> [f64; 2] {
         let h = 1.0 / f64::from(steps);
         for i in 0..steps {

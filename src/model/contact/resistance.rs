@@ -1,13 +1,13 @@
-//! The most power of a contact against a motion of the body, whatever it has slipped before.
+//! Upper bound of a contact's power against a motion of the body, for any previous slip.
 //!
-//! With the velocity u of the body's point in the contact frame, and m the most power of friction of size one against u_t,
+//! With the velocity u of the body's point in the contact frame, and m the largest power of a unit friction force against u_t,
 //!
 //! ```text
 //! -F·u  <=  (μ m - u_n) F_n  <=  (μ m - u_n)₊ k_n (v_n)₊
 //! ```
 //!
-//! since a closed contact has the normal force `k_n v_n` of its normal stretch v_n, whatever its history. A contact that neither opens nor slides has
-//! the force K v.
+//! since a closed contact has the normal force `k_n v_n` of its normal stretch v_n, whatever its history. A contact that can neither open nor
+//! slide has the force K v.
 
 use crate::numerics::largest;
 
@@ -16,19 +16,19 @@ use nalgebra::SVector;
 use super::law::LocalLaw;
 use super::tangential::tangential;
 
-/// A bound of `-F·u` by the stretch v of the contact, W for a velocity, J for a virtual motion.
+/// A bound on `-F·u` in terms of the contact's stretch v: W if u is a velocity, J if u is a virtual displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Resistance {
-    /// This multiple, N, of the normal stretch where the stretch is positive.
+    /// The bound is this factor, N, times the positive part of the normal stretch.
     ByFriction(f64),
-    /// The product of this row and the stretch, exactly, N.
+    /// The power is exactly the product of this row, N, and the stretch.
     BySprings(SVector<f64, 3>),
-    /// None: infinite friction holds against the motion.
+    /// No bound: infinite friction can resist the motion without limit.
     Unlimited,
 }
 
 impl LocalLaw<'_> {
-    /// The bound of the contact's power against a velocity u of the body, in the contact frame.
+    /// The bound on the contact's power against a velocity u of the body, contact frame.
     pub(crate) fn resistance(&self, u: &SVector<f64, 3>) -> Resistance {
         if self.is_bonded() || self.may_pull() {
             return Resistance::BySprings(-self.springs.force(u));

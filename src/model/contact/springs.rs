@@ -1,4 +1,4 @@
-//! A contact in a known state is a few springs, each stretched along one direction and pushing along another.
+//! A contact in a known state is equivalent to a few springs. Each is stretched along one direction and pushes along another.
 //!
 //! ```text
 //! F_i = Σ_r left_r (right_r · v_i),     v_i = a_i - G_iᵀq
@@ -19,25 +19,25 @@ use crate::numerics::rounding_of;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// `F = left (right · v)`, v the stretch of a contact.
+/// One such spring: `F = left (right · v)`, v the stretch of a contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Spring {
     pub(crate) right: SVector<f64, 3>,
     pub(crate) left: SVector<f64, 3>,
-    /// Rounding error of `right`, so that `left right` along the normal or an axis is exactly the given stiffness.
+    /// Rounding error of `right`; with it the product of `left` and `right` along an axis is the given stiffness to the last digit.
     pub(crate) right_rest: SVector<f64, 3>,
-    /// Rounding error of `left`, so that friction is exactly μ F_n.
+    /// Rounding error of `left`; with it friction equals μ F_n to the last digit.
     pub(crate) left_rest: SVector<f64, 3>,
 }
 
 impl Spring {
-    /// A spring whose force points along its stretch: `left = right`.
+    /// A spring whose force points along its own stretch: `left = right`.
     pub(crate) fn straight(along: SVector<f64, 3>) -> Self {
         let none = SVector::zeros();
         Self { right: along, left: along, right_rest: none, left_rest: none }
     }
 
-    /// A spring of this stiffness along an axis.
+    /// A spring of stiffness k along an axis.
     pub(crate) fn along_axis(axis: usize, k: f64) -> Self {
         let mut along = SVector::zeros();
         along[axis] = k.sqrt();
@@ -46,10 +46,10 @@ impl Spring {
         spring
     }
 
-    /// The normal spring of a sliding contact, which drags friction `μ F_n pull` along.
+    /// The normal spring of a sliding contact: its force also has the friction component `μ F_n pull`.
     fn dragging(k: f64, mu: f64, pull: &SVector<f64, 3>) -> Self {
         let root = k.sqrt();
-        // The same spring as (right c, left / c): with a large μ the left side would otherwise be far longer than its row.
+        // The spring is scaled as (right c, left / c). With a large μ the left factor would otherwise be far longer than the right one.
         let balance = (1.0 + mu * pull.norm()).sqrt();
         let (mut right, mut left) = (SVector::zeros(), SVector::zeros());
         (right[0], left[0]) = (root * balance, root / balance);
@@ -65,14 +65,14 @@ impl Spring {
     }
 }
 
-/// The r with `known (factor + r) = product`.
+/// The correction r for which `known (factor + r) = product`.
 fn rest_of_factor(product: f64, known: f64, factor: f64) -> f64 {
     let rounded = known * factor;
     ((product - rounded) - rounding_of(rounded, known, factor)) / known
 }
 
 impl LocalLaw<'_> {
-    /// Visits the springs of the contact in a state, at most one an axis.
+    /// Visits the equivalent springs of the contact in a state, at most one per axis.
     pub(crate) fn for_each_spring(&self, state: &State, mut visit: impl FnMut(Spring)) {
         match state {
             Mode::Open => {}
@@ -90,8 +90,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The edge of the cone on which a contact in this state slides: the point `P = K_t h / (h·K_t h)` of a facet with the spring
-    /// across, or a corner.
+    /// The edge of the cone on which a contact in this state slides. On a facet it is the point `P = K_t h / (h·K_t h)` with a spring across the
+    /// slip; else a corner.
     #[inline]
     pub(crate) fn edge(&self, state: &State) -> Edge {
         if let Mode::Round(slide) = state {

@@ -4,13 +4,13 @@ use nalgebra::SVector;
 
 use super::slide::Slide;
 
-/// A state of a contact; R describes a slide on a round cone.
+/// A state of a contact. R holds the data of a slide on a round cone.
 ///
 /// | state | force | condition |
 /// |---|---|---|
 /// | open | `F = 0` | gap >= 0 |
 /// | sticking | `F = K v` | force in the cone, no slip |
-/// | facet j | `h_j·F_t = μ F_n` | slip along h_j, or across it where a spring still holds |
+/// | facet j | `h_j·F_t = μ F_n` | slip along h_j; across it the spring still acts |
 /// | corner j | F_t at the corner of facets j and j + 1 | slip between their normals |
 /// | round | `F_t = μ F_n p` | slip along p |
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +40,7 @@ impl<R> Mode<R> {
         matches!(self, Self::Sticking)
     }
 
-    /// Whether both are the same state, apart from the direction of a slide on the round cone.
+    /// Whether both are the same state, ignoring the direction of a slide on the round cone.
     pub(crate) fn is_kind_of<Q>(&self, other: &Mode<Q>) -> bool {
         match (self, other) {
             (Self::Open, Mode::Open)
@@ -51,7 +51,7 @@ impl<R> Mode<R> {
         }
     }
 
-    /// The facets among `count` on which the contact slides.
+    /// Numbers of the facets, among `count`, on which the contact slides.
     pub(crate) fn own_facets(&self, count: usize) -> [Option<usize>; 2] {
         match self {
             Self::Facet(j) => [Some(usize::from(*j)), None],
@@ -67,7 +67,7 @@ impl State {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }
 
-    /// A slide on the round cone with a friction force along a tangent, whose slip so far is part of the offset.
+    /// A slide on the round cone with friction along a tangent. Its previous slip is contained in the offset, so λ = 0.
     pub(crate) fn sliding_along(friction: &SVector<f64, 3>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
     }

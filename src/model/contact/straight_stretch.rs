@@ -1,16 +1,17 @@
-//! The exact force at the end of a straight stretch, with the slip turning on the way.
+//! The exact force after a stretch that grew along a straight line, while the slip direction turned.
 //!
-//! On the round cone a sliding contact with one tangential stiffness has its friction force at an angle ψ from the traction rate `d = k_t v_t'`. With
-//! d constant and the radius `r = μ F_n` linear in the time τ from 0 to 1,
+//! A sliding contact on the round cone with equal tangential stiffnesses has its friction force at an angle ψ from the traction rate `d = k_t
+//! v_t'`. With d constant and the radius `r = μ F_n` linear in the time τ from 0 to 1,
 //!
 //! ```text
 //! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)
 //! ```
 //!
-//! With two different stiffnesses [`RelaxingSlide`] gives the direction. A slide lasts to the end once it begins, since |d| cos ψ grows and r' is
-//! constant. The return map of [`LocalLaw::answer`] takes the whole stretch at its end instead. It is exact from the apex on, where the traction
-//! grows in one direction, else to first order only. For the same closed form with a constant radius see R. D. Krieg and D. B. Krieg, Accuracies of
-//! numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
+//! With two different stiffnesses [`RelaxingSlide`] gives the direction. Once sliding begins it lasts to the end, since |d| cos ψ grows and r'
+//! is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. It is exact if sliding starts at the apex, where the
+//! traction
+//! keeps its direction; otherwise it is correct to first order. For the same closed form with a constant radius see R. D. Krieg and D. B. Krieg,
+//! Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
 
 use nalgebra::SVector;
 
@@ -25,9 +26,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// State and force after a straight stretch from `before`, at rest on the contact's law, to `stretch`. The slip until then is the part of
-    /// `before` beyond the springs, [`Compliance::slip`](super::Compliance::slip). In the plane and without sliding equal to [`Self::answer`], but
-    /// for a contact that closes on the way: friction acts from there on.
+    /// State and force after a straight stretch from `before`, which satisfies the contact's law, to `stretch`. Any earlier slip is contained in
+    /// `before`: [`Compliance::slip`](super::Compliance::slip). In the plane, or without sliding, the result equals [`Self::answer`]. The
+    /// exception is a contact that closes in between: its friction starts at the closing.
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, 3>,
@@ -42,7 +43,7 @@ impl LocalLaw<'_> {
         }
         let rate = to - from;
         if from[0] < 0.0 && self.may_open() {
-            // The contact closes on the way.
+            // The contact closes in between: only the tangential stretch after closing counts.
             let mut since = (stretch - before) * (to[0] / rate[0]).clamp(0.0, 1.0);
             since[0] = stretch[0];
             return self.answer(&since, 0.0);
@@ -56,16 +57,17 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The time τ at which a traction reaches its limit; zero where it is at the limit and grows faster than the limit.
+    /// The time τ at which the traction reaches its limit. It is zero if the traction is at the limit and grows faster than the limit; `None` if
+    /// never reached.
     fn stops_sticking(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> Option<f64> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
-        // A traction within this part of its limit is on the cone: a step leaves that much rounding.
+        // A traction this close to its limit, relative to it, is on the cone: a previous step leaves that much rounding.
         if size >= r * (1.0 - SOLVED_ROUNDING) && t.dot(&d) > growth * size {
             return Some(0.0);
         }
-        // |t + τ d|² = (r + τ r')², with a negative difference inside the cone.
+        // Solves |t + τ d|² = (r + τ r')²; the difference of both sides is negative inside the cone.
         let (a, b) = (d.norm_squared() - growth * growth, t.dot(&d) - r * growth);
         let c = ((size - r) * (size + r)).min(0.0);
         let root = b * b - a * c;
@@ -77,13 +79,13 @@ impl LocalLaw<'_> {
         (tau > 0.0 && tau < 1.0).then_some(tau)
     }
 
-    /// The contact after sliding from a force on its cone for the time `rest`.
+    /// State and force after sliding from a force on the cone for the remaining time `rest`.
     fn slid_on(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>, rest: f64) -> ContactResponse {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].map(|f| self.friction.limit(f.max(0.0)));
-        // ∫dτ/r over the rest of the way.
+        // ∫dτ/r over the remaining time.
         let x = (r1 - r0) / r0;
-        // Below this relative difference of radii the logarithm is replaced by the first terms of its series.
+        // Below this relative difference of the radii the first terms of the series replace the logarithm.
         let per_radius = rest / r0 * if x.abs() < 1e-7 { 1.0 - 0.5 * x } else { x.ln_1p() / x };
         let friction = tangential(from);
         let size = friction.norm();
@@ -100,7 +102,7 @@ impl LocalLaw<'_> {
         self.sliding_at(normal, &direction, r1, r1 * per_radius)
     }
 
-    /// A contact that slides along `direction`. Its springs across act with the part `holds` of their stiffness: softened by the slip.
+    /// A contact that slides along `direction`. The slip softens its spring across the slip to the fraction `holds` of its stiffness.
     fn sliding_at(&self, normal: f64, direction: &SVector<f64, 3>, r: f64, holds: f64) -> ContactResponse {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();

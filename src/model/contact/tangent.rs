@@ -1,12 +1,12 @@
-//! The derivative of one contact's force by its stretch, `dF = C dv`, as the few dyads whose sum is C.
+//! The tangent stiffness of one contact, `dF = C dv`, as a sum of few dyads.
 //!
 //! ```text
 //! sticking    C = K
 //! sliding     C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ
 //! ```
 //!
-//! The normal spring drags friction along, and the spring across the slip resists. A sum over many contacts adds dyad by dyad:
-//! a contact has at most as many dyads as C has columns, and each costs one multiplication an entry.
+//! The normal spring also changes friction, and a spring acts across the slip. A sum over many contacts adds dyad by dyad. A contact has at most
+//! as many dyads as C has columns, and each costs one multiplication per entry.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -14,26 +14,26 @@ use super::law::LocalLaw;
 use super::slide::Edge;
 use super::state::{Mode, State};
 
-/// C of a contact in a state, N/m.
+/// The tangent stiffness C of a contact in a state, N/m.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Tangent {
-    /// Zero force at any stretch.
+    /// No stiffness: the force is zero.
     Open,
-    /// The diagonal of K.
+    /// The diagonal of K, N/m.
     Sticking(SVector<f64, 3>),
-    /// On an edge of the cone.
+    /// Sliding on an edge of the cone.
     Sliding {
-        /// `k_n (e_n + μ P)`.
+        /// Change of force per normal stretch, `k_n (e_n + μ P)`, N/m.
         drag: SVector<f64, 3>,
-        /// d.
+        /// d, the tangent across the slip.
         across: SVector<f64, 3>,
-        /// κ.
+        /// κ, the stiffness across the slip, N/m.
         stiffness: f64,
     },
 }
 
 impl Tangent {
-    /// C with all its entries.
+    /// C as a full matrix.
     pub(crate) fn matrix(&self) -> SMatrix<f64, 3, 3> {
         match self {
             Self::Open => SMatrix::zeros(),
@@ -48,7 +48,7 @@ impl Tangent {
 }
 
 impl Tangent {
-    /// `C v`.
+    /// Change of force `C v` for a change v of the stretch.
     #[inline]
     pub(crate) fn force(&self, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {
         match self {
@@ -62,7 +62,7 @@ impl Tangent {
 }
 
 impl LocalLaw<'_> {
-    /// C of the contact in a state.
+    /// The tangent stiffness of the contact in a state.
     #[inline]
     pub(crate) fn tangent(&self, state: &State) -> Tangent {
         match state {

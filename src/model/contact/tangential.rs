@@ -13,11 +13,11 @@ pub(crate) fn tangential(v: &SVector<f64, 3>) -> SVector<f64, 3> {
     t
 }
 
-/// The length of the tangential part, also where its square underflows, as for a contact that hardly presses.
+/// The length of the tangential part, also if its square underflows, as for a contact that hardly presses.
 #[inline(always)]
 pub(crate) fn tangential_norm(v: &SVector<f64, 3>) -> f64 {
     let square: f64 = v.iter().skip(1).map(|x| x * x).sum();
-    // Squares between this and its reciprocal lose no digits by underflow or overflow.
+    // Squares between this number and its reciprocal lose no digits to underflow or overflow.
     let safe_square = 1e-280;
     if (safe_square..1.0 / safe_square).contains(&square) {
         square.sqrt()
@@ -26,7 +26,7 @@ pub(crate) fn tangential_norm(v: &SVector<f64, 3>) -> f64 {
     }
 }
 
-/// `a × b` of two tangents in space, along the normal.
+/// Normal component of the cross product `a × b` of two tangents in space.
 #[inline(always)]
 pub(crate) fn cross(a: &SVector<f64, 3>, b: &SVector<f64, 3>) -> f64 {
     a[1] * b[2] - a[2] * b[1]

@@ -1,7 +1,7 @@
 //! The angle by which a load can turn before a contact leaves its state.
 //!
-//! While states last, a force is `F(φ) = F₀ + F_c cos φ + F_s sin φ`, and a gap has the same form. The margin at a facet is such a scalar sum.
-//! On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree two.
+//! While all states last, a force is `F(φ) = F₀ + F_c cos φ + F_s sin φ`, and a gap and the margin at a facet have the same form. On the round
+//! cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree two.
 
 use nalgebra::SVector;
 
@@ -14,18 +14,18 @@ use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{FirstZero, Harmonic, Trigonometric, Turning};
 use crate::prelude::*;
 
-/// A force, or a motion of the body over the finger, as a function of the angle φ from the present load.
+/// A contact force, or a displacement of the body relative to the finger, as a function of the load's angle φ, which is zero now.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
     /// Size that scales the rounding of its values.
     pub(crate) size: f64,
-    /// Size that scales the rounding of its rates: the turning part of `size`.
+    /// Size that scales the rounding of its rates: that of the part that depends on φ.
     pub(crate) turning_size: f64,
 }
 
 impl Wave {
-    /// The scalar wave of a linear function of this one.
+    /// A linear function of this wave, as a scalar function of φ.
     fn seen(&self, by: impl Fn(&SVector<f64, 3>) -> f64) -> Trigonometric {
         Trigonometric::linear(&self.of.map(by))
     }
@@ -34,15 +34,15 @@ impl Wave {
 /// An event of a contact while the load turns.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum TurningExit {
-    /// The contact leaves its state; the step of the exit is the angle.
+    /// The contact leaves its state; `step` of the exit is the angle, rad.
     Leaves(Exit),
-    /// At this angle the contact touches an edge to within rounding, without crossing it.
+    /// At this angle, rad, the contact touches an edge to within rounding, without crossing it.
     Touches(f64),
 }
 
 impl LocalLaw<'_> {
-    /// All exits from a state within an angle of `most`, each at its first angle, from the waves of force and stretch. Slides on the
-    /// round cone do not turn with the load and give none.
+    /// All exits from a state within the angle `most`, each at its first angle, from force and stretch as functions of the angle. Slides on the
+    /// round cone give none: they do not respond linearly to the load.
     pub(crate) fn turning_exits(
         &self,
         state: &State,
@@ -72,7 +72,8 @@ impl LocalLaw<'_> {
         exits
     }
 
-    /// The angle at which a sliding contact stops: a component of its slip that cannot decrease would begin to. The contact stays on its facets.
+    /// The angle at which a sliding contact stops: the rate of a slip component that must not decrease becomes negative. The contact stays on
+    /// its facets.
     fn stops(
         &self,
         state: &State,
@@ -97,7 +98,7 @@ impl LocalLaw<'_> {
         })
     }
 
-    /// The exit of a force from the round cone: `(μF_n)² - |F_t|²` falls below zero, or at the apex F_n does.
+    /// The exit of a force from the round cone: the first angle at which `(μF_n)² - |F_t|²` becomes negative, or F_n at the apex.
     fn round_turning_exit(&self, wave: &Wave, most: f64) -> Option<TurningExit> {
         let cone = self.cone();
         let weight = cone.round_weight();
@@ -105,7 +106,7 @@ impl LocalLaw<'_> {
         let here = wave.of.at(0.0);
         let friction = tangential(&here);
         if cone.round_margin(&here) <= slack && friction.norm() > slack {
-            // On the edge the tangent facet decides whether the force moves inwards or outwards.
+            // On the edge, the margin at the tangent facet decides whether the force moves inwards or outwards.
             let outward = friction.normalize();
             let margin = wave.seen(|f| cone.facet_margin(f, &outward));
             if Start::of(&margin, slack, ZERO_SLACK * weight * wave.turning_size) == Start::Falls {
@@ -118,7 +119,7 @@ impl LocalLaw<'_> {
             FirstZero::At(angle) => self.polished(wave, angle),
             FirstZero::Touches(angle) => return apex.or(Some(TurningExit::Touches(angle))),
         };
-        // At the apex both exits are one root.
+        // At the apex both exits coincide.
         if let Some(TurningExit::Leaves(through)) = apex
             && (through.step <= step || tangential(&wave.of.at(through.step)).norm() <= slack)
         {
@@ -130,30 +131,31 @@ impl LocalLaw<'_> {
         Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
     }
 
-    /// The first angle at which `(μF_n)² - |F_t|²` falls below zero.
+    /// The first angle at which `(μF_n)² - |F_t|²` becomes negative, or touches zero.
     fn fall_of_the_square(&self, wave: &Wave, most: f64) -> Option<FirstZero> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
         let difference = margin.square();
-        // Rounding of a margin's square, relative to its largest coefficient.
+        // Rounding of a squared margin, relative to its largest coefficient.
         let rounding = ROUNDED_SUM * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),
-            // Near the apex the normal force decides.
+            // Near the apex the exit of the normal force is used instead.
             Start::Falls | Start::Stays => None,
         }
     }
 
-    /// Close to a double root the square has lost half its digits. The margin μF_n - |F_t| itself has not.
+    /// Refines an angle by Newton's method on the margin μF_n - |F_t|. Close to a double root its square has lost half the digits; the margin
+    /// itself has not.
     fn polished(&self, wave: &Wave, angle: f64) -> f64 {
         let cone = self.cone();
         let mut step = angle;
-        // Newton's steps on the margin of a round cone: each doubles the correct digits of the root of its square.
+        // Newton steps: each doubles the correct digits of the root.
         for _ in 0..3 {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
             let better = step - cone.round_margin(&at) / slope;
-            // Most change of an angle by polishing, rad: the square root of the rounding of squares, with room.
+            // Largest correction of the angle, rad: well above the square root of the rounding of squares.
             if slope < 0.0 && better > 0.0 && (better - angle).abs() <= 1e-3 {
                 step = better;
             }
@@ -162,7 +164,7 @@ impl LocalLaw<'_> {
     }
 }
 
-/// The direction of friction.
+/// The unit vector of the friction force, zero without friction.
 fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
     let friction = tangential(force);
     friction / friction.norm().max(f64::MIN_POSITIVE)
@@ -171,19 +173,20 @@ fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
 /// The behaviour of a margin at φ = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Start {
-    /// Above zero, at once or after this number of roots at φ = 0.
+    /// Positive, at once or after this number of roots at φ = 0.
     Above { roots: usize },
-    /// At zero, and negative from here on.
+    /// Zero at φ = 0 and negative beyond.
     Falls,
     /// Zero at every angle.
     Stays,
 }
 
 impl Start {
-    /// Values are zero within `slack`, rates within `rate_slack`.
+    /// Classifies a margin. Its value is zero within `slack`, its rates within `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
-        // The end of an arc is known to the error of its steps. A margin that begins to grow may thus first shrink, but only by rounding.
+        // The start of an arc is rounded, since it is where the previous arc ended. A margin that will grow may first decrease, but by no more
+        // than the slack.
         let dips = bend > 0.0 && value - 0.5 * slope * slope / bend >= -slack;
         if value > slack || slope > rate_slack {
             Self::Above { roots: usize::from(value <= slack) }
@@ -199,7 +202,7 @@ impl Start {
     }
 }
 
-/// The exit at which a linear function of a wave falls below zero.
+/// The exit at which a linear function of a wave becomes negative.
 fn linear_exit(
     wave: &Wave,
     seen: impl Fn(&SVector<f64, 3>) -> f64,
@@ -221,7 +224,7 @@ fn linear_exit(
     Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
 }
 
-/// Uncertainty of a root of a function known to `slack`, with this slope there and the curvature of a wave of this size.
+/// Rounding error of a root: the function is known to `slack`, with this slope at the root and the curvature of a wave of this size.
 fn uncertainty(slack: f64, slope: f64, size: f64) -> f64 {
     (slack / slope.abs()).min((2.0 * slack / size).sqrt())
 }

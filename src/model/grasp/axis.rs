@@ -1,11 +1,11 @@
-//! The axis that a small motion turns about.
+//! The axis of rotation of a small motion.
 
 use nalgebra::SVector;
 
 use super::wrench::Twist;
 use crate::numerics::Space;
 
-/// A rotation: in the plane its angle from x to y, in space its rotation vector, rad.
+/// A small rotation: in the plane its angle from x to y, in space its rotation vector, rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Rotation {
     Plane(f64),
@@ -13,12 +13,12 @@ pub(crate) enum Rotation {
 }
 
 impl Twist<3> {
-    /// Translation of the origin, m, and rotation.
+    /// Translation of the origin, m, and rotation, rad.
     pub(crate) fn parts(&self) -> (SVector<f64, 3>, Rotation) {
         self.parts_in(Space::Spatial)
     }
 
-    /// [`Self::parts`] in the plane or in space.
+    /// [`Self::parts`] for a twist of the plane or of space.
     pub(crate) fn parts_in(&self, space: Space) -> (SVector<f64, 3>, Rotation) {
         let (along, turning) = self.components().split_at(3);
         let rotation = match space {
@@ -46,7 +46,7 @@ impl Rotation {
         }
     }
 
-    /// Vector from a point with displacement u = `moves` to the nearest point of the axis: `ω × u / |ω|²`.
+    /// Vector from a point with the displacement u = `moves` to the nearest point of the axis: `ω × u / |ω|²`.
     pub(crate) fn way_to_axis(&self, moves: &SVector<f64, 3>) -> SVector<f64, 3> {
         match self {
             Self::Plane(turn) => SVector::from([-moves[1] / turn, moves[0] / turn, 0.0]),
@@ -59,7 +59,7 @@ impl Rotation {
         }
     }
 
-    /// Part of a point's displacement `moves` along the axis.
+    /// Component of a point's displacement `moves` along the axis, as a vector.
     pub(crate) fn along_axis(&self, moves: &SVector<f64, 3>) -> SVector<f64, 3> {
         let axis = self.axis();
         axis * axis.dot(moves)

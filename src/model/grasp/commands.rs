@@ -1,4 +1,4 @@
-//! Commands of a finger: a position or a force, and its clearance.
+//! Commands of a finger, as a position or as a force, and its clearance.
 
 use nalgebra::SVector;
 
@@ -9,14 +9,14 @@ use super::contact::Contact;
 pub(crate) enum Axes {
     /// Axes of the contact frame, the normal first.
     Frame,
-    /// Axes of the coordinates in which the contact is given.
+    /// Axes of the coordinate system in which the contact is given.
     World,
 }
 
 impl<const C: usize> Contact<C> {
-    /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal,
-    /// tangential…). A positive normal part pushes into the object, a positive tangential one drags
-    /// it along the tangent. [`Self::command_world`] takes one along the coordinate axes.
+    /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal, tangential…). A positive normal component pushes
+    /// into the object; a positive tangential one drags the object along the tangent. See [`Self::command_world`] for a command along the
+    /// coordinate axes.
     #[doc(alias = "commanded displacement", alias = "reference displacement")]
     #[must_use]
     pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
@@ -25,9 +25,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of
-    /// [`Self::command`]. A grasp turns it into the contact frame: normal and tangent may be given
-    /// after it.
+    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of [`Self::command`]. It is converted to the
+    /// contact frame when the grasp is made, so normal and tangent may be set later.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -45,12 +44,12 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// A squeeze given as a force, N, from 0: the finger is commanded so far that it presses with this force on an object that stays in place. It
-    /// replaces the normal part of the command by `clearance + force / k_n`; the tangential part stays. Afterwards the finger holds that
-    /// **position**: when the object moves the force changes. Fingers with unequal forces push the object until their forces agree.
+    /// Squeeze as a force, N, from 0. The finger is commanded to the **position** at which it presses with this force on an object that does not
+    /// move. This replaces the normal component of the command by `clearance + force / k_n`; the tangential components stay. When the object
+    /// moves, the force changes. Fingers with unequal forces therefore push the object until their forces balance.
     ///
-    /// On a finger [with joints](crate::grasp::Finger) the joints are commanded as well, by `K⁻¹Jᵀ` times the force, so that nothing pulls along the
-    /// tangents.
+    /// On a finger [with joints](crate::grasp::Finger) the joints are commanded too, by `K⁻¹Jᵀ` times the force, so that the finger exerts no
+    /// tangential force.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -70,11 +69,12 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// A **constant** normal force, N, from 0: of an air cylinder, a weight on a lever, a motor at constant current. The finger follows the object
-    /// along the normal, instead of holding a position; along the tangents its springs act as usual. The points of a soft fingertip are pressed by
-    /// one common slide, so that their springs share the force. It replaces [`Self::pressed_with`] and the normal part of the command.
+    /// A **constant** normal force, N, from 0, as of an air cylinder, a weight on a lever or a motor at constant current. Along the normal the
+    /// finger follows the object instead of holding a position. Along the tangents its springs act as usual. The points of a soft fingertip move
+    /// with one common slide, so that their springs share the force. It replaces [`Self::pressed_with`] and the normal component of the command.
     ///
-    /// The grasp gets one more joint for it, "slide of" the contact, after all other joints. Questions that refuse hands refuse such a grasp.
+    /// The grasp gets one more joint for it, named "slide of" the contact, after all other joints. Questions that refuse hands therefore refuse
+    /// such a grasp.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -98,10 +98,8 @@ impl<const C: usize> Contact<C> {
 
     /// Clearance between finger and object before anything moves, m (default 0).
     ///
-    /// The finger must come this far along the normal before it touches, `F_n = k_n (command -
-    /// clearance - n·u_c)`. A negative clearance is an overlap at rest, a depth as collision
-    /// libraries report it: the contact then presses with k_n times the overlap before anything
-    /// moves.
+    /// The finger must travel this far along the normal before it touches: `F_n = k_n (command - clearance - n·u_c)`. A negative clearance is an
+    /// initial overlap, the depth that collision libraries report. The contact then presses with k_n times the overlap before anything moves.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -125,8 +123,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Commanded displacement of the finger's core in the contact frame, m. It is not a number if the command was given along the coordinate axes and
-    /// the contact has no frame; a grasp refuses such a contact.
+    /// Commanded displacement of the finger's core in the contact frame, m. Its components are NaN if the command is along the coordinate axes
+    /// and the contact has no valid frame; a grasp refuses such a contact.
     #[must_use]
     pub fn commanded(&self) -> SVector<f64, C> {
         let mut command = match self.command_axes {
@@ -141,13 +139,13 @@ impl<const C: usize> Contact<C> {
         command
     }
 
-    /// The command along the coordinate axes, if it was given along these.
+    /// The command along the coordinate axes, if it was given in these.
     #[inline]
     pub(crate) fn commanded_in_world(&self) -> Option<&SVector<f64, C>> {
         (self.command_axes == Axes::World).then_some(&self.command)
     }
 
-    /// The contact with its command along the axes of its frame, and with its press converted to a command.
+    /// The contact with its command in the contact frame and its pressing force converted to a command.
     pub(super) fn resolved(mut self) -> Self {
         (self.command, self.command_axes, self.press) = (self.commanded(), Axes::Frame, None);
         self

@@ -1,4 +1,4 @@
-//! One contact: its place, compliance and friction, and the command of its finger.
+//! A contact: its point, compliance and friction, and the command of its finger.
 
 use alloc::sync::Arc;
 
@@ -19,22 +19,21 @@ pub enum Hold {
     /// Pushes, never pulls, and may open: `0 <= gap ⟂ F_n >= 0`.
     #[default]
     Unilateral,
-    /// The contact never opens: gap = 0. With zero friction the normal spring acts both ways: a
-    /// guide that lets the object slip along itself. With infinite friction, too, the normal spring
-    /// acts both ways, and the object never slips. With friction in between `|F_t| <= μ F_n` holds
-    /// as usual: where a pull would be needed there is no equilibrium.
+    /// The contact never opens: gap = 0. With zero or infinite friction the normal spring both pushes and pulls. Without friction this is a
+    /// guide along which the object slips freely; with infinite friction the object never slips. With friction in between, `|F_t| <= μ F_n`
+    /// holds as usual. If a pull would be needed, no equilibrium exists.
     KeptClosed,
-    /// Glued: normal and tangential springs act both ways and without limit. Gap and slip are zero, and friction has no effect.
+    /// Glued: normal and tangential springs push and pull without limit. Gap and slip are zero, and friction has no effect.
     Bonded,
 }
 
 /// A point contact with Coulomb friction between the object and an elastic finger.
 ///
-/// Built step by step; each method states its default. [`Grasp`](crate::ask::Grasp) checks a contact when it is made. `C` is the number of axes: 2 in
-/// the plane, 3 in space.
+/// Built step by step; each method states its default. [`Grasp`](crate::ask::Grasp) validates its contacts when it is made. `C` is the number of
+/// axes: 2 in the plane, 3 in space.
 ///
-/// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with
-/// `t₂ = n × t₁`. Stiffnesses, commands and forces are along its axes, the normal first.
+/// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with `t₂ = n × t₁`. Components of stiffnesses,
+/// commands and forces refer to its axes, the normal first.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -58,7 +57,7 @@ pub enum Hold {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact<const C: usize> {
-    /// Plane or space; contacts of the plane have a third component of zero in the engine.
+    /// Plane or space. In the engine, contacts of the plane also have three components, the third of which is zero.
     pub(crate) space: Space,
     pub(crate) name: Option<Arc<str>>,
     pub(crate) point: SVector<f64, C>,
@@ -71,11 +70,11 @@ pub struct Contact<const C: usize> {
     pub(crate) command: SVector<f64, C>,
     /// Axes of `command`; those of the contact frame once the contact is part of a grasp.
     pub(crate) command_axes: Axes,
-    /// Force that replaces the normal part of the command, N; converted to a command once the contact is part of a grasp.
+    /// Pressing force that replaces the normal component of the command, N; converted to a command once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
-    /// Normal force at rest after everything has given way, N; the grasp finds the command for it when it is made.
+    /// Normal force in the unloaded equilibrium, after all springs have yielded, N. The grasp computes the command for it when it is made.
     pub(crate) at_rest: Option<f64>,
-    /// Constant normal force, whatever the object does, N.
+    /// Constant normal force, independent of the object's motion, N.
     pub(crate) force: Option<f64>,
     /// Constant force with which a vacuum pulls the object onto the contact, N.
     pub(crate) suction: f64,
@@ -83,11 +82,11 @@ pub struct Contact<const C: usize> {
     pub(crate) hold: Hold,
     /// Number of the point in its soft fingertip, from 0.
     pub(crate) point_of_pad: Option<usize>,
-    /// Name of the body into which the normal points, of several bodies.
+    /// Name of the body into which the normal points, if the grasp has several bodies.
     pub(crate) on: Option<Arc<str>>,
-    /// Name of the body on the other side, of several bodies.
+    /// Name of the body on the other side, if the grasp has several bodies.
     pub(crate) against: Option<Arc<str>>,
-    /// Kind of the link that this point belongs to; `None` for a real contact.
+    /// Kind of the link to which this point belongs; `None` for an ordinary contact.
     pub(crate) link: Option<LinkKind>,
 }
 
@@ -119,39 +118,38 @@ impl<const C: usize> Contact<C> {
         }
     }
 
-    /// Names the body, of [several](super::Bodies), that the normal points into. Forces and displacements of the contact refer to this body.
+    /// Names the body into which the normal points, one of [several](super::Bodies). Forces and displacements of the contact refer to this body.
     #[must_use]
     pub fn on(mut self, body: impl Into<String>) -> Self {
         self.on = Some(body.into().into());
         self
     }
 
-    /// Names the body, of [several](super::Bodies), on the other side, in place of the ground or a finger. The body stiffness of the contact belongs
-    /// to the body that it is [on](Self::on), the finger stiffness to this one.
+    /// Names the body on the other side, one of [several](super::Bodies), in place of the ground or a finger. The body stiffness of the contact
+    /// belongs to the body that it is [on](Self::on), the finger stiffness to the body named here.
     #[must_use]
     pub fn against(mut self, body: impl Into<String>) -> Self {
         self.against = Some(body.into().into());
         self
     }
 
-    /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. Only the lip presses, with this force
-    /// less the pull on the object. See [`SuctionCup`](super::SuctionCup), whose lip is a ring.
+    /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. The lip presses with this force
+    /// less the pull on the object. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
     #[must_use]
     pub fn suction(mut self, force: f64) -> Self {
         self.suction = force;
         self
     }
 
-    /// A name for messages and tables.
+    /// Sets the name for messages and tables.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into().into());
         self
     }
 
-    /// Direction of the first tangent; its part along the normal is dropped. In the plane it only
-    /// chooses between the two signs of t. Without it: `(n_y, -n_x)` in the plane, and in space the
-    /// projection of the coordinate axis that is farthest from the normal.
+    /// Direction of the first tangent; its component along the normal is removed. In the plane it only selects the sign of t. The default is
+    /// `(n_y, -n_x)` in the plane. In space it is the projection of the coordinate axis that makes the largest angle with the normal.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::Vector3;
@@ -170,26 +168,25 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring at
-    /// all, whatever tangential stiffness was given; with `f64::INFINITY` it never slides while it
-    /// is closed. A [bonded](Self::bonded) contact has its tangential springs whatever μ is.
+    /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring, even if a tangential stiffness is given. With
+    /// `f64::INFINITY` it never slides while closed. A [bonded](Self::bonded) contact has its tangential springs for every μ.
     #[must_use]
     pub fn friction(mut self, mu: f64) -> Self {
         self.friction = mu;
         self
     }
 
-    /// Coefficient of kinetic friction, from a millionth of the coefficient [at rest](Self::friction) up to all of it. As soon as the contact begins
-    /// to slide, its friction falls to this value, at constant load: other contacts catch the object, or it is lost. A contact at rest again has its
-    /// friction of rest.
+    /// Coefficient of kinetic friction, from a millionth of the [static coefficient](Self::friction) up to all of it. When the contact begins to
+    /// slide, its friction drops to this value at constant load. Other contacts then take over the difference, or the object is lost. A contact
+    /// that has stopped sliding has static friction again.
     ///
-    /// Answers are **overdamped**: the object comes to rest where forces balance again, without overshoot. An undamped object overshoots, up to twice
-    /// as far, and may be lost where the overdamped one is caught. See the [guide](crate::guide::kinetic_friction).
+    /// Answers are **overdamped**: the object moves to the nearest new equilibrium without overshoot. An undamped object overshoots up to twice
+    /// as far, and may be lost where the overdamped one is held. See the [guide](crate::guide::kinetic_friction).
     ///
     /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
-    /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take it into account. The first slip does not depend on it.
-    /// [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
-    /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions are about contacts at rest.
+    /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not
+    /// depend on it. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
+    /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions concern contacts at rest.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -253,13 +250,13 @@ impl<const C: usize> Contact<C> {
         self.friction
     }
 
-    /// Coefficient of kinetic friction; that at rest unless another one [was given](Self::kinetic).
+    /// Coefficient of kinetic friction; the static one unless another [was given](Self::kinetic).
     #[must_use]
     pub fn kinetic_coefficient(&self) -> f64 {
         self.kinetic.unwrap_or(self.friction)
     }
 
-    /// Sets the coefficient of friction at rest, and scales the kinetic one in proportion.
+    /// Sets the coefficient of static friction and scales the kinetic one in proportion.
     pub(crate) fn set_friction(&mut self, mu: f64) {
         let proportion = mu / self.friction;
         self.kinetic = self
@@ -269,18 +266,18 @@ impl<const C: usize> Contact<C> {
         self.friction = mu;
     }
 
-    /// Number of axes along which the contact has a spring: 1 without friction, else all.
+    /// Number of axes along which the contact has a spring: 1 without friction, otherwise all axes.
     pub(crate) fn springs(&self) -> usize {
         if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { self.space.axes() }
     }
 
-    /// Name of the contact in tables and pictures: its own, or "contact" and `index`, its place in the list.
+    /// Name of the contact in tables and pictures: the user's, or "contact" and `index`, its position in the list.
     #[must_use]
     pub fn label_text(&self, index: usize) -> String {
         self.label(index).text()
     }
 
-    /// Name of the contact in messages: "contact 1 (thumb)", of a link "hinge "pin"".
+    /// Name in messages: "contact 1 (thumb)" for a contact, "hinge "pin"" for a link.
     pub(crate) fn said_in_full(&self, index: usize) -> String {
         match (self.link, self.whole_name()) {
             (Some(kind), Some(name)) => format!("{} {name:?}", kind.name()),

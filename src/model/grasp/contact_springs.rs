@@ -1,4 +1,4 @@
-//! Springs of a contact: stiffness of object and finger.
+//! The springs of a contact: the stiffnesses of object and finger.
 
 use nalgebra::SVector;
 
@@ -36,8 +36,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Body and finger springs in series, `1/k = 1/k_body + 1/k_finger`, given at once: normal and tangential, N/m, positive and finite. Replaces
-    /// both; the displacements of the two surfaces are then unknown.
+    /// Series stiffness of body and finger, `1/k = 1/k_body + 1/k_finger`: normal and tangential, N/m, positive and finite. It replaces both
+    /// single stiffnesses. The displacements of the two surfaces are then unknown.
     #[must_use]
     pub fn series_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.series_stiffness_axes(normal_and_tangential(normal, tangential))

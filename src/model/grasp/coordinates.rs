@@ -1,15 +1,15 @@
-//! Inside coordinates as answers store them.
+//! The engine's coordinates (see [`inside`](super::inside)) in the form in which answers store them.
 
 use nalgebra::SVector;
 
 use crate::numerics::{Vector, WHOLE};
 use crate::prelude::*;
 
-/// Inside coordinates of the object, and of joints and bodies behind it. Without these nothing is allocated.
+/// Coordinates of the object, then of joints and other bodies. For a single object nothing is allocated.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Coordinates {
     count: usize,
-    /// The first ones, with zeros behind the last.
+    /// The first coordinates; unused components are zero.
     first: SVector<f64, WHOLE>,
     more: Vec<f64>,
 }
@@ -19,7 +19,7 @@ impl Coordinates {
         Self::of_in(coordinates, Vec::new())
     }
 
-    /// [`Self::of`] in the memory of a list.
+    /// [`Self::of`], with the memory of an existing list.
     pub(crate) fn of_in(coordinates: &Vector, mut more: Vec<f64>) -> Self {
         let all = coordinates.as_slice();
         let (in_place, others) = all.split_at(WHOLE.min(all.len()));
@@ -30,7 +30,7 @@ impl Coordinates {
         Self { count: all.len(), first, more }
     }
 
-    /// As a vector.
+    /// The coordinates as a vector of the engine.
     pub(crate) fn to(&self) -> Vector {
         let mut coordinates = Vector::zeros();
         let in_place = self.first.iter().take(self.count);
@@ -40,7 +40,7 @@ impl Coordinates {
         coordinates
     }
 
-    /// Takes out the list, so that its memory can be used again.
+    /// Moves the list out, so that its memory can be reused.
     pub(crate) fn take_list(&mut self) -> Vec<f64> {
         core::mem::take(&mut self.more)
     }

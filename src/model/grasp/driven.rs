@@ -1,4 +1,4 @@
-//! Commands and torques of a grasp, and the same grasp with other ones.
+//! Commands and torques of a grasp, and copies of the grasp with other commands or torques.
 
 use alloc::borrow::Cow;
 
@@ -52,12 +52,12 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// The torques that hold joints whatever they do.
+    /// The constant torques that act on the joints in addition to the commands, N m or N.
     pub(crate) fn held_torques(&self) -> Vec<f64> {
         self.linkage().map_or_else(Vec::new, |linkage| mapped(&linkage.joints, &|joint| joint.held))
     }
 
-    /// With other torques that hold joints, as many as there are.
+    /// A copy of the grasp with other constant joint torques, one per joint.
     pub(crate) fn with_held_torques(&self, torques: &[f64]) -> Self {
         let mut grasp = self.clone();
         if let Some(linkage) = &mut grasp.linkage {
@@ -88,8 +88,8 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// Commands of all points from rows for each point, or for each contact: all points of a soft fingertip then have its row, and points of links
-    /// have that of `links`.
+    /// Commands of all contact points, from one row per point or one row per contact. In the second case all points of a soft fingertip get the
+    /// row of the fingertip, and points of links get `links(i)`.
     ///
     /// # Errors
     /// [`Error::Size`] for another number of rows; [`Error::Contact`] for a number that is not finite.
@@ -160,15 +160,15 @@ impl Engine {
         self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
     }
 
-    /// Offset of every site: for contacts a_i, the command in the contact frame with the clearance taken off its normal part; then those for the
-    /// drives of a hand.
+    /// Offsets of all sites. The offset a_i of a contact is its command in the contact frame, less the clearance along the normal. Offsets of a
+    /// hand's drives follow.
     pub(crate) fn offsets(&self) -> Vec<SVector<f64, 3>> {
         let mut offsets = Vec::new();
         self.offsets_into(&mut offsets);
         offsets
     }
 
-    /// [`Self::offsets`] in existing memory.
+    /// [`Self::offsets`], written into existing memory.
     pub(crate) fn offsets_into(&self, offsets: &mut Vec<SVector<f64, 3>>) {
         self.offsets_under(
             self.contacts.iter().map(|contact| contact.command),
@@ -177,7 +177,7 @@ impl Engine {
         );
     }
 
-    /// Offsets of all sites under other commands.
+    /// Offsets of all sites for other commands than those of the grasp.
     pub(crate) fn offsets_under(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,
@@ -194,7 +194,7 @@ impl Engine {
         }
     }
 
-    /// Change of the offsets for a change of commands; `None` leaves commands unchanged.
+    /// Change of the offsets for given changes of the commands; `None` stands for no change.
     pub(crate) fn offset_changes(
         &self,
         commands: Option<&[SVector<f64, 3>]>,
@@ -205,7 +205,7 @@ impl Engine {
         changes
     }
 
-    /// [`Self::offset_changes`] in existing memory; missing commands do not change.
+    /// [`Self::offset_changes`], written into existing memory; contacts without a command change have a change of zero.
     pub(crate) fn changed_by(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,

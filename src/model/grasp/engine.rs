@@ -1,4 +1,4 @@
-//! The engine of a grasp: its contacts, checked, and the data that the arithmetic needs of them.
+//! The engine of a grasp: its validated contacts, and the data from which equilibria are computed.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -15,7 +15,7 @@ use crate::numerics::Space;
 use crate::numerics::{Size, moved};
 use crate::prelude::*;
 
-/// A checked list of contacts in coordinates: 3 of the object in the plane or 6 in space, then those of joints and other bodies.
+/// A grasp with validated contacts. Its coordinates are the 3 or 6 of the object, then those of joints and other bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct Engine {
     /// Plane or space.
@@ -25,16 +25,16 @@ pub(crate) struct Engine {
     pub(super) sites: Vec<Site>,
     /// The contacts, each with its points.
     wholes: WholeContacts,
-    /// Centroid of the contact points, m. Inside, moments and rotations are taken about it, so that a far reference point costs no digits.
+    /// Centroid of the contact points, m. The engine refers moments and rotations to it, so that a distant origin of the caller costs no digits.
     pub(super) origin: SVector<f64, 3>,
-    /// Root mean square distance of the contact points from their centroid, m. Inside it is the unit of length of arms. Rotations and translations
-    /// then have comparable size in any unit of the user.
+    /// Root mean square distance of the contact points from their centroid, m. The engine uses it as the unit of length of arms, so that
+    /// rotations and translations have comparable size for any unit of the caller.
     pub(super) length: f64,
-    /// The joints behind the contacts, if any.
+    /// The joints and drives behind the contacts, if any.
     pub(super) linkage: Option<Box<Linkage>>,
-    /// Total pull of the vacuums, in addition to the caller's loads.
+    /// Total pull of the vacuums, which acts in addition to the caller's loads.
     pub(super) vacuum: Option<Box<Vacuum>>,
-    /// Factors of the elastic trial, made on first use.
+    /// Matrix factors of the elastic trial, in which all contacts stick; computed on first use.
     trial: Remembered,
 }
 
@@ -46,7 +46,7 @@ impl Engine {
         Self::of(space, Size::of(space.of_the_object()), contacts, &|_| true)
     }
 
-    /// A grasp by contacts that joints move, in `size` coordinates.
+    /// A grasp whose contacts are moved by joints, with `size` coordinates in all.
     pub(super) fn by_hand(size: Size, contacts: Vec<Contact<3>>, linkage: Linkage) -> Result<Self, Error> {
         let on_object =
             |i: usize| linkage.bodies.as_ref().map_or(1.0, |bodies| bodies.sign(i, bodies.object));
@@ -60,7 +60,7 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// This grasp with other data of its contacts at the same places; `stiffer` scales the own springs of joints and tendons.
+    /// A copy of this grasp with other contact data at the same contact points. `stiffer` scales the springs of joints and tendons, by index.
     pub(crate) fn with_data(
         &self,
         contacts: Vec<Contact<3>>,
@@ -76,7 +76,7 @@ impl Engine {
         }
     }
 
-    /// This grasp with other loads on its bodies.
+    /// A copy of this grasp with other loads on its bodies.
     pub(super) fn with_bodies(&self, bodies: PlacedBodies) -> Self {
         let mut grasp = self.clone();
         if let Some(linkage) = &mut grasp.linkage {
@@ -85,7 +85,7 @@ impl Engine {
         grasp
     }
 
-    /// Whether anything presses at rest: a drive, a held force, a vacuum, or a constant load on a body.
+    /// Whether any contact is pressed without a load from the caller: by a command, a constant force, a vacuum, or a constant load on a body.
     pub(crate) fn presses(&self) -> bool {
         let by_force = self.linkage().is_some_and(|linkage| linkage.held.iter().any(|force| *force != 0.0));
         let by_load =
@@ -103,7 +103,7 @@ impl Engine {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp by contacts; its origin is the centroid of those for which `is_meant` is true.
+    /// A grasp by contacts. Its origin is the centroid of the contacts for which `is_meant` is true.
     fn of(
         space: Space,
         size: Size,
@@ -121,7 +121,7 @@ impl Engine {
         let count = meant().count().max(1) as f64;
         let origin = meant().fold(SVector::zeros(), |sum, c| sum + c.point / count);
         let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
-        // A single point has no size of its own; any unit of length works then.
+        // A single point has no extent, so any unit of length serves.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let site = |(index, contact)| Site::new(space, size, (contact, index), (&origin, length));
         let sites = contacts.iter().enumerate().map(site).collect::<Result<Vec<_>, Error>>()?;
@@ -157,7 +157,7 @@ impl Engine {
         &self.wholes
     }
 
-    /// Frame of one contact, of [`Grasp::frames`](crate::ask::Grasp::frames).
+    /// Frame of one contact; see [`Grasp::frames`](crate::ask::Grasp::frames).
     pub(crate) fn frame(&self, contact: usize) -> &SMatrix<f64, 3, 3> {
         &self.sites[contact].frame
     }
@@ -171,7 +171,7 @@ impl Engine {
         self.with_data(contacts, &|_| 1.0)
     }
 
-    /// This grasp with kinetic friction in place of friction at rest.
+    /// A copy of this grasp with kinetic friction in place of static friction.
     pub(crate) fn with_friction_of_sliding(&self) -> Result<Self, Error> {
         let mut contacts = self.contacts.clone();
         for contact in &mut contacts {
@@ -185,12 +185,12 @@ impl Engine {
         self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part).text())
     }
 
-    /// Refuses a hand, for questions without joints.
+    /// Returns an error for a hand, in questions that support no joints.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
     }
 
-    /// Refuses kinetic friction, for questions that report sliding contacts with their friction at rest.
+    /// Returns an error for kinetic friction, in questions that would report sliding contacts with static friction.
     pub(crate) fn refuse_kinetic(&self, question: &'static str) -> Result<(), Error> {
         match self.weaker_once_they_slide().next() {
             Some(i) => Err(Error::KineticFriction { question, contact: self.contacts[i].label(i) }),
@@ -198,12 +198,12 @@ impl Engine {
         }
     }
 
-    /// Contacts whose kinetic friction is lower than that at rest.
+    /// Indices of the contacts whose kinetic friction is lower than their static friction.
     pub(crate) fn weaker_once_they_slide(&self) -> impl Iterator<Item = usize> {
         (0..self.len()).filter(|&i| self.sites()[i].kinetic.is_some())
     }
 
-    /// Refuses joints; several bodies without joints and drives are allowed.
+    /// Returns an error if the grasp has joints; several bodies without joints and drives are allowed.
     ///
     /// # Errors
     /// [`Error::NotForHands`] for a hand, [`Error::NotForJoints`] for several bodies that a hand holds or a given force presses.
@@ -217,7 +217,7 @@ impl Engine {
         }
     }
 
-    /// Drives of an actuator, with the numbers of their sites. Actuators are the joints, then the tendons.
+    /// Drives of an actuator, with the indices of their sites. Actuators are the joints, then the tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()
@@ -226,12 +226,12 @@ impl Engine {
             .map(move |(k, offset)| (first + k, offset))
     }
 
-    /// The joints behind the contacts, if any.
+    /// The joints and drives behind the contacts, if any.
     pub(crate) fn linkage(&self) -> Option<&Linkage> {
         self.linkage.as_deref()
     }
 
-    /// Memory for the factors of the elastic trial.
+    /// Storage for the factors of the elastic trial.
     pub(crate) fn remembered_trial(&self) -> &Remembered {
         &self.trial
     }
@@ -241,7 +241,7 @@ impl Engine {
     }
 }
 
-/// The space of a grasp by these contacts.
+/// Plane or space, for a grasp by these contacts.
 pub(super) fn space_of(contacts: &[Contact<3>]) -> Space {
     contacts.first().map_or(Space::Spatial, |contact| contact.space)
 }

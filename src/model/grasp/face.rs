@@ -1,7 +1,7 @@
-//! Questions and answers at the door, with vectors of two or three components, and the same inside the engine, with three.
+//! Conversion of questions and answers between the public interface, with vectors of two or three components, and the engine, with three.
 //!
-//! A value of a planar grasp has a third component of zero inside. A wrench or a twist of the plane has its moment or its rotation about z there. So
-//! the engine is compiled once, and a value for space goes through as it is.
+//! A vector of the plane gets a third component of zero. A wrench or a twist of the plane becomes one of space whose moment or rotation is about
+//! z. The engine is thus compiled only once, and values for space need no conversion.
 
 use alloc::borrow::Cow;
 use alloc::collections::BTreeMap;
@@ -21,44 +21,44 @@ use crate::numerics::Space;
 use crate::prelude::*;
 use crate::words::LinkKind;
 
-/// A value of questions or answers that goes through the door.
+/// A value of a question or an answer that is converted for the engine.
 pub(crate) trait Face: Sized + Clone + 'static {
-    /// The value inside the engine.
+    /// The type of the value in the engine.
     type Inside: Clone + 'static;
 
-    /// Whether the value is the same inside, as in space: then neither [`Self::widen`] nor [`Self::narrow`] is compiled.
+    /// Whether both types are equal, as in space. Then neither [`Self::widen`] nor [`Self::narrow`] is compiled.
     const SAME: bool;
 
-    /// The value of the plane with three components a vector.
+    /// Converts a value of the plane to three components per vector.
     fn widen(&self) -> Self::Inside;
 
-    /// The value of the plane without third components.
+    /// Converts an engine value of the plane to two components per vector.
     fn narrow(inside: Self::Inside) -> Self;
 
-    /// The value as the engine has it.
+    /// Converts a value for the engine.
     fn enter(self) -> Self::Inside {
         if const { Self::SAME } { same(self) } else { self.widen() }
     }
 
-    /// A copy of the value as the engine has it.
+    /// Converts a copy of the value for the engine.
     fn entered(&self) -> Self::Inside {
         if const { Self::SAME } { same(self.clone()) } else { self.widen() }
     }
 
-    /// The value as the caller sees it; that of space is moved as it is.
+    /// Converts a value of the engine for the caller; values for space are moved.
     fn leave(inside: Self::Inside) -> Self {
         if const { Self::SAME } { same(inside) } else { Self::narrow(inside) }
     }
 }
 
-/// A value under the other name of its type.
+/// Casts a value to a type that is the same type under another name.
 fn same<A: 'static, B: 'static>(value: A) -> B {
     let mut value = Some(value);
     let same = (&mut value as &mut dyn Any).downcast_mut::<Option<B>>().and_then(Option::take);
     same.expect("both names are of one type")
 }
 
-/// The value as the engine has it; that of space is lent.
+/// The value in the engine's type; a value for space is borrowed.
 pub(crate) fn inside<T: Face>(value: &T) -> Cow<'_, T::Inside> {
     if const { T::SAME } {
         Cow::Borrowed((value as &dyn Any).downcast_ref::<T::Inside>().expect("both names are of one type"))
@@ -67,7 +67,7 @@ pub(crate) fn inside<T: Face>(value: &T) -> Cow<'_, T::Inside> {
     }
 }
 
-/// The values as the engine has them.
+/// The values in the engine's type.
 pub(crate) fn all_inside<T: Face>(values: &[T]) -> Vec<T::Inside> {
     if const { T::SAME } {
         return same(values.to_vec());
@@ -79,12 +79,12 @@ pub(crate) fn all_inside<T: Face>(values: &[T]) -> Vec<T::Inside> {
     all
 }
 
-/// The value as the caller sees it; that of space is moved as it is.
+/// Converts a value of the engine for the caller; values for space are moved.
 pub(crate) fn outside<T: Face>(inside: T::Inside) -> T {
     T::leave(inside)
 }
 
-/// Declares that a structure goes through the door field by field. A second parameter of its type is the same on both sides.
+/// Implements [`Face`] for structures, field by field. A second type parameter is a type that is equal on both sides.
 macro_rules! face_of_struct {
     ($($name:ident $(<$same:ident>)? { $($(#[$when:meta])? $field:ident),* $(,)? })*) => {$(
         impl<const C: usize $(, $same: crate::grasp::Face<Inside = $same>)?> crate::grasp::Face for $name<C $(, $same)?> {
@@ -105,7 +105,7 @@ macro_rules! face_of_struct {
 }
 pub(crate) use face_of_struct;
 
-/// Declares that an enumeration goes through the door; the field of a tuple is written `0: name`.
+/// Implements [`Face`] for enumerations, field by field. The fields of a tuple variant are written `0: name`.
 macro_rules! face_of_enum {
     ($($name:ident $(<$same:ident>)? { $($variant:ident { $($key:tt : $field:ident),* $(,)? }),* $(,)? })*) => {$(
         impl<const C: usize $(, $same: crate::grasp::Face<Inside = $same>)?> crate::grasp::Face for $name<C $(, $same)?> {
@@ -130,7 +130,7 @@ macro_rules! face_of_enum {
 }
 pub(crate) use face_of_enum;
 
-/// Declares that values without vectors are the same on both sides of the door.
+/// Implements [`Face`] for types that are equal on both sides, since they contain no vectors.
 macro_rules! same_on_both_sides {
     ($($name:ty),* $(,)?) => {$(
         impl crate::grasp::Face for $name {
@@ -280,7 +280,7 @@ impl<const C: usize> Face for SVector<f64, C> {
     }
 }
 
-/// The frame of a contact as the caller sees it.
+/// The frame of a contact in the caller's dimension.
 pub(crate) fn frame_outside<const C: usize>(inside: &SMatrix<f64, 3, 3>) -> SMatrix<f64, C, C> {
     SMatrix::from_fn(|a, b| inside[(a, b)])
 }
@@ -298,7 +298,7 @@ impl<const C: usize> Face for [f64; C] {
     }
 }
 
-/// Declares that linear and angular components go through the door; in the plane the angular one is about z.
+/// Implements [`Face`] for pairs of a linear and an angular part; in the plane the angular part is about z.
 macro_rules! face_of_six {
     ($($name:ident),*) => {$(
         impl<const C: usize> Face for $name<C> {
@@ -336,7 +336,7 @@ face_of_struct! {
     }
 }
 
-/// The stiffness along an axis that the plane does not have is that of the tangent, so that it passes every check; no spring has it.
+/// The plane has no second tangent. Its stiffness is a copy of the first one, so that it passes every check; no spring uses it.
 impl<const C: usize> Face for Stiffness<C> {
     type Inside = Stiffness<3>;
     const SAME: bool = C == 3;

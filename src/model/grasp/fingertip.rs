@@ -1,8 +1,8 @@
-//! Soft fingertips: one contact spread over a patch.
+//! Soft fingertips: contacts that extend over a patch.
 //!
-//! A point contact carries no moment: two of them let the object turn freely about the line through them. A fingertip touches over a patch and
-//! carries one. The patch is made of point contacts in the tangent plane. They share the springs of the contact that they replace, so everything in
-//! this crate about contacts applies to them.
+//! A point contact carries no moment, so an object between two of them turns freely about the line through them. A fingertip touches over a
+//! patch and resists moments. The patch is a set of point contacts in the tangent plane that share the springs of the contact that they replace.
+//! All questions about contacts therefore apply to fingertips.
 
 use core::f64::consts::TAU;
 
@@ -15,14 +15,14 @@ use crate::error::{Error, LARGEST};
 use crate::numerics::{Space, indexed, largest, moved};
 use crate::prelude::*;
 
-/// A patch of point contacts that models one fingertip, with its stiffness and its friction in closed form.
+/// A patch of point contacts that models one fingertip; its stiffness and friction limits have closed forms.
 ///
-/// `C` is the number of axes: 2 in the plane, 3 in space; use the names in [`crate::planar`] and [`crate::spatial`]. [`Self::contacts`] replaces a
-/// contact by the patch.
+/// `C` is the number of axes: 2 in the plane, 3 in space; use the short names in [`crate::planar`] and [`crate::spatial`]. [`Self::contacts`]
+/// replaces a contact by the patch.
 ///
-/// The points have the shares w_i, `Σ w_i = 1`, and the places ρ_i about the centre. With
-/// r_i = |ρ_i| the mean of a quantity f is `⟨f⟩ = Σ w_i f(ρ_i)`. A tip has the normal and
-/// tangential stiffness k_n, k_t (N/m) and is squeezed by N (N).
+/// Point i has the share w_i of stiffness and load, `Σ w_i = 1`, and the position ρ_i relative to the centre. With r_i = |ρ_i| the mean of a
+/// quantity f is `⟨f⟩ = Σ w_i f(ρ_i)`. The tip has the normal and tangential stiffness k_n, k_t (N/m) and is pressed with the normal force N
+/// (N).
 ///
 /// In space:
 ///
@@ -35,8 +35,7 @@ use crate::prelude::*;
 /// | tilting stiffness, N m/rad | k_n ⟨r²⟩/2 | k_n R²/2 | k_n R²/4 | k_n R²/6 | k_n R²/5 |
 /// | first opening under tilting, N m | N ⟨r²⟩/2R | N R/2 | N R/4 | N R/6 | N R/5 |
 ///
-/// A rectangle of sides a and b, with uniform pressure, has the formulas of its
-/// [constructor](SoftFingertip::rectangle).
+/// For a rectangle with sides a and b under uniform pressure, see its [constructor](SoftFingertip::rectangle).
 ///
 /// In the plane, for a pad of width 2b:
 ///
@@ -45,23 +44,18 @@ use crate::prelude::*;
 /// | turning stiffness, N m/rad | k_n ⟨x²⟩ | k_n b² | k_n b²/3 | k_n b²/5 | k_n b²/4 |
 /// | first opening, N m | N ⟨x²⟩/b | N b | N b/3 | N b/5 | N b/4 |
 ///
-/// These are the values of the continuum. The points have them too, to rounding, from the coarsest
-/// patch on: every band of a disc carries its share of the load, of ⟨r⟩ and of ⟨r²⟩ exactly, and
-/// one layer of points lies on the rim (see [`Pressure`]). Where the stiffness k_1, k_2 differs
-/// along the two tangents, their mean takes the place of k_t in the torsional stiffness. The first
-/// sliding then comes earlier, by up to the factor mean/max(k_1, k_2).
+/// These are the values of the continuum. Patches of points agree with them to rounding, even the coarsest: every annulus of a disc has its
+/// exact share of the load, of ⟨r⟩ and of ⟨r²⟩, and one layer of points lies on the rim (see [`Pressure`]). If the tangential stiffnesses k_1
+/// and k_2 differ, their mean replaces k_t in the torsional stiffness. First sliding then comes earlier, by up to the factor mean/max(k_1, k_2).
 ///
-/// Under torsion slip starts at the rim and works inwards: at an angle θ all points beyond `r_s = μ
-/// N / (k_t θ)` slide. On the uniform disc `M = μ N R (2/3 - (r_s/R)³/6)`. The continuum comes near
-/// its limit only as θ grows without end; a patch of points reaches the limit when its innermost
-/// ring slides. In between, the moment of the points is off by an amount that falls with the square
-/// of the number of bands. On the uniform disc it is at most 0.041, 0.0163 and 0.0056 μ N R for 1,
-/// 2 and 4 bands.
+/// Under torsion slip starts at the rim and spreads inwards: at an angle θ all points beyond `r_s = μ N / (k_t θ)` slide. On the uniform disc
+/// the moment is `M = μ N R (2/3 - (r_s/R)³/6)`. The continuum reaches its friction limit only asymptotically; a patch of points reaches it when
+/// its innermost ring slides. In between, the error of the moment decreases with the square of the number of annuli. On the uniform disc it is
+/// at most 0.041, 0.0163 and 0.0056 μ N R for 1, 2 and 4 annuli.
 ///
-/// The springs set the profile of the pressure: it is p under an even squeeze, however strong, and
-/// changes as the tip is tilted. The patch does not grow with the squeeze. A ring of radius
-/// √(k_θ/k_t) has a measured torsional stiffness k_θ, one of radius τ/(μ N) a measured friction
-/// limit τ.
+/// The pressure profile p holds for a pure normal displacement of any size, and changes as the tip tilts. The patch does not grow with the
+/// squeeze. To match a measured torsional stiffness k_θ, use a ring of radius √(k_θ/k_t); to match a measured torsional limit τ, one of radius
+/// τ/(μ N).
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
@@ -89,7 +83,7 @@ pub struct SoftFingertip<const C: usize> {
 /// One point of the patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PatchPoint<const C: usize> {
-    /// Place relative to the centre, in the frame of the contact, m; its normal component is zero.
+    /// Position relative to the centre, in the contact frame, m; its normal component is zero.
     pub(super) offset: SVector<f64, C>,
     pub(super) share: f64,
 }
@@ -99,7 +93,7 @@ face_of_struct! {
     PatchPoint { offset, share }
 }
 
-/// Layers on both sides of the middle, in order along a line: place in units of the half width, and share.
+/// Mirrors layers about the middle of a line, in ascending order: position in units of the half width, and share.
 pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
     let mut all = Vec::with_capacity(2 * layers.len());
     for layer in layers.iter().rev() {
@@ -112,8 +106,7 @@ pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
 }
 
 impl SoftFingertip<3> {
-    /// `points` points with equal shares on a circle of this radius (m), the first one along the
-    /// first tangent.
+    /// `points` points with equal shares on a circle of this radius (m). The first point lies along the first tangent.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, SoftFingertip};
@@ -134,12 +127,11 @@ impl SoftFingertip<3> {
         Self::of_rings(radius, &[Layer { distance: 1.0, share: 1.0 }], points)
     }
 
-    /// A disc of this radius (m) cut into `annuli` of equal width, each represented by two rings of `points` points. Every other ring is turned by
-    /// half a spacing; the one on the rim has a point along the first tangent.
+    /// A disc of this radius (m), divided into `annuli` of equal width. Two rings of `points` points represent each annulus. Every other ring is
+    /// rotated by half a spacing; the ring on the rim has a point along the first tangent.
     ///
-    /// The closed forms above hold for any number of annuli and points. More annuli refine how slip
-    /// spreads from the rim. More points refine the behaviour of a tip that slides and spins at
-    /// once.
+    /// The closed forms above hold for any number of annuli and points. More annuli resolve how slip spreads from the rim. More points improve
+    /// the friction of a tip that slides and spins at the same time.
     ///
     /// # Errors
     /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, there is at least one annulus, each ring has at least 3 points, and there are at
@@ -162,7 +154,7 @@ impl SoftFingertip<3> {
         let place = |from_rim: usize, ring: &Layer, i: usize| {
             let half_spacings = 2 * i + from_rim % 2;
             let (sin, cos) = (TAU * half_spacings as f64 / (2 * points) as f64).sin_cos();
-            // Sines and cosines below this size are zero but for rounding. A cosine of 6e-17 in place of 0 would blur the ties of symmetric grasps. A
+            // Sines and cosines below this size are rounding of zero. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps. A
             // ring of at most 4096 points has no other value below 3e-4.
             let clean = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
             PatchPoint {
@@ -178,19 +170,17 @@ impl SoftFingertip<3> {
         Ok(Self { radius, points })
     }
 
-    /// Torsional stiffness about the normal at a contact with these springs, N m/rad: `Σ w_i (k_1
-    /// y_i² + k_2 x_i²)` with x along the first tangent and y along the second one, that is `(k_1 +
-    /// k_2)/2 ⟨r²⟩`, as long as friction holds.
+    /// Torsional stiffness about the normal, N m/rad, while friction suffices: `Σ w_i (k_1 y_i² + k_2 x_i²)` with x along the first and y along
+    /// the second tangent. The sum equals `(k_1 + k_2)/2 ⟨r²⟩`.
     #[must_use]
     pub fn torsional_stiffness(&self, contact: &Contact<3>) -> f64 {
         let k = contact.series_stiffness_of_axes();
         self.mean(|at| k[1] * at[2] * at[2] + k[2] * at[1] * at[1])
     }
 
-    /// The moment about the normal at which the first points slide, N m, if the tip is squeezed by
-    /// `normal_force` (N) and carries nothing else: `μ N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the
-    /// point that slides first. On a ring with equal tangential stiffness all points slide at once,
-    /// and this is [`Self::torsional_limit`].
+    /// Moment about the normal at which the first points slide, N m, under the normal force `normal_force` (N) and no other load: `μ N k_θ /
+    /// √((k_1 y_i)² + (k_2 x_i)²)` at the point that slides first. On a ring with equal tangential stiffnesses all points slide at once, and the
+    /// moment equals [`Self::torsional_limit`].
     #[must_use]
     pub fn first_sliding(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         let k = contact.series_stiffness_of_axes();
@@ -198,8 +188,8 @@ impl SoftFingertip<3> {
         contact.friction_coefficient() * normal_force * (self.torsional_stiffness(contact) / fastest)
     }
 
-    /// The largest moment about the normal that friction can carry, N m, if the tip is squeezed by
-    /// `normal_force` (N) and carries nothing else: `μ N ⟨r⟩`, whatever the springs.
+    /// Largest moment about the normal that friction can carry, N m, under the normal force `normal_force` (N) and no other load: `μ N ⟨r⟩`,
+    /// independent of the springs.
     #[must_use]
     pub fn torsional_limit(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         contact.friction_coefficient() * normal_force * self.mean(SVector::norm)
@@ -207,7 +197,7 @@ impl SoftFingertip<3> {
 }
 
 impl SoftFingertip<2> {
-    /// Two points with half a share each at the edges of a pad of this width (m).
+    /// Two points of share 1/2 at the edges of a pad of this width (m).
     ///
     /// # Errors
     /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50.
@@ -215,8 +205,8 @@ impl SoftFingertip<2> {
         SoftFingertip::pair_inside(width).map(Self::leave)
     }
 
-    /// A pad of this width (m); each half is cut into `strips` of equal width, each represented by two points, one of them on its outer edge. The
-    /// closed forms above hold for any number of strips.
+    /// A pad of this width (m). Each half is divided into `strips` of equal width, and two points represent each strip, one of them on its outer
+    /// edge. The closed forms above hold for any number of strips.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Pressure, SoftFingertip};
@@ -239,12 +229,12 @@ impl SoftFingertip<2> {
 }
 
 impl SoftFingertip<3> {
-    /// [`SoftFingertip::pair`] with three components a vector.
+    /// [`SoftFingertip::pair`] in the engine's three components.
     pub(crate) fn pair_inside(width: f64) -> Result<Self, Error> {
         Self::of_layers(width, &[Layer { distance: 1.0, share: 1.0 }])
     }
 
-    /// [`SoftFingertip::pad`] with three components a vector.
+    /// [`SoftFingertip::pad`] in the engine's three components.
     pub(crate) fn pad_inside(width: f64, strips: usize, pressure: Pressure) -> Result<Self, Error> {
         check(strips >= 1, "number of strips", strips as f64, "at least 1")?;
         let all = strips.saturating_mul(4);
@@ -252,7 +242,7 @@ impl SoftFingertip<3> {
         Self::of_layers(width, &pressure.layers(Space::Planar, strips))
     }
 
-    /// [`SoftFingertip::contacts`] in the plane or in space.
+    /// [`SoftFingertip::contacts`] in the engine, for the plane or space.
     pub(crate) fn contacts_inside(&self, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
         contact.check(0)?;
         let frame = contact.frame(0)?;
@@ -270,7 +260,7 @@ impl SoftFingertip<3> {
         Ok(indexed(&self.points, &child))
     }
 
-    /// Points in order along the tangent.
+    /// A fingertip of the plane: points in ascending order along the tangent.
     fn of_layers(width: f64, layers: &[Layer]) -> Result<Self, Error> {
         let radius = 0.5 * usable(width, "width")?;
         let place = |(at, share)| PatchPoint { offset: SVector::from([0.0, at * radius, 0.0]), share };
@@ -280,13 +270,13 @@ impl SoftFingertip<3> {
 }
 
 impl<const C: usize> SoftFingertip<C> {
-    /// Largest number of points; more would show details that the model of a fingertip does not resolve.
+    /// Largest number of points; more would resolve details that the fingertip model does not represent.
     pub const MOST_POINTS: usize = 4096;
 
     /// The point contacts that replace `contact`.
     ///
-    /// Each has the normal, tangents, friction, command, clearance and hold of `contact`. It has the share w_i of its stiffness (of body and finger)
-    /// and of its forces. Its name is that of `contact` and a number from 0, "thumb 3".
+    /// Each point has the normal, tangents, friction, command, clearance and hold of `contact`. Its stiffness (of body and finger) and its
+    /// forces are the share w_i of the contact's. Its name is that of `contact` with a number from 0, "thumb 3".
     ///
     /// # Errors
     /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.
@@ -300,14 +290,14 @@ impl<const C: usize> SoftFingertip<C> {
         self.radius
     }
 
-    /// The points, in the order of [`Self::contacts`]: coordinates about the centre along the axes
-    /// of the contact frame (the normal one is zero), m, and the share w_i of the stiffness.
+    /// The points, in the order of [`Self::contacts`]. Each has its coordinates relative to the centre along the axes of the contact frame, m,
+    /// and its share w_i of the stiffness. The normal coordinate is zero.
     #[must_use]
     pub fn points(&self) -> impl ExactSizeIterator<Item = (SVector<f64, C>, f64)> {
         self.points.iter().map(|place| (place.offset, place.share))
     }
 
-    /// Stiffness against tilting about any tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. For a rectangle the lesser of the
+    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. For a rectangle it is the smaller of the
     /// [two](SoftFingertip::tilting_stiffnesses).
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
@@ -315,16 +305,17 @@ impl<const C: usize> SoftFingertip<C> {
         contact.series_stiffness_of_axes()[0] * least
     }
 
-    /// The moment about a tangent at which the first point opens, N m, if the tip is squeezed by `normal_force` (N): `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b`
-    /// in the plane. In space this is for a tilt towards a point on the rim. For a tilt half a spacing away from it the first point opens later, by
-    /// up to the factor 1/cos(π/points). For a rectangle it is the lesser of both tilts along a side; towards a corner an edge opens earlier.
+    /// Moment about a tangent at which the first point opens, N m, under the normal force `normal_force` (N): `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b`
+    /// in the plane. In space this holds for a tilt towards a point on the rim. For a tilt between two such points the first point opens later,
+    /// by up to the factor 1/cos(π/points). For a rectangle it is the smaller value of the two tilts about a side; a tilt towards a corner opens
+    /// earlier.
     #[must_use]
     pub fn first_opening(&self, normal_force: f64) -> f64 {
         let along = |axis: usize| self.square(axis) / self.largest(|at| at[axis].abs());
         normal_force * (1..C).map(along).fold(f64::INFINITY, f64::min)
     }
 
-    /// `⟨x²⟩` along a tangent.
+    /// Mean square `⟨x²⟩` of the coordinate along a tangent, m².
     pub(super) fn square(&self, axis: usize) -> f64 {
         self.mean(|at| at[axis] * at[axis])
     }
@@ -341,7 +332,7 @@ impl<const C: usize> SoftFingertip<C> {
 
 pub(super) fn usable(length: f64, what: &'static str) -> Result<f64, Error> {
     let usable = (1.0 / LARGEST..=LARGEST).contains(&length);
-    // Allowed range of lengths, in messages; see [usable].
+    // Wording of the accepted range in messages.
     check(usable, what, length, "from 1e-50 to 1e50").map(|()| length)
 }
 

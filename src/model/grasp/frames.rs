@@ -1,14 +1,13 @@
-//! Contacts, loads and motions in other coordinates.
+//! Contacts, loads and motions in other coordinate systems.
 //!
-//! A pose says where the frame in which something was given lies in the frame in which it is wanted: r' = R r + p for points. With f the force, m the
-//! moment about the origin, u the translation of the origin and θ the rotation,
+//! A pose describes the frame in which a quantity is given, as seen from the target frame: a point r becomes r' = R r + p. With the force f, the
+//! moment m about the origin, the translation u of the origin and the rotation θ,
 //!
 //! ```text
 //! f' = R f,   m' = R m + p × f',      θ' = R θ,   u' = R u + p × θ'
 //! ```
 //!
-//! so that the work `f·u + m·θ` does not depend on the frame. In the plane R leaves m and θ as they
-//! are.
+//! so that the work `f·u + m·θ` does not depend on the frame. In the plane R does not change m and θ.
 
 use nalgebra::{AbstractRotation, Isometry, SVector};
 
@@ -21,12 +20,11 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 
 impl<const C: usize> Contact<C> {
-    /// This contact in other coordinates: `pose` is the frame in which it was given – of a finger's
-    /// last link, say, or of the object – as seen from the frame in which it is wanted. Contacts of
-    /// one grasp must all be in one frame.
+    /// This contact in another frame. `pose` is the frame in which the contact is given, such as that of a finger's last link or of the object,
+    /// as seen from the target frame. All contacts of a grasp must be in the same frame.
     ///
-    /// For points `r' = R r + p`, for normal and tangents R alone. A tangent that was not given becomes the default one, turned with the contact. So
-    /// commands, stiffnesses and forces in the contact frame stay the same.
+    /// Points become `r' = R r + p`; normal and tangents are rotated by R. A tangent that was not given is set to the default of the old frame
+    /// and rotated, too. Commands, stiffnesses and forces in the contact frame therefore do not change.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::{Isometry2, Vector2};
@@ -51,8 +49,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// This contact with its normal tilted towards its tangents by these angles, rad; its frame turns with it. The axis is across the normal and the
-    /// tilt, the angle the root of the sum of their squares. The first component is ignored.
+    /// This contact with its normal tilted towards its tangents by these angles, rad; the frame rotates with it. The angle of rotation is the
+    /// norm of the tangential components, about the axis normal to both. The first component is ignored.
     pub(crate) fn tilted(mut self, tilt: &SVector<f64, C>) -> Self {
         // A contact without a frame is refused later, when its grasp is made.
         let Ok(frame) = self.frame(0) else { return self };
@@ -71,11 +69,11 @@ impl<const C: usize> Contact<C> {
     }
 }
 
-/// `v` with its linear and its angular part rotated.
+/// `v` with its linear and its angular part rotated by `rotation`.
 fn turned<R: AbstractRotation<f64, C>, const C: usize>(rotation: &R, v: &Vector) -> Vector {
     let part = |from: usize| rotation.transform_vector(&SVector::from_fn(|a, _| v[from + a]));
     let linear = part(0);
-    // A rotation about the one axis of the plane is the same in all frames, and so are displacements of joints.
+    // A rotation about the only axis of the plane is the same in all frames, and so are joint displacements.
     let angular = (C == 3).then(|| part(C));
     let mut turned = v.clone();
     for a in 0..C {
@@ -90,8 +88,8 @@ fn turned<R: AbstractRotation<f64, C>, const C: usize>(rotation: &R, v: &Vector)
 macro_rules! in_other_frames {
     ($c:literal) => {
         impl Wrench<$c> {
-            /// This load with moments about `point` instead of the origin: `m - point × f`, in axes
-            /// parallel to the old ones. In its result `point` is the origin.
+            /// This load with its moment taken about `point` instead of the origin, `m - point × f`, along the same axes. The result has `point`
+            /// as its origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 let space = Space::of::<$c>();
@@ -99,9 +97,8 @@ macro_rules! in_other_frames {
                 Self::among(space, &space.moved_wrench(&from, &self.coordinates(space)))
             }
 
-            /// This load in other coordinates: `pose` is the frame in which it was given as seen
-            /// from the one in which it is wanted (points: `r' = R r + p`). `f' = R f`, `m' = R m +
-            /// p × f'`; in the plane R leaves m as it is.
+            /// This load in another frame. `pose` is the frame in which the load is given, as seen from the target frame (points: `r' = R r +
+            /// p`). `f' = R f`, `m' = R m + p × f'`; in the plane R does not change m.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let space = Space::of::<$c>();
@@ -111,8 +108,8 @@ macro_rules! in_other_frames {
         }
 
         impl Twist<$c> {
-            /// This motion with the translation of the object's point at `point` instead of that at the origin: its translation is
-            /// [`Self::displacement_at`] that point, its rotation stays. In its result `point` is the origin.
+            /// This motion with the translation of the object's point at `point` instead of that at the origin: the translation becomes
+            /// [`Self::displacement_at`] that point, and the rotation stays. The result has `point` as its origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 let space = Space::of::<$c>();
@@ -120,9 +117,8 @@ macro_rules! in_other_frames {
                 Self::among(space, &space.moved_twist(&from, &self.coordinates(space)))
             }
 
-            /// This motion in other coordinates: `pose` is the frame in which it was given as seen
-            /// from the one in which it is wanted (points: `r' = R r + p`). `θ' = R θ`, `u' = R u +
-            /// p × θ'` for the translation u of the origin; in the plane R leaves θ as it is.
+            /// This motion in another frame. `pose` is the frame in which the motion is given, as seen from the target frame (points: `r' = R r
+            /// + p`). `θ' = R θ`, `u' = R u + p × θ'` for the translation u of the origin; in the plane R does not change θ.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let space = Space::of::<$c>();

@@ -1,4 +1,4 @@
-//! Loads and rigid motions in words: "(0, -4.905) N and 0.2 N m", "turns 1.9° about +z through (0, 0.03, 0) m, moves 2.8 mm along +z".
+//! Loads and rigid motions in sentences: "(0, -4.905) N and 0.2 N m", "turns 1.9° about +z through (0, 0.03, 0) m, moves 2.8 mm along +z".
 
 use nalgebra::SVector;
 
@@ -14,7 +14,7 @@ use crate::prelude::*;
 use crate::words::{Words, listed, printable};
 
 impl<const C: usize> Wrench<C> {
-    /// Size and unit of a load that is one force or one moment.
+    /// Magnitude and unit of a load that is a single force along some line, or a pure moment; `None` for other loads.
     pub(crate) fn measure(&self) -> Option<(f64, &'static str)> {
         let spatial = self.enter();
         let (force, moment) = spatial.components().split_at(3);
@@ -24,7 +24,7 @@ impl<const C: usize> Wrench<C> {
             return (moment_size > 0.0).then_some((moment_size, "N m"));
         }
         let twisted = dot(force, moment).abs();
-        // Largest `|f·m|/(|f||m|)` at which force and moment act along one line, and so are a single force.
+        // Largest `|f·m|/(|f||m|)` at which the load counts as a single force: m is then normal to f, and vanishes about a point of its line.
         (twisted <= SOLVED_ROUNDING * force_size * moment_size).then_some((force_size, "N"))
     }
 }
@@ -37,7 +37,7 @@ impl Words {
         self.load_of(space.axes(), &load.enter().coordinates(space).as_slice()[..space.of_the_object()])
     }
 
-    /// [`Self::load`] from its components, first those of the force along these axes.
+    /// [`Self::load`] from components, the first `axes` of which are the force.
     fn load_of(self, axes: usize, components: &[f64]) -> String {
         let largest = largest(components, &|x| x.abs());
         let clean = |x: &f64| if x.abs() <= LITTLE_ROUNDING * largest { 0.0 } else { *x };
@@ -56,8 +56,8 @@ impl Words {
         }
     }
 
-    /// Words for a small motion of the object that moves some of its points by `moved`, m: "turns 1.9° about …, moves 2.8 mm". The translation comes
-    /// first if the object hardly turns.
+    /// Words for a small motion of the object that moves some of its points by `moved`, m: "turns 1.9° about …, moves 2.8 mm". If the object
+    /// hardly turns, the sentence begins with the translation.
     #[must_use]
     pub fn motion<const C: usize>(self, twist: &Twist<C>, moved: &[SVector<f64, C>]) -> String {
         let (words, twist) = (self.in_space(self.space::<C>()), twist.enter());
@@ -77,12 +77,12 @@ impl Words {
         format!("{} {told}", printable(&motion.body))
     }
 
-    /// [`Self::motion`] from the mean displacement of points and their distance from it, m, where known.
+    /// [`Self::motion`] from the mean displacement of points and their largest deviation from it, m; `None` if no points are known.
     fn moved(self, twist: &Twist<3>, points: Option<(SVector<f64, 3>, f64)>) -> String {
         let (along, omega) = twist.parts_in(self.space::<3>());
         let (mean, spread) = points.unwrap_or((along, 0.0));
-        // A rotation or translation below the part NEGLIGIBLE of the other one is rounding.
-        // Displacement, m, below which a point counts as at rest: less than the width of an atomic nucleus.
+        // The displacement due to rotation counts as rounding below the fraction NEGLIGIBLE of the mean displacement.
+        // Displacement, m, below which a point counts as at rest; it is smaller than an atomic nucleus.
         let nowhere: f64 = 1e-15;
         let turns =
             omega.size() > 0.0 && (points.is_none() || spread > nowhere.max(NEGLIGIBLE * mean.norm()));
@@ -100,7 +100,7 @@ impl Words {
         if !seen {
             return format!("{}, turns {}", moves(&mean), self.about(&omega));
         }
-        // Distance of the points from the axis, m, as the scale of rounding.
+        // Distance of the points from the axis, m, which scales the rounding of the axis.
         let arm = if spread > 0.0 { spread / omega.size() } else { 1.0 };
         let through = omega.way_to_axis(&along).map(|x| if x.abs() <= NEGLIGIBLE * arm { 0.0 } else { x });
         let turning = format!("turns {}{} m", self.about(&omega), self.point(&through));
@@ -131,7 +131,7 @@ impl Words {
             |motion: &BodyMotion<3>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
         let told: Vec<_> = moves.map(told).collect();
         let Some((_, first)) = told.first() else { return "moving nothing but the hand".to_owned() };
-        // Up to this number of bodies with the same motion are named one by one.
+        // Up to three bodies with the same motion are named one by one.
         if told.len() > 3 && told.iter().all(|(_, way)| way == first) {
             let names: Vec<_> = mapped(&told, &|(name, _)| name);
             return format!("{}, all {first}", listed(&names));
@@ -164,7 +164,7 @@ impl Words {
         }
     }
 
-    /// Angle and direction: "1.9° about +z", in the plane "1.9° clockwise".
+    /// Angle and sense of a rotation: "1.9° about +z" in space, "1.9° clockwise" in the plane.
     fn about(self, omega: &Rotation) -> String {
         let angle = self.angle(omega.size());
         match omega {
@@ -174,7 +174,7 @@ impl Words {
         }
     }
 
-    /// Place of the axis: " about (0, 0.03)", in space " through (0, 0.03, 0)".
+    /// Position of the axis: " about (0, 0.03)" in the plane, " through (0, 0.03, 0)" in space.
     fn point(self, through: &SVector<f64, 3>) -> String {
         let what = if self.space::<3>() == Space::Planar { "about" } else { "through" };
         format!(" {what} {}", self.vector(through))

@@ -1,8 +1,8 @@
-//! Inside coordinates: moments and rotations about the centroid of the contact points, in their own
-//! unit of length.
+//! The engine's coordinates, called inside coordinates. Moments and rotations refer to the centroid of the contact points, and arms are measured
+//! in their root mean square distance from it.
 //!
-//! Wrenches and twists of questions are converted to them, and answers are converted back. So neither a far reference point nor the user's unit of
-//! length costs digits.
+//! Wrenches and twists of questions are converted to these coordinates, and answers are converted back. Neither a distant origin nor the user's
+//! unit of length thus costs digits.
 
 use nalgebra::SVector;
 
@@ -16,13 +16,13 @@ use crate::error::Error;
 use crate::numerics::DoubleDouble;
 
 impl Engine {
-    /// A checked wrench, moved to the centroid and to the inside unit of length.
+    /// Checks a wrench and converts it to inside coordinates: moved to the centroid, in the engine's unit of length.
     pub(crate) fn inside(&self, wrench: &Wrench<3>, what: &'static str) -> Result<Vector, Error> {
         wrench.check_in(self.space, what)?;
         Ok(self.inside_unchecked(wrench))
     }
 
-    /// A wrench that was checked before, moved to the centroid and to the inside unit of length.
+    /// Converts a wrench to inside coordinates without a check.
     pub(crate) fn inside_unchecked(&self, wrench: &Wrench<3>) -> Vector {
         match self.bodies() {
             Some(bodies) if bodies.is_shared() => self.put_on_each(bodies, &bodies.shared(wrench)),
@@ -30,12 +30,12 @@ impl Engine {
         }
     }
 
-    /// A wrench on the body in the coordinates of the object, in inside coordinates.
+    /// A wrench on the body whose coordinates are the object's, in inside coordinates.
     pub(crate) fn on_object(&self, wrench: &Wrench<3>) -> Vector {
         self.per_length(self.space.moved_wrench(&-self.origin, &wrench.coordinates(self.space)))
     }
 
-    /// Rounding of a wrench in inside coordinates: exact moments less rounded ones. It is zero where loads are shared among bodies.
+    /// Rounding error of a wrench in inside coordinates: exact minus rounded moments. It is zero if several bodies share the load.
     pub(crate) fn inside_rest(&self, wrench: &Wrench<3>) -> Vector {
         let (w, inside) = (wrench.coordinates(self.space), self.inside_unchecked(wrench));
         let axes = self.space.axes();
@@ -53,17 +53,17 @@ impl Engine {
         rest
     }
 
-    /// Centroid of the contact points.
+    /// Centroid of the contact points, m.
     pub(crate) fn origin(&self) -> &SVector<f64, 3> {
         &self.origin
     }
 
-    /// Root mean square distance of the contact points from their centroid.
+    /// Root mean square distance of the contact points from their centroid, m.
     pub(crate) fn length(&self) -> f64 {
         self.length
     }
 
-    /// A wrench in the user's coordinates, from inside coordinates.
+    /// Converts a wrench from inside coordinates to the user's.
     pub(crate) fn wrench_outside(&self, w: &Vector) -> Wrench<3> {
         let outside = self.times_length(w.clone());
         let on_object = Wrench::among(self.space, &self.space.moved_wrench(&self.origin, &outside));
@@ -75,17 +75,17 @@ impl Engine {
         }
     }
 
-    /// All coordinates of a motion, converted from the user's to inside coordinates.
+    /// Converts all coordinates of a motion from the user's to inside coordinates.
     pub(crate) fn inside_motion(&self, outside: &Vector) -> Vector {
         self.times_length(self.space.moved_twist(&-self.origin, outside))
     }
 
-    /// A motion of the object in the user's coordinates, from inside coordinates.
+    /// Converts a motion of the object from inside coordinates to the user's.
     pub(crate) fn outside(&self, q: &Vector) -> Twist<3> {
         Twist::among(self.space, &self.outside_coordinates(q))
     }
 
-    /// A motion of object, joints and bodies in the user's coordinates, from inside coordinates.
+    /// Converts a motion of object, joints and bodies from inside coordinates to the user's.
     pub(crate) fn motion_outside(&self, q: &Vector) -> Motion<3> {
         let outside = self.outside_coordinates(q);
         let joints = self.linkage().map_or(0, |linkage| linkage.joints.len());
@@ -93,12 +93,12 @@ impl Engine {
         Motion { object: Twist::among(self.space, &outside), joints, bodies: self.body_motions(&outside) }
     }
 
-    /// All coordinates in the user's units; coordinates of saturating drives come after the joints.
+    /// Converts all coordinates to the user's units. Coordinates of saturating drives follow those of the joints.
     pub(crate) fn outside_coordinates(&self, q: &Vector) -> Vector {
         self.space.moved_twist(&self.origin, &self.per_length(q.clone()))
     }
 
-    /// Divides angular components by the inside unit of length, and components of joints by the lengths that measure them.
+    /// Divides angular components by the engine's unit of length, and components of joints by the joints' reference lengths.
     fn per_length(&self, mut v: Vector) -> Vector {
         v.iter_mut().take(self.space.of_the_object()).skip(self.space.axes()).for_each(|x| *x /= self.length);
         if let Some(linkage) = self.linkage() {
@@ -107,7 +107,7 @@ impl Engine {
         v
     }
 
-    /// Multiplies angular components by the inside unit of length, and components of joints by the lengths that measure them.
+    /// Multiplies angular components by the engine's unit of length, and components of joints by the joints' reference lengths.
     fn times_length(&self, mut v: Vector) -> Vector {
         v.iter_mut().take(self.space.of_the_object()).skip(self.space.axes()).for_each(|x| *x *= self.length);
         if let Some(linkage) = self.linkage() {

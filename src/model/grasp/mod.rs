@@ -1,27 +1,25 @@
 //! The parts of a question: contacts, soft fingertips, hands, several bodies, wrenches and twists.
 //!
-//! `C` is the number of axes of a contact, 2 in the plane and 3 in space. Use the names in [`crate::planar`] and [`crate::spatial`]. Inside, the
-//! engine has three axes for both.
+//! `C` is the number of axes of a contact, 2 in the plane and 3 in space. Use the short names in [`crate::planar`] and [`crate::spatial`]. The
+//! engine itself uses vectors of three components for both.
 //!
 //! # Vectors of other libraries
 //!
-//! A point or a vector may be anything that turns into an array of f64:
+//! A point or vector argument accepts every type that converts into an array of f64:
 //!
 //! * arrays and tuples,
 //! * vectors, points and translations of nalgebra,
 //! * the `DVec2` and `DVec3` of any version of glam, and so of parry, rapier and bevy,
 //! * the vectors and points of mint.
 //!
-//! Answers are nalgebra's vectors ([`crate::nalgebra`]) or arrays, and both turn back:
-//! `DVec3::from_array(contact.force_world.into())`. Single precision is widened by its owner
-//! (`Vec3::as_dvec3`) and narrowed again (`DVec3::as_vec3`); nothing here computes in it.
+//! Answers contain nalgebra's vectors ([`crate::nalgebra`]) or arrays, which convert back: `DVec3::from_array(contact.force_world.into())`.
+//! Vectors of single precision must be converted by the caller (`Vec3::as_dvec3`, `DVec3::as_vec3`), since this crate computes in double
+//! precision only.
 //!
-//! Poses are nalgebra's. [`Contact::transformed`], [`Wrench::transformed`] and
-//! [`Twist::transformed`] convert from the coordinates of a link or of the object to those of the
-//! grasp. `about` moves the reference point. [`Twist::exp`](crate::spatial::Twist::exp) is the rigid
-//! motion of an object's twist. Poses of glam, parry and rapier convert with `glamx` and its
-//! feature `nalgebra`: `DPose3::from(twist.exp())`, `Isometry3::from(pose)`. The package
-//! `collision-contacts` in the repository takes contacts from parry and shows all of it.
+//! Poses are nalgebra's. [`Contact::transformed`], [`Wrench::transformed`] and [`Twist::transformed`] convert from the frame of a link or of the
+//! object to that of the grasp. `about` changes the reference point. [`Twist::exp`](crate::spatial::Twist::exp) is the rigid motion that belongs
+//! to an object's twist. Poses of glam, parry and rapier convert with `glamx` and its feature `nalgebra`: `DPose3::from(twist.exp())`,
+//! `Isometry3::from(pose)`. The package `collision-contacts` in the repository takes contacts from parry and demonstrates all of this.
 
 mod axis;
 mod bodies;

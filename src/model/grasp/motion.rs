@@ -4,7 +4,7 @@ use super::bodies::BodyMotion;
 use super::wrench::Twist;
 use crate::prelude::*;
 
-/// A motion in an answer: of the object, and of the joints of the hand that holds it.
+/// A motion in an answer: of the object, of the joints of its hand, and of other bodies.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Motion<const C: usize> {
@@ -18,7 +18,7 @@ pub struct Motion<const C: usize> {
 
 #[cfg(feature = "plot")]
 impl<const C: usize> Motion<C> {
-    /// Twist of this body, or of the object if there is only one.
+    /// Twist of the body with this index, or of the object if there is only one.
     pub(crate) fn of_body(&self, body: usize) -> &Twist<C> {
         self.bodies.get(body).map_or(&self.object, |motion| &motion.twist)
     }

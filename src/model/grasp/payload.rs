@@ -1,4 +1,4 @@
-//! A body carried by an arm, and its load while the arm accelerates and turns.
+//! A body carried by an arm, and the load that it exerts while the arm accelerates and turns.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -10,15 +10,15 @@ use crate::numerics::Space;
 /// Standard gravity, rounded, m/s².
 const GRAVITY: f64 = 9.81;
 
-/// A body with a mass, carried by an arm; [`Self::load`] is its load on the grasp.
+/// A body with a mass, carried by an arm; [`Self::load`] is the load that it puts on the grasp.
 ///
-/// With the centre of mass c, the mass m and the moment of inertia I about c, the load is that of gravity g less the inertia of the body:
+/// With the centre of mass c, the mass m and the moment of inertia I about c, the load is the weight less the inertial force:
 ///
 /// ```text
 /// a_c = a + α × r + ω × (ω × r),  r = c - p        force m (g - a_c) at c,  moment -(I α + ω × I ω)
 /// ```
-///
-/// where the arm's point p has the acceleration a, and the arm turns about p with the angular velocity ω and acceleration α. Axes and moments are
+/// where the arm's point p has the acceleration a, and the arm turns about p with the angular velocity ω and the angular acceleration α. Axes
+/// and reference point of the moments are those of the grasp at that instant.
 /// those of the grasp at that instant.
 ///
 /// ```
@@ -43,7 +43,7 @@ const GRAVITY: f64 = 9.81;
 pub struct Payload<const C: usize> {
     mass: f64,
     centre: Vector3<f64>,
-    /// Matrix of inertia about the centre of mass; in the plane only its last diagonal entry counts.
+    /// Inertia matrix about the centre of mass, kg m²; the plane uses only its last diagonal entry.
     inertia: Option<Matrix3<f64>>,
 }
 
@@ -67,11 +67,11 @@ impl<const C: usize> Payload<C> {
         Self { mass, centre: of_space(centre.into()), inertia: None }
     }
 
-    /// Load of the body on its grasp while the arm moves like this.
+    /// Load of the body on its grasp during this motion of the arm.
     ///
     /// # Errors
-    /// [`Error::Argument`] unless the mass is from 0 to 1e50, and for a motion or an inertia that is not finite or too large. [`Error::Question`] if
-    /// the moment of inertia is needed and was not given: where the arm has an angular acceleration, and in space where it turns at all.
+    /// [`Error::Argument`] unless the mass is from 0 to 1e50, and for a motion or an inertia that is not finite or too large.
+    /// [`Error::Question`] if the moment of inertia is missing but needed: for an angular acceleration, and in space for any rotation.
     /// [`Error::Wrench`] for a load that overflows.
     pub fn load(&self, arm: &ArmMotion<C>) -> Result<Wrench<C>, Error> {
         let Self { mass, centre, inertia } = *self;
@@ -105,7 +105,7 @@ impl Payload<3> {
         let force = (gravity - centre_accelerates) * self.mass;
         let spin = match self.inertia {
             Some(inertia) => inertia * alpha + omega.cross(&(inertia * omega)),
-            // Rotation in the plane has one fixed axis, and so no gyroscopic moment.
+            // Rotation in the plane has a fixed axis and therefore no gyroscopic moment.
             None if *alpha == Vector3::zeros() && (space == Space::Planar || *omega == Vector3::zeros()) => {
                 Vector3::zeros()
             }
@@ -122,8 +122,8 @@ impl Payload<3> {
 }
 
 impl<const C: usize> Payload<C> {
-    /// Sets moments of inertia about axes through the centre of mass along x, y and z, kg m², which must be principal axes. In the plane only the
-    /// last one counts.
+    /// Sets the principal moments of inertia, kg m², about axes through the centre of mass along x, y and z. These axes must be principal axes.
+    /// The plane uses only the last moment.
     #[must_use]
     pub fn of_inertia(mut self, axes: [f64; 3]) -> Self {
         self.inertia = Some(Matrix3::from_diagonal(&axes.into()));
@@ -140,13 +140,14 @@ impl Payload<2> {
 }
 
 impl Payload<3> {
-    /// Sets moments of inertia about axes through the centre of mass along the coordinate axes, kg m², which must be principal axes.
+    /// Sets the principal moments of inertia, kg m², about axes through the centre of mass along the coordinate axes, which must be principal
+    /// axes.
     #[must_use]
     pub fn inertia(self, axes: impl Into<[f64; 3]>) -> Self {
         self.of_inertia(axes.into())
     }
 
-    /// Sets the matrix of inertia about the centre of mass, kg m², row by row.
+    /// Sets the inertia matrix about the centre of mass, kg m², row by row.
     #[must_use]
     pub fn inertia_matrix(mut self, rows: impl Into<[[f64; 3]; 3]>) -> Self {
         self.inertia = Some(Matrix3::from(rows.into()).transpose());
@@ -188,15 +189,15 @@ impl<const C: usize> ArmMotion<C> {
         self
     }
 
-    /// Sets the acceleration of the arm, m/s²; for an arm that turns, of the point about which it turns.
+    /// Sets the acceleration of the arm, m/s². If the arm turns, it is the acceleration of the point about which the arm turns.
     #[must_use]
     pub fn accelerated(mut self, acceleration: impl Into<[f64; C]>) -> Self {
         self.acceleration = of_space(acceleration.into());
         self
     }
 
-    /// Adds a rotation about a point, m. The angular velocity, rad/s, and acceleration, rad/s², have three components, of which the plane uses the
-    /// last.
+    /// Adds a rotation about a point, m. Angular velocity, rad/s, and angular acceleration, rad/s², have three components; the plane uses only
+    /// the last.
     #[must_use]
     pub fn and_turning(
         mut self,
@@ -210,7 +211,7 @@ impl<const C: usize> ArmMotion<C> {
         self
     }
 
-    /// Refuses numbers that are not finite or too large.
+    /// Returns an error for numbers that are not finite or too large.
     fn check(&self) -> Result<(), Error> {
         let all = [
             ("gravity", &self.gravity),
@@ -229,7 +230,7 @@ impl<const C: usize> ArmMotion<C> {
 }
 
 impl ArmMotion<2> {
-    /// An arm that turns about a point, m, with an angular velocity, rad/s, and an angular acceleration, rad/s², from x to y.
+    /// An arm that turns about a point, m, with an angular velocity, rad/s, and an angular acceleration, rad/s², positive from x to y.
     #[must_use]
     pub fn turning(about: impl Into<[f64; 2]>, velocity: f64, acceleration: f64) -> Self {
         Self::still().and_turning(about, [0.0, 0.0, velocity], [0.0, 0.0, acceleration])
@@ -237,8 +238,8 @@ impl ArmMotion<2> {
 }
 
 impl ArmMotion<3> {
-    /// An arm that turns about an axis through a point, m, with an angular velocity, rad/s, and an angular acceleration, rad/s²: vectors along the axis, by
-    /// the right-hand rule.
+    /// An arm that turns about a point, m, with an angular velocity, rad/s, and an angular acceleration, rad/s². Both are vectors along the axis
+    /// of rotation, by the right-hand rule.
     #[must_use]
     pub fn turning(
         about: impl Into<[f64; 3]>,

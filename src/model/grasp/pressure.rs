@@ -1,12 +1,11 @@
-//! Pressure over a soft fingertip, and the few distances from its centre at which points represent it.
+//! Pressure profiles of a soft fingertip, and the quadrature points that represent them.
 
 use crate::numerics::Space;
 use crate::prelude::*;
 
-/// Pressure over a disc of radius R, or over a line of half-width R in the plane, at the distance r
-/// from its centre.
+/// Profile of the pressure at the distance r from the centre, over a disc of radius R in space or a line of half-width R in the plane.
 ///
-/// Means over the load, ⟨f⟩ = ∫ f p / ∫ p:
+/// Means weighted by the pressure, ⟨f⟩ = ∫ f p / ∫ p:
 ///
 /// | profile | p(r) ~ | disc ⟨r⟩ | disc ⟨r²⟩ | line ⟨r²⟩ |
 /// |---|---|---|---|---|
@@ -18,7 +17,7 @@ use crate::prelude::*;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Pressure {
-    /// The same everywhere: a flat punch on a bed of springs, a cup.
+    /// Constant pressure: a flat punch on a bed of springs, or the lip of a cup.
     #[default]
     Uniform,
     /// A paraboloid, zero at the rim: a ball pressed into a bed of springs.
@@ -27,7 +26,7 @@ pub enum Pressure {
     Hertz,
 }
 
-/// Pressure concentrated at one distance from the centre.
+/// A quadrature node: the load at one distance from the centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Layer {
     /// Distance from the centre, in units of the radius.
@@ -37,16 +36,16 @@ pub(super) struct Layer {
 }
 
 impl Pressure {
-    /// Layers for `bands` bands of equal width (annuli of a disc, strips on both sides of a line), two for each.
+    /// Quadrature nodes for `bands` bands of equal width (annuli of a disc, or strips on both sides of a line), two nodes per band.
     ///
-    /// Over the band [a, b] the density ρ^(c-2) p(ρ) (c = 2 for a line, 3 for a disc) has the moments `m_k = ∫ ρ^k density dρ`. One layer lies on the
-    /// outer edge b, the other one at x. Their shares and x give m_0, m_1 and m_2 exactly (Radau's rule with two points):
+    /// Over the band [a, b] the density ρ^(c-2) p(ρ) (c = 2 for a line, 3 for a disc) has the moments `m_k = ∫ ρ^k density dρ`. One node lies on
+    /// the outer edge b, the other one at x. Their shares and x are chosen to reproduce m_0, m_1 and m_2 (Radau's rule with two points):
     ///
     /// ```text
     /// x = (b m_1 - m_2) / (b m_0 - m_1),   share at x = (b m_0 - m_1) / (b - x),   at b = (m_1 - x m_0) / (b - x)
     /// ```
     ///
-    /// Hence the load, ⟨r⟩, ⟨r²⟩ and the rim agree with the continuum for any number of bands.
+    /// Load, ⟨r⟩, ⟨r²⟩ and the radius of the rim thus agree with the continuum for any number of bands.
     pub(super) fn layers(self, space: Space, bands: usize) -> Vec<Layer> {
         let around = i32::from(space == Space::Spatial);
         let moment = |k, a, b| self.integral(k + around, b) - self.integral(k + around, a);
@@ -87,7 +86,7 @@ impl Pressure {
 mod tests {
     use super::*;
 
-    /// Against the midpoint rule on the density itself, band by band, in the plane and in space.
+    /// Compares with the midpoint rule on the density itself, band by band, in the plane or in space.
     fn layers_carry_the_moments_of_their_band(space: Space) {
         let density = |pressure: Pressure, r: f64| {
             (if space == Space::Spatial { r } else { 1.0 })
@@ -127,7 +126,7 @@ mod tests {
         layers_carry_the_moments_of_their_band(Space::Planar);
     }
 
-    /// Thin bands lose digits to cancellation; the layers still lie in their bands, in order, with positive shares.
+    /// Thin bands lose digits to cancellation. Their nodes must still lie in their bands, in order, with positive shares.
     #[test]
     fn layers_lie_in_their_bands() {
         for pressure in [Pressure::Uniform, Pressure::Parabolic, Pressure::Hertz] {

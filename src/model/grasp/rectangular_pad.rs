@@ -11,10 +11,11 @@ use crate::numerics::Space;
 use crate::prelude::*;
 
 impl SoftFingertip<3> {
-    /// A rectangular pad with sides a, b (m) along the first and the second tangent, under uniform pressure. Half of each side is cut into the given
-    /// number of strips, each represented by two points: 16 points for `[1, 1]`, four of them on every edge.
+    /// A rectangular pad with sides a, b (m) along the first and the second tangent, under uniform pressure. Half of each side is divided into
+    /// the given number of strips, and two points represent each strip. `[1, 1]` gives 16 points, four of them on every edge.
     ///
-    /// With the normal and tangential stiffness k_n, k_t, squeezed by N, it agrees with the uniform pad, to rounding, for any number of strips:
+    /// With the normal and tangential stiffness k_n, k_t and the normal force N, the points reproduce the uniform pad to rounding for any number
+    /// of strips:
     ///
     /// | | formula |
     /// |---|---|
@@ -23,7 +24,8 @@ impl SoftFingertip<3> {
     /// | first opening under a moment (M_1, M_2) about the tangents, N m | M_1 6/b + M_2 6/a = N, absolute values |
     /// | first sliding under torsion, N m: a corner | μ N √(a² + b²)/6 |
     ///
-    /// The torsional friction limit `μ N ⟨r⟩` is that of the points: below that of the uniform pad by at most 2.2 % for one strip and 0.4 % for two.
+    /// The torsional friction limit `μ N ⟨r⟩` of the points is lower than that of the uniform pad, by at most 2.2 % for one strip and 0.4 % for
+    /// two.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, SoftFingertip};
@@ -58,8 +60,7 @@ impl SoftFingertip<3> {
         Ok(Self { radius: halves[0].hypot(halves[1]), points })
     }
 
-    /// Stiffness against tilting about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`. They are equal for rings and
-    /// discs.
+    /// Tilting stiffnesses about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`. Both are equal for rings and discs.
     #[must_use]
     pub fn tilting_stiffnesses(&self, contact: &Contact<3>) -> [f64; 2] {
         [2, 1].map(|axis| contact.series_stiffness_of_axes()[0] * self.square(axis))

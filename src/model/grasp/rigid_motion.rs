@@ -1,26 +1,24 @@
-//! From a twist, which is small to first order, to a rigid motion and back.
+//! Conversion of a twist, a motion to first order, to a finite rigid motion and back.
 //!
-//! The exponential map: the object moves on a screw of constant pitch whose velocity is the twist,
-//! for one unit of time. With the rotation vector θ, the translation u of the origin, its part u∥
-//! along θ and its part u⊥ across,
+//! The exponential map: the object moves along a screw of constant pitch whose velocity is the twist, for one unit of time. With the rotation
+//! vector θ, the translation u of the origin, its component u∥ along θ and its component u⊥ across θ,
 //!
 //! ```text
 //! rotation     exp(θ)
 //! translation  R(θ/2) (s u⊥ + u∥),      s = sin(|θ|/2) / (|θ|/2)   (chord over arc)
 //! ```
 //!
-//! Any other rigid motion that fits the twist differs from it to second order, about which the first-order answers of this crate say nothing. The
-//! exponential map does not depend on the frame: a pure rotation about a pivot stays one, however far away the origin lies.
+//! Any other rigid motion that agrees with the twist to first order differs from this one to second order, which first-order answers do not
+//! determine. The exponential map does not depend on the frame: a pure rotation about a pivot remains one for every choice of the origin.
 
 use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQuaternion, Vector3};
 
 use super::wrench::Twist;
 
 impl Twist<2> {
-    /// The rigid motion of this twist, by the exponential map: the object turns by θ, and its
-    /// origin moves by `s R(θ/2) u` with the ratio of chord to arc `s = sin(|θ|/2) / (|θ|/2)`.
-    /// Other rigid motions that fit the twist to first order differ from this one to second order
-    /// only. This one turns about one pivot, wherever the origin lies.
+    /// The rigid motion of this twist, by the exponential map. The object turns by θ, and its origin moves by `s R(θ/2) u` with the ratio of
+    /// chord to arc `s = sin(|θ|/2) / (|θ|/2)`. Other rigid motions that agree with the twist to first order differ from this one only to second
+    /// order. This one turns about a single pivot, for every choice of the origin.
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Point2, planar::Twist};
@@ -39,8 +37,7 @@ impl Twist<2> {
         Isometry2::new(translation, self.rotation())
     }
 
-    /// The twist whose rigid motion this is, with a rotation from -π to π: the inverse of
-    /// [`Self::exp`].
+    /// The twist of a rigid motion, with a rotation from -π to π: the inverse of [`Self::exp`].
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Isometry2, planar::Twist};
@@ -59,11 +56,10 @@ impl Twist<2> {
 }
 
 impl Twist<3> {
-    /// The rigid motion of this twist, by the exponential map: the object turns by |θ| about θ, and
-    /// its origin moves by `R(θ/2) (s u⊥ + u∥)`. The translation u has the part u∥ along θ and u⊥
-    /// across; `s = sin(|θ|/2) / (|θ|/2)` is the ratio of chord to arc. Other rigid motions that
-    /// fit the twist to first order differ from this one to second order only. This one is a screw
-    /// about one line, wherever the origin lies.
+    /// The rigid motion of this twist, by the exponential map. The object turns by |θ| about θ, and its origin moves by `R(θ/2) (s u⊥ + u∥)`.
+    /// The translation u has the component u∥ along θ and u⊥ across; `s = sin(|θ|/2) / (|θ|/2)` is the ratio of chord to arc. Other rigid
+    /// motions that agree with the twist to first order differ from this one only to second order. This one is a screw motion about a single
+    /// line, for every choice of the origin.
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Point3, spatial::Twist};
@@ -84,8 +80,7 @@ impl Twist<3> {
         Isometry3::from_parts((half * chord).into(), half * half)
     }
 
-    /// The twist whose rigid motion this is, with a rotation of at most π: the inverse of
-    /// [`Self::exp`].
+    /// The twist of a rigid motion, with a rotation of at most π: the inverse of [`Self::exp`].
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::{Isometry3, Vector3}, spatial::Twist};
@@ -105,7 +100,7 @@ impl Twist<3> {
     }
 }
 
-/// The part of `v` along `axis`; zero where there is no axis.
+/// The component of `v` along `axis`, as a vector; zero if `axis` is zero.
 fn along(axis: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     axis.try_normalize(0.0).map_or_else(Vector3::zeros, |axis| axis * axis.dot(v))
 }

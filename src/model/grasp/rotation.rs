@@ -1,22 +1,22 @@
-//! Moments and rotations written once for the plane and for space.
+//! Moments and rotations, in one form for the plane and for space.
 //!
-//! A rotation turns a plane (i, j): the plane has one, (x, y); space has three, (y, z), (z, x), (x,
-//! y), which are the rotations about x, y and z. With r the arm, f a force and θ the rotations,
+//! A rotation turns a coordinate plane (i, j). The plane has only (x, y); space has (y, z), (z, x) and (x, y), whose rotations are about x, y
+//! and z. With r the arm, f a force and θ the rotations,
 //!
 //! ```text
 //! moment_k       = r_i f_j - r_j f_i
 //! displacement_i = -θ_k r_j,   displacement_j = θ_k r_i
 //! ```
 //!
-//! so that `d = c + c(c-1)/2`: 3 degrees of freedom in the plane (c = 2), 6 in space (c = 3).
+//! so that an object has `d = c + c(c-1)/2` degrees of freedom: 3 in the plane (c = 2), 6 in space (c = 3).
 //!
-//! A planar grasp has vectors of three components, too: the last one is zero, and so is the third axis of its contact frames.
+//! Planar grasps, too, have vectors of three components. The last component is zero, and so is the third axis of their contact frames.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::numerics::{DoubleDouble, Map, Size, Space, Vector};
 
-/// Refuses other dimensions at compile time.
+/// Makes other numbers of axes an error at compile time.
 pub(crate) const fn assert_plane_or_space<const C: usize>() {
     assert!(
         C == 2 || C == 3,
@@ -26,7 +26,7 @@ pub(crate) const fn assert_plane_or_space<const C: usize>() {
 }
 
 impl Space {
-    /// A vector over all coordinates, with zeros behind the object's.
+    /// A copy of `v` in which all coordinates except the object's are zero.
     pub(crate) fn object_alone(self, v: &Vector) -> Vector {
         let mut alone = v.clone();
         alone.iter_mut().skip(self.of_the_object()).for_each(|x| *x = 0.0);
@@ -45,7 +45,7 @@ impl Space {
         w
     }
 
-    /// Displacement, to first order, of the point at the end of `arm` under the twist (translation, rotation).
+    /// Displacement, to first order, of the point at the end of `arm` under a twist (translation, rotation).
     pub(crate) fn displacement_of<const C: usize>(
         self,
         arm: &SVector<f64, C>,
@@ -62,7 +62,7 @@ impl Space {
         u
     }
 
-    /// A wrench about `p`, converted to the origin.
+    /// Converts a wrench with moments about `p` to moments about the origin.
     pub(crate) fn moved_wrench<const C: usize>(self, p: &SVector<f64, C>, w: &Vector) -> Vector {
         let moments = self.wrench_of::<C>(p, &self.linear_part(w));
         let mut moved = w.clone();
@@ -72,7 +72,7 @@ impl Space {
         moved
     }
 
-    /// A twist of the object's point at `p`, converted to the point at the origin.
+    /// Converts a twist with the translation of the point at `p` to one with the translation of the origin.
     pub(crate) fn moved_twist<const C: usize>(self, p: &SVector<f64, C>, q: &Vector) -> Vector {
         let translation = self.displacement_of::<C>(&-p, q);
         let mut moved = q.clone();
@@ -91,7 +91,7 @@ impl Space {
         part
     }
 
-    /// The grasp map of one contact, `d x c`: the columns are the wrenches of unit forces along the axes of its frame.
+    /// The grasp map of one contact: its columns are the wrenches of unit forces along the axes of the contact frame.
     pub(crate) fn grasp_map(self, size: Size, arm: &SVector<f64, 3>, frame: &SMatrix<f64, 3, 3>) -> Map {
         let mut map = Map::zeros(size);
         for a in 0..self.axes() {
@@ -100,7 +100,8 @@ impl Space {
         map
     }
 
-    /// The grasp map about `origin` in the unit `length`, and its rounding: the exact map of this point and this frame less the first, rounded.
+    /// The grasp map about `origin` with arms in units of `length`, and its rounding error: the exact map for this point and frame minus the
+    /// rounded map.
     pub(super) fn grasp_map_in_twice(
         self,
         size: Size,
@@ -138,7 +139,7 @@ pub(crate) const fn of_the_object<const C: usize>() -> usize {
     Space::of::<C>().of_the_object()
 }
 
-/// A vector with these components along the first `axes` axes, and zeros behind them.
+/// A vector with these components along the first `axes` axes; the others are zero.
 pub(crate) fn of_axes<const C: usize>(axes: usize, component: impl Fn(usize) -> f64) -> SVector<f64, C> {
     SVector::from_fn(|a, _| if a < axes { component(a) } else { 0.0 })
 }

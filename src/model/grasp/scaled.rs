@@ -1,4 +1,4 @@
-//! The parts that press in a grasp, and the grasp with the press of one part scaled.
+//! The parts of a grasp that press, and copies of the grasp with the press of one part scaled.
 
 use super::engine::Engine;
 use super::whole_contact::ContactPoints;
@@ -8,23 +8,23 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{listed, printable};
 
-/// A part that presses: a body by its load, or a contact, a cable or a joint by its command.
+/// A part that presses: a body through its load, or a contact, a cable or a joint through its command.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PressOfPart {
     pub(crate) name: String,
     pub(crate) is_body: bool,
-    /// The magnitude of its force or moment, with the unit; `None` if no single number gives it.
+    /// Magnitude of its force or moment, with the unit; `None` if no single number describes it.
     pub(crate) size: Option<(f64, &'static str)>,
 }
 
 impl Engine {
-    /// Whether a command, a held force or a vacuum of this contact is not zero.
+    /// Whether this contact has a nonzero command, constant force or vacuum.
     pub(crate) fn is_commanded(&self, point: usize) -> bool {
         let contact = &self.contacts[point];
         contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
     }
 
-    /// Whether a command, or a held torque, of a joint or a tendon is not zero, beside those of contacts that are held by a force.
+    /// Whether a joint or a tendon has a nonzero command or constant torque. The slides of contacts with a constant force do not count.
     pub(crate) fn is_driven(&self) -> bool {
         let is_pushed =
             |contact: &&ContactPoints| self.contacts[contact.range.start].force.unwrap_or(0.0) != 0.0;
@@ -35,12 +35,12 @@ impl Engine {
         })
     }
 
-    /// Whether a command, a held force or torque, or a vacuum is not zero: the squeeze consists of these.
+    /// Whether the grasp has a squeeze: a nonzero command, constant force or torque, or vacuum.
     pub(crate) fn is_squeezed(&self) -> bool {
         self.is_driven() || (0..self.len()).any(|point| self.is_commanded(point))
     }
 
-    /// Whether everything that acts beside the loads of questions is in proportion to the squeeze. Then twice the squeeze takes twice the load.
+    /// Whether all forces except the caller's loads scale with the squeeze. Twice the squeeze then carries twice the load.
     pub(crate) fn is_proportional(&self) -> bool {
         let stays = self.linkage().is_some_and(|linkage| {
             let loads = linkage.bodies.as_ref().map_or(&[][..], |bodies| &bodies.loads);
@@ -52,15 +52,15 @@ impl Engine {
         !stays && self.contacts.iter().all(|contact| contact.clearance == 0.0)
     }
 
-    /// Bodies whose own loads press.
+    /// Names of the bodies with a nonzero load of their own.
     pub(crate) fn loaded_bodies(&self) -> Vec<String> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let loaded = bodies.names.iter().zip(&bodies.given).filter(|(_, load)| **load != Wrench::ZERO);
         loaded.map(|(name, _)| name.to_string()).collect()
     }
 
-    /// The part of this name, and this grasp with the press of the part multiplied by `factor`: the load of a body without its weight; the command,
-    /// force and vacuum of a contact or a link; the command and the torque of a joint.
+    /// Looks up the part with this name, and returns a copy of the grasp in which its press is multiplied by `factor`. The press is the load of
+    /// a body without its weight; the command, force and vacuum of a contact or a link; or the command and the constant torque of a joint.
     ///
     /// # Errors
     /// [`Error::Part`] if no part has this name, or the part does not press; [`Error::Argument`] if the factor is out of range.

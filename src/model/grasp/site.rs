@@ -1,4 +1,4 @@
-//! One contact or drive in the engine.
+//! One site: a contact, or a drive of a hand.
 
 use crate::numerics::{Map, Size, Vector, WHOLE};
 use alloc::sync::Arc;
@@ -13,16 +13,16 @@ use crate::error::Error;
 use crate::numerics::DoubleDouble;
 use crate::numerics::Space;
 
-/// Data of one contact or drive, in inside coordinates.
+/// Data of one contact or drive, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Site {
     /// Grasp map G_i.
     pub(crate) map: Map,
-    /// Rounding of G_i for the given points and frame: the exact map less G_i.
+    /// Rounding error of G_i for the given point and frame: the exact map minus G_i.
     pub(crate) map_rest: Map,
     /// Norm of G_i.
     size: f64,
-    /// Coordinates in which G_i has entries.
+    /// Coordinates in which G_i is not zero.
     pub(crate) support: Support,
     /// Contact frame, columns n, t….
     pub(crate) frame: SMatrix<f64, 3, 3>,
@@ -30,15 +30,15 @@ pub(crate) struct Site {
     pub(crate) space: Space,
     pub(crate) springs: Compliance,
     pub(crate) friction: Coulomb,
-    /// Friction cone while it slides, if smaller than at rest.
+    /// Kinetic friction cone, if smaller than the static one.
     pub(crate) kinetic: Option<Coulomb>,
     pub(crate) hold: Hold,
-    /// Polygon that replaces the friction cone, whatever the settings; for drives that slip.
+    /// Polygon that replaces the friction cone for any settings; used by drives that slip.
     pub(crate) polygon: Option<Arc<Polygon>>,
 }
 
 impl Site {
-    /// The contact with this index, about the centroid `origin` and in the inside unit of `length`.
+    /// The site of a contact, with arms from the centroid `origin` in units of `length`.
     ///
     /// # Errors
     /// [`Error::Contact`] if the contact has no frame.
@@ -70,14 +70,14 @@ impl Site {
         })
     }
 
-    /// This site with another map, taken as exact.
+    /// A copy of this site with another map, which is taken as exact.
     pub(crate) fn with_map(&self, mut map: Map) -> Self {
         let mut map_rest = Map::zeros(map.size());
         let (size, support) = (map.norm(), Support::of(self.space, &mut map, &mut map_rest));
         Self { map, map_rest, size, support, ..self.clone() }
     }
 
-    /// A site with a force along one of its own axes only: a drive of a hand.
+    /// A site whose force acts along only one of its axes: a drive of a hand.
     pub(super) fn of_axis(
         space: Space,
         size: Size,
@@ -102,8 +102,8 @@ impl Site {
         }
     }
 
-    /// Adds the motion of the contact with joints: columns of its Jacobian along the coordinate axes, and the lengths that measure joint
-    /// displacements. The contact force acts on the object with the factor `on_object`: 1, -1 or 0.
+    /// Adds the motion of the contact with its joints: the columns of its Jacobian along the coordinate axes, divided by the joints' reference
+    /// `lengths`. The contact force acts on the object with the factor `on_object`: 1, -1 or 0.
     pub(super) fn move_with(
         &mut self,
         space: Space,
@@ -121,7 +121,7 @@ impl Site {
         for (coordinate, motion) in motions {
             let k = object + coordinate;
             for a in 0..axes {
-                // A motion of the finger stretches the springs like a motion of the object in the opposite direction, hence the sign.
+                // A motion of the finger stretches the springs like the opposite motion of the object, hence the minus sign.
                 let entry = -self.frame.column(a).into_owned().dot(motion) / lengths[k];
                 let mut rest = DoubleDouble::new(-entry * lengths[k]);
                 for b in 0..axes {
@@ -134,13 +134,13 @@ impl Site {
         self.support = Support::of(space, &mut self.map, &mut self.map_rest);
     }
 
-    /// Entries of a column of G_i within a range, and their rounding.
+    /// Entries of a column of G_i within a range of coordinates, and their rounding errors.
     #[inline(always)]
     pub(crate) fn column_in_twice(&self, axis: usize, range: Range<usize>) -> (&[f64], &[f64]) {
         (self.map.column_within(axis, range.clone()), self.map_rest.column_within(axis, range))
     }
 
-    /// A column of G_i and its rounding, for the coordinates of one object.
+    /// A column of G_i and its rounding errors, if the grasp has only the coordinates of one object.
     #[inline]
     pub(crate) fn whole_column_in_twice(&self, axis: usize) -> Option<[&[f64; WHOLE]; 2]> {
         Some([self.map.whole_column(axis)?, self.map_rest.whole_column(axis)?])
@@ -152,7 +152,7 @@ impl Site {
         self.map.size()
     }
 
-    /// The law of the contact at rest.
+    /// The contact law at rest, with the whole friction cone.
     pub(crate) fn whole_law(&self) -> Law {
         match self.hold {
             Hold::Unilateral => Law::Cone { gap: true },
@@ -167,20 +167,20 @@ impl Site {
         offset - self.map.tr_mul(twist)
     }
 
-    /// Scale of rounding of the displacements at the contact: translation and rotation may cancel there, but their rounding does not.
+    /// Size that scales the rounding of displacements at the contact. Translation and rotation may cancel there; their rounding errors do not.
     #[inline(always)]
     pub(crate) fn span(&self, offset: &SVector<f64, 3>, twist: &Vector) -> f64 {
         self.span_moved(offset, twist.norm())
     }
 
-    /// [`Self::span`], of a twist with this norm.
+    /// [`Self::span`] for a twist with this norm.
     #[inline(always)]
     pub(crate) fn span_moved(&self, offset: &SVector<f64, 3>, twist: f64) -> f64 {
         offset.norm() + self.size * twist
     }
 }
 
-/// Number of coordinates of these sites; a grasp has at least one site.
+/// Number of coordinates of a grasp with these sites.
 #[inline]
 pub(crate) fn size_of(sites: &[Site]) -> Size {
     sites.first().map_or(Size::default(), Site::coordinates)

@@ -7,12 +7,12 @@ use nalgebra::SVector;
 pub(crate) enum Stiffness<const C: usize> {
     /// Springs of body and finger, given separately; `f64::INFINITY` means rigid.
     BodyAndFinger {
-        /// Springs between the body's core and its surface, u_c and u_d, N/m.
+        /// Springs between the core of the body (displacement u_c) and its surface (u_d), N/m.
         body: SVector<f64, C>,
-        /// Springs between the finger's core and its surface, u_f and u_e, N/m.
+        /// Springs between the core of the finger (displacement u_f) and its surface (u_e), N/m.
         finger: SVector<f64, C>,
     },
-    /// Both in series. Their shares of the deformation are unknown, and so are displacements of the surfaces.
+    /// The series stiffness of both, N/m. Their shares of the deflection, and thus the displacements of the surfaces, are unknown.
     Series(SVector<f64, C>),
 }
 
@@ -25,7 +25,7 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
-    /// Springs of body and finger; both rigid if only their series is known.
+    /// Springs of body and finger, N/m; both infinite if only their series stiffness is known.
     pub(super) fn sides(&self) -> [SVector<f64, C>; 2] {
         match self {
             Self::BodyAndFinger { body, finger } => [*body, *finger],
@@ -33,7 +33,7 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
-    /// These springs with additional compliance of the finger in series, axis by axis, m/N.
+    /// These springs in series with an additional compliance of the finger, axis by axis, m/N.
     pub(super) fn softened(&self, compliance: &SVector<f64, C>) -> Self {
         let soften = |k: &SVector<f64, C>| k.zip_map(compliance, |k, more| in_series(k, 1.0 / more));
         match self {
@@ -44,12 +44,12 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
-    /// Springs multiplied by `factor`; a rigid side stays rigid.
+    /// All stiffnesses multiplied by `factor`; a rigid side stays rigid.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         self.each(|k| k * factor)
     }
 
-    /// [`Self::scaled`] for tangential springs alone.
+    /// Tangential stiffnesses multiplied by `factor`.
     pub(crate) fn scaled_tangentially(&self, factor: f64) -> Self {
         self.each(|k| SVector::from_fn(|axis, _| if axis == 0 { k[0] } else { k[axis] * factor }))
     }
@@ -65,15 +65,14 @@ impl<const C: usize> Stiffness<C> {
 }
 
 impl<const C: usize> Default for Stiffness<C> {
-    /// Rigid on both sides; a grasp refuses it, since forces between rigid bodies are not
-    /// determined.
+    /// Rigid on both sides. A grasp refuses this, since forces between rigid bodies are not determined.
     fn default() -> Self {
         let rigid = SVector::repeat(f64::INFINITY);
         Self::BodyAndFinger { body: rigid, finger: rigid }
     }
 }
 
-/// `a b / (a + b)`, without overflow and with an infinite side allowed.
+/// Series stiffness `a b / (a + b)`, without overflow; either side may be infinite.
 fn in_series(a: f64, b: f64) -> f64 {
     let (soft, stiff) = if a < b { (a, b) } else { (b, a) };
     if stiff.is_infinite() { soft } else { soft * (stiff / (soft + stiff)) }

@@ -7,29 +7,29 @@ use super::fingertip::{SoftFingertip, check};
 use crate::error::{Error, LARGEST};
 use crate::prelude::*;
 
-/// A suction cup: a vacuum pulls the object onto a lip, a ring of points that share the stiffness and friction of one contact.
+/// A suction cup: a vacuum pulls the object onto a lip. The lip is a ring of points that share the stiffness and friction of one contact.
 ///
-/// The vacuum acts between cup and object with a constant force V as long as the lip is closed. It is not part of the caller's load: an object that
-/// hangs from a cup is loaded by its weight alone. The lip presses with V less the pull on the object. With the radius R and the friction coefficient
-/// μ, the first point of the lip opens or slides under a load of one kind alone at
+/// The vacuum acts between cup and object with a constant force V while the lip is closed. It is not part of the caller's load: the load of an
+/// object that hangs from a cup is its weight alone. The lip presses with V less the pull on the object. With the radius R and the friction
+/// coefficient μ, the lip first opens or slides, under a load of one kind alone, at
 ///
-/// | load | | how |
+/// | load | value at first opening or slip | mode |
 /// |---|---|---|
-/// | a force away from the cup | V | all of the lip opens |
-/// | a force in the plane of the lip | μ V | all of it slides |
+/// | a force away from the cup | V | the whole lip opens |
+/// | a force in the plane of the lip | μ V | the whole lip slides |
 /// | a moment across the normal | V R/2 | one point opens |
-/// | a moment about the normal | μ V R | all of it slides |
+/// | a moment about the normal | μ V R | the whole lip slides |
 ///
-/// A real lip lets air in where its first point opens, which is the onset. At the latest the vacuum is gone where the whole lip is open:
+/// A real lip lets air in as soon as its first point opens, which is the onset. In this model the vacuum is lost when the whole lip is open:
 ///
 /// | question | answer |
 /// |---|---|
 /// | [`hold`](crate::ask::Grasp::hold), [`need`](crate::ask::Grasp::need) | the cup lets go ([`WayOut::LetsGo`](crate::hold::WayOut::LetsGo)), and the object is lost |
 /// | [`follow`](crate::ask::Grasp::follow), maps of held loads | the path ends ([`LossKind::LetsGo`](crate::load_path::LossKind::LetsGo)) |
 /// | [`onset`](crate::ask::Grasp::onset), also of a turn | [`beyond`](crate::ask::Grasp::beyond) returns [`Beyond::WithoutVacuum`](crate::load_path::Beyond::WithoutVacuum) |
-/// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups) lists the cup: the equilibrium does not hold |
-/// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the weakest direction, the reserve | every lip touches and sticks there |
-/// | [`statics`](crate::ask::Statics) | limits include the forces of vacuums; closure by cups alone is refused |
+/// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups) lists the cup: the equilibrium is not valid |
+/// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the weakest direction, the reserve | does not arise: every lip touches and sticks in these answers |
+/// | [`statics`](crate::ask::Statics) | limits include the vacuum forces; closure by cups alone is refused |
 /// | [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) | not detected: the vacuum stays on; check the contact states |
 ///
 /// ```
@@ -51,8 +51,8 @@ pub struct SuctionCup {
 }
 
 impl SuctionCup {
-    /// A cup whose lip is a ring of this radius (m) with `points` points, and whose vacuum pulls with this force (N). That is the difference of
-    /// pressure times the area within the lip, or a measured force.
+    /// A cup whose lip is a ring of this radius (m) with `points` points. The vacuum pulls with this force (N): the pressure difference times
+    /// the area within the lip, or a measured force.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for [`SoftFingertip::ring`], and unless the force is from 0 to 1e50.
@@ -61,7 +61,7 @@ impl SuctionCup {
         Ok(Self { lip: SoftFingertip::ring(radius, points)?, force })
     }
 
-    /// A cup with this pressure below ambient, Pa; its vacuum pulls with `π R²` times the pressure.
+    /// A cup with this pressure below ambient, Pa. Its vacuum force is `π R²` times the pressure, N.
     ///
     /// # Errors
     /// As for [`Self::of_force`].
@@ -70,7 +70,7 @@ impl SuctionCup {
         Self::of_force(radius, points, PI * radius * radius * pressure)
     }
 
-    /// Pull of its vacuum, N.
+    /// Force of the vacuum, N.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.force
@@ -82,7 +82,7 @@ impl SuctionCup {
         &self.lip
     }
 
-    /// The points of the lip, which share the springs of `contact` and the vacuum. See [`SoftFingertip::contacts`].
+    /// The points of the lip, which share the springs of `contact` and the vacuum force. See [`SoftFingertip::contacts`].
     ///
     /// # Errors
     /// As for [`SoftFingertip::contacts`].

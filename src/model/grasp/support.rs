@@ -1,4 +1,4 @@
-//! Coordinates on which a site depends.
+//! The coordinates in which a site's map has entries.
 
 use crate::numerics::{Map, Size};
 use core::ops::Range;
@@ -6,18 +6,18 @@ use core::ops::Range;
 use crate::numerics::Space;
 use crate::prelude::*;
 
-/// Coordinates in which a map has entries, as two ranges: those of the object, if any, and some neighbouring joints; or those of two bodies other
-/// than the object. A contact depends on the joints of one finger, a drive on its own.
+/// Coordinates in which a map has entries, as two ranges. The ranges are those of the object, if any, and of some neighbouring joints, or those
+/// of two other bodies. A contact depends on the joints of one finger, a drive on its own joint.
 #[derive(Debug, Clone)]
 pub(crate) struct Support {
     size: Size,
-    /// Number of coordinates of the object.
+    /// Number of coordinates of the object, 3 or 6.
     object: usize,
     ranges: [Range<usize>; 2],
 }
 
 impl Support {
-    /// Support of these two maps together; both then store these rows only.
+    /// Common support of two maps, which then store only the rows of these ranges.
     pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
         let size = map.size();
         let count = size.count();
@@ -35,7 +35,7 @@ impl Support {
         Self { size, object, ranges }
     }
 
-    /// Its coordinates, as two ranges. Without joints the first one has all coordinates.
+    /// Both ranges of coordinates. If the grasp has no joints the first range contains all coordinates.
     #[inline]
     pub(crate) fn ranges(&self) -> [Range<usize>; 2] {
         let all = self.object;
@@ -43,7 +43,7 @@ impl Support {
     }
 }
 
-/// Divides a range at the longest gap between the coordinates in `felt`.
+/// Divides a range at its longest gap between the coordinates in `felt`.
 fn apart(range: Range<usize>, felt: &[usize]) -> [Range<usize>; 2] {
     let Range { start, end } = range;
     let (mut gap, mut last) = (end..end, start);

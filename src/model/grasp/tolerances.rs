@@ -1,18 +1,19 @@
-//! The numbers below which a grasp and the words for its motions take a value for zero or for rounding.
+//! Tolerances of a grasp, and of the words for its motions.
 
-/// Remainder of a diagonal entry, over the entry, that is too far below zero to be rounding. Remainders beside the diagonal have the same
-/// bound.
+/// Largest negative pivot remainder, relative to its diagonal entry, that counts as rounding. The same bound applies to remainders of
+/// offdiagonal entries.
 ///
-/// Smaller, rounding makes a matrix indefinite; larger, an indefinite one passes.
+/// Smaller, rounding makes a semidefinite matrix indefinite; larger, an indefinite one is accepted.
 pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;
 
-/// Displacement by rotation, over the mean displacement of the points, up to which the words begin with the translation. Above it they begin with
-/// the rotation about its axis. Also the least speed of a body, over the fastest, at which it is named.
+/// Displacement due to rotation, divided by the mean displacement of the points, up to which a sentence begins with the translation. Above it
+/// the sentence begins with the rotation. Also the least speed of a body, relative to the fastest, at which it is named.
 ///
-/// Smaller, sentences name motions that hardly show; larger, they leave out bodies that move.
+/// Smaller, sentences report motions that are hardly visible; larger, they omit bodies that move.
 pub(super) const SEEN_MOTION: f64 = 0.05;
 
-/// Rounding of a way to an axis where only the motion is known, in m, and of components of a load over the largest one.
+/// Magnitudes that count as rounding: of the vector to an axis, in m, if only the motion is known, and of load components, relative to the
+/// largest.
 ///
-/// Smaller, sentences show numbers made of rounding; larger, they leave out small components.
+/// Smaller, sentences show rounding errors; larger, they omit small components.
 pub(super) const LITTLE_ROUNDING: f64 = 1e-13;

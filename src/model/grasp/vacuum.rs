@@ -1,4 +1,4 @@
-//! Pull of vacuums on the object: a constant load in addition to the caller's.
+//! Pull of the vacuums on the object: a constant load in addition to the caller's.
 
 use super::contact::Contact;
 use super::engine::Engine;
@@ -20,14 +20,14 @@ pub(crate) fn vacuum_is_gone(cups: &[WholeContact]) -> String {
 /// Total pull of the vacuums of all contacts.
 #[derive(Debug, Clone)]
 pub(crate) struct Vacuum {
-    /// On object and joints, in inside coordinates.
+    /// Generalised force on object and joints, in the engine's coordinates.
     pub(crate) inside: Vector,
-    /// On the object, as the caller sees loads.
+    /// Wrench on the object, in the caller's coordinates.
     pub(crate) on_object: Wrench<3>,
 }
 
 impl Vacuum {
-    /// Pulls between fingers and object along the contact normals; `None` without a vacuum.
+    /// Sums the forces between fingers and object along the contact normals; `None` without a vacuum.
     pub(super) fn of(space: Space, contacts: &[Contact<3>], sites: &[Site]) -> Option<Box<Self>> {
         if contacts.iter().all(|contact| contact.suction == 0.0) {
             return None;
@@ -42,19 +42,19 @@ impl Vacuum {
 }
 
 impl Contact<3> {
-    /// Wrench of its vacuum on the object, about the origin.
+    /// Wrench of the contact's vacuum on the object, about the origin.
     pub(crate) fn pulled(&self, site: &Site) -> Vector {
         self.space.wrench_of(&self.point, &(site.frame.column(0) * -self.suction))
     }
 }
 
 impl Engine {
-    /// Total pull of the vacuums, if there are any.
+    /// Total pull of the vacuums; `None` without any.
     pub(crate) fn vacuum(&self) -> Option<&Vacuum> {
         self.vacuum.as_deref()
     }
 
-    /// The suction cups whose lips are open all around, so that their vacuum is gone.
+    /// The suction cups whose lips are open at all points, so that their vacuum is lost.
     pub(crate) fn cups_open(&self, is_open: impl Fn(usize) -> bool) -> Vec<WholeContact> {
         if self.vacuum().is_none() {
             return Vec::new();
@@ -65,18 +65,18 @@ impl Engine {
         cups
     }
 
-    /// The first suction cup, if there is one.
+    /// The first suction cup, if any.
     pub(crate) fn first_cup(&self) -> Option<ContactLabel> {
         let cups = self.cups_open(|_| true);
         cups.first().map(|cup| self.wholes()[cup.contact].label.clone())
     }
 
-    /// Indices of the points that belong to these parts.
+    /// Indices of all contact points that belong to these parts.
     pub(crate) fn points_of(&self, parts: &[WholeContact]) -> Vec<usize> {
         parts.iter().flat_map(|part| self.wholes()[part.contact].range.clone()).collect()
     }
 
-    /// A load of the caller's plus the pull of the vacuums.
+    /// The caller's load plus the pull of the vacuums.
     pub(crate) fn with_vacuum(&self, load: &Wrench<3>) -> Wrench<3> {
         self.vacuum().map_or(*load, |vacuum| *load + vacuum.on_object)
     }

@@ -1,4 +1,4 @@
-//! Checks of a contact: its numbers, one by one, and the frame from its normal and tangent.
+//! Validation of a contact: its numbers one by one, and the frame from its normal and tangent.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -9,7 +9,7 @@ use crate::numerics::Space;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 impl<const C: usize> Contact<C> {
-    /// The contact frame: columns n, t (and t₂), orthonormal.
+    /// The contact frame: orthonormal columns n, t in the plane or n, t₁, t₂ in space.
     pub(crate) fn frame(&self, index: usize) -> Result<SMatrix<f64, C, C>, Error> {
         let fault =
             |field, value, allowed| Error::Contact { contact: self.label(index), field, value, allowed };
@@ -24,9 +24,9 @@ impl<const C: usize> Contact<C> {
             t[1] = -n[0];
             if let Some(hint) = &self.tangent {
                 let side = hint.dot(&t);
-                // Part of a tangent across the normal, over its length, up to which it counts as along the normal. Rounding turns a tangent by some
-                // 1e-16: with a smaller bound it would choose the direction of the frame. A much larger bound would refuse tangents with a clear
-                // direction.
+                // A given tangent whose component across the normal is below this fraction of its length counts as parallel to the normal.
+                // Rounding turns a tangent by some 1e-16, and must not choose the sign of t. A much larger bound would refuse tangents with a
+                // clear direction.
                 if !side.is_finite() || side.abs() <= SOLVED_ROUNDING * hint.norm() {
                     return Err(fault(
                         Field::Tangent,
@@ -47,7 +47,7 @@ impl<const C: usize> Contact<C> {
             axis[n.iamin()] = 1.0;
             axis
         };
-        // Projected twice, so that t₁ is orthogonal to n to the last bit even when the hint nearly points along n.
+        // The projection is repeated, so that t₁ is orthogonal to n to the last bit even if the given tangent is nearly parallel to n.
         let flat = hint - n * n.dot(&hint);
         let flat = flat - n * n.dot(&flat);
         if flat.norm() <= SOLVED_ROUNDING {
@@ -64,7 +64,7 @@ impl<const C: usize> Contact<C> {
         Ok(frame)
     }
 
-    /// Checks all numbers but those of the frame.
+    /// Checks all numbers except those of the frame.
     pub(crate) fn check(&self, index: usize) -> Result<(), Error> {
         let fault =
             |field, value, allowed| Err(Error::Contact { contact: self.label(index), field, value, allowed });
@@ -96,7 +96,7 @@ impl<const C: usize> Contact<C> {
         if self.friction != f64::INFINITY && !(is_moderate(self.friction) && self.friction >= 0.0) {
             return fault(Field::Friction, self.friction, "from 0 to 1e50, or infinite");
         }
-        // Least kinetic friction over that at rest: below it a sliding contact's friction force has no direction but rounding.
+        // Least ratio of kinetic to static friction. Below it the direction of a sliding contact's friction force is dominated by rounding.
         if let Some(kinetic) = self.kinetic
             && !(kinetic > 0.0 && kinetic >= self.friction * 1e-6 && kinetic <= self.friction)
         {
@@ -126,7 +126,7 @@ impl<const C: usize> Contact<C> {
     }
 }
 
-/// The unit vector along `v`, free of overflow; `None` for a zero or non-finite vector.
+/// The unit vector along `v`, without overflow; `None` for a zero or non-finite vector.
 pub(super) fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C>> {
     let largest = v.amax();
     if !(largest > 0.0 && v.iter().all(|x| x.is_finite())) {
@@ -136,7 +136,7 @@ pub(super) fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C
     Some(scaled / scaled.norm())
 }
 
-/// Value shown in messages for a bad vector: its non-finite component, or else its length.
+/// The number that a message shows for an invalid vector: its non-finite component, or else its length.
 pub(super) fn length_or_culprit<const C: usize>(v: &SVector<f64, C>) -> f64 {
     v.iter().copied().find(|x| !x.is_finite()).unwrap_or_else(|| v.norm())
 }

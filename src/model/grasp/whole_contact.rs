@@ -1,4 +1,4 @@
-//! Contacts as users count them: a soft fingertip is one, with several points.
+//! Contacts as users count them: a soft fingertip is one contact with several points.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -13,33 +13,33 @@ use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
-/// A contact in an answer, or some of the points of a soft fingertip.
+/// A contact in an answer; of a soft fingertip, possibly only some of its points.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct WholeContact {
-    /// Its place in the list of contacts, from 0; a soft fingertip counts as one.
+    /// Position in the list of contacts, from 0; a soft fingertip counts as one.
     pub contact: usize,
-    /// Its name, or "contact" and its place.
+    /// The user's name, or "contact" and the position.
     pub label: String,
-    /// Kind of the link between bodies that it represents; omitted for a contact.
+    /// Kind of the link between bodies that this contact represents; omitted for an ordinary contact.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub link: Option<LinkKind>,
-    /// Number of its points that the answer is about: 1 for a contact that is a point itself.
+    /// Number of points to which the answer applies; 1 for a contact that is a single point.
     pub points: usize,
-    /// Number of all its points.
+    /// Number of all points of the contact.
     pub of: usize,
 }
 
 impl WholeContact {
-    /// Whether the answer is about all of its points.
+    /// Whether the answer applies to all points of the contact.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         self.points == self.of
     }
 
-    /// Its name, made safe to print.
+    /// The name, safe to print.
     pub(crate) fn text(&self) -> Cow<'_, str> {
         printable(&self.label)
     }
@@ -128,7 +128,7 @@ impl WholeContacts {
 }
 
 impl<const C: usize> Contact<C> {
-    /// Whether it is the first point of a soft fingertip, or a contact of its own.
+    /// Whether the contact is the first point of a soft fingertip, or a single point.
     pub(crate) fn begins_a_whole(&self) -> bool {
         self.point_of_pad.unwrap_or(0) == 0
     }

@@ -1,4 +1,4 @@
-//! Wrenches and twists: loads on the object, and its small motions.
+//! Wrenches (loads on the object) and twists (its small motions).
 
 use crate::numerics::Vector;
 use core::fmt;
@@ -10,12 +10,11 @@ use super::rotation::of_the_object;
 use crate::error::{Error, is_moderate};
 use crate::numerics::Space;
 
-/// A load on the object: forces first, then moments about the origin of the coordinates, 3
-/// components in the plane and 6 in space.
+/// A load on the object: forces first, then moments about the origin of the coordinates. It has 3 components in the plane and 6 in space.
 ///
-/// A load acts **on the object** from outside, weight for instance; the contact forces F balance it, `Σ G_i F_i + W = 0`. Forces are in N and moments
-/// in N m, or in whatever consistent units the contacts use. Positive moments turn from x to y in the plane and follow the right-hand rule in space.
-/// External torques on the joints of a [hand](crate::grasp::Hand) are given [separately](crate::ask::Grasp::with_joint_torques).
+/// A load acts **on the object** from outside, as weight does, and the contact forces F balance it: `Σ G_i F_i + W = 0`. Forces are in N and
+/// moments in N m, or in any consistent units of the contacts. Positive moments turn from x to y in the plane and follow the right-hand rule in
+/// space. External torques on the joints of a [hand](crate::grasp::Hand) are given [separately](crate::ask::Grasp::with_joint_torques).
 ///
 /// ```
 /// use grasp_lcp::nalgebra::{Isometry2, Vector2};
@@ -33,13 +32,11 @@ use crate::numerics::Space;
 #[derive(Clone, Copy, PartialEq)]
 pub struct Wrench<const C: usize>(SVector<f64, 6>);
 
-/// A small motion of the object: translation of the origin of the coordinates, then rotation, 3
-/// components in the plane and 6 in space.
+/// A small motion of the object: translation of the origin of the coordinates, then rotation. It has 3 components in the plane and 6 in space.
 ///
-/// To first order the body moves at a point r by `translation + rotation × r`, equation 4.1 of the
-/// paper without its quadratic term; see [`Twist::displacement_at`]. Translations are in m,
-/// rotations in rad. Rotations turn from x to y in the plane and follow the right-hand rule in
-/// space.
+/// To first order the point r of the body moves by `translation + rotation × r`, equation 4.1 of the paper without its quadratic term; see
+/// [`Twist::displacement_at`]. Translations are in m, rotations in rad. Rotations turn from x to y in the plane and follow the right-hand rule
+/// in space.
 ///
 /// ```
 /// use grasp_lcp::nalgebra::{Isometry3, Vector3};
@@ -63,16 +60,16 @@ pub struct Twist<const C: usize>(SVector<f64, 6>);
 macro_rules! vector_like {
     ($name:ident) => {
         impl<const C: usize> $name<C> {
-            /// All components zero.
+            /// The zero vector.
             pub const ZERO: Self = Self(Matrix::from_array_storage(ArrayStorage([[0.0; 6]])));
 
-            /// Its components: linear ones first, then angular ones; (x, y, xy) in the plane, (x, y, z, x, y, z) in space.
+            /// The components, linear before angular: (x, y, xy) in the plane, (x, y, z, x, y, z) in space.
             #[must_use]
             pub fn components(&self) -> &[f64] {
                 &self.0.as_slice()[..of_the_object::<C>()]
             }
 
-            /// From its components in the order of [`Self::components`]; missing ones are zero, surplus ones are ignored.
+            /// A vector with these components, in the order of [`Self::components`]. Missing components are zero, surplus ones are ignored.
             #[must_use]
             pub fn from_components(components: &[f64]) -> Self {
                 let mut all = SVector::<f64, 6>::zeros();
@@ -80,7 +77,7 @@ macro_rules! vector_like {
                 Self(all)
             }
 
-            /// The components of the object, taken from all coordinates.
+            /// Extracts the object's components from all coordinates of the engine.
             pub(crate) fn among(space: Space, coordinates: &Vector) -> Self {
                 let mut all = SVector::<f64, 6>::zeros();
                 for (k, &place) in space.components::<C>().iter().enumerate() {
@@ -89,7 +86,7 @@ macro_rules! vector_like {
                 Self(all)
             }
 
-            /// As the first of all coordinates, with zeros behind them.
+            /// The engine's coordinates: these components first; those of joints and other bodies are zero.
             pub(crate) fn coordinates(&self, space: Space) -> Vector {
                 let mut coordinates = Vector::zeros();
                 for (k, &place) in space.components::<C>().iter().enumerate() {
@@ -139,13 +136,13 @@ macro_rules! vector_like {
     };
     ($name:ident, $axes:literal, $size:literal) => {
         impl $name<$axes> {
-            /// From its components: linear ones first, then angular ones.
+            /// A vector with these components, linear before angular.
             #[must_use]
             pub fn from_vector(components: impl Into<[f64; $size]>) -> Self {
                 Self::from_components(&components.into())
             }
 
-            /// Its components as a vector: linear ones first, then angular ones.
+            /// The components as a vector, linear before angular.
             #[must_use]
             pub fn to_vector(&self) -> SVector<f64, $size> {
                 self.coordinates(Space::of::<$axes>()).to_svector()
@@ -166,7 +163,7 @@ vector_like!(Wrench);
 vector_like!(Twist);
 
 impl<const C: usize> Wrench<C> {
-    /// A force through a point.
+    /// The wrench of a force, N, that acts at a point, m.
     pub(crate) fn force_through(point: &SVector<f64, C>, force: &SVector<f64, C>) -> Self {
         let space = Space::of::<C>();
         Self::among(space, &space.wrench_of(point, force))
@@ -177,12 +174,12 @@ impl<const C: usize> Wrench<C> {
         SVector::from_column_slice(&self.0.as_slice()[..C])
     }
 
-    /// Refuses components that are not finite or too large; `what` names the wrench in the message.
+    /// Returns an error for components that are not finite or too large; `what` names the wrench in the message.
     pub(crate) fn check(&self, what: &'static str) -> Result<(), Error> {
         self.check_in(Space::of::<C>(), what)
     }
 
-    /// [`Self::check`] inside the engine, for the plane or for space.
+    /// [`Self::check`] in the engine, for the plane or for space.
     pub(crate) fn check_in(&self, space: Space, what: &'static str) -> Result<(), Error> {
         for (component, &place) in space.components::<C>().iter().enumerate() {
             let value = self.0[place];
@@ -202,13 +199,13 @@ impl Wrench<2> {
         Self::from_vector([x, y, moment])
     }
 
-    /// A force through the origin, N, no moment.
+    /// A force through the origin, N, without a moment.
     #[must_use]
     pub fn force(force: impl Into<[f64; 2]>) -> Self {
         Self::new(force, 0.0)
     }
 
-    /// A force through `point`: its moment about the origin is `x f_y - y f_x`.
+    /// A force at `point`, whose moment about the origin is `x f_y - y f_x`.
     ///
     /// ```
     /// use grasp_lcp::planar::Wrench;
@@ -221,13 +218,13 @@ impl Wrench<2> {
         Self::force_through(&point.into().into(), &force.into().into())
     }
 
-    /// The sum of its forces, N.
+    /// The resultant force, N.
     #[must_use]
     pub fn resultant(&self) -> [f64; 2] {
         [self.0[0], self.0[1]]
     }
 
-    /// Its moment about the origin, from x to y, N m.
+    /// The moment about the origin, from x to y, N m.
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.0[2]
@@ -242,13 +239,13 @@ impl Wrench<3> {
         Self::from_vector([f[0], f[1], f[2], m[0], m[1], m[2]])
     }
 
-    /// A force through the origin, N, no moment.
+    /// A force through the origin, N, without a moment.
     #[must_use]
     pub fn force(force: impl Into<[f64; 3]>) -> Self {
         Self::new(force, [0.0; 3])
     }
 
-    /// A force through `point`: its moment about the origin is `point × force`.
+    /// A force at `point`, whose moment about the origin is `point × force`.
     ///
     /// ```
     /// use grasp_lcp::spatial::Wrench;
@@ -261,13 +258,13 @@ impl Wrench<3> {
         Self::force_through(&point.into().into(), &force.into().into())
     }
 
-    /// The sum of its forces, N.
+    /// The resultant force, N.
     #[must_use]
     pub fn resultant(&self) -> [f64; 3] {
         [self.0[0], self.0[1], self.0[2]]
     }
 
-    /// Its moment about the origin, N m.
+    /// The moment about the origin, N m.
     #[must_use]
     pub fn moment(&self) -> [f64; 3] {
         [self.0[3], self.0[4], self.0[5]]
@@ -275,7 +272,7 @@ impl Wrench<3> {
 }
 
 impl<const C: usize> Twist<C> {
-    /// Displacement of the object's point at `point`, to first order.
+    /// Displacement of the object's point at `point`, m, to first order.
     pub(crate) fn moves(&self, point: &SVector<f64, C>) -> SVector<f64, C> {
         let space = Space::of::<C>();
         space.displacement_of(point, &self.coordinates(space))

@@ -1,4 +1,4 @@
-//! Links and joints as the file describes them.
+//! Links and joints, as read from the file.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,31 +11,31 @@ use super::shapes::Shape;
 use crate::error::Error;
 use crate::grasp::{JointKind, Limit};
 
-/// A robot from a URDF, in a posture: see [the module](crate::robot).
+/// A robot from a URDF, in a posture; see [the module](crate::robot).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Robot {
     pub(super) links: Vec<String>,
-    /// From the roots outwards.
+    /// Joints, from the roots of the trees outwards.
     pub(super) joints: Vec<RobotJoint>,
-    /// The joint that carries each link; `None` of a root.
+    /// For each link the joint that carries it; `None` for a root.
     pub(super) carried_by: Vec<Option<usize>>,
-    /// Pose of the roots in the frame of the object.
+    /// Pose of the root links in the frame of the object.
     pub(super) base: Isometry3<f64>,
     /// Collision shapes of each link.
     pub(super) shapes: Vec<Vec<Shape>>,
-    /// The folder of the description file, in which meshes are looked for.
+    /// Folder of the description file, in which mesh files are searched.
     pub(super) folder: PathBuf,
 }
 
-/// A joint of a [`Robot`]. Positions are in rad, of a joint that slides in m.
+/// A joint of a [`Robot`]. Positions are in rad, or in m for a prismatic joint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RobotJoint {
     pub(super) name: String,
     pub(super) parent: usize,
-    /// Pose of the joint's frame in that of its parent link.
+    /// Pose of the joint's frame in the frame of its parent link.
     pub(super) origin: Isometry3<f64>,
     pub(super) axis: UnitVector3<f64>,
-    /// `None` of a fixed joint.
+    /// Kind of motion; `None` for a fixed joint.
     pub(super) kind: Option<JointKind>,
     pub(super) range: [f64; 2],
     pub(super) effort: f64,
@@ -46,7 +46,7 @@ pub struct RobotJoint {
     pub(super) limit: Option<Limit>,
 }
 
-/// The position of a joint that follows another: `factor · position + offset`.
+/// A joint whose position follows another's: `factor · position + offset`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mimics {
     pub(super) joint: usize,
@@ -55,25 +55,25 @@ pub(super) struct Mimics {
 }
 
 impl RobotJoint {
-    /// The name in the file.
+    /// The joint's name in the file.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The lower and the upper end of its range in the file, rad or m.
+    /// Lower and upper limit of the position in the file, rad or m.
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
         self.range
     }
 
-    /// Where it is, rad or m; of a joint that mimics another this does not count.
+    /// Position, rad or m. It is not used for a joint that mimics another.
     #[must_use]
     pub fn position(&self) -> f64 {
         self.position
     }
 
-    /// The largest torque or force of its motor in the file, N m or N.
+    /// Largest torque or force of the motor in the file, N m or N.
     #[must_use]
     pub fn effort(&self) -> f64 {
         self.effort
@@ -103,7 +103,7 @@ impl Robot {
     /// A robot from the text of a URDF, with all joints at zero.
     ///
     /// # Errors
-    /// [`Error::Robot`] if the text is no URDF, if its joints form no trees, and for a joint of another kind than revolute, continuous, prismatic and
+    /// [`Error::Robot`] if the text is not a URDF, if its joints form a loop, or for a joint that is not revolute, continuous, prismatic or
     /// fixed.
     pub fn from_urdf(text: &str) -> Result<Self, Error> {
         let read = urdf_rs::read_from_string(text).map_err(|error| fault(error.to_string()))?;
@@ -124,7 +124,7 @@ impl Robot {
             .iter()
             .map(|link| read.joints.iter().all(|joint| joint.child.link != *link))
             .collect();
-        // From the roots outwards: a joint follows once its parent is placed.
+        // Joints are added from the roots outwards, each after its parent link.
         let mut left: Vec<&urdf_rs::Joint> = read.joints.iter().collect();
         while !left.is_empty() {
             let before = left.len();
@@ -162,26 +162,26 @@ impl Robot {
         Ok(robot)
     }
 
-    /// The index of the link of this name.
+    /// The index of the link with this name.
     pub(crate) fn link(&self, name: &str) -> Result<usize, Error> {
         let found = self.links.iter().position(|link| link == name);
         found.ok_or_else(|| fault(format!("link {name}: is not there, there are {}", self.links.join(", "))))
     }
 
-    /// The index of the joint of this name.
+    /// The index of the joint with this name.
     pub(super) fn index(&self, name: &str) -> Result<usize, Error> {
         let found = self.joints.iter().position(|joint| joint.name == name);
         let names = || self.joints.iter().map(|joint| &*joint.name).collect::<Vec<_>>().join(", ");
         found.ok_or_else(|| fault(format!("joint {name}: is not there, there are {}", names())))
     }
 
-    /// Names of all links, in the order of the file.
+    /// Names of all links, in file order.
     #[must_use]
     pub fn links(&self) -> &[String] {
         &self.links
     }
 
-    /// All joints, from the roots outwards.
+    /// All joints, from the roots of the trees outwards.
     #[must_use]
     pub fn joints(&self) -> &[RobotJoint] {
         &self.joints
@@ -192,7 +192,7 @@ fn shapes_of(link: &urdf_rs::Link) -> Vec<Shape> {
     link.collision.iter().map(|each| Shape::new(&each.origin, &each.geometry)).collect()
 }
 
-/// A pose of the file.
+/// Converts a pose of the file.
 pub(super) fn pose_in(pose: &Pose) -> Isometry3<f64> {
     let [roll, pitch, yaw] = *pose.rpy;
     let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);

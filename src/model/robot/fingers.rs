@@ -1,4 +1,4 @@
-//! Contacts on links, grouped into fingers that share joints.
+//! Grouping of contacts on links into fingers, each with the joints that move it.
 
 use nalgebra::{DMatrix, Point3};
 
@@ -6,7 +6,7 @@ use super::described::Robot;
 use crate::error::Error;
 use crate::grasp::{Contact, Finger, Hand, Joint, JointKind};
 
-/// A finger of the grasp: joints with coordinates of their own, and its contacts, by their place in the list of contacts.
+/// A finger of the grasp: the joints that have coordinates, and the indices of its contacts.
 pub(crate) struct JointGroup {
     joints: Vec<usize>,
     pub(crate) contacts: Vec<usize>,
@@ -14,24 +14,25 @@ pub(crate) struct JointGroup {
 
 /// How joints of a finger move a contact.
 pub(crate) enum Mover {
-    /// The first joints, as many as this number.
+    /// The first joints of the finger, this many.
     Link(usize),
-    /// Velocities of a point of the link, and below them its angular velocities, for each joint.
+    /// For each joint the velocity of the contact point (rows 0 to 2) and the angular velocity of the link (rows 3 to 5).
     Jacobian(DMatrix<f64>),
 }
 
 impl Robot {
-    /// The hand with these contacts, each on a link and in the frame of the object; [`Self::on_link`] takes one from the frame of its link.
+    /// The hand with these contacts, each with the name of its link and in the frame of the object. [`Self::on_link`] converts a contact from
+    /// the frame of its link.
     ///
-    /// Contacts on links that no joint moves come first, then those of fingers. A finger is made of the links that share joints. Joints that move no
-    /// contact are left out.
+    /// Contacts on links that no joint moves come first, then those of fingers. Links that share a joint belong to the same finger. Joints that
+    /// move no contact are omitted.
     ///
     /// ```text
     /// velocity of a contact = Σ_j factor_j (axis_j × (point - centre_j)) φ_j        factor: 1, or that of a joint that mimics
     /// ```
     ///
     /// # Errors
-    /// [`Error::Robot`] for a link that is not there.
+    /// [`Error::Robot`] for an unknown link.
     pub fn hand(&self, contacts: &[(&str, Contact<3>)]) -> Result<Hand<3>, Error> {
         let links = contacts.iter().map(|(link, _)| self.link(link)).collect::<Result<Vec<_>, _>>()?;
         let (fixed, fingers) = self.fingers(&links);
@@ -52,15 +53,15 @@ impl Robot {
         Ok(hand)
     }
 
-    /// A contact that is given in the frame of its link, in that of the object, for [`Self::hand`]. Its first tangent turns with the link.
+    /// Converts a contact from the frame of its link to that of the object, for [`Self::hand`]. Its first tangent rotates with the link.
     ///
     /// # Errors
-    /// [`Error::Robot`] for a link that is not there, [`Error::Contact`] for a normal or a tangent without direction.
+    /// [`Error::Robot`] for an unknown link, [`Error::Contact`] for a normal or a tangent without direction.
     pub fn on_link<'n>(&self, link: &'n str, contact: &Contact<3>) -> Result<(&'n str, Contact<3>), Error> {
         Ok((link, self.placed_on(self.link(link)?, 0, contact)?))
     }
 
-    /// [`Self::on_link`] for the contact of this index.
+    /// [`Self::on_link`] for the contact with this index, which errors name.
     pub(crate) fn placed_on(
         &self,
         link: usize,
@@ -78,7 +79,7 @@ impl Robot {
         })
     }
 
-    /// The contacts on links that no joint moves, and the fingers of all others.
+    /// Indices of the contacts on links that no joint moves, and the fingers of all other contacts.
     pub(crate) fn fingers(&self, links: &[usize]) -> (Vec<usize>, Vec<JointGroup>) {
         let (mut fixed, mut fingers) = (Vec::new(), Vec::<JointGroup>::new());
         for (k, &link) in links.iter().enumerate() {
@@ -105,12 +106,12 @@ impl Robot {
         (fixed, fingers)
     }
 
-    /// The joint whose coordinate moves this one, and the factor on it.
+    /// The joint whose coordinate moves this one, and the factor between both displacements.
     fn coordinate(&self, joint: usize) -> (usize, f64) {
         self.joints[joint].mimics.map_or((joint, 1.0), |mimics| (mimics.joint, mimics.factor))
     }
 
-    /// The joints of a finger.
+    /// The joints of a finger, as parts of a hand.
     pub(crate) fn joints_in(&self, finger: &JointGroup) -> Vec<Joint<3>> {
         let joint = |&index: &usize| {
             let (point, axis) = self.axis_of(index);
@@ -126,7 +127,7 @@ impl Robot {
         finger.joints.iter().map(joint).collect()
     }
 
-    /// How the joints of its finger move a contact on a link.
+    /// The dependence of a contact on the joints of its finger.
     pub(crate) fn mover(&self, finger: &JointGroup, link: usize, contact: &Contact<3>) -> Mover {
         let movers = self.movers_of(link);
         if finger.joints.starts_with(&movers) {

@@ -1,8 +1,8 @@
-//! A robot from its description file: the hand by which it holds an object (feature `urdf`).
+//! A robot from its description file, and the hand with which it holds an object (feature `urdf`).
 //!
-//! A [`Robot`] has links and joints as a URDF describes them, in a posture. [`Robot::hand`] makes the [`Hand`](crate::grasp::Hand) of contacts on its
-//! links. Joints that mimic another follow it exactly: they share its coordinate. Contacts are given, or a
-//! link touches a part with its collision shapes: [`Robot::surface`].
+//! A [`Robot`] consists of the links and joints of a URDF, in a posture. [`Robot::hand`] makes a [`Hand`](crate::grasp::Hand) of contacts on its
+//! links. A joint that mimics another has no coordinate of its own and follows the other exactly. Contacts are given, or result from a link's
+//! collision shapes that touch a part: [`Robot::surface`].
 //!
 //! ```
 //! use grasp_lcp::robot::Robot;

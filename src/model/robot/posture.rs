@@ -1,4 +1,4 @@
-//! A robot in a posture: positions, commands and stiffnesses of its joints, and where its links are.
+//! The posture of a robot: positions, commands and stiffnesses of its joints, and the poses of its links.
 
 use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 
@@ -7,22 +7,22 @@ use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::{JointKind, Limit};
 
 impl Robot {
-    /// This robot with its roots, the links that no joint carries, at a pose in the frame of the object.
+    /// This robot with its root links at the pose `base` in the frame of the object.
     #[must_use]
     pub fn placed(self, base: Isometry3<f64>) -> Self {
         Self { base, ..self }
     }
 
-    /// This robot with a joint at a position, rad or m. Joints that mimic it follow.
+    /// This robot with one joint at another position, rad or m. Joints that mimic it follow.
     ///
     /// # Errors
-    /// [`Error::Robot`] for a joint that is not there, is fixed or mimics another, and for a position that is not finite.
+    /// [`Error::Robot`] for a joint that is unknown, fixed or mimics another, and for a position that is not finite.
     pub fn posed(mut self, joint: &str, position: f64) -> Result<Self, Error> {
         self.own(joint, position, "position")?.position = position;
         Ok(self)
     }
 
-    /// This robot with a joint that is commanded to a position, rad or m; otherwise the command of a joint is where it is.
+    /// This robot with one joint commanded to a position, rad or m. By default a joint is commanded to its actual position.
     ///
     /// # Errors
     /// As for [`Self::posed`].
@@ -31,14 +31,14 @@ impl Robot {
         Ok(self)
     }
 
-    /// A position in degrees in rad; of a joint that slides it stays in m.
+    /// Converts a position in degrees to rad; that of a prismatic joint stays in m.
     #[cfg(feature = "serde")]
     pub(crate) fn in_radians(&self, joint: &str, position: f64) -> Result<f64, Error> {
         let slides = self.joints[self.index(joint)?].kind == Some(JointKind::Slides);
         Ok(if slides { position } else { position.to_radians() })
     }
 
-    /// This robot with a stiffness of each joint, N m/rad or N/m, of structure and controller in series.
+    /// This robot with the same stiffness for all joints, N m/rad or N/m, of structure and controller in series.
     #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         for joint in &mut self.joints {
@@ -56,7 +56,7 @@ impl Robot {
         Ok(self)
     }
 
-    /// This robot with motors that stall at the efforts of the file; a joint without an effort there has no limit.
+    /// This robot with motors that saturate at the efforts of the file. A joint without an effort has no limit.
     #[must_use]
     pub fn limited_by_effort(mut self) -> Self {
         for joint in &mut self.joints {
@@ -65,7 +65,7 @@ impl Robot {
         self
     }
 
-    /// A joint with a coordinate of its own, for a number to be set.
+    /// A joint that has its own coordinate, in order to set one of its numbers.
     fn own(&mut self, name: &str, value: f64, what: &str) -> Result<&mut RobotJoint, Error> {
         let index = self.index(name)?;
         let joint = &self.joints[index];
@@ -84,7 +84,7 @@ impl Robot {
     /// The pose of a link in the frame of the object.
     ///
     /// # Errors
-    /// [`Error::Robot`] for a link that is not there.
+    /// [`Error::Robot`] for an unknown link.
     pub fn pose(&self, link: &str) -> Result<Isometry3<f64>, Error> {
         Ok(self.pose_of(self.link(link)?))
     }
@@ -103,14 +103,14 @@ impl Robot {
         self.pose_of(joint.parent) * joint.origin * moved
     }
 
-    /// A point on the axis of a joint, m, and the direction of the axis, in the frame of the object.
+    /// A point on the axis of a joint, m, and the unit vector of the axis, in the frame of the object.
     pub(super) fn axis_of(&self, joint: usize) -> (Point3<f64>, Vector3<f64>) {
         let joint = &self.joints[joint];
         let frame = self.pose_of(joint.parent) * joint.origin;
         (frame.translation.vector.into(), frame.rotation * *joint.axis)
     }
 
-    /// The joints that move a link, from the root outwards, those that mimic others included.
+    /// Indices of the joints that move a link, from the root outwards; joints that mimic others are included.
     pub(super) fn movers_of(&self, mut link: usize) -> Vec<usize> {
         let mut movers = Vec::new();
         while let Some(index) = self.carried_by[link] {
@@ -123,18 +123,18 @@ impl Robot {
         movers
     }
 
-    /// Names of the joints that move a link, from the root outwards.
+    /// The joints that move a link, from the root outwards.
     ///
     /// # Errors
-    /// [`Error::Robot`] for a link that is not there.
+    /// [`Error::Robot`] for an unknown link.
     pub fn joints_of(&self, link: &str) -> Result<Vec<&RobotJoint>, Error> {
         Ok(self.movers_of(self.link(link)?).into_iter().map(|index| &self.joints[index]).collect())
     }
 
-    /// A point on the axis of a joint, m, and the direction of the axis, in the frame of the object.
+    /// A point on the axis of a joint, m, and the unit vector of the axis, in the frame of the object.
     ///
     /// # Errors
-    /// [`Error::Robot`] for a joint that is not there.
+    /// [`Error::Robot`] for an unknown joint.
     pub fn axis(&self, joint: &str) -> Result<(Point3<f64>, Vector3<f64>), Error> {
         Ok(self.axis_of(self.index(joint)?))
     }

@@ -1,4 +1,4 @@
-//! Collision shapes of links, as surfaces of triangles that touch as jaws.
+//! Collision shapes of links, converted to triangle meshes that touch like jaws.
 
 use core::f64::consts::{PI, TAU};
 use std::path::Path;
@@ -10,15 +10,15 @@ use super::described::{Robot, fault, pose_in};
 use crate::error::Error;
 use crate::touch::{Part, Unit};
 
-/// Sides of a cylinder and of a sphere: between corners their faces are off by 4e-5 of the radius.
+/// Number of sides of a cylinder and of a sphere; their faces deviate from the circle by 4e-5 of the radius.
 const SIDES: usize = 360;
-/// Faces of a sphere from one pole to the other.
+/// Number of bands of faces of a sphere from pole to pole.
 const BANDS: usize = 90;
 
 /// A collision shape of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
-    /// Its pose in the frame of the link.
+    /// Pose in the frame of the link.
     origin: Isometry3<f64>,
     form: Form,
 }
@@ -26,9 +26,9 @@ pub(super) struct Shape {
 #[derive(Debug, Clone, PartialEq)]
 enum Form {
     Box([f64; 3]),
-    /// Radius and length.
+    /// Radius and length, m.
     Cylinder([f64; 2]),
-    /// Radius, and length between both halves of a sphere.
+    /// Radius, and length of the cylinder between the two hemispheres, m; zero for a sphere.
     Capsule([f64; 2]),
     Mesh {
         filename: String,
@@ -36,7 +36,7 @@ enum Form {
     },
 }
 
-/// Corners and faces of a surface.
+/// Vertices and triangles of a surface.
 #[derive(Default)]
 struct Faces {
     corners: Vec<[f64; 3]>,
@@ -59,11 +59,13 @@ impl Shape {
 }
 
 impl Robot {
-    /// The surface of all collision shapes of a link, in the frame of the link: [`Pad::of_surface`](crate::touch::Pad::of_surface) makes a jaw of it.
-    /// Meshes in STL or OBJ are read now; `package://name/` is looked for in the folder of the description file and in those above.
+    /// The surface of all collision shapes of a link, in the frame of the link; [`Pad::of_surface`](crate::touch::Pad::of_surface) makes a jaw
+    /// of it. Meshes in STL or OBJ are read at this call. `package://name/` is searched in the folder of the description file and in its parent
+    /// folders.
     ///
     /// # Errors
-    /// [`Error::Robot`] for a link that is not there or has no collision shape, and for a mesh that is not found; [`Error::Mesh`] if it cannot be read.
+    /// [`Error::Robot`] for a link that is unknown or has no collision shape, and for a mesh that is not found; [`Error::Mesh`] if a mesh cannot
+    /// be read.
     pub fn surface(&self, link: &str) -> Result<Part, Error> {
         let shapes = &self.shapes[self.link(link)?];
         if shapes.is_empty() {
@@ -104,7 +106,7 @@ impl Robot {
         })
     }
 
-    /// The file of a mesh.
+    /// Path of a mesh file.
     fn found(&self, link: &str, filename: &str) -> Result<std::path::PathBuf, Error> {
         let name = filename.trim_start_matches("file://");
         let (name, package) = match name.strip_prefix("package://") {
@@ -125,7 +127,7 @@ impl Robot {
     }
 }
 
-/// A box about the origin.
+/// A box centred at the origin.
 fn cuboid(size: [f64; 3]) -> Faces {
     let sign = |bit: usize, corner: usize| if corner >> bit & 1 == 1 { 0.5 } else { -0.5 };
     let corners = (0..8).map(|corner| core::array::from_fn(|a| size[a] * sign(a, corner))).collect();
@@ -134,19 +136,19 @@ fn cuboid(size: [f64; 3]) -> Faces {
     Faces { corners, faces }
 }
 
-/// The section of a sphere, or of a capsule with a cylinder of this length between its halves.
+/// Half section of a sphere, or of a capsule with a cylinder of this length: radii and heights from pole to pole.
 fn arc(radius: f64, length: f64) -> Vec<(f64, f64)> {
     let at = |k: usize| {
         let (sin, cos) = (PI * k as f64 / BANDS as f64).sin_cos();
         (radius * sin, -radius * cos + if 2 * k < BANDS { -0.5 } else { 0.5 } * length)
     };
     let mut section: Vec<_> = (0..=BANDS).map(at).collect();
-    // The lower half ends where the cylinder begins.
+    // The lower hemisphere ends at the start of the cylinder.
     section.insert(BANDS / 2, (radius, -0.5 * length));
     section
 }
 
-/// A surface around the axis z through a section of radii and heights, from below.
+/// The surface of revolution about z with this half section: radii and heights, from bottom to top.
 fn revolved(section: &[(f64, f64)]) -> Faces {
     let mut faces = Faces::default();
     for (radius, height) in section {

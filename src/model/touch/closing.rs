@@ -1,4 +1,4 @@
-//! A pad that closes on a part until it touches.
+//! A pad that moves along its closing direction until it touches a part.
 
 use nalgebra::Vector3;
 
@@ -10,42 +10,42 @@ use crate::error::{Error, Field};
 use crate::grasp::Contact;
 use crate::numerics::{mapped, summed};
 
-/// A pad at a place, with a closing direction.
+/// A pad with a position and a closing direction.
 ///
-/// The contact's point is the middle of the pad in front of the part, m, and its normal the closing direction. Name, friction, stiffness and squeeze
-/// are those of the contact; its [layer](Pad::of_layer) gives the stiffness if it has one.
+/// The contact's point is the centre of the pad in front of the part, m, and its normal is the closing direction. Name, friction, stiffness and
+/// squeeze are also those of the contact. If the pad has a [layer](Pad::of_layer), the layer determines the stiffness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Touch {
     pad: Pad,
     contact: Contact<3>,
 }
 
-/// A point of the pad where it meets the part.
+/// A point of the pad that meets the part.
 struct Meeting<'p> {
     point: &'p PadPoint,
     hit: Hit,
-    /// Travel until it touches, m.
+    /// Travel along the closing direction until the point touches, m.
     travel: f64,
 }
 
 impl Touch {
-    /// The pad with the data of a contact.
+    /// A pad with the position, direction and data of a contact.
     #[must_use]
     pub fn new(pad: Pad, contact: Contact<3>) -> Self {
         Self { pad, contact }
     }
 
-    /// The contacts at which the pad touches the part, as those of one fingertip: `pressed_with` and commands are those of the pad as a whole.
-    /// The clearance of the contact is a gap before its foremost point.
+    /// The contacts at which the pad touches the part, as points of one fingertip. `pressed_with` and commands apply to the pad as a whole. The
+    /// clearance of the contact is a gap in front of the foremost point.
     ///
     /// # Errors
-    /// [`Error::Misses`] if no point of the pad meets the part, or some begin inside of it; [`Error::Contact`] with index 0 for data out of range, and
-    /// for a constant force where the part is not flat across the closing direction.
+    /// [`Error::Misses`] if no point of the pad meets the part, or if some start inside it. [`Error::Contact`] with index 0 for data out of
+    /// range, and for a constant force on a part that is not flat and normal to the closing direction.
     pub fn on(&self, part: &Part) -> Result<Touched, Error> {
         self.on_as(0, part)
     }
 
-    /// [`Self::on`] for the contact of this index.
+    /// [`Self::on`] for the contact with this index, which errors name.
     pub(crate) fn on_as(&self, index: usize, part: &Part) -> Result<Touched, Error> {
         let mut contact = self.contact.clone();
         if let Some([normal, tangential]) = self.pad.stiffness() {
@@ -62,7 +62,7 @@ impl Touch {
             contact.clearance + if behind <= near { 0.0 } else { behind }
         };
         let (closing, first_tangent) = (frame.column(0).into_owned(), frame.column(1).into_owned());
-        // Normals of faces across the way are the closing direction but for rounding.
+        // Normals of faces at right angles to the closing direction equal it up to rounding.
         let straightened =
             |normal: &Vector3<f64>| if (normal - closing).norm() <= FLUSH { closing } else { *normal };
         let mut points = Vec::with_capacity(meetings.len());
@@ -73,7 +73,7 @@ impl Touch {
                 let allowed = "left out where a pad meets the part at several depths or at an angle: say with what it is pressed";
                 return Err(Error::Contact { contact: contact.label(index), field, value, allowed });
             }
-            // Of a pad that misses in part, the points that touch carry the whole force.
+            // If part of the pad misses, the points that touch carry the whole force.
             let of_force = meeting.point.share / (1.0 - missing);
             points.push(Contact {
                 name: contact.name.as_ref().map(|name| format!("{name} {i}").into()),
@@ -100,7 +100,7 @@ impl Touch {
         let touching = gaps.iter().copied().fold(f64::INFINITY, f64::min) + near;
         let mut steepest = 0.0_f64;
         for ((point, meeting), gap) in points.iter_mut().zip(&meetings).zip(&gaps) {
-            // Until it touches, the pad drags along no surface.
+            // Before a point touches, its motion along the surface stretches no tangential spring.
             let slope = closing - point.normal * point.normal.dot(&closing);
             *point = point.clone().command_world(along - slope * advance.min(*gap).max(0.0));
             if *gap < advance.max(touching) {
@@ -110,7 +110,7 @@ impl Touch {
         Ok(Touched { contacts: points, missing: if missing <= FLUSH { 0.0 } else { missing }, steepest })
     }
 
-    /// The points of the pad that meet the part.
+    /// The points of the pad that meet the part, with their hits.
     fn meetings(&self, index: usize, hits: Vec<Option<Hit>>) -> Result<Vec<Meeting<'_>>, Error> {
         let misses = |fault: &'static str| Err(Error::Misses { contact: self.contact.label(index), fault });
         let mut meetings = Vec::new();

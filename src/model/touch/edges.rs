@@ -1,4 +1,4 @@
-//! The edges of a part that one sees: where its faces meet at an angle, or end.
+//! The visible edges of a part: lines at which its faces meet at an angle, or end.
 
 use crate::numerics::moved;
 
@@ -9,8 +9,8 @@ use nalgebra::Vector3;
 use super::part::Part;
 
 impl Part {
-    /// The edges between faces that meet at more than this angle, rad, and those of a single face: two ends each, m. At 0.5 a cylinder of 13 sides and
-    /// more has the circles at its ends.
+    /// The edges between faces that meet at more than this angle, rad, and the edges of a single face: two end points each, m. With 0.5 rad the
+    /// side faces of a cylinder of 13 or more sides give no edges, so only its end circles remain.
     #[must_use]
     pub fn edges(&self, angle: f64) -> Vec<[[f64; 3]; 2]> {
         let least = angle.cos();
@@ -37,7 +37,7 @@ impl Part {
     }
 }
 
-/// The bits of a point; both zeros have the same.
+/// The bit pattern of a point, as a key; both zeros have the same pattern.
 fn bits(point: &Vector3<f64>) -> [u64; 3] {
     std::array::from_fn(|a| (point[a] + 0.0).to_bits())
 }

@@ -1,4 +1,4 @@
-//! Readers of STL, as text or in binary, and of OBJ.
+//! Readers of STL, as text or binary, and of OBJ.
 
 use std::fs;
 use std::path::Path;
@@ -8,9 +8,9 @@ use crate::error::Error;
 use crate::numerics::{mapped, numbered};
 use crate::words::Unit;
 
-/// Bytes before the triangles of a binary STL: a comment of 80 bytes and their number.
+/// Bytes of a binary STL before its triangles: a comment of 80 bytes and the number of triangles.
 const HEAD: usize = 84;
-/// Bytes of a triangle: its normal, three corners, and two bytes without meaning.
+/// Bytes per triangle: its normal, three vertices, and two unused bytes.
 const TRIANGLE: usize = 50;
 
 impl Part {
@@ -42,7 +42,7 @@ impl Part {
         let number = |at: usize| bytes.get(at..at + 4).and_then(|four| <[u8; 4]>::try_from(four).ok());
         let count = number(HEAD - 4).map_or(0, |four| u32::from_le_bytes(four) as usize);
         let mut corners = Vec::new();
-        // Some binary files begin with `solid`, as texts do: the length decides.
+        // Some binary files start with `solid` like text files; the length of the file decides.
         if bytes.len() >= HEAD && bytes.len() - HEAD == count.saturating_mul(TRIANGLE) {
             for triangle in 0..count {
                 for corner in 0..3 {
@@ -70,7 +70,8 @@ impl Part {
         Self::of_corners(&corners, &faces, unit)
     }
 
-    /// A part from the text of an OBJ, with lengths in this unit. Polygons are cut into triangles from their first corner; all objects are one part.
+    /// A part from the text of an OBJ, with lengths in this unit. Polygons are divided into triangles that share their first vertex. All objects
+    /// of the file form one part.
     ///
     /// # Errors
     /// [`Error::Mesh`] if a corner or a face cannot be read, and as for [`Self::new`].
@@ -83,7 +84,7 @@ impl Part {
                 Some("f") => {
                     let of_face = words.map(|word| {
                         let number = word.split('/').next().and_then(|first| first.parse::<isize>().ok());
-                        // Numbers count from 1, or backwards from the last corner so far.
+                        // Vertices are numbered from 1, or backwards from the latest one if negative.
                         let place = number.and_then(|n| match n {
                             0 => None,
                             n if n > 0 => Some(n.unsigned_abs() - 1),

@@ -1,31 +1,31 @@
-//! From surfaces to contacts: pads that close on a part (feature `mesh`).
+//! Contacts from surfaces: pads that close on a part (feature `mesh`).
 //!
-//! A [`Part`] is a mesh of triangles, from STL, OBJ or arrays, in m. A [`Touch`] is a [`Pad`] at a place, which closes along a direction. Laid
-//! [on](Touch::on) the part it gives the points of one contact, each with its own normal, springs and clearance.
+//! A [`Part`] is a triangle mesh, from STL, OBJ or arrays, in m. A [`Touch`] is a [`Pad`] with a position and a closing direction. Placed
+//! [on](Touch::on) a part it yields the points of one contact, each with its own normal, springs and clearance.
 //!
 //! # The model
 //!
-//! A pad is an elastic foundation: a layer of modulus E (Pa) and thickness t (m) has the stiffness `K = E/t` for each m² of its surface, N/m³. Every
-//! point of the pad travels along the closing direction c until it meets the part, at the depth d_i. The point with the least depth touches first, and
-//! the pad may go on by s from there. At the angle θ_i between c and the inward normal of the part
+//! A pad is an elastic foundation: a layer of modulus E (Pa) and thickness t (m) has the stiffness `K = E/t` per unit area, N/m³. Every point of
+//! the pad travels along the closing direction c until it meets the part, at the depth d_i. The point with the least depth touches first, and
+//! the pad then advances further by s. With the angle θ_i between c and the inward normal of the part
 //!
 //! ```text
 //! clearance_i = (d_i - d_min) cos θ_i        k_i = K A_i        F_i = k_i (s - d_i + d_min) cos θ_i >= 0
 //! ```
 //!
-//! Along the tangents a spring of `E/3t` for each m², as of rubber, follows the pad from the place where the point touches. With
-//! [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) the advance s is that at which the forces along c have this sum, on a part that
-//! stays in place.
+//! Tangential springs of `E/3t` per unit area, as of rubber, start at the position where the point first touches. With
+//! [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) the advance s is chosen so that the forces along c have this sum, if the part
+//! does not move.
 //!
-//! A layer of rubber between plates that are much wider than it is thick is stiffer than E/t, since it cannot bulge: then give the stiffness of the
-//! whole pad instead, [`Contact::series_stiffness`](crate::grasp::Contact::series_stiffness), which is divided by area.
+//! A rubber layer between plates much wider than its thickness is stiffer than E/t, since it cannot bulge. In this case give the stiffness of
+//! the whole pad, [`Contact::series_stiffness`](crate::grasp::Contact::series_stiffness), which is divided among the points by area.
 //!
 //! # How many points
 //!
-//! On a flat face the points have the sums of the uniform pad (see [`SoftFingertip`](crate::grasp::SoftFingertip)), from one strip on. On a cylinder of
-//! radius R, pressed in by δ, a flat pad of length L touches over the half width `√(2Rδ)` and presses with `4/3 K L δ √(2Rδ)`. With six
-//! points across the whole of this width the force is right to 2 %, with 26 to 0.1 %; the report `from_mesh` prints it. A mesh of n sides differs from its cylinder by the depth `R (1 - cos(π/n))`, which should
-//! be small beside δ.
+//! On a flat face the sums over the points equal those of the uniform pad (see [`SoftFingertip`](crate::grasp::SoftFingertip)), even for one
+//! strip. A flat pad of length L on a cylinder of radius R, pressed in by δ, touches over the half width `√(2Rδ)` with the force `4/3 K L δ
+//! √(2Rδ)`. With six points across the whole contact width the force is accurate to 2 %, with 26 to 0.1 %; the report `from_mesh` prints these
+//! errors. A mesh of n sides deviates from its cylinder by `R (1 - cos(π/n))`, which should be small compared with δ.
 //!
 //! ```
 //! use grasp_lcp::spatial::{Contact, Grasp, Wrench};

@@ -8,45 +8,45 @@ use super::part::Part;
 use crate::error::{Error, LARGEST};
 use crate::grasp::{Contact, Pressure, SoftFingertip};
 
-/// Points of a surface whose normal has this component along the closing direction, or less, do not touch.
+/// Least component of a surface's unit normal along the closing direction; points with a smaller component do not touch.
 const TURNED_AWAY: f64 = 0.1;
 
 /// The surface of a jaw or of a fingertip, and its elastic layer.
 ///
-/// Its place is that of the contact: the middle of the pad is at the contact's point, and it closes along the contact's normal. Its first side lies
-/// along the first tangent.
+/// Its position is that of the contact: the centre of the pad is the contact's point, and the pad closes along the contact's normal. Its first
+/// side is parallel to the first tangent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pad {
     pub(super) points: Vec<PadPoint>,
     outline: Outline,
     profile: Profile,
-    /// m².
+    /// Surface area, m².
     area: f64,
-    /// Stiffness of the layer along the normal and along tangents for each m², N/m³.
+    /// Normal and tangential stiffness of the layer per unit area, N/m³.
     layer: Option<[f64; 2]>,
 }
 
-/// The pad as seen along the closing direction, m.
+/// The outline of the pad as seen along the closing direction, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Outline {
     Rectangle([f64; 2]),
     Disc(f64),
-    /// Known at its points alone.
+    /// Known only at the sampled points.
     Sampled,
 }
 
-/// The section of the pad across its second tangent.
+/// The height profile of the pad along its first tangent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Profile {
     Flat,
     /// Radius, m.
     Round(f64),
-    /// Rise of both flanks.
+    /// Slope of both flanks.
     V(f64),
 }
 
 impl Profile {
-    /// Height along the closing direction, m, and its slope, at a distance from the middle, m.
+    /// Height along the closing direction, m, and slope, at a distance from the middle, m.
     fn at(self, u: f64) -> (f64, f64) {
         match self {
             Self::Flat => (0.0, 0.0),
@@ -62,35 +62,36 @@ impl Profile {
 /// A point of the pad, in the frame of the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PadPoint {
-    /// Place about the middle, m; the first component is along the closing direction.
+    /// Position relative to the centre, m; the first component is along the closing direction.
     pub(super) offset: Vector3<f64>,
-    /// Direction in which the pad's surface faces there, of length 1.
+    /// Outward unit normal of the pad's surface at this point.
     pub(super) facing: Vector3<f64>,
-    /// Share of the area.
+    /// Fraction of the area.
     pub(super) share: f64,
 }
 
 impl Pad {
-    /// A flat rectangle with sides along the first and the second tangent, m, and points as those of [`SoftFingertip::rectangle`]. Strips in half of
-    /// each side: `[1, 1]` will do for a flat face; a curved part takes about six points across the width over which it touches.
+    /// A flat rectangle with sides along the first and the second tangent, m, and points like those of [`SoftFingertip::rectangle`]. `strips` is
+    /// the number of strips in half of each side: `[1, 1]` suffices for a flat face. A curved part needs about six points across the contact
+    /// width.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as there.
+    /// [`Error::Fingertip`] as for [`SoftFingertip::rectangle`].
     pub fn rectangle(sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
         Self::on_rectangle(sides, strips, Profile::Flat)
     }
 
-    /// A flat disc of this radius, m, and points as those of [`SoftFingertip::disc`] under uniform pressure.
+    /// A flat disc of this radius, m, with points like those of [`SoftFingertip::disc`] under uniform pressure.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as there.
+    /// [`Error::Fingertip`] as for [`SoftFingertip::disc`].
     pub fn disc(radius: f64, annuli: usize, points: usize) -> Result<Self, Error> {
         let patch = SoftFingertip::disc(radius, annuli, points, Pressure::Uniform)?;
         Ok(Self::of_profile(&patch, Outline::Disc(radius), Profile::Flat))
     }
 
-    /// A round finger: part of a cylinder of this radius, m, with its axis along the second tangent. The sides are those of its rectangle as seen
-    /// along the closing direction.
+    /// A round finger: part of a cylinder of this radius, m, with its axis along the second tangent. The sides are those of its rectangular
+    /// outline, as seen along the closing direction.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for a rectangle, and unless the first side is less than the diameter.
@@ -102,7 +103,7 @@ impl Pad {
         Self::on_rectangle(sides, strips, Profile::Round(radius))
     }
 
-    /// A prismatic jaw: a V of this opening angle, rad, with its bottom along the second tangent in the middle of the rectangle.
+    /// A V-shaped jaw with this opening angle, rad. The bottom of the V runs along the second tangent through the middle of the rectangle.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for a rectangle, and unless the angle is from 0.1 to π.
@@ -118,13 +119,14 @@ impl Pad {
         Ok(Self::of_profile(&SoftFingertip::rectangle(sides, strips)?, Outline::Rectangle(sides), profile))
     }
 
-    /// A jaw with this surface, in the frame in which the contact is given: what lies foremost along its normal, within a rectangle about its point with
-    /// sides along its tangents, m, or all of it. Points as those of a rectangle; those beside the surface, and where it turns away, are left out. How
-    /// far along the normal the contact's point lies does not matter.
+    /// A jaw with this surface, in the frame in which the contact is given. It consists of the foremost points along the contact's normal,
+    /// within a rectangle about the contact's point with sides along its tangents, m, or of the whole surface without `sides`. Points are placed
+    /// as for a rectangle; those that miss the surface, or lie where it turns away, are omitted. The position of the contact's point along the
+    /// normal is ignored.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for a rectangle, [`Error::Misses`] if the surface has no point within it, and [`Error::Contact`] with index 0 as for a
-    /// contact.
+    /// [`Error::Fingertip`] as for a rectangle, [`Error::Misses`] if the surface has no point within the rectangle, and [`Error::Contact`] with
+    /// index 0 as for a contact.
     pub fn of_surface(
         surface: &Part,
         contact: &Contact<3>,
@@ -140,7 +142,7 @@ impl Pad {
         }
         let sides = sides.unwrap_or([1, 2].map(|axis| high[axis] - low[axis]));
         let flat = Self::rectangle(sides, strips)?;
-        // Rays come from in front of the surface.
+        // Rays start in front of the surface, and run against the closing direction.
         let front = contact.point + closing * (high[0] + surface.size - closing.dot(&contact.point));
         let seen = Matrix3::from_columns(&[-closing, one, -other]);
         let hits = surface.met_by(&flat, &seen, &front).hits;
@@ -170,12 +172,13 @@ impl Pad {
         Ok((Self { points, outline, profile, area, layer: None }, contact))
     }
 
-    /// The middle, of a pad that is known there.
+    /// The centre of the pad; `None` if the height there is not known.
     pub(super) fn middle(&self) -> Option<Vector3<f64>> {
         (self.outline != Outline::Sampled).then(Vector3::zeros)
     }
 
-    /// The points of a flat patch, moved along the closing direction by the height of a profile. Areas are those of the pad's surface.
+    /// The points of a flat patch, moved along the closing direction by the height of the profile. Shares are proportional to the area of the
+    /// inclined surface.
     fn of_profile(patch: &SoftFingertip<3>, outline: Outline, profile: Profile) -> Self {
         let mut points = Vec::new();
         let mut stretch = 0.0;
@@ -198,7 +201,7 @@ impl Pad {
         Self { points, outline, profile, area: flat * stretch, layer: None }
     }
 
-    /// Height of the pad's surface along the closing direction at a place across it, m; `None` beside the pad.
+    /// Height of the pad's surface along the closing direction, m, at the tangential position (u, v), m; `None` outside the outline.
     pub(super) fn height_at(&self, u: f64, v: f64) -> Option<f64> {
         let covers = match self.outline {
             Outline::Rectangle([one, other]) => u.abs() <= 0.5 * one && v.abs() <= 0.5 * other,
@@ -208,12 +211,12 @@ impl Pad {
         covers.then(|| self.profile.at(u).0)
     }
 
-    /// This pad with an elastic layer of a modulus, Pa, and a thickness, m: an elastic foundation of `E/t` for each m² along the normal, and of `E/3t`
-    /// along tangents, N/m³. It is the stiffness of the finger, in place of one of the contact.
+    /// This pad with an elastic layer of the given modulus, Pa, and thickness, m. It is an elastic foundation of `E/t` per unit area along the
+    /// normal, and of `E/3t` along tangents, N/m³. It replaces the finger stiffness of the contact.
     #[must_use]
     pub fn of_layer(self, modulus: f64, thickness: f64) -> Self {
         let normal = modulus / thickness;
-        // Rubber keeps its volume: its shear modulus is a third of Young's.
+        // Rubber is incompressible: its shear modulus is a third of Young's modulus.
         Self { layer: Some([normal, normal / 3.0]), ..self }
     }
 
@@ -223,7 +226,7 @@ impl Pad {
         self.area
     }
 
-    /// Normal and tangential stiffness of the whole layer, N/m, if there is one.
+    /// Normal and tangential stiffness of the whole layer, N/m; `None` without a layer.
     #[must_use]
     pub fn stiffness(&self) -> Option<[f64; 2]> {
         self.layer.map(|layer| layer.map(|k| k * self.area))

@@ -1,19 +1,19 @@
-//! A part: a surface of triangles, with its volume and its mass.
+//! A part: a triangle mesh, with its volume and mass.
 
 use nalgebra::{Matrix3, Vector3};
 
 use crate::error::{Error, is_moderate};
 
-/// Corners of a triangle, m, counterclockwise as seen from outside.
+/// Vertices of a triangle, m, counterclockwise as seen from outside.
 pub(super) type Corners = [Vector3<f64>; 3];
 
-/// The area vectors of a closed surface add up to zero; of one that is taken as closed, to this part of the area at most. Single precision, in which
-/// binary STL has its corners, is three digits below.
+/// Largest sum of area vectors, relative to the total area, of a surface that counts as closed; the exact sum is zero. Binary STL has
+/// coordinates in single precision, whose rounding is three digits smaller.
 const OPEN: f64 = 1e-4;
 
-/// A part with a surface of triangles, in m.
+/// A part whose surface is a triangle mesh, in m.
 ///
-/// Volume and centre of mass are those of the polyhedron with constant density, in closed form. With the corners a, b, c of each triangle
+/// Volume and centre of mass are those of the polyhedron with constant density, in closed form. With the vertices a, b, c of each triangle
 ///
 /// ```text
 /// V = Σ a·(b × c) / 6        V r = Σ a·(b × c) / 6 · (a + b + c) / 4
@@ -24,18 +24,18 @@ pub struct Part {
     /// Length of the diagonal of the bounding box, m.
     pub(super) size: f64,
     bounds: [Vector3<f64>; 2],
-    /// Volume, m³, and centre, m, of a closed surface.
+    /// Volume, m³, and centre of mass, m; `None` for an open surface.
     solid: Option<(f64, Vector3<f64>)>,
-    /// kg.
+    /// Mass, kg.
     mass: Option<f64>,
 }
 
 impl Part {
-    /// A part from the corners of a mesh, m, and the three corners of each face, by their index from 0, counterclockwise as seen from outside. A closed
-    /// surface that is the wrong way round throughout is turned.
+    /// A part from the vertices of a mesh, m, and the vertex indices of each face, from 0, counterclockwise as seen from outside. A closed
+    /// surface whose faces are all clockwise is reversed.
     ///
     /// # Errors
-    /// [`Error::Mesh`] without faces, and for a corner that is not there or not finite.
+    /// [`Error::Mesh`] without faces, and for a vertex that does not exist or is not finite.
     pub fn new(corners: &[[f64; 3]], faces: &[[usize; 3]]) -> Result<Self, Error> {
         let fault = |fault: String| Err(Error::Mesh { fault });
         if faces.is_empty() {
@@ -72,7 +72,7 @@ impl Part {
         Ok(part)
     }
 
-    /// Volume and centre; `None` of an open surface. Corners are measured from the middle of the box, so that little cancels.
+    /// Volume and centre of mass; `None` for an open surface. Vertices are measured from the centre of the bounding box to reduce cancellation.
     fn volume_and_centre(&self) -> Option<(f64, Vector3<f64>)> {
         let middle = (self.bounds[0] + self.bounds[1]) * 0.5;
         let (mut area, mut areas) = (Vector3::zeros(), 0.0);
@@ -100,7 +100,7 @@ impl Part {
     /// This part with the mass of its volume at a density, kg/m³.
     ///
     /// # Errors
-    /// [`Error::Argument`] unless the density is above 0 and at most 1e50; [`Error::Mesh`] of a surface that is not closed.
+    /// [`Error::Argument`] unless the density is above 0 and at most 1e50; [`Error::Mesh`] for an open surface.
     pub fn of_density(self, density: f64) -> Result<Self, Error> {
         check("density of the part", density)?;
         let Some((volume, _)) = self.solid else {
@@ -110,31 +110,31 @@ impl Part {
         self.of_mass(density * volume)
     }
 
-    /// Volume, m³; `None` of a surface that is not closed.
+    /// Volume, m³; `None` for an open surface.
     #[must_use]
     pub fn volume(&self) -> Option<f64> {
         self.solid.map(|(volume, _)| volume)
     }
 
-    /// Centre of mass at constant density, m; `None` of a surface that is not closed.
+    /// Centre of mass at constant density, m; `None` for an open surface.
     #[must_use]
     pub fn centre_of_mass(&self) -> Option<[f64; 3]> {
         self.solid.map(|(_, centre)| centre.into())
     }
 
-    /// Mass, kg, if it has one.
+    /// Mass, kg, if known.
     #[must_use]
     pub fn mass(&self) -> Option<f64> {
         self.mass
     }
 
-    /// Corners of all triangles, m.
+    /// Vertices of all triangles, m.
     #[cfg(feature = "urdf")]
     pub(crate) fn corners(&self) -> impl Iterator<Item = [[f64; 3]; 3]> {
         self.triangles.iter().map(|triangle| triangle.map(Into::into))
     }
 
-    /// Least and greatest coordinates along the columns of a frame, m.
+    /// Least and largest coordinates along the columns of a frame, m.
     pub(super) fn along(&self, frame: &Matrix3<f64>) -> [Vector3<f64>; 2] {
         let mut ends = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
         for corner in self.triangles.iter().flatten() {
@@ -150,7 +150,7 @@ impl Part {
         self.triangles.len()
     }
 
-    /// The corners of the box along the axes that contains the part: its least and its greatest coordinates, m.
+    /// Bounding box along the axes: its least and its largest coordinates, m.
     #[must_use]
     pub fn bounds(&self) -> [[f64; 3]; 2] {
         self.bounds.map(Into::into)

@@ -1,7 +1,7 @@
-//! Parallel rays onto a part: where the points of a pad meet it as the pad closes.
+//! Parallel rays onto a part: the positions at which the points of a pad meet it as the pad closes.
 //!
-//! All points of a pad travel the same way. So each triangle is looked at once, in coordinates along and across the way, and nearly all lie beside
-//! the pad: a tree of boxes would take longer to build.
+//! All rays have the same direction. Each triangle is therefore tested once, in coordinates along and across the rays, and most triangles lie
+//! outside the pad. Building a tree of boxes would take longer.
 
 use crate::numerics::mapped;
 
@@ -10,32 +10,31 @@ use nalgebra::{Matrix3, Vector3};
 use super::pad::Pad;
 use super::part::Part;
 
-/// Points closer than this to the edge of a triangle meet it, as a part of the size of the mesh: pads may be flush with an edge of the part.
+/// Points outside a triangle by less than this fraction of the mesh's size still meet it: pads may be flush with an edge of the part.
 pub(super) const FLUSH: f64 = 1e-9;
 
-/// The place where a ray meets the part.
+/// The point where a ray meets the part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Hit {
-    /// Distance from the plane of the rays' beginnings, m.
+    /// Distance along the ray from the pad's plane, m.
     pub(super) depth: f64,
-    /// Normal of the triangle into the part.
+    /// Unit normal of the triangle, into the part.
     pub(super) normal: Vector3<f64>,
-    /// Whether the ray leaves the part there: then it began inside.
+    /// Whether the ray leaves the part at this triangle, so that it started inside.
     pub(super) leaves: bool,
 }
 
-/// The places where a pad meets the part.
+/// The points where a pad meets the part.
 pub(super) struct Met {
-    /// That of each point of the pad; `None` where it misses.
+    /// The hit of each point of the pad; `None` if it misses.
     pub(super) hits: Vec<Option<Hit>>,
-    /// Least travel of the pad until anything of it touches, m: at a point, in its middle, or at a corner of the mesh.
+    /// Least travel of the pad until any of it touches, m: at one of its points, at its centre, or at a vertex of the mesh.
     pub(super) foremost: f64,
 }
 
 impl Part {
-    /// Where a pad meets the part: the first hit of the ray of each of its points, and of one in its
-    /// middle. The columns of `frame` are the closing direction and two tangents, and `from` is the
-    /// middle of the pad.
+    /// The positions at which a pad meets the part: the first hit of the ray from each of its points, and from its centre. The columns of
+    /// `frame` are the closing direction and two tangents; `from` is the centre of the pad.
     pub(super) fn met_by(&self, pad: &Pad, frame: &Matrix3<f64>, from: &Vector3<f64>) -> Met {
         let near = FLUSH * self.size;
         let mut rays: Vec<Vector3<f64>> = mapped(&pad.points, &|point| point.offset);
@@ -56,12 +55,12 @@ impl Part {
             }
             let normal = (b - a).cross(&(c - a));
             let length = normal.norm();
-            // The rays graze such a triangle, or it has no area.
+            // Skips a triangle without area, or one that is parallel to the rays.
             if normal[0].abs() <= FLUSH * length {
                 continue;
             }
             let orientation = normal[0].signum();
-            // Distance from an edge in the plane across the rays, positive inside.
+            // Whether a ray passes an edge on the inner side, or closer than `near`, in the plane normal to the rays.
             let inside = |p: &Vector3<f64>, q: &Vector3<f64>, ray: &Vector3<f64>| {
                 let (along, to) = ((q[1] - p[1], q[2] - p[2]), (ray[1] - p[1], ray[2] - p[2]));
                 orientation * (along.0 * to.1 - along.1 * to.0) >= -near * along.0.hypot(along.1)

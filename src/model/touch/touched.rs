@@ -1,4 +1,4 @@
-//! A pad on a part: the contacts of its points, and how well it lies.
+//! The contacts of a pad on a part, and the quality of the fit.
 
 use nalgebra::Vector3;
 
@@ -14,45 +14,46 @@ pub struct Touched {
 }
 
 impl Touched {
-    /// The points at which the pad meets the part, as contacts of one fingertip: "left 0", "left 1" and so on. Those behind the foremost have a
-    /// clearance.
+    /// The points at which the pad meets the part, as contacts of one fingertip: "left 0", "left 1" and so on. Points behind the foremost one
+    /// have a clearance.
     #[must_use]
     pub fn contacts(&self) -> &[Contact<3>] {
         &self.contacts
     }
 
-    /// These contacts, to keep.
+    /// These contacts, by value.
     #[must_use]
     pub fn into_contacts(self) -> Vec<Contact<3>> {
         self.contacts
     }
 
-    /// The part of the pad's area that misses the part, from 0 to 1.
+    /// Fraction of the pad's area that misses the part, from 0 to 1.
     #[must_use]
     pub fn missing(&self) -> f64 {
         self.missing
     }
 
-    /// The largest angle between the surfaces of pad and part where the pad presses, rad; of a pad without a squeeze, where it touches first.
+    /// Largest angle between the surfaces of pad and part over the points that press, rad. Without a squeeze it is that of the points that touch
+    /// first.
     #[must_use]
     pub fn steepest(&self) -> f64 {
         self.steepest
     }
 
-    /// Whether the pad presses on an edge or a slope from which it slips: its surface and the part's meet at a larger angle than that of friction,
+    /// Whether the pad presses on an edge or a slope from which it slips: its surface and that of the part meet at more than the friction angle
     /// `atan μ`.
     #[must_use]
     pub fn is_over_an_edge(&self) -> bool {
         let friction = self.contacts.first().map_or(0.0, Contact::friction_coefficient);
-        // Faces that are flat but for single precision are no edge without friction.
+        // Faces that are flat except for single-precision rounding do not count as an edge, even without friction.
         self.steepest > friction.atan().max(1e-3)
     }
 }
 
-/// The advance of the pad, m, at which the forces of its points along the closing direction have this sum on a part that stays in place.
+/// Advance of the pad, m, at which the forces of its points along the closing direction sum to `force`, if the part does not move.
 ///
-/// From its touch on, at the gap g, a point with the angle θ presses with `k_n cos θ (s - g)`. Along the tangent it pulls with the least of
-/// `k_t sin θ (s - g)` and μ times this. Both grow in proportion to s - g, so that the sum is piecewise linear in s.
+/// A point with the gap g and the angle θ presses with `k_n cos θ (s - g)` once it touches. Along the tangent it pulls with the smaller of `k_t
+/// sin θ (s - g)` and μ times its normal force. Both are proportional to s - g, so the sum is piecewise linear in s.
 pub(super) fn advance_under(
     force: f64,
     points: &[Contact<3>],

@@ -1,9 +1,9 @@
-//! A number for each coordinate.
+//! One index per coordinate.
 
 use super::size::WHOLE;
 use crate::prelude::*;
 
-/// A number for each coordinate, for example a permutation; in place for one object.
+/// One index per coordinate, for example a permutation; stored in place for a single object.
 #[derive(Debug, Clone)]
 pub(crate) enum Indices {
     Few(usize, [usize; WHOLE]),

@@ -1,14 +1,14 @@
-//! Lists of numbers, in place or on the heap.
+//! Lists of numbers, stored in place or on the heap.
 
 use core::fmt::{Debug, Formatter};
 
 use crate::prelude::*;
 
-/// Largest number of components kept in place: with their count they fill two cache lines, which are moved without a call. Longer lists are on the
-/// heap.
+/// Largest number of components stored in place. With their count they fill two cache lines, which are copied without a function call. Longer
+/// lists are on the heap.
 const IN_PLACE: usize = 15;
 
-/// A list of any length: up to [`IN_PLACE`] numbers in place with zeros behind them, more on the heap.
+/// A list of any length. Up to [`IN_PLACE`] numbers are stored in place, followed by zeros; longer lists are on the heap.
 #[derive(Clone)]
 #[repr(u32)] // tag and length share one word, so the numbers behind them are copied by whole words
 pub(super) enum List {
@@ -41,7 +41,7 @@ impl List {
         }
     }
 
-    /// The first N numbers, with zeros behind the end of the list; `None` for a longer list, and where N numbers may not be in place.
+    /// The first N numbers, including zeros beyond the end of the list; `None` for a longer list, or if N exceeds the numbers in place.
     #[inline]
     pub(super) fn fixed<const N: usize>(&self) -> Option<&[f64; N]> {
         match self {
@@ -50,7 +50,7 @@ impl List {
         }
     }
 
-    /// Like [`Self::fixed`], to be changed; what lies behind the end of the list must stay zero.
+    /// Like [`Self::fixed`], mutable. Numbers beyond the end of the list must stay zero.
     #[inline]
     pub(super) fn fixed_mut<const N: usize>(&mut self) -> Option<&mut [f64; N]> {
         match self {

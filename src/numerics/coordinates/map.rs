@@ -1,4 +1,4 @@
-//! A matrix from a contact to coordinates.
+//! A matrix from contact axes to coordinates.
 
 use core::ops::{Index, IndexMut, Mul, Range};
 
@@ -10,7 +10,7 @@ use super::vector::Vector;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A matrix from the three axes of a contact to coordinates: a grasp map.
+/// A matrix from the three axes of a contact to coordinates, such as a grasp map G.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Map {
     entries: MapEntries,
@@ -39,12 +39,12 @@ impl Map {
         self.size
     }
 
-    /// The rows that may have entries, in order; all others are zero.
+    /// The stored rows, in order; all other rows are zero.
     pub(crate) fn rows(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.entries.row_count(self.size)).map(|place| self.entries.row(place))
     }
 
-    /// Drops rows outside of these ranges; they must have no entries.
+    /// Stores only the rows of these ranges; all other rows must be zero.
     pub(crate) fn keep(&mut self, ranges: &[Range<usize>; 2]) {
         self.entries.keep(ranges);
     }
@@ -63,7 +63,7 @@ impl Map {
         column
     }
 
-    /// A column for the coordinates of one object, with zeros behind the last one; `None` for more coordinates.
+    /// A column as an array, for the coordinates of a single object with zeros beyond the last one; `None` for more coordinates.
     #[inline]
     pub(crate) fn whole_column(&self, a: usize) -> Option<&[f64; WHOLE]> {
         match &self.entries {
@@ -88,7 +88,7 @@ impl Map {
         for (k, x) in column.iter().enumerate() {
             self.entries.set(k, a, *x);
         }
-        // Components behind the end of a list are zero.
+        // Components beyond the end of a list are zero.
         for place in 0..self.entries.row_count(self.size) {
             let k = self.entries.row(place);
             if k >= column.len() {
@@ -103,7 +103,7 @@ impl Map {
         }
     }
 
-    /// `G K`, column by column, as nalgebra sums.
+    /// The product `G K`, column by column, added in nalgebra's order.
     #[inline]
     pub(crate) fn times(&self, by: &SMatrix<f64, 3, 3>) -> Self {
         let mut product = Self::zeros(self.size);
@@ -116,20 +116,20 @@ impl Map {
         product
     }
 
-    /// `Gᵀv`.
+    /// The product `Gᵀv`.
     #[inline]
     pub(crate) fn tr_mul(&self, v: &Vector) -> SVector<f64, 3> {
         self.entries.felt(self.size, &v.0)
     }
 
-    /// Adds `G f` to a vector.
+    /// Adds the product `G f` to a vector.
     #[inline]
     pub(crate) fn push(&self, f: &SVector<f64, 3>, to: &mut Vector) {
         to.reach(self.size);
         self.entries.add_mapped(f, &mut to.0);
     }
 
-    /// `|G f|`.
+    /// The norm `|G f|`.
     #[inline]
     pub(crate) fn pushed_norm(&self, f: &SVector<f64, 3>) -> f64 {
         self.entries.mapped_square(self.size, f).sqrt()

@@ -1,7 +1,7 @@
-//! Entries of a map: all of them in place for one object, otherwise of the rows that have entries.
+//! Entries of a map: for a single object all of them in place, otherwise those of the nonzero rows.
 //!
-//! A contact of several bodies acts on two of them, however many there are, so its map has entries in few rows. Sums over these rows have the bits of
-//! sums over all rows, since zeros change none.
+//! With several bodies a contact acts on two of them, so its map has entries in few rows. Sums over these rows have the same bits as sums over
+//! all rows, since adding zeros changes nothing.
 
 use core::ops::Range;
 
@@ -12,19 +12,19 @@ use super::products::{SumLanes, dot, dot_whole};
 use super::size::{Size, WHOLE};
 use crate::prelude::*;
 
-/// Entries of a matrix with a row for each coordinate and a column for each axis of a contact.
+/// Entries of a matrix with a row per coordinate and a column per axis of a contact.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum MapEntries {
-    /// Column by column, with zeros behind the last coordinate.
+    /// All entries, column by column, with zeros beyond the last coordinate.
     Whole([[f64; WHOLE]; 3]),
     Few(FewRows),
 }
 
-/// Entries of a few rows; all others are zero.
+/// Entries of a few stored rows; all other rows are zero.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct FewRows {
     rows: Vec<usize>,
-    /// Column by column.
+    /// Entries of the stored rows, column by column.
     entries: Vec<f64>,
 }
 
@@ -52,7 +52,7 @@ impl MapEntries {
         }
     }
 
-    /// Sets an entry; a zero does not create a missing row.
+    /// Sets an entry; a zero does not create a row that is not stored.
     #[inline]
     pub(super) fn set(&mut self, k: usize, a: usize, x: f64) {
         match self {
@@ -65,7 +65,7 @@ impl MapEntries {
         }
     }
 
-    /// The number of existing rows.
+    /// Number of stored rows.
     #[inline]
     pub(super) fn row_count(&self, size: Size) -> usize {
         match self {
@@ -74,7 +74,7 @@ impl MapEntries {
         }
     }
 
-    /// The existing row with this number, in order.
+    /// Index of a stored row from its position among them.
     #[inline]
     pub(super) fn row(&self, place: usize) -> usize {
         match self {
@@ -83,7 +83,7 @@ impl MapEntries {
         }
     }
 
-    /// The entries of a column in a range of existing rows.
+    /// The entries of a column in a range of stored rows.
     #[inline]
     pub(super) fn column(&self, a: usize, range: Range<usize>) -> &[f64] {
         match self {
@@ -95,7 +95,7 @@ impl MapEntries {
         }
     }
 
-    /// Keeps the rows of these ranges only, and creates those that are missing.
+    /// Stores exactly the rows of these ranges; rows that were not stored before get zeros.
     pub(super) fn keep(&mut self, ranges: &[Range<usize>; 2]) {
         if let Self::Few(_) = self {
             let rows: Vec<usize> = ranges.iter().cloned().flatten().collect();
@@ -107,7 +107,7 @@ impl MapEntries {
         }
     }
 
-    /// Adds `G f` to a list, which reaches all coordinates.
+    /// Adds `G f` to a list that has all coordinates.
     #[inline]
     pub(super) fn add_mapped(&self, f: &SVector<f64, 3>, to: &mut List) {
         match self {
@@ -125,7 +125,7 @@ impl MapEntries {
         }
     }
 
-    /// `|G f|²`.
+    /// The squared norm `|G f|²`.
     #[inline]
     pub(super) fn mapped_square(&self, size: Size, f: &SVector<f64, 3>) -> f64 {
         match self {
@@ -144,7 +144,7 @@ impl MapEntries {
         }
     }
 
-    /// `Gᵀv`; numbers behind the end of the list are zero.
+    /// The product `Gᵀv`; numbers beyond the end of the list are zero.
     #[inline]
     pub(super) fn felt(&self, size: Size, list: &List) -> SVector<f64, 3> {
         let mut felt = SVector::zeros();
@@ -168,7 +168,7 @@ impl MapEntries {
         felt
     }
 
-    /// The square of the length of a column.
+    /// The squared norm of a column.
     pub(super) fn column_square(&self, a: usize, size: Size) -> f64 {
         match self {
             Self::Whole(columns) => dot_whole(&columns[a], &columns[a]),
@@ -180,7 +180,7 @@ impl MapEntries {
         }
     }
 
-    /// `G f` of one object.
+    /// The product `G f` for a single object.
     #[inline]
     fn mapped(&self, f: &SVector<f64, 3>) -> [f64; WHOLE] {
         let mut sum = [0.0; WHOLE];
@@ -198,7 +198,7 @@ impl MapEntries {
 impl FewRows {
     fn entry_mut(&mut self, k: usize, a: usize, columns: usize) -> &mut f64 {
         let place = self.rows.binary_search(&k).unwrap_or_else(|place| {
-            // From the last column on, so that earlier positions stay valid.
+            // Starts with the last column, so that positions in earlier columns stay valid.
             (0..columns).rev().for_each(|a| self.entries.insert(a * self.rows.len() + place, 0.0));
             self.rows.insert(place, k);
             place
@@ -206,14 +206,14 @@ impl FewRows {
         &mut self.entries[a * self.rows.len() + place]
     }
 
-    /// The rows with their entries in a column.
+    /// Pairs of stored row and entry of a column.
     #[inline]
     fn of_column(&self, a: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let count = self.rows.len();
         self.rows.iter().copied().zip(self.entries[a * count..(a + 1) * count].iter().copied())
     }
 
-    /// The entry of `G f` in the row with this number.
+    /// The entry of `G f` in the stored row at this position.
     #[inline]
     fn mapped(&self, place: usize, f: &[f64]) -> f64 {
         let mut sum = 0.0;
@@ -225,7 +225,7 @@ impl FewRows {
         sum
     }
 
-    /// A column times a vector of `count` components; those behind the end of its list are zero.
+    /// The product of a column with a vector of `count` components; components beyond the end of its list are zero.
     #[inline]
     fn felt(&self, a: usize, count: usize, list: &[f64]) -> f64 {
         let end = count.min(list.len());
@@ -245,7 +245,7 @@ mod tests {
     use crate::numerics::generic;
     use nalgebra::SVector;
 
-    /// The dot product in four sums side by side and the remainder.
+    /// Reference: the dot product in four interleaved sums, and the remainder.
     fn dense(a: &[f64], b: &[f64]) -> f64 {
         let (mut sums, whole) = ([0.0; 4], a.len() / 4 * 4);
         (0..whole).for_each(|k| sums[k % 4] += a[k] * b[k]);

@@ -1,14 +1,14 @@
-//! Sums of products over slices, in an order that does not depend on zeros between them.
+//! Dot products over slices, in an order that does not depend on zeros among the terms.
 
 use super::size::WHOLE;
 
-/// The list as an array, if it has N numbers.
+/// The list as an array; `None` unless it has N numbers.
 #[inline]
 pub(super) fn exactly<const N: usize>(list: &[f64]) -> Option<&[f64; N]> {
     list.try_into().ok()
 }
 
-/// The dot product over the common length, in four sums side by side: no addition waits for the one before.
+/// The dot product over the common length, in four interleaved sums, so that no addition waits for the previous one.
 #[inline]
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let end = a.len().min(b.len());
@@ -26,7 +26,7 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
 
-/// The dot product over the coordinates of one object: pairs of products are added side by side.
+/// The dot product over the coordinates of a single object; pairs of products are added independently.
 #[inline(always)]
 pub(super) fn dot_whole(a: &[f64; WHOLE], b: &[f64; WHOLE]) -> f64 {
     ((a[0] * b[0] + a[2] * b[2]) + (a[1] * b[1] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5])
@@ -36,7 +36,7 @@ pub(super) fn dot_whole(a: &[f64; WHOLE], b: &[f64; WHOLE]) -> f64 {
 pub(super) struct SumLanes {
     sums: [f64; 4],
     rest: f64,
-    /// Terms from this index on are added to the rest.
+    /// Terms from this index on belong to the remainder.
     whole: usize,
 }
 
@@ -57,7 +57,7 @@ impl SumLanes {
     }
 }
 
-/// Adds a matrix, given column by column, times a vector.
+/// Adds the product of a matrix, given column by column, and a vector.
 #[inline]
 pub(super) fn add_combined(columns: &[f64], times: &[f64], to: &mut [f64]) {
     let rows = to.len().max(1);
@@ -71,7 +71,7 @@ pub(super) fn add_combined(columns: &[f64], times: &[f64], to: &mut [f64]) {
     }
 }
 
-/// [`add_combined`] of N columns of N numbers, with loops of this length.
+/// [`add_combined`] for N columns of N numbers, with loops of fixed length.
 #[inline]
 pub(super) fn add_fixed<const N: usize>(columns: &[f64], times: &[f64; N], to: &mut [f64; N]) {
     let (columns, _) = columns.as_chunks::<N>();

@@ -1,4 +1,4 @@
-//! A matrix from coordinates to a contact.
+//! A matrix from coordinates to contact axes.
 
 use core::ops::{Index, IndexMut, Mul};
 
@@ -8,15 +8,15 @@ use super::size::{Size, WHOLE};
 use super::vector::Vector;
 use crate::prelude::*;
 
-/// A matrix from coordinates to the axes of a contact.
+/// A matrix S from coordinates to the axes of a contact, such as a transposed and scaled grasp map.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ScaledMap {
-    /// Column by column.
+    /// Entries column by column.
     entries: Columns,
     size: Size,
 }
 
-/// Columns of three numbers: in place for one object, with zeros behind the last one.
+/// Columns of three numbers: in place for a single object, with zeros beyond the last column.
 #[derive(Debug, Clone, PartialEq)]
 enum Columns {
     Few([[f64; 3]; WHOLE]),
@@ -51,7 +51,7 @@ impl ScaledMap {
         }
     }
 
-    /// `Sᵀf`.
+    /// The product `Sᵀf`.
     #[inline]
     pub(crate) fn tr_mul(&self, f: &SVector<f64, 3>) -> Vector {
         let columns = self.columns();

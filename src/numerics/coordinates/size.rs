@@ -2,12 +2,12 @@
 
 use super::indices::Indices;
 
-/// The number of coordinates: 3 of one object in the plane, 6 of one in space, then those of joints and of other bodies.
+/// The number of coordinates: 3 for one object in the plane, 6 in space, then those of joints and other bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Size(usize);
 
-/// Coordinates of one object in space. Vectors and matrices over up to as many lie in place, and their loops have this fixed length, with zeros in the
-/// plane: sums of zeros cost less than a length that the compiler does not know.
+/// Number of coordinates of one object in space. Vectors and matrices of up to this many coordinates are stored in place, and their loops have
+/// this fixed length, with zeros in the plane. Adding zeros costs less than a length that the compiler does not know.
 pub(crate) const WHOLE: usize = 6;
 
 impl Size {

@@ -18,7 +18,7 @@ pub(crate) struct Square {
     size: Size,
 }
 
-/// Entries of a square matrix, column by column: in place for one object, with zeros behind the last column.
+/// Entries of a square matrix, column by column: in place for a single object, with zeros beyond the last column.
 #[derive(Debug, Clone, PartialEq)]
 enum Entries {
     Few([f64; WHOLE * WHOLE]),
@@ -32,7 +32,7 @@ impl Entries {
     }
 }
 
-/// Adds a matrix of N columns times a vector of up to N components.
+/// Adds the product of a matrix of N columns and a vector of up to N components.
 #[inline]
 fn fixed_product<const N: usize>(entries: &[f64], times: &List, sum: &mut List) {
     match (times.fixed::<N>(), sum.fixed_mut::<N>()) {
@@ -42,7 +42,7 @@ fn fixed_product<const N: usize>(entries: &[f64], times: &List, sum: &mut List) 
 }
 
 impl Default for Square {
-    /// The matrix without coordinates.
+    /// The matrix without rows and columns.
     fn default() -> Self {
         Self::zeros(Size::default())
     }
@@ -130,12 +130,12 @@ impl Square {
         &mut self.as_mut_slice()[j * n..(j + 1) * n]
     }
 
-    /// Sets all entries to zero and the size to this, in the same memory if the size is unchanged.
+    /// Sets the size, and all entries to zero; memory is reused if the size is unchanged.
     pub(crate) fn clear(&mut self, size: Size) {
         if self.size == size { self.fill(0.0) } else { *self = Self::zeros(size) }
     }
 
-    /// Adds `a bᵀ`.
+    /// Adds the dyad `a bᵀ`.
     #[inline]
     pub(crate) fn add_product(&mut self, a: &[f64], b: &[f64]) {
         let n = self.size.count();
@@ -148,13 +148,13 @@ impl Square {
 }
 
 impl Square {
-    /// Adds `w SᵀH S`; `hold` is H, and `None` the identity.
+    /// Adds `w SᵀH S`; `hold` is H, and `None` stands for the identity.
     pub(crate) fn add_congruent(&mut self, seen: &ScaledMap, hold: Option<&SMatrix<f64, 3, 3>>, weight: f64) {
         let columns = seen.columns();
         for (to, moved) in self.as_mut_slice().chunks_exact_mut(columns.len().max(1)).zip(columns) {
             let moved = SVector::from(*moved);
             let held = hold.map_or(moved, |hold| hold * moved) * weight;
-            // One object's columns lie in an array, so that this loop has its length.
+            // For a single object this loop has a length that the compiler knows.
             match columns.len() {
                 WHOLE => add_felt::<WHOLE>(columns, &held, to),
                 3 => add_felt::<3>(columns, &held, to),
@@ -168,7 +168,7 @@ impl Square {
     }
 }
 
-/// Adds the products of N columns with a vector of a contact.
+/// Adds the products of N columns with a vector of contact axes.
 #[inline]
 fn add_felt<const N: usize>(columns: &[[f64; 3]], held: &SVector<f64, 3>, to: &mut [f64]) {
     let (Some(columns), Some(to)) = (columns.first_chunk::<N>(), to.first_chunk_mut::<N>()) else { return };

@@ -10,7 +10,7 @@ use super::size::{Size, WHOLE};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A vector over coordinates: a motion, or a wrench.
+/// A vector over coordinates: a motion, or a generalised force.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Vector(pub(super) List);
 
@@ -22,7 +22,7 @@ impl Default for Vector {
 }
 
 impl Vector {
-    /// The zero vector of any number of coordinates.
+    /// The zero vector, for any number of coordinates.
     #[inline]
     pub(crate) fn zeros() -> Self {
         Self::default()
@@ -41,31 +41,31 @@ impl Vector {
         Self::from_fn(Size::of(components.len()), |k| components[k])
     }
 
-    /// The zero vector with a component for every coordinate.
+    /// The zero vector with one stored component per coordinate.
     #[inline]
     pub(crate) fn all_zero(size: Size) -> Self {
         Self(List::zeros(size.count()))
     }
 
-    /// The unit vector along a coordinate.
+    /// The unit vector along one coordinate.
     #[inline]
     pub(crate) fn unit(size: Size, along: usize) -> Self {
         Self::from_fn(size, |k| if k == along { 1.0 } else { 0.0 })
     }
 
-    /// Extends the vector with zeros to a component for every coordinate.
+    /// Extends the vector with zeros to one stored component per coordinate.
     #[inline]
     pub(crate) fn reach(&mut self, size: Size) {
         self.0.reach(size.count());
     }
 
-    /// Adds `times` another vector.
+    /// Adds `times` times another vector.
     #[inline]
     pub(crate) fn add_times(&mut self, other: &Self, times: f64) {
         let other = other.as_slice();
         self.0.reach(other.len());
         let to = self.0.slice_mut();
-        // The compiler knows the length of the vectors of one object in space.
+        // For a single object in space the compiler knows the length of the vectors.
         if let (Some(to), Some(other)) = (to.first_chunk_mut::<WHOLE>(), exactly::<WHOLE>(other)) {
             for k in 0..WHOLE {
                 to[k] += other[k] * times;
@@ -77,13 +77,13 @@ impl Vector {
         }
     }
 
-    /// The components of one object, with zeros behind the last one; `None` for more coordinates.
+    /// The components of a single object as an array, with zeros beyond the last one; `None` for more coordinates.
     #[inline]
     pub(crate) fn array(&self) -> Option<&[f64; WHOLE]> {
         self.0.fixed()
     }
 
-    /// [`Self::array`], to be changed; what lies behind the last component must stay zero.
+    /// [`Self::array`], mutable. Numbers beyond the last component must stay zero.
     #[inline]
     pub(crate) fn array_mut(&mut self) -> Option<&mut [f64; WHOLE]> {
         self.0.fixed_mut()
@@ -132,13 +132,13 @@ impl Vector {
         self / self.norm()
     }
 
-    /// The largest size of a component.
+    /// The largest absolute value of a component.
     #[inline]
     pub(crate) fn amax(&self) -> f64 {
         self.iter().fold(0.0, |most: f64, x| if x.abs() > most { x.abs() } else { most })
     }
 
-    /// The index of the component of largest size.
+    /// The index of the component with the largest absolute value.
     pub(crate) fn iamax(&self) -> usize {
         let mut most = 0;
         for (k, x) in self.iter().enumerate() {

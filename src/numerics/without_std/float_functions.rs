@@ -1,9 +1,9 @@
-//! Floating-point functions of std where it is missing, under the same names, from `libm`.
+//! Floating-point functions with the names of std's, from `libm`, for targets without std.
 
-/// Declares functions of one number and of two, and maps each to its name in `libm`.
+/// Declares functions of one and of two numbers, and maps each to its name in `libm`.
 macro_rules! float_functions {
     ($($one:ident = $one_of_libm:ident),*; $($two:ident = $two_of_libm:ident),*) => {
-        /// The floating-point functions that std has and core lacks.
+        /// The floating-point functions that std provides and core lacks.
         pub(crate) trait FloatFunctions: Sized {
             $(fn $one(self) -> Self;)*
             $(fn $two(self, other: Self) -> Self;)*
@@ -25,7 +25,7 @@ macro_rules! float_functions {
                 libm::sincos(self)
             }
 
-            /// Squares in the same order as in std, so that the bits agree.
+            /// Multiplies squares in the same order as std, so that the bits agree.
             fn powi(self, exponent: i32) -> Self {
                 let (mut power, mut square, mut left) = (1.0, self, exponent.unsigned_abs());
                 loop {
@@ -58,10 +58,10 @@ float_functions! {
 mod tests {
     use super::*;
 
-    /// Both have errors below one or two units in the last place.
+    /// Both libraries have errors below one or two units in the last place.
     const ULPS: f64 = 4.0 * f64::EPSILON;
 
-    /// Numbers of all sizes within a range.
+    /// 1001 evenly spaced numbers of a range.
     fn numbers(low: f64, high: f64) -> impl Iterator<Item = f64> {
         (0..=1000).map(move |k| low + (high - low) * f64::from(k) / 1000.0)
     }

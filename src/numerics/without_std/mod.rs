@@ -1,9 +1,9 @@
-//! Replacements for std where it is missing.
+//! Replacements for parts of std, for targets without it.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `float_functions` | floating-point functions, from `libm` |
-//! | `once` | values that are made once, for all threads |
+//! | `once` | values that are computed once, for all threads |
 
 mod float_functions;
 mod once;

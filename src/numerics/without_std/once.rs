@@ -1,10 +1,10 @@
-//! A value that is made when it is first needed, and kept, as by `std::sync::OnceLock`.
+//! A value that is computed when first needed and then kept, like `std::sync::OnceLock`.
 
 use crate::prelude::*;
 
 use once_cell::race::OnceBox;
 
-/// A value that is made once. No thread waits: each that needs the value meanwhile makes it, too, and the first result is kept.
+/// A value that is computed once. No thread waits: several threads may compute the value at the same time, and the first result is kept.
 #[derive(Debug, Clone)]
 pub(crate) struct Once<T>(OnceBox<T>);
 

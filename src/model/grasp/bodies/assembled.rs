@@ -1,11 +1,11 @@
-//! Adds several bodies to a grasp under assembly.
+//! Adds the bodies to a grasp that is being assembled.
 
 use super::place::PlacedBodies;
 use crate::error::Error;
 use crate::grasp::hand::Assembly;
 
 impl Assembly {
-    /// Reserves coordinates for all bodies but the object, and appends to each contact its motion with them.
+    /// Reserves coordinates for all bodies except the object. Appends to the motions of each contact those due to these coordinates.
     pub(in crate::model::grasp) fn add_bodies(&mut self, bodies: &mut PlacedBodies) -> Result<(), Error> {
         let object = self.space.of_the_object();
         self.used = bodies.place(&self.contacts, object + self.used)? - object;

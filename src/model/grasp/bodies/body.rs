@@ -1,4 +1,4 @@
-//! One of several bodies: its mass, its own load, and its motion in answers.
+//! One of several bodies: its mass, its own load, and its motion in an answer.
 
 use alloc::sync::Arc;
 
@@ -9,7 +9,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// A body with its name, its mass, and a load that acts on it in addition to the load of a question.
+/// A body with its name, its mass, and an own load that acts in addition to the load of a question.
 ///
 /// ```
 /// use grasp_lcp::planar::{Body, Wrench};
@@ -32,15 +32,15 @@ impl<const C: usize> Body<C> {
         Self { name: name.into().into(), mass: 0.0, centre: SVector::zeros(), load: Wrench::ZERO }
     }
 
-    /// Mass of the body, kg, and its centre of mass, m. [Gravity](super::Bodies::gravity) acts there, and so does its share of a load that is [shared
-    /// by mass](super::Bodies::shared_by_mass).
+    /// Sets the mass, kg, and the centre of mass, m. [Gravity](super::Bodies::gravity) acts there, and so does the body's share of a load that
+    /// is [shared by mass](super::Bodies::shared_by_mass).
     #[must_use]
     pub fn mass(mut self, mass: f64, centre: impl Into<[f64; C]>) -> Self {
         (self.mass, self.centre) = (mass, SVector::from(centre.into()));
         self
     }
 
-    /// A constant load on the body in addition to the load of a question: N, and N m about the origin of the scene.
+    /// Sets a constant load that acts in addition to the load of a question: N, and N m about the origin of the scene.
     #[must_use]
     pub fn load(mut self, load: Wrench<C>) -> Self {
         self.load = load;
@@ -70,26 +70,27 @@ pub struct BodyMotion<const C: usize> {
     pub body: Arc<str>,
     /// Translation of the body's point at the origin of the scene (m), and rotation (rad).
     pub twist: Twist<C>,
-    /// Centroid of its contact points, m.
+    /// Centroid of the body's contact points, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub centre: SVector<f64, C>,
-    /// Root mean square distance of its contact points from their centroid, m.
+    /// Root mean square distance of the body's contact points from their centroid, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub reach: f64,
 }
 
 impl BodyMotion<3> {
-    /// Displacement of the centroid of its contact points, m.
+    /// Displacement of the centroid of the body's contact points, m.
     pub(crate) fn middle_moves(&self) -> SVector<f64, 3> {
         self.twist.moves(&self.centre)
     }
 
-    /// Displacement of its contact points by rotation about their centroid, m: the angle times `reach`.
+    /// Displacement of the contact points due to rotation about their centroid, m: the angle times `reach`.
     pub(crate) fn turning_moves(&self) -> f64 {
         self.twist.parts().1.size() * self.reach
     }
 
-    /// Estimate of the displacement of its fastest contact, m: the larger of the centroid's and that by rotation.
+    /// Estimate of the displacement of the body's fastest contact point, m: the larger of the displacement of the centroid and that due to
+    /// rotation.
     pub(crate) fn speed(&self) -> f64 {
         self.middle_moves().norm().max(self.turning_moves())
     }

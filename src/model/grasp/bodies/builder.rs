@@ -1,4 +1,4 @@
-//! A scene of several bodies, with their contacts, links and hand.
+//! Builder of a grasp with several bodies, their contacts, links and hand.
 
 use alloc::sync::Arc;
 
@@ -15,11 +15,11 @@ use crate::grasp::wrench::Wrench;
 use crate::numerics::{mapped, summed};
 use crate::prelude::*;
 
-/// Several bodies that touch each other, the ground and fingers. [`Bodies::grasp`] makes a grasp of them, which is asked like any other.
+/// Several bodies that touch each other, the ground and fingers. [`Bodies::grasp`] makes a grasp, which answers the same questions as any other.
 ///
-/// [`Contact::on`] names the body that a contact's normal points into, [`Contact::against`] the body on its other side. Without `against` the ground
-/// or a finger is there. A load of a question acts on one body: the first, or the body named by [`loaded`](Self::loaded). With
-/// [`shared_by_mass`](Self::shared_by_mass) it acts on all bodies in proportion to their mass.
+/// [`Contact::on`] names the body into which a contact's normal points, [`Contact::against`] the body on its other side. Without `against`, the
+/// other side is the ground or a finger. The load of a question acts on one body: the first, or the body named by [`loaded`](Self::loaded). With
+/// [`shared_by_mass`](Self::shared_by_mass) it acts on all bodies in proportion to their masses.
 ///
 /// ```
 /// use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
@@ -47,7 +47,7 @@ pub struct Bodies<const C: usize> {
     loaded: Loaded,
 }
 
-/// The bodies on which a load of a question acts.
+/// The bodies on which the load of a question acts.
 #[derive(Debug, Clone, PartialEq)]
 enum Loaded {
     First,
@@ -56,7 +56,7 @@ enum Loaded {
 }
 
 impl<const C: usize> Bodies<C> {
-    /// A scene of these bodies; their names must differ.
+    /// A set of bodies with different names.
     pub fn new(bodies: impl IntoIterator<Item = Body<C>>) -> Self {
         Self {
             list: bodies.into_iter().collect(),
@@ -67,57 +67,57 @@ impl<const C: usize> Bodies<C> {
         }
     }
 
-    /// Adds contacts without joints behind them: with the ground, with fixed fingers, or between bodies.
+    /// Adds contacts with the ground, with fixed fingers, or between bodies; they have no joints.
     #[must_use]
     pub fn contacts(mut self, contacts: impl IntoIterator<Item = Contact<C>>) -> Self {
         self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
         self
     }
 
-    /// Adds hinges, slides, springs or cables between the bodies or to the ground. Their points come after all contacts.
+    /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model them follow all other contacts.
     #[must_use]
     pub fn links(mut self, links: impl IntoIterator<Item = Link<C>>) -> Self {
         self.links.extend(links);
         self
     }
 
-    /// The hand that holds the bodies, with its tendons; it replaces the contacts given before.
+    /// Sets the hand that holds the bodies. It replaces all contacts given before.
     #[must_use]
     pub fn held_by(mut self, hand: Hand<C>) -> Self {
         self.hand = hand;
         self
     }
 
-    /// Gravity, m/s². The weight of each body acts at its centre of mass, in addition to the load of a question.
+    /// Sets gravity, m/s². The weight of each body acts at its centre of mass, in addition to the load of a question.
     #[must_use]
     pub fn gravity(mut self, gravity: impl Into<[f64; C]>) -> Self {
         self.gravity = SVector::from(gravity.into());
         self
     }
 
-    /// Applies the loads of questions to this body.
+    /// Makes the loads of questions act on this body.
     #[must_use]
     pub fn loaded(mut self, body: impl Into<String>) -> Self {
         self.loaded = Loaded::Body(body.into().into());
         self
     }
 
-    /// Shares the loads of questions among all bodies in proportion to mass: the force acts at their centres of mass, and the remaining moment is
-    /// shared as well. So all weights grow and turn together.
+    /// Shares the loads of questions among all bodies in proportion to their masses. The force acts at their centres of mass, and the remaining
+    /// moment is shared likewise. A load parallel to gravity thus scales all weights; a turning load turns them.
     #[must_use]
     pub fn shared_by_mass(mut self) -> Self {
         self.loaded = Loaded::ByMass;
         self
     }
 
-    /// Total weight of the bodies under this gravity, m/s²: a load for questions that are [shared by mass](Self::shared_by_mass).
+    /// Total weight of the bodies under this gravity, m/s²: a load for questions whose load is [shared by mass](Self::shared_by_mass).
     #[must_use]
     pub fn weight(&self, gravity: impl Into<[f64; C]>) -> Wrench<C> {
         let gravity = SVector::from(gravity.into());
         self.list.iter().fold(Wrench::ZERO, |sum, body| sum + body.weight(&gravity))
     }
 
-    /// Checks bodies and links, and returns the hand with the points of the links, and the bodies.
+    /// Validates bodies and links. Returns the hand, to which the contacts of the links are added, and the bodies.
     ///
     /// # Errors
     /// [`Error::Body`] with the name of the body, [`Error::Link`] with the name of the link, and the fault. [`Error::Wrench`] for a load and

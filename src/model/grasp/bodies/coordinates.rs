@@ -1,4 +1,4 @@
-//! Loads and motions of several bodies, converted between inside coordinates and the user's.
+//! Conversion of loads and motions of several bodies between inside coordinates and the user's.
 
 use alloc::sync::Arc;
 
@@ -13,17 +13,17 @@ use crate::numerics::{Size, Vector, indexed};
 use crate::prelude::*;
 
 impl Engine {
-    /// The bodies, if there are several.
+    /// The bodies; `None` for a single object.
     pub(crate) fn bodies(&self) -> Option<&PlacedBodies> {
         self.linkage()?.bodies.as_deref()
     }
 
-    /// Sign, 1, -1 or 0, with which the force of a contact acts on the body in the coordinates of the object.
+    /// Sign, 1, -1 or 0, with which the force of a contact acts on the body that has the object's coordinates.
     pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
 
-    /// The wrenches of one load on each body, in inside coordinates.
+    /// Combines one wrench on each body into a vector of inside coordinates.
     pub(crate) fn put_on_each(&self, bodies: &PlacedBodies, loads: &[Wrench<3>]) -> Vector {
         let mut inside = Vector::zeros();
         for (body, (place, load)) in bodies.places.iter().zip(loads).enumerate() {
@@ -40,8 +40,8 @@ impl Engine {
         inside
     }
 
-    /// Moments about the origin of a contact's `force` at `point`, in inside coordinates; the components of the force itself are zero. They measure
-    /// how rounding of the contact point acts on rotations.
+    /// Moments about the origin of a contact's `force` at `point`, in inside coordinates. The components of the force itself are zero. The
+    /// result measures how rounding of the contact point affects rotations.
     pub(crate) fn moments_of(
         &self,
         contact: usize,
@@ -50,7 +50,7 @@ impl Engine {
     ) -> Vector {
         let angular = self.space.axes()..self.space.of_the_object();
         if contact >= self.len() {
-            // A drive acts on no body.
+            // The force of a drive acts on no body.
             return Vector::zeros();
         }
         let in_unit = self.space.wrench_of(&(point / self.length()), force);
@@ -71,8 +71,8 @@ impl Engine {
         moments
     }
 
-    /// These bodies under loads that grow from zero, per newton of a question's force along the first axis: the constant loads plus the shares of
-    /// `base`. No constant load remains. `None` for a single object.
+    /// These bodies with all loads in proportion: the constant loads plus the shares of `base`, for a question's force of 1 N along the first
+    /// axis. No constant load remains. `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);
@@ -93,7 +93,7 @@ impl Engine {
         }
     }
 
-    /// Number of the body with this name, for a load on it.
+    /// Index of the body with this name.
     ///
     /// # Errors
     /// [`Error::Body`] if there is no such body.
@@ -101,12 +101,12 @@ impl Engine {
         self.bodies().map_or_else(|| Err(no_body(name)), |bodies| bodies.called(name))
     }
 
-    /// These bodies with the loads that a load program has applied, one for each body.
+    /// These bodies with one load applied to each of them by a load program, in addition to their constant loads.
     pub(crate) fn under_body_loads(&self, loads: Vec<Wrench<3>>) -> Self {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// These bodies with the body loads of an answer applied again, for further questions about it.
+    /// These bodies with the body loads of an answer applied, for further questions about that answer.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {
@@ -116,21 +116,21 @@ impl Engine {
         Ok(self.under_body_loads(all))
     }
 
-    /// Loads that a load program has applied to bodies, zeros left out.
+    /// Nonzero loads that a load program has applied to bodies.
     pub(crate) fn body_loads(&self) -> Vec<BodyLoad<3>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let named = bodies.names.iter().zip(&bodies.put_on).filter(|(_, load)| **load != Wrench::ZERO);
         named.map(|(body, load)| BodyLoad { body: body.clone(), load: *load }).collect()
     }
 
-    /// Motion of each body in the user's coordinates, from all coordinates in the user's units.
+    /// Motion of each body in the user's coordinates, from a vector of all coordinates in the user's units.
     pub(crate) fn body_motions(&self, outside: &Vector) -> Vec<BodyMotion<3>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let of = |(body, place): (usize, &BodyPlace)| {
             let twist = if body == bodies.object {
                 Twist::among(self.space, outside)
             } else {
-                // Components behind the end of the vector are zero.
+                // Components beyond the end of the vector are zero.
                 let count = Size::of(self.space.of_the_object());
                 let own = Vector::from_fn(count, |k| outside[place.first + k]);
                 Twist::among(self.space, &self.space.moved_twist(&place.centre, &own))
@@ -140,7 +140,7 @@ impl Engine {
         indexed(&bodies.places, &of)
     }
 
-    /// Motion of each body in the user's coordinates, from inside coordinates; that of the object if there are no bodies.
+    /// Motion of each body, or of the single object, in the user's coordinates, from inside coordinates.
     pub(crate) fn each_moves(&self, inside: &Vector) -> Vec<BodyMotion<3>> {
         let outside = self.outside_coordinates(inside);
         if self.bodies().is_some() {
@@ -150,7 +150,7 @@ impl Engine {
         vec![BodyMotion { body: "the object".into(), twist, centre, reach }]
     }
 
-    /// Lengths that scale the rotations of all bodies other than the object.
+    /// Reference lengths of the rotations of all bodies other than the object, m.
     pub(crate) fn rotation_lengths(&self, bodies: &PlacedBodies) -> Vec<f64> {
         let Some(linkage) = self.linkage() else { return Vec::new() };
         let mut lengths = Vec::new();
@@ -164,7 +164,7 @@ impl Engine {
         lengths
     }
 
-    /// The coordinates of the body that a contact's normal points into; all others are set to zero.
+    /// A copy of the coordinates in which only those of the body under a contact's normal are kept; all others are zero.
     pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector) -> Vector {
         let Some(bodies) = self.bodies() else { return self.space.object_alone(coordinates) };
         let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };

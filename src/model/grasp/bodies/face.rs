@@ -1,4 +1,4 @@
-//! Links at the door.
+//! Conversion of links between plane and engine.
 
 use super::link::{Link, LinkPlace};
 use crate::grasp::{face_of_enum, face_of_struct};

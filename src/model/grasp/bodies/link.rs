@@ -1,4 +1,4 @@
-//! Links of bodies with each other and with the ground.
+//! Links of bodies with each other or with the ground.
 
 use alloc::sync::Arc;
 
@@ -9,17 +9,17 @@ use crate::words::LinkKind;
 
 /// A link between two bodies, or between a body and the ground: a hinge, a slide, a rigid joint, a spring, a cable.
 ///
-/// It is modelled by contacts that never open, a cable by one contact that only pulls; questions and methods stay the same, and answers report the
-/// link as one part. It neither slips nor breaks. It is as compliant as its [stiffness](Self::stiffness) says.
+/// A link is modelled by contacts that never open, a cable by one contact that only pulls. Questions and methods stay the same, and answers
+/// report the link as one part. It neither slips nor breaks, and is as compliant as its [stiffness](Self::stiffness).
 ///
-/// | link | leaves free | carries |
+/// | link | free motion | carries |
 /// |---|---|---|
-/// | [`hinge`](Link::hinge) in the plane, `ball` in space | turning | forces |
-/// | `hinge` in space | turning about its axis | forces, moments across the axis |
-/// | `slide` | moving along its direction | forces across it, moments |
-/// | `rigid` | nothing | forces, moments |
-/// | [`spring`](Self::spring) | all but its length | a pull or a push along it |
-/// | [`cable`](Self::cable) | all but its length | a pull along it, until it goes slack |
+/// | [`hinge`](Link::hinge) in the plane, `ball` in space | rotation | forces |
+/// | `hinge` in space | rotation about its axis | forces, moments across the axis |
+/// | `slide` | translation along its direction | forces across it, moments |
+/// | `rigid` | none | forces, moments |
+/// | [`spring`](Self::spring) | all except change of its length | a pull or a push along it |
+/// | [`cable`](Self::cable) | all except extension | a pull along it, until it goes slack |
 ///
 /// ```
 /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
@@ -49,15 +49,15 @@ pub struct Link<const C: usize> {
     pub(crate) against: Option<Arc<str>>,
     pub(crate) stiffness: Option<f64>,
     pub(crate) pretension: f64,
-    /// What it pulls with at rest once it is installed, in place of the pretension.
+    /// Pull of a cable or spring at rest after installation, N, in place of the pretension.
     pub(crate) tension: Option<f64>,
     pub(crate) slack: f64,
 }
 
-/// Place of a link, and the motion that it leaves free.
+/// Place and free motion of a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum LinkPlace<const C: usize> {
-    /// In space an axis of any length, and the distance between its two bearings, m.
+    /// A hinge; in space with its axis, of any length, and the distance between its two bearings, m.
     Hinge {
         point: SVector<f64, C>,
         bearings: Option<(SVector<f64, C>, f64)>,
@@ -65,18 +65,18 @@ pub(crate) enum LinkPlace<const C: usize> {
     Ball {
         point: SVector<f64, C>,
     },
-    /// A direction of any length, and the distance between its bearings, m.
+    /// A slide along a direction of any length; `length` is the distance between its bearings, m.
     Slide {
         point: SVector<f64, C>,
         direction: SVector<f64, C>,
         length: f64,
     },
-    /// Diameter of the circle or sphere of the points that carry moments, m.
+    /// A rigid joint; `size` is the diameter of the circle or sphere on which its points lie, m.
     Rigid {
         point: SVector<f64, C>,
         size: f64,
     },
-    /// From a point of the first body to a point of the other body, or of the ground.
+    /// A spring from a point of the first body to a point of the other body, or of the ground, m.
     Spring {
         from: SVector<f64, C>,
         to: SVector<f64, C>,
@@ -108,8 +108,8 @@ impl Link<2> {
 }
 
 impl Link<3> {
-    /// A hinge about an axis through this point, m, with two bearings at the distance `length`, m, on both sides of it. They share the load, and so
-    /// carry moments across the axis.
+    /// A hinge about an axis through this point, m. Its two bearings are `length` apart, m, with this point in the middle. They share the load,
+    /// and thus carry moments across the axis.
     pub fn hinge(point: impl Into<[f64; 3]>, axis: impl Into<[f64; 3]>, length: f64) -> Self {
         let bearings = Some((SVector::from(axis.into()), length));
         Self::at(LinkPlace::Hinge { point: SVector::from(point.into()), bearings })
@@ -122,7 +122,7 @@ impl Link<3> {
 }
 
 impl<const C: usize> Link<C> {
-    /// Default [stiffness](Self::stiffness) of a link, N/m: stiff compared with most fingers and objects.
+    /// Default [stiffness](Self::stiffness) of a link, N/m: high compared with most fingers and objects.
     pub const STIFF: f64 = 1e9;
 
     pub(crate) fn at(place: LinkPlace<C>) -> Self {
@@ -130,13 +130,14 @@ impl<const C: usize> Link<C> {
         Self { name, place, on, against, stiffness, pretension: 0.0, tension, slack: 0.0 }
     }
 
-    /// A slide: the bodies move relative to each other along this direction alone. Its bearings are `length` apart, m, on both sides of this point.
+    /// A slide: relative motion of the bodies is only possible along this direction. Its bearings are `length` apart, m, with this point in the
+    /// middle.
     pub fn slide(point: impl Into<[f64; C]>, direction: impl Into<[f64; C]>, length: f64) -> Self {
         let (point, direction) = (SVector::from(point.into()), SVector::from(direction.into()));
         Self::at(LinkPlace::Slide { point, direction, length })
     }
 
-    /// A rigid joint: a weld or a screwed flange of diameter `size`, m, about this point.
+    /// A rigid joint, such as a weld or a bolted flange: diameter `size`, m, centred at this point.
     pub fn rigid(point: impl Into<[f64; C]>, size: f64) -> Self {
         Self::at(LinkPlace::Rigid { point: SVector::from(point.into()), size })
     }
@@ -147,8 +148,8 @@ impl<const C: usize> Link<C> {
         Self::at(LinkPlace::Spring { from, to }).stiffness(stiffness)
     }
 
-    /// A cable or rope from a point of the first body to a point of the second, or of the ground, m. It only pulls, along the line between both
-    /// points. To first order, like everything here, this line does not turn with the bodies.
+    /// A cable or rope from a point of the first body to a point of the second, or of the ground, m. It only pulls, along the line between the
+    /// two points. In this first-order model the line does not turn with the bodies.
     ///
     /// ```
     /// use grasp_lcp::planar::{Grasp, Link, Wrench};
@@ -165,44 +166,44 @@ impl<const C: usize> Link<C> {
         Self::at(LinkPlace::Cable { from: SVector::from(from.into()), to: SVector::from(to.into()) })
     }
 
-    /// A name for messages and tables; without one a link is named after its kind.
+    /// Sets the name for messages and tables; the default is the kind of the link.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into().into());
         self
     }
 
-    /// The two bodies that the link joins. A spring or a cable begins at the first and ends at the second.
+    /// Sets the two bodies that the link joins. A spring or a cable starts at the first and ends at the second.
     #[must_use]
     pub fn between(mut self, one: impl Into<String>, other: impl Into<String>) -> Self {
         (self.on, self.against) = (Some(one.into().into()), Some(other.into().into()));
         self
     }
 
-    /// The body that the link joins to the ground.
+    /// Sets the body that the link joins to the ground.
     #[must_use]
     pub fn to_ground(mut self, body: impl Into<String>) -> Self {
         (self.on, self.against) = (Some(body.into().into()), None);
         self
     }
 
-    /// Stiffness of all its points together along each direction that it blocks, N/m; [`Self::STIFF`] by default.
+    /// Sets the total stiffness of its points along each direction that it blocks, N/m; [`Self::STIFF`] by default.
     #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = Some(stiffness);
         self
     }
 
-    /// Pull of a cable or a spring before anything moves, N; below zero a spring pushes. At rest the pull is smaller, since the bodies give way; see
-    /// [`Self::tension`].
+    /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. At rest the pull is smaller, since
+    /// the bodies yield; see [`Self::tension`].
     #[must_use]
     pub fn pretension(mut self, force: f64) -> Self {
         (self.pretension, self.tension) = (force, None);
         self
     }
 
-    /// What a cable or a spring pulls with once it is installed, N, in place of a pretension: at rest, under what always acts on bodies and without other
-    /// load, when all else has given way. The grasp that it becomes part of finds the pretension for it, or refuses it where nothing holds against such a pull.
+    /// Sets the pull of an installed cable or spring, N, in place of a pretension. It is the pull at rest, under the constant loads on bodies
+    /// alone, after everything else has yielded. The grasp computes the pretension for it, or refuses the link if nothing resists such a pull.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
@@ -222,14 +223,14 @@ impl<const C: usize> Link<C> {
         self
     }
 
-    /// Length of a cable in excess of the distance between its ends, m.
+    /// Sets the length of a cable in excess of the distance between its ends, m.
     #[must_use]
     pub fn slack(mut self, length: f64) -> Self {
         self.slack = length;
         self
     }
 
-    /// Its name, or its kind and its number.
+    /// The user's name, or the kind with the number.
     pub(crate) fn called(&self, number: usize) -> String {
         self.name.as_deref().map_or_else(|| format!("{} {number}", self.kind().name()), str::to_owned)
     }

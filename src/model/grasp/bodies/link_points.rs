@@ -1,8 +1,8 @@
 //! The contacts that model a link.
 //!
-//! A hinge is bonded at one point, in space at two. A slide is kept closed without friction, at bearings across its direction. A rigid joint is
-//! bonded at points around its own. A spring is kept closed along its line, and a cable pulls along it. There the normal points from the beginning of
-//! the line to its end: a positive normal force pulls the first body towards the end.
+//! A hinge is bonded at one point, in space at two. A slide is kept closed without friction, at bearings normal to its direction. A rigid joint
+//! is bonded at points around its centre. A spring is kept closed along its line, and a cable only pulls along it. For both, the normal points
+//! from the start of the line to its end: a positive normal force pulls the first body towards the end.
 
 use nalgebra::SVector;
 
@@ -14,7 +14,7 @@ use crate::numerics::{indexed, mapped, unit};
 use crate::prelude::*;
 
 impl<const C: usize> Link<C> {
-    /// The contacts that model the link, as [`Bodies::links`](super::Bodies::links) adds them. Given to [`Grasp::new`](crate::ask::Grasp::new), they
+    /// The contacts that model the link, as [`Bodies::links`](super::Bodies::links) adds them. With [`Grasp::new`](crate::ask::Grasp::new) they
     /// link a single object to the ground.
     ///
     /// # Errors
@@ -23,12 +23,12 @@ impl<const C: usize> Link<C> {
         self.contacts_called(self.name.as_deref().unwrap_or(self.kind().name()))
     }
 
-    /// The contacts, named after `name`.
+    /// The contacts that model the link, with names derived from `name`.
     pub(crate) fn contacts_called(&self, name: &str) -> Result<Vec<Contact<C>>, Error> {
         inside(self).contacts_in(Space::of::<C>(), name).map(outside)
     }
 
-    /// Refuses a link of a space as [`Self::contacts`] does.
+    /// Returns the error of [`Self::contacts`] for a link of the plane or of space, if any.
     #[cfg(feature = "serde")]
     pub(crate) fn check_in(&self, space: Space) -> Result<(), Error> {
         inside(self).contacts_in(space, self.kind().name()).map(drop)
@@ -36,7 +36,7 @@ impl<const C: usize> Link<C> {
 }
 
 impl Link<3> {
-    /// The contacts in the plane or in space, named after `name`.
+    /// The contacts that model the link in the plane or in space, with names derived from `name`.
     pub(crate) fn contacts_in(&self, space: Space, name: &str) -> Result<Vec<Contact<3>>, Error> {
         self.check().map_err(|(field, value, allowed)| Error::Link {
             kind: self.kind().name(),
@@ -47,7 +47,7 @@ impl Link<3> {
         })?;
         let points = self.points(space);
         let (count, all) = (points.len() as f64, self.stiffness.unwrap_or(Self::STIFF));
-        // In space half of the bearings of a slide act along each direction across it.
+        // Half of the bearings of a spatial slide act along each of the two directions normal to it.
         let is_slide = matches!(self.place, LinkPlace::Slide { .. });
         let share = if is_slide { (space.axes() - 1) as f64 / count } else { 1.0 / count };
         let is_one = points.len() == 1;
@@ -88,7 +88,7 @@ impl Link<3> {
                 let (half, across) = (0.5 * length, across(space, &along));
                 let mut points = Vec::new();
                 for normal in &across {
-                    // Bearings at both ends, and in space on both sides of them, too, so that the slide cannot turn about its direction.
+                    // Bearings lie at both ends. In space they also lie on both sides of the slide, so that it cannot turn about its direction.
                     for arm in [&[along], &across[..]].concat() {
                         if arm != *normal {
                             for x in [-half, half] {
@@ -102,7 +102,7 @@ impl Link<3> {
         }
     }
 
-    /// Checks all numbers; the error has the field, its value, and the allowed values.
+    /// Validates all numbers. The error holds the field, its value, and the allowed values.
     fn check(&self) -> Result<(), (&'static str, f64, &'static str)> {
         let point = |field, x: &SVector<f64, 3>| match x.iter().find(|x| !is_moderate(**x)) {
             Some(x) => Err((field, *x, MODERATE)),
@@ -161,7 +161,7 @@ impl Link<3> {
     }
 }
 
-/// Unit vectors across `along`, in space also across each other.
+/// Unit vectors normal to `along`: one in the plane, two orthogonal ones in space.
 fn across(space: Space, along: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     if space == Space::Planar {
         return vec![[-along[1], along[0], 0.0].into()];
@@ -171,7 +171,8 @@ fn across(space: Space, along: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     vec![one, along.cross(&one)]
 }
 
-/// Points at distance 1 that resist moments about all axes equally: two in the plane, the corners of a tetrahedron in space.
+/// Points at distance 1 from the origin whose stiffness against moments is equal about all axes: two in the plane, the corners of a tetrahedron
+/// in space.
 fn corners(space: Space) -> Vec<SVector<f64, 3>> {
     if space == Space::Planar {
         return vec![-unit(0), unit(0)];

@@ -1,14 +1,14 @@
-//! Several bodies, for scenes with more than one object.
+//! Grasps with more than one object, called bodies.
 //!
-//! Each body has coordinates of its own. A contact couples two bodies, or one body with the ground. With body `on`, into which its normal points, and
-//! body `against` on the other side
+//! Each body has its own coordinates. A contact couples two bodies, or one body with the ground. Its normal points into the body `on`; the body
+//! on the other side is `against`:
 //!
 //! ```text
 //! v_i = a_i - G_iᵀ q_on + G_iᵀ q_against,        Σ_on G_i F_i - Σ_against G_i F_i + W_b = 0   for every body b
 //! ```
 //!
-//! The contact law stays the same. The body that loads act on has the coordinates of the object. All other bodies have coordinates after those of the
-//! joints, and move a contact in the same way as a joint does. Links between bodies are contacts that do not open.
+//! The contact law stays the same. The body on which loads act has the coordinates of the object. The coordinates of all other bodies follow
+//! those of the joints, and enter the motion of a contact in the same way. Links between bodies are contacts that cannot open.
 
 mod assembled;
 mod body;

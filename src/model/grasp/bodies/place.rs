@@ -1,4 +1,4 @@
-//! Coordinates of each body, and the bodies that each contact couples.
+//! Coordinates of each body, and the two sides of each contact.
 
 use alloc::sync::Arc;
 
@@ -14,45 +14,45 @@ use crate::numerics::{Size, Vector, dot, mapped, numbered, paired};
 use crate::prelude::*;
 use crate::words::printable;
 
-/// The coordinates of a body.
+/// The coordinates of one body in the engine.
 #[derive(Debug, Clone)]
 pub(crate) struct BodyPlace {
-    /// Index of the first one; zero for the body in the coordinates of the object.
+    /// Index of the body's first coordinate; zero for the body that has the object's coordinates.
     pub(crate) first: usize,
-    /// Centroid of its contact points, about which its rotation is measured, m.
+    /// Centroid of the body's contact points, m; the body's rotation is taken about it.
     pub(crate) centre: SVector<f64, 3>,
-    /// Root mean square distance of its contact points from the centroid, m.
+    /// Root mean square distance of the body's contact points from the centroid, m.
     pub(crate) reach: f64,
 }
 
-/// How a load of a question is shared among the bodies.
+/// How the load of a question is shared among the bodies.
 #[derive(Debug, Clone)]
 pub(super) enum Sharing {
     /// One body carries the whole load.
     OnObject,
-    /// For each body its part of the load, and the point where its part of the force acts, m.
+    /// For each body its fraction of the load, and the point where its force acts, m.
     ByParts(Vec<(f64, SVector<f64, 3>)>),
-    /// These loads, times the ratio of the question's load to `one`.
+    /// Each body carries its entry of `loads`, times the ratio of the question's load to `one`.
     Together { one: Wrench<3>, loads: Vec<Wrench<3>> },
 }
 
-/// Several bodies, as the engine stores them.
+/// Several bodies in the engine.
 #[derive(Debug, Clone)]
 pub(crate) struct PlacedBodies {
     /// Plane or space.
     space: Space,
     pub(crate) names: Vec<Arc<str>>,
-    /// Number of the body in the coordinates of the object.
+    /// Index of the body that has the object's coordinates.
     pub(crate) object: usize,
-    /// Constant load on each body, in addition to the loads of questions.
+    /// Constant load on each body, in addition to the load of a question.
     pub(crate) loads: Vec<Wrench<3>>,
-    /// The part of `loads` that was given as loads, without weights.
+    /// The part of `loads` that the user gave as loads, without weights.
     pub(crate) given: Vec<Wrench<3>>,
     /// The part of `loads` that a load program has applied; usually empty.
     pub(super) put_on: Vec<Wrench<3>>,
     pub(super) sharing: Sharing,
     pub(crate) places: Vec<BodyPlace>,
-    /// For each contact the body that its normal points into, and the body on the other side, if any.
+    /// For each contact, the body into which its normal points and the body on the other side, if any.
     pub(crate) sides: Vec<(usize, Option<usize>)>,
 }
 
@@ -67,10 +67,10 @@ impl PlacedBodies {
         Self { space: Space::Spatial, names, object, loads, given, put_on, sharing, places, sides }
     }
 
-    /// Assigns coordinates to every body, beginning at `first`, and returns the first index after them.
+    /// Assigns coordinates to every body, starting at `first`, and returns the next free index.
     ///
     /// # Errors
-    /// [`Error::Body`] if a contact names an unknown body, does not say which of several bodies it is on, or has one body on both sides.
+    /// [`Error::Body`] if a contact names an unknown body, names none although there are several, or has the same body on both sides.
     pub(crate) fn place(&mut self, contacts: &[Contact<3>], first: usize) -> Result<usize, Error> {
         self.space = space_of(contacts);
         let sides = contacts.iter().enumerate().map(|(i, contact)| self.sides_of(contact, i));
@@ -117,7 +117,7 @@ impl PlacedBodies {
         Ok((on, against))
     }
 
-    /// Whether a contact acts on a body.
+    /// Whether the force of a contact acts on a body.
     pub(crate) fn touches(&self, contact: usize, body: usize) -> bool {
         self.sign(contact, body) != 0.0
     }
@@ -131,8 +131,8 @@ impl PlacedBodies {
         }
     }
 
-    /// Displacement of a contact's finger relative to its body, for one unit of each coordinate of the bodies other than the object. These
-    /// coordinates are counted from the first one after the object's.
+    /// Displacement of a contact's finger relative to its body, per unit of each coordinate of the bodies other than the object. Coordinates are
+    /// counted from the first one after the object's.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();
@@ -151,7 +151,7 @@ impl PlacedBodies {
         columns
     }
 
-    /// Loads on all bodies from a load of a question.
+    /// Loads on all bodies for the load of a question.
     pub(crate) fn shared(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
         let list = match &self.sharing {
             Sharing::OnObject => {
@@ -165,7 +165,7 @@ impl PlacedBodies {
             }
             Sharing::ByParts(list) => list,
         };
-        // Each body takes its part of the force at its own centre, then its part of the moment that remains.
+        // Each body gets its fraction of the force, at its centre of mass, and its fraction of the moment that remains.
         let force = load.force_part();
         let at_centres: Vec<_> =
             mapped(list, &|(part, centre)| Wrench::force_through(centre, &(force * *part)));
@@ -173,7 +173,7 @@ impl PlacedBodies {
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).collect()
     }
 
-    /// Wrenches on all bodies other than the object, about the origin.
+    /// Wrenches on all bodies other than the object, with moments about the user's origin.
     pub(crate) fn others<'a>(&'a self, outside: &'a Vector) -> impl Iterator<Item = Wrench<3>> + 'a {
         self.places.iter().enumerate().filter(|(body, _)| *body != self.object).map(|(_, place)| {
             let first = place.first;
@@ -183,7 +183,7 @@ impl PlacedBodies {
         })
     }
 
-    /// Number of the body with this name, for a load on it.
+    /// Index of the body with this name.
     ///
     /// # Errors
     /// [`Error::Body`] if there is no such body.
@@ -195,25 +195,25 @@ impl PlacedBodies {
         })
     }
 
-    /// These bodies with the loads `put_on` in addition to the constant ones.
+    /// These bodies with the loads `put_on` added to their constant loads.
     pub(super) fn under(&self, put_on: Vec<Wrench<3>>) -> Self {
         let loads = paired(&self.loads, &put_on, &|(always, more)| *always + *more);
         Self { loads, put_on, ..self.clone() }
     }
 
-    /// Whether loads of questions are shared among the bodies.
+    /// Whether the load of a question is shared among the bodies.
     pub(crate) fn is_shared(&self) -> bool {
         !matches!(self.sharing, Sharing::OnObject)
     }
 
-    /// These bodies with no constant load; instead `loads` act on them per newton of a question's force along the first axis.
+    /// These bodies without constant loads. Instead `loads` act on them for a question's force of 1 N along the first axis, and in proportion.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<3>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         let sharing = Sharing::Together { one: Wrench::from_components(&[1.0]), loads };
         Self { loads: none, sharing, ..self.clone() }
     }
 
-    /// These bodies with further loads that grow in proportion to `one`.
+    /// These bodies with further loads that grow in proportion to the load `one` of a question.
     ///
     /// # Errors
     /// [`Error::Body`] for an unknown body, [`Error::NothingChanges`] if `one` is zero, [`Error::Wrench`] for a component out of range.
@@ -236,7 +236,7 @@ impl PlacedBodies {
     }
 }
 
-/// Refuses contacts that name a body where there are no bodies.
+/// Returns an error for contacts that name a body if there are no bodies.
 pub(crate) fn refuse_sides(contacts: &[Contact<3>]) -> Result<(), Error> {
     for (i, contact) in contacts.iter().enumerate() {
         if let Some(name) = contact.on.as_ref().or(contact.against.as_ref()) {

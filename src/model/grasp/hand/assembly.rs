@@ -1,4 +1,4 @@
-//! Assembles the coordinates, contacts and drives of a grasp from a hand.
+//! Assembly of the coordinates, contacts and drives of a grasp from a hand.
 
 use nalgebra::DMatrix;
 
@@ -16,7 +16,7 @@ use crate::prelude::*;
 use crate::words::printable;
 
 impl Hand<3> {
-    /// The grasp of an object by this hand. Its coordinates are those of the object, 3 in the plane and 6 in space, and [those of the
+    /// The grasp of an object by this hand. Its coordinates are those of the object, 3 in the plane and 6 in space, followed by [those of the
     /// hand](Self::coordinates).
     ///
     /// # Errors
@@ -72,7 +72,8 @@ impl Hand<3> {
 }
 
 impl Assembly {
-    /// Chooses the unit of length of each joint displacement, a power of two near the longest motion of a contact: scaling by it does not round.
+    /// Chooses the reference length of each joint displacement, a power of two near the largest motion of a contact. Scaling by a power of two
+    /// causes no rounding.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
             let columns = self.motions.iter().flatten().filter(|(coordinate, _)| *coordinate == k);
@@ -86,7 +87,8 @@ impl Assembly {
             let object = self.object();
             self.lengths[object + k] = power_of_two(longest);
         }
-        // So far the drives are compliances of fingers: springs of 1 N/m over coordinates in m, which now get their unit of length.
+        // At this stage all drives are compliances of fingers: springs of 1 N/m over coordinates in m. They are rescaled to the new unit of
+        // length.
         for drive in &mut self.drives {
             let k = drive.along.iamax();
             let length = self.lengths[k];
@@ -118,7 +120,7 @@ impl Assembly {
         Ok(())
     }
 
-    /// Adds a stiffness matrix among the joints of a finger: one drive for each column l of `K = Σ l lᵀ`.
+    /// Adds the stiffness matrix of a finger's joints: one drive for each column l of the factorisation `K = Σ l lᵀ`.
     fn couple(
         &mut self,
         matrix: &DMatrix<f64>,
@@ -190,7 +192,7 @@ impl Assembly {
         })
     }
 
-    /// A spring over joints with these arms, in inside coordinates, and the power of two by which its arms were divided.
+    /// A spring over joints with these moment arms, in inside coordinates, and the power of two by which the arms were divided.
     fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring, f64) {
         let mut along = Vector::zeros();
         for &(j, arm) in arms {
@@ -201,7 +203,7 @@ impl Assembly {
         (Spring { along: along / unit, stiffness: stiffness * unit * unit, unit: 1.0 / unit }, unit)
     }
 
-    /// Adds a drive, or both halves of a drive that saturates.
+    /// Adds a drive; a drive that saturates is added as two halves.
     fn drive(
         &mut self,
         owner: Owner,
@@ -225,8 +227,9 @@ impl Assembly {
             None => self.drives.push(drive),
             Some(Limit::Slips(_)) => self.drives.push(Drive { role: Role::Slips, ..drive }),
             Some(Limit::Saturates(_)) => {
-                // Two springs in series with one more coordinate between them. One carries the upper bound less the force, the other the force less
-                // the lower bound. The bounds act as constant forces on both sides, so that their sum is the force.
+                // Two springs in series, with one more coordinate between them. The first carries the upper bound minus the force, the second
+                // the force minus the lower bound, and neither can pull. Both bounds also act as constant forces, so that the force of the pair
+                // is the drive's.
                 let mut between = Vector::zeros();
                 between[self.object() + self.used] = 1.0;
                 self.used += 1;
@@ -243,7 +246,7 @@ impl Assembly {
         }
     }
 
-    /// Makes the grasp from the collected parts.
+    /// Makes the engine of the grasp from the collected parts.
     fn grasp(
         self,
         tendons: Vec<Named>,
@@ -278,7 +281,7 @@ impl Assembly {
 struct Spring {
     along: Vector,
     stiffness: f64,
-    /// Torque or tension per unit of force.
+    /// Torque or tension per newton of the spring's force.
     unit: f64,
 }
 
@@ -302,7 +305,7 @@ fn check_spring(label: &str, stiffness: f64, limit: Option<Limit>) -> Result<(),
     Ok(())
 }
 
-/// The power of two nearest to a positive number, by their ratio.
+/// The power of two whose ratio to a positive number is closest to one.
 fn power_of_two(x: f64) -> f64 {
     x.log2().round().exp2()
 }

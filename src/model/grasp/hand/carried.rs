@@ -1,4 +1,4 @@
-//! Contacts of a finger: their motion with the joints, the compliance behind them, and the commands that press them.
+//! Contacts of a finger: their motion with the joints, the compliance behind them, and the commands that make them press.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -13,7 +13,7 @@ use crate::numerics::numbered;
 use crate::prelude::*;
 
 impl Assembly {
-    /// Adds the contacts of a finger whose joints begin at `first`.
+    /// Adds the contacts of a finger whose first joint has the index `first`.
     pub(super) fn add_contacts(
         &mut self,
         finger: &Finger<3>,
@@ -41,7 +41,7 @@ impl Assembly {
                 ContactMover::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
             };
             columns.extend(self.on_slide(finger, (&contact, index), &frame)?);
-            // Compliance of the finger behind its pads: coordinates that belong to no joint.
+            // The compliance that contacts share gets coordinates that belong to no joint.
             for (k, column) in own.iter().enumerate() {
                 let along = of_axes(axes, |a| column[axes * place + a]);
                 columns.push((self.used + k, frame * along));
@@ -57,7 +57,7 @@ impl Assembly {
         Ok(())
     }
 
-    /// Motion of a contact on a link with the joints before it, computed from their axes and directions.
+    /// Motion of a contact on a link with each joint before that link, from the joints' axes and directions.
     fn on_link(
         &mut self,
         link: usize,
@@ -88,7 +88,7 @@ impl Assembly {
         Ok(columns)
     }
 
-    /// Adds to the commands of contacts the displacement by which the compliance behind the pads yields to the forces of `pressed_with`.
+    /// Adds to the commands of contacts the displacement by which the shared compliance yields to the forces of `pressed_with`.
     fn press_on_compliance(&mut self, finger: &Finger<3>, own: &[DVector<f64>]) {
         let (axes, first) = (self.space.axes(), self.contacts.len() - finger.contacts.len());
         for column in own {
@@ -104,7 +104,7 @@ impl Assembly {
         }
     }
 
-    /// Commands of joints by which their contacts press with the forces of `pressed_with`, `K⁻¹ Σ Jᵀ F`.
+    /// Joint commands with which the contacts press with the forces of `pressed_with`: `K⁻¹ Σ Jᵀ F`.
     pub(super) fn pressed(&self, fingers: &[Finger<3>]) -> Result<Vec<f64>, Error> {
         let mut torques = vec![0.0; self.joints.len()];
         for (motions, (_, force)) in self.motions.iter().zip(&self.presses) {
@@ -138,7 +138,7 @@ impl Assembly {
     }
 }
 
-/// Columns of a Jacobian that the caller has given.
+/// Columns of a Jacobian that the user gave.
 fn given(
     matrix: &DMatrix<f64>,
     (finger, first): (&Finger<3>, usize),

@@ -1,13 +1,13 @@
-//! Splits a compliance matrix over the contacts of a finger into springs of its pads and coordinates that couple them.
+//! Splits the compliance matrix of a finger's contacts into springs of the single contacts and coordinates that couple them.
 //!
-//! The law of a contact is explicit and has one answer if its own springs act along its axes. So a part of the compliance goes to the pads, axis by
-//! axis, and the rest becomes coordinates with unit springs:
+//! The law of a contact has an explicit and unique answer if the contact has springs of its own along its axes. Therefore a diagonal part of the
+//! compliance becomes the contacts' springs, and the rest becomes coordinates with unit springs:
 //!
 //! ```text
 //! S = diag C,    D = ½ λ_min(S^-½ C S^-½) S,    C = D + V Vᵀ
 //! ```
 //!
-//! Only half of the least eigenvalue goes to the pads. With all of it V would lose rank, and rounding would decide where.
+//! Only half of the least eigenvalue becomes springs of contacts. With all of it V would lose rank, and rounding would decide in which column.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -15,7 +15,7 @@ use super::positive::{NotPositive, checked, least_eigenvalue, squares};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
-/// Compliances of the pads, m/N, and the columns of V.
+/// Returns the diagonal of D, m/N, and the columns of V.
 pub(super) fn split(
     compliance: &DMatrix<f64>,
     size: usize,
@@ -28,8 +28,8 @@ pub(super) fn split(
     let root = whole.map(f64::sqrt);
     let scaled = DMatrix::from_fn(size, size, |i, j| compliance[(i, j)] / (root[i] * root[j]));
     let least = least_eigenvalue(&scaled);
-    // Least eigenvalue of a compliance, scaled to unit diagonal, below which it is singular up to rounding: the contacts would be rigid along
-    // some direction.
+    // A least eigenvalue below this limit, after scaling to unit diagonal, is zero up to rounding. The contacts would then be rigid along some
+    // direction.
     if least <= SOLVED_ROUNDING {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(compliance)));
     }

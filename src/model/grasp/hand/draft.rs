@@ -12,29 +12,29 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Motion of one contact along the coordinate axes: coordinate, counted behind the object's, and displacement per unit of it.
+/// Motion of one contact along the coordinate axes: index of a coordinate, counted after the object's, and displacement per unit of it.
 pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
-/// The parts of a grasp, collected from a hand.
+/// The parts of a grasp while it is assembled.
 pub(in crate::model::grasp) struct Assembly {
     /// Plane or space.
     pub(in crate::model::grasp) space: Space,
     pub(in crate::model::grasp) contacts: Vec<Contact<3>>,
     pub(in crate::model::grasp) motions: Vec<Columns>,
-    /// Joints of all fingers, then slides of contacts that are held by a force.
+    /// Joints of all fingers, then the slides of contacts with a constant force.
     pub(super) joints: Vec<Joint<3>>,
-    /// Number of coordinates in use behind those of the object.
+    /// Number of coordinates in use after those of the object.
     pub(in crate::model::grasp) used: usize,
     pub(in crate::model::grasp) lengths: Vector,
     pub(super) drives: Vec<Drive>,
     pub(in crate::model::grasp) held: Vector,
     pub(super) bones: Vec<[SVector<f64, 3>; 2]>,
-    /// Force of `pressed_with` for each contact, N: its size, and its vector along the coordinate axes.
+    /// For each contact the force of `pressed_with`, N: its magnitude, and its vector along the coordinate axes.
     pub(super) presses: Vec<(f64, SVector<f64, 3>)>,
 }
 
 impl Assembly {
-    /// Number of coordinates of the object, before those of the joints.
+    /// Number of coordinates of the object, which precede those of the joints.
     pub(super) fn object(&self) -> usize {
         self.space.of_the_object()
     }

@@ -1,4 +1,4 @@
-//! One drive of a hand in the engine: a spring of one axis over the joints.
+//! One drive of a hand in the engine: a spring of a single axis that acts on joints.
 
 use nalgebra::SVector;
 
@@ -9,52 +9,52 @@ use crate::numerics::Space;
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-/// Owner of a drive.
+/// The part to which a drive belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Owner {
-    /// The joint with this number.
+    /// The joint with this index.
     Joint(usize),
-    /// The tendon with this number.
+    /// The tendon with this index.
     Tendon(usize),
-    /// No single joint: the drive is a part of a stiffness matrix, or a compliance.
+    /// Neither: the drive is part of a stiffness matrix, or a compliance.
     Nobody,
 }
 
-/// How the force of a drive is limited.
+/// How the force of a drive is bounded, and the contact law that models it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Role {
     /// Pushes and pulls without limit.
     Holds,
-    /// Only pulls: its force obeys the law of a contact without friction.
+    /// Only pulls: its force obeys the law of a frictionless contact.
     Pulls,
-    /// Slips where its force reaches a bound: a contact whose normal force is the bound, and whose friction coefficient is one.
+    /// Slips when its force reaches a bound. It is modelled by a contact whose normal force is the bound and whose friction coefficient is one.
     Slips,
-    /// The half of a saturating drive with the upper bound: a contact without friction that carries the bound less the force.
+    /// The upper half of a saturating drive: a frictionless contact that carries the upper bound minus the force.
     EndsAbove,
-    /// The half of a saturating drive with the lower bound: a contact without friction that carries the force less the bound.
+    /// The lower half of a saturating drive: a frictionless contact that carries the force minus the lower bound.
     EndsBelow,
 }
 
-/// A drive in inside coordinates: its force in N along a unit of length, whatever the units of its joints.
+/// A drive in inside coordinates: its force is in N and its displacement a length, for any units of its joints.
 #[derive(Debug, Clone)]
 pub(crate) struct Drive {
     pub(crate) owner: Owner,
     pub(crate) role: Role,
-    /// Generalised force on the coordinates, per newton of its force.
+    /// Generalised force on the coordinates per newton of the drive's force.
     pub(super) along: Vector,
     pub(super) stiffness: f64,
-    /// Bound on its force, N; infinite or unused without one.
+    /// Bound on the drive's force, N; infinite or unused if it has none.
     pub(super) bound: f64,
-    /// Torque or tension of the owner per newton of its force.
+    /// Torque or tension of the owner per newton of the drive's force.
     pub(super) unit: f64,
-    /// Number of each command that stretches it, and stretch per unit of the command.
+    /// Index of each command that stretches the drive, and stretch per unit of the command.
     pub(super) commands: Vec<(usize, f64)>,
-    /// Stretch without commands.
+    /// Stretch if all commands are zero.
     pub(super) rest: f64,
 }
 
 impl Drive {
-    /// A spring on one coordinate that belongs to no joint.
+    /// A spring on a single coordinate that belongs to no joint.
     pub(super) fn unowned(coordinate: usize, stiffness: f64) -> Self {
         let mut along = Vector::zeros();
         along[coordinate] = 1.0;
@@ -70,12 +70,12 @@ impl Drive {
         }
     }
 
-    /// The axis of its site along which the spring acts.
+    /// The axis of the drive's site along which the spring acts.
     fn axis(&self) -> usize {
         usize::from(self.role == Role::Slips)
     }
 
-    /// The site with the contact law of this drive.
+    /// The site that models this drive by a contact law.
     pub(crate) fn site(&self, space: Space, size: Size) -> Site {
         let slips = self.role == Role::Slips;
         let springs = Compliance::new(&SVector::repeat(self.stiffness), if slips { space.axes() } else { 1 });
@@ -88,13 +88,13 @@ impl Drive {
         if !slips {
             return site;
         }
-        // A square with corners on its one axis holds a line to exactly its bound.
+        // The section of the square along its axis is [-1, 1], so the drive slips exactly at its bound.
         let square = || alloc::sync::Arc::new(Polygon::new(space, &PolygonCone::square()));
         (site.friction, site.polygon) = (Coulomb::new(1.0), (space == Space::Spatial).then(square));
         site
     }
 
-    /// Stretch of its site under these commands.
+    /// Stretch of the drive's site under these commands.
     pub(super) fn stretch(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = self.change(commands);
         stretch[self.axis()] += self.rest;
@@ -104,14 +104,15 @@ impl Drive {
         stretch
     }
 
-    /// Change of its site's stretch for a change of commands.
+    /// Change of the site's stretch for a change of the commands.
     pub(super) fn change(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = SVector::zeros();
         stretch[self.axis()] = self.commands.iter().map(|&(k, weight)| weight * commands[k]).sum();
         stretch
     }
 
-    /// Torque or tension of its owner for this force of its site. `None` for the lower half of a saturating drive, since the upper half returns it.
+    /// Torque or tension of the owner for a force of the site. `None` for the lower half of a saturating drive, since the upper half returns the
+    /// value.
     pub(crate) fn carried(&self, force: &SVector<f64, 3>) -> Option<f64> {
         match self.role {
             Role::EndsBelow => None,
@@ -120,7 +121,7 @@ impl Drive {
         }
     }
 
-    /// Multiplies the stiffness of its spring by `times`; its bounds stay.
+    /// Multiplies the stiffness of the spring by `times`; bounds do not change.
     pub(super) fn stiffen(&mut self, times: f64) {
         self.stiffness *= times;
         self.rest /= times;
@@ -131,15 +132,15 @@ impl Drive {
         self.stiffness * (self.unit * self.unit) / self.halves()
     }
 
-    /// Ratio of its stiffness to its owner's: 2 for each half of a saturating drive, whose springs are in series.
+    /// Ratio of the drive's stiffness to the owner's: 2 for each half of a saturating drive, since both halves are in series.
     fn halves(&self) -> f64 {
         if matches!(self.role, Role::EndsAbove | Role::EndsBelow) { 2.0 } else { 1.0 }
     }
 
-    /// Change of its site's force per unit of the owner's stiffness, N m/rad or N/m, at constant stretch.
+    /// Derivative of the site's force with respect to the owner's stiffness, N m/rad or N/m, at constant stretch.
     pub(crate) fn by_stiffness(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut more = SVector::zeros();
-        // The elastic force of each half of a saturating drive counts from its bound.
+        // The elastic force of each half of a saturating drive is measured from its bound.
         let elastic = match self.role {
             Role::EndsAbove => force[0] - self.bound,
             Role::EndsBelow => force[0] - self.rest * self.stiffness,
@@ -149,7 +150,7 @@ impl Drive {
         more
     }
 
-    /// Per unit of the owner's limit: change of its site's stretch, and change of the constant force on the coordinates.
+    /// Derivatives with respect to the owner's limit: of the site's stretch, and of the constant force on the coordinates.
     pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
@@ -157,7 +158,7 @@ impl Drive {
                 stretch[0] = per_force / self.stiffness;
                 Vector::zeros()
             }
-            // The bound acts on both sides of each half; the lower bound is zero where nothing pushes.
+            // The bound acts on both sides of each half. The lower bound is zero if the drive only pulls.
             Role::EndsAbove | Role::EndsBelow if !self.pulls_only() => {
                 stretch[0] = per_force / self.stiffness;
                 -&self.along * per_force
@@ -167,17 +168,17 @@ impl Drive {
         (stretch, held)
     }
 
-    /// Stretch of its spring under a force.
+    /// Stretch of the drive's spring under a force.
     pub(crate) fn give(&self, force: f64) -> f64 {
         force / self.stiffness
     }
 
-    /// Whether it never pushes: a tendon, or the lower half of one that saturates.
+    /// Whether the drive never pushes: a tendon, or the lower half of a saturating tendon.
     pub(crate) fn pulls_only(&self) -> bool {
         self.role == Role::Pulls || (self.role == Role::EndsBelow && self.rest == 0.0)
     }
 
-    /// Energy stored at this force of its site, J; the upper half of a saturating drive returns it for both.
+    /// Stored energy, J, at a force of the site. The upper half of a saturating drive returns the energy of both halves.
     pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         let square = |force: f64| force * force / self.stiffness;
         match self.role {
@@ -187,9 +188,9 @@ impl Drive {
         }
     }
 
-    /// Displacement of its owner, or change of its command, for a displacement of its site.
+    /// Displacement of the owner, or change of its command, for a displacement of the site.
     pub(crate) fn displacement(&self, along: f64) -> f64 {
-        // Force times displacement is the same work in either unit.
+        // The work, force times displacement, is the same in both units.
         along / self.unit
     }
 }

@@ -1,4 +1,4 @@
-//! Hands at the door: inside, a joint that turns in the plane turns about z.
+//! Conversion of hands between plane and engine: a revolute joint of the plane turns about z.
 
 use nalgebra::SVector;
 
@@ -24,7 +24,7 @@ impl<const C: usize> Face for JointMotion<C> {
     fn widen(&self) -> JointMotion<3> {
         match self {
             Self::Revolute { point, .. } => {
-                // A joint of the plane has no axis of its own.
+                // A revolute joint of the plane has no axis vector.
                 JointMotion::Revolute { point: point.entered(), axis: SVector::from([0.0, 0.0, 1.0]) }
             }
             Self::Prismatic { direction } => JointMotion::Prismatic { direction: direction.entered() },

@@ -1,4 +1,4 @@
-//! A finger: joints in a row, and the contacts that they move.
+//! A finger: a serial chain of joints, and the contacts that they move.
 
 use nalgebra::DMatrix;
 
@@ -9,20 +9,20 @@ use crate::prelude::*;
 /// How a contact moves with the joints of its finger.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum ContactMover {
-    /// With the first joints of the finger, as many as this number.
+    /// The first joints of the finger, this many, move the contact.
     Link(usize),
-    /// By this Jacobian, along the coordinate axes.
+    /// This Jacobian, along the coordinate axes, gives the motion.
     World(DMatrix<f64>),
 }
 
-/// A contact, and how it moves with the joints.
+/// A contact and its dependence on the joints.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Carried<const C: usize> {
     pub(super) contact: Contact<C>,
     pub(super) by: ContactMover,
 }
 
-/// A finger: joints from the palm outwards, and contacts on its links. Contacts keep the springs of pad and body; their own commands add to the
+/// A finger: joints from the palm outwards, and contacts on its links. Contacts keep the springs of pad and body. Their own commands add to the
 /// motion of the joints.
 ///
 /// ```
@@ -44,9 +44,9 @@ pub(super) struct Carried<const C: usize> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finger<const C: usize> {
     pub(super) joints: Vec<Joint<C>>,
-    /// Stiffness among the joints, in addition to their own springs.
+    /// Stiffness matrix of the joints, in addition to their own springs.
     pub(crate) coupling: Option<DMatrix<f64>>,
-    /// Compliance over the axes of all contacts, in addition to that of joints and pads.
+    /// Compliance matrix over the axes of all contacts, in addition to the compliance of joints and pads.
     pub(crate) compliance: Option<DMatrix<f64>>,
     pub(super) contacts: Vec<Carried<C>>,
 }
@@ -63,9 +63,9 @@ impl<const C: usize> Finger<C> {
         Self::new([]).contact(contact)
     }
 
-    /// A finger given by a compliance matrix over its contacts, m/N, symmetric and positive definite: a finger, a hand or a structure whose
-    /// displacements under a load at each contact are known. Rows and columns go contact by contact, along the axes of the contact frames, the normal
-    /// first. Springs of the contacts themselves come in series.
+    /// A finger given by the compliance matrix of its contacts, m/N, symmetric and positive definite. It describes a finger, a hand or a
+    /// structure whose displacements under a load at each contact are known. Rows and columns are ordered contact by contact, along the axes of
+    /// the contact frames, the normal first. Springs of the contacts themselves act in series.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::DMatrix;
@@ -92,29 +92,30 @@ impl<const C: usize> Finger<C> {
         Self { compliance: Some(compliance), ..finger }
     }
 
-    /// Adds a stiffness matrix among the joints, N m/rad, symmetric and positive semidefinite: gears and tendons that couple them, in addition to
-    /// their own springs. Its torques are `K (θ - φ)`.
+    /// Adds a stiffness matrix of the joints, N m/rad, symmetric and positive semidefinite. It represents gears and tendons that couple the
+    /// joints, and acts in addition to the joints' own springs. Its torques are `K (θ - φ)`.
     #[must_use]
     pub fn coupled(mut self, stiffness: DMatrix<f64>) -> Self {
         self.coupling = Some(stiffness);
         self
     }
 
-    /// A contact on the last link: all joints move it.
+    /// Adds a contact on the last link, which all joints move.
     #[must_use]
     pub fn contact(self, contact: Contact<C>) -> Self {
         let all = self.joints.len();
         self.contact_on(all, contact)
     }
 
-    /// A contact on another link: the first `joints` of the joints move it; 0 is the palm.
+    /// Adds a contact on another link. The first `joints` of the joints move it; 0 stands for the palm.
     #[must_use]
     pub fn contact_on(mut self, joints: usize, contact: Contact<C>) -> Self {
         self.contacts.push(Carried { contact, by: ContactMover::Link(joints) });
         self
     }
 
-    /// A contact with a given Jacobian, `C x joints`: velocity of the contact point along the coordinate axes, per unit velocity of each joint.
+    /// Adds a contact with a given Jacobian, `C x joints`: velocity of the contact point along the coordinate axes, per unit velocity of each
+    /// joint.
     #[must_use]
     pub fn contact_moved_by(mut self, jacobian: DMatrix<f64>, contact: Contact<C>) -> Self {
         self.contacts.push(Carried { contact, by: ContactMover::World(jacobian) });

@@ -6,7 +6,7 @@ use super::tendon::Tendon;
 use crate::numerics::Space;
 use crate::prelude::*;
 
-/// Fingers and tendons that hold an object; [`Hand::grasp`] makes a grasp of them.
+/// Fingers and tendons that hold an object; [`Hand::grasp`] makes the grasp.
 ///
 /// Contacts and joints are numbered finger by finger; tendons come after all joints. A hand without joints is a list of contacts.
 ///
@@ -54,14 +54,14 @@ impl<const C: usize> Hand<C> {
         self
     }
 
-    /// Largest number of coordinates of a grasp by this hand: those of the object, one for each joint, one for each drive that saturates, and one for
-    /// each contact axis of a finger with a compliance matrix. Slides of contacts that are held by a force are joints.
+    /// Largest number of coordinates of a grasp by this hand. It counts those of the object, one per joint, one per drive that saturates, and
+    /// one per contact axis of a finger with a compliance matrix. The slide of a contact with a constant force counts as a joint.
     #[must_use]
     pub fn coordinates(&self) -> usize {
         self.coordinates_in(Space::of::<C>())
     }
 
-    /// Whether it holds objects of the plane or of space.
+    /// Plane or space.
     pub(crate) fn space(&self) -> Space {
         for finger in &self.fingers {
             if let Some(carried) = finger.contacts.first() {
@@ -89,7 +89,7 @@ impl<const C: usize> Hand<C> {
         all
     }
 
-    /// Number of joints. Slides of contacts that are [held by a force](crate::grasp::Contact::force) are included, after all others.
+    /// Number of joints. The slides of contacts with a [constant force](crate::grasp::Contact::force) are included, after all other joints.
     #[must_use]
     pub fn joints(&self) -> usize {
         self.fingers.iter().map(|finger| finger.joints.len() + finger.slides()).sum()

@@ -1,4 +1,4 @@
-//! Contacts that are held by a force: behind each a slide along the normal, without a spring, on which the force acts.
+//! Contacts with a constant force. Each has a slide along the normal, a joint without a spring on which the force acts.
 
 use nalgebra::SMatrix;
 
@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::grasp::contact::Contact;
 
 impl<const C: usize> Finger<C> {
-    /// Number of slides for its contacts; the points of one soft fingertip share a slide.
+    /// Number of slides of the finger's contacts; the points of a soft fingertip share one slide.
     pub(super) fn slides(&self) -> usize {
         self.contacts.iter().filter(|carried| begins_a_slide(&carried.contact)).count()
     }
@@ -20,7 +20,7 @@ fn begins_a_slide<const C: usize>(contact: &Contact<C>) -> bool {
 }
 
 impl Assembly {
-    /// Motion of a contact with its slide, if it is held by a force; adds the force to the torque of the slide.
+    /// Motion of a contact with its slide, if it has a constant force. The force is added to the torque of the slide.
     pub(super) fn on_slide(
         &mut self,
         finger: &Finger<3>,

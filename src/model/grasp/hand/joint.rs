@@ -10,38 +10,38 @@ use crate::prelude::*;
 /// How a joint moves the links behind it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum JointMotion<const C: usize> {
-    /// A turn about a point of the plane, or about a line of space.
+    /// A rotation about a point of the plane, or about a line of space.
     Revolute { point: SVector<f64, C>, axis: SVector<f64, C> },
-    /// A slide along a direction.
+    /// A translation along a direction.
     Prismatic { direction: SVector<f64, C> },
-    /// By the Jacobians of the contacts alone.
+    /// Known only through the Jacobians of the contacts.
     Given,
 }
 
-/// Kind of a joint's motion, which sets the units of its answers.
+/// Kind of a joint's motion, which determines the units in answers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum JointKind {
-    /// It turns: rad and N m.
+    /// Rotation: rad and N m.
     Turns,
-    /// It slides: m and N.
+    /// Translation: m and N.
     Slides,
-    /// Known by the Jacobians of its contacts alone, and in their units.
+    /// Known only through the Jacobians of the contacts, in their units.
     #[default]
     Given,
 }
 
-/// Largest torque (N m) or force (N) of a joint's motor or clutch, and what happens beyond it.
+/// Largest torque (N m) or force (N) of a joint's motor or clutch, and the behaviour beyond it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Limit {
-    /// A clutch, or friction in a gear: beyond this torque it slips, and the slip remains when the torque falls again.
+    /// A clutch, or friction in a gear: at this torque it slips, and the slip remains when the torque decreases.
     Slips(f64),
-    /// A controller, or a motor that stalls: its torque stays at this bound, and follows its spring again when the load falls.
+    /// A controller, or a motor that stalls: the torque stays at this bound, and follows the spring again when the load decreases.
     Saturates(f64),
 }
 
@@ -54,11 +54,11 @@ impl Limit {
     }
 }
 
-/// A joint with its spring, its command and its limit. Built step by step; all parts are zero or absent by default.
+/// A joint with its spring, command and limit. Built step by step; all of these are zero or absent by default.
 ///
-/// The torque of its drive is `k (θ - φ)`: k the stiffness (of structure and controller in series), θ the commanded and φ the actual
-/// displacement from the posture in which the contacts were given. A positive turn is one from x to y in the plane and follows the right-hand rule in
-/// space. Units are N m/rad, rad and N m for a revolute joint, N/m, m and N for a prismatic one.
+/// The torque of its drive is `k (θ - φ)`. Here k is the stiffness of structure and controller in series, θ the commanded and φ the actual
+/// displacement, both from the posture in which the contacts are given. Positive rotations turn from x to y in the plane and follow the
+/// right-hand rule in space. Units are N m/rad, rad and N m for a revolute joint, N/m, m and N for a prismatic one.
 ///
 /// ```
 /// use grasp_lcp::planar::hand::Joint;
@@ -77,14 +77,14 @@ pub struct Joint<const C: usize> {
 }
 
 impl Joint<2> {
-    /// A joint that turns about a point of the plane, m.
+    /// A revolute joint about a point of the plane, m.
     pub fn revolute(point: impl Into<[f64; 2]>) -> Self {
         Self::moving(JointMotion::Revolute { point: SVector::from(point.into()), axis: SVector::zeros() })
     }
 }
 
 impl Joint<3> {
-    /// A joint that turns about the line through a point, m, along an axis of any length.
+    /// A revolute joint about the line through a point, m, along an axis vector of any length.
     pub fn revolute(point: impl Into<[f64; 3]>, axis: impl Into<[f64; 3]>) -> Self {
         let (point, axis) = (SVector::from(point.into()), SVector::from(axis.into()));
         Self::moving(JointMotion::Revolute { point, axis })
@@ -92,7 +92,7 @@ impl Joint<3> {
 }
 
 impl<const C: usize> Joint<C> {
-    /// The kind of its motion.
+    /// Kind of the joint's motion.
     pub(super) fn kind(&self) -> JointKind {
         match self.motion {
             JointMotion::Revolute { .. } => JointKind::Turns,
@@ -105,46 +105,48 @@ impl<const C: usize> Joint<C> {
         Self { name: None, motion, stiffness: 0.0, command: 0.0, torque: 0.0, limit: None }
     }
 
-    /// A joint that slides along a direction of any length; its displacement is in m along it.
+    /// A prismatic joint along a direction vector of any length; its displacement is in m.
     pub fn prismatic(direction: impl Into<[f64; C]>) -> Self {
         Self::moving(JointMotion::Prismatic { direction: SVector::from(direction.into()) })
     }
 
-    /// A coordinate of any other kind. Its effect on contacts is given by [`Finger::contact_moved_by`](super::Finger::contact_moved_by) alone.
+    /// A coordinate of another kind. Only [`Finger::contact_moved_by`](super::Finger::contact_moved_by) determines its effect on contacts.
     #[must_use]
     pub fn given() -> Self {
         Self::moving(JointMotion::Given)
     }
 
-    /// A name for messages and tables.
+    /// Sets the name for messages and tables.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into().into());
         self
     }
 
-    /// Stiffness of the joint's own spring, N m/rad or N/m. It is zero by default: couplings, tendons or a torque then hold the joint.
+    /// Sets the stiffness of the joint's own spring, N m/rad or N/m. With the default of zero, couplings, tendons or a constant torque must
+    /// support the joint.
     #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = stiffness;
         self
     }
 
-    /// Commanded displacement θ, rad or m.
+    /// Sets the commanded displacement θ, rad or m.
     #[must_use]
     pub fn command(mut self, theta: f64) -> Self {
         self.command = theta;
         self
     }
 
-    /// A constant torque (force of a prismatic joint) on the joint, N m or N, along φ: of a finger under force control, or the weight of a link.
+    /// Sets a constant torque on the joint along φ, N m (a force in N for a prismatic joint), as of a finger under force control or of the
+    /// weight of a link.
     #[must_use]
     pub fn torque(mut self, torque: f64) -> Self {
         self.torque = torque;
         self
     }
 
-    /// A bound on the torque of the joint's own spring, in both directions.
+    /// Sets a bound on the torque of the joint's own spring, in both directions.
     #[must_use]
     pub fn limit(mut self, limit: Limit) -> Self {
         self.limit = Some(limit);
@@ -153,13 +155,13 @@ impl<const C: usize> Joint<C> {
 }
 
 impl<const C: usize> JointMotion<C> {
-    /// The point that a revolute joint turns about.
+    /// The point about which a revolute joint turns.
     pub(super) fn centre(&self) -> Option<SVector<f64, C>> {
         if let Self::Revolute { point, .. } = self { Some(*point) } else { None }
     }
 
-    /// Velocity of a point per unit velocity of the joint: `axis × (point - centre)`, or the unit direction. The error is the length of an axis
-    /// without a direction, or its component that is not a number.
+    /// Velocity of a point per unit velocity of the joint: `axis × (point - centre)`, or the unit direction. For an invalid axis the error is
+    /// its length, or its component that is not finite.
     pub(super) fn of_point(&self, at: &SVector<f64, C>) -> Result<SVector<f64, C>, f64> {
         let along = |axis: &SVector<f64, C>| unit(axis).ok_or_else(|| length_or_culprit(axis));
         match self {

@@ -1,4 +1,4 @@
-//! The hand behind a grasp.
+//! The part of a grasp that a hand contributes.
 
 use alloc::sync::Arc;
 use core::fmt;
@@ -14,39 +14,39 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Joints, tendons, drives and bodies behind a grasp, in inside coordinates.
+/// Joints, tendons, drives and bodies of a grasp, in inside coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Linkage {
     pub(crate) joints: Vec<Named>,
     pub(crate) tendons: Vec<Named>,
-    /// Factors that make lengths of the coordinates behind the object's; those of the object are 1.
+    /// Reference lengths that convert the coordinates after the object's into lengths; entries of the object are 1.
     pub(crate) lengths: Vector,
-    /// Motion of each contact along the coordinate axes, per unit of each coordinate behind the object's.
+    /// Motion of each contact along the coordinate axes, per unit of each coordinate after the object's.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
-    /// Drives, one for each site beyond the contacts.
+    /// Drives, one for each site after those of the contacts.
     pub(crate) drives: Vec<Drive>,
-    /// Constant forces on the coordinates, from torques, tensions and held contacts.
+    /// Constant generalised forces on the coordinates, from joint torques, tensions and contacts with a constant force.
     pub(crate) held: Vector,
-    /// External torques on the joints.
+    /// External torques on the joints, in inside coordinates.
     pub(crate) pulled: Vector,
-    /// The bodies, if there are several.
+    /// The bodies, if there is more than one object.
     pub(crate) bodies: Option<Box<PlacedBodies>>,
     /// Line segments from joint to joint and on to the contacts, for pictures only.
     pub(crate) bones: Vec<[SVector<f64, 3>; 2]>,
     /// Points on the axes of revolute joints, for pictures only.
     pub(crate) centres: Vec<Option<SVector<f64, 3>>>,
-    /// Commands of joints, then of tendons.
+    /// Commands of the joints, then of the tendons.
     pub(crate) commands: Vec<f64>,
 }
 
-/// Data of a joint or a tendon for answers.
+/// Data of a joint or a tendon that answers use.
 #[derive(Debug, Clone)]
 pub(crate) struct Named {
     pub(crate) name: Option<Arc<str>>,
     pub(crate) limit: Option<Limit>,
-    /// Kind of motion of a joint.
+    /// Kind of motion; that of a tendon is not used.
     pub(crate) kind: JointKind,
-    /// The constant torque or tension.
+    /// Constant torque or tension, N m or N.
     pub(crate) held: f64,
 }
 
@@ -56,9 +56,9 @@ pub(crate) struct Named {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum HandPart {
-    /// A joint, from 0, finger by finger.
+    /// The joint with this index, from 0, finger by finger.
     Joint(usize),
-    /// A tendon, from 0.
+    /// The tendon with this index, from 0.
     Tendon(usize),
 }
 
@@ -77,16 +77,17 @@ impl fmt::Display for HandPart {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PartLabel {
-    /// The part: joints are numbered from 0 finger by finger, then come slides of contacts that are held by a force. Written as `"joint": 3`.
+    /// The joint or tendon. Joints are numbered from 0 finger by finger; slides of contacts with a constant force follow. Written as `"joint":
+    /// 3`.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub part: HandPart,
-    /// The user's name for it; omitted if it has none.
+    /// The user's name; omitted if there is none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub name: Option<Arc<str>>,
 }
 
 impl PartLabel {
-    /// Its name in messages and pictures, or its kind and its number.
+    /// The user's name, safe to print, or the kind and the number.
     #[must_use]
     pub fn text(&self) -> String {
         let name = self.name.as_deref().map(|name| printable(name).into_owned());
@@ -100,12 +101,12 @@ impl Linkage {
         self.drives.iter().map(move |drive| drive.stretch(commands))
     }
 
-    /// Changes of these stretches for a change of commands.
+    /// Changes of the stretches of all drives for a change of the commands.
     pub(crate) fn changes(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.drives.iter().map(move |drive| drive.change(commands))
     }
 
-    /// This linkage with own springs multiplied by `times(number)`, of joints and then tendons.
+    /// This linkage with the springs of joints and tendons multiplied by `times(index)`; tendons are numbered after the joints.
     pub(crate) fn stiffened(&self, times: &dyn Fn(usize) -> f64) -> Self {
         let mut linkage = self.clone();
         let joints = self.joints.len();
@@ -119,20 +120,20 @@ impl Linkage {
         linkage
     }
 
-    /// Multiplies commands, and torques that hold joints, by `factor`.
+    /// Multiplies commands and constant joint torques by `factor`.
     pub(crate) fn squeeze(&mut self, space: Space, factor: f64) {
         self.commands.iter_mut().for_each(|command| *command *= factor);
         (0..self.joints.len()).for_each(|joint| self.hold_joint(space, joint, factor));
     }
 
-    /// With the torque that holds a joint so many times as large.
+    /// Multiplies the constant torque of a joint by `factor`.
     pub(crate) fn hold_joint(&mut self, space: Space, joint: usize, factor: f64) {
         let (k, joint) = (space.of_the_object() + joint, &mut self.joints[joint]);
         self.held[k] += (factor - 1.0) * (joint.held / self.lengths[k]);
         joint.held *= factor;
     }
 
-    /// Replaces the forces that hold contacts by those of `now`.
+    /// Replaces the constant forces of the contacts `before` by those of the contacts `now`.
     pub(crate) fn press_instead(&mut self, space: Space, before: &[Contact<3>], now: &[Contact<3>]) {
         for ((before, now), motions) in before.iter().zip(now).zip(&self.motions) {
             if let (Some(before), Some(now), Some((slide, _))) = (before.force, now.force, motions.first()) {
@@ -143,7 +144,7 @@ impl Linkage {
         }
     }
 
-    /// A joint or a tendon with its name.
+    /// Label of a joint or a tendon.
     pub(crate) fn label(&self, part: HandPart) -> PartLabel {
         let named = match part {
             HandPart::Joint(joint) => &self.joints[joint],
@@ -152,14 +153,14 @@ impl Linkage {
         PartLabel { part, name: named.name.clone() }
     }
 
-    /// Drives of an actuator: a joint or, numbered behind the joints, a tendon.
+    /// Drives of an actuator with their indices. Actuators are the joints, then the tendons.
     pub(crate) fn of_actuator(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let joints = self.joints.len();
         let owner = if actuator < joints { Owner::Joint(actuator) } else { Owner::Tendon(actuator - joints) };
         self.drives.iter().enumerate().filter(move |(_, drive)| drive.owner == owner)
     }
 
-    /// The joint or tendon that owns the drive, if any.
+    /// The joint or tendon to which the drive belongs, if any.
     pub(crate) fn part(&self, drive: usize) -> Option<HandPart> {
         match self.drives[drive].owner {
             Owner::Joint(joint) => Some(HandPart::Joint(joint)),

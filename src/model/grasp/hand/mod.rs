@@ -1,7 +1,7 @@
-//! Fingers with joints, which couple contacts in addition to the object.
+//! Hands: fingers with joints, which couple the contacts in addition to the object.
 //!
-//! A finger's joints move its contacts. Joint coordinates φ are added to the twist of the object. Springs, gears, tendons and motors, which give the
-//! joints stiffness, are added to the contacts:
+//! A finger's joints move its contacts. The joint coordinates φ follow the object's twist in the vector of unknowns. Springs, gears, tendons and
+//! motors give the joints stiffness, and are treated like further contacts:
 //!
 //! ```text
 //! v_i = a_i - G_iᵀq + J_i φ,        Σ G_i F_i + W = 0
@@ -10,13 +10,13 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | φ, θ | displacement of the joints, and the commanded one | rad, m |
-//! | J_i | motion of contact i with the joints of its finger | m/rad, 1 |
-//! | r_k, T_k | a drive: arms over the joints, and the law of its spring | |
+//! | φ, θ | actual and commanded displacement of the joints | rad, m |
+//! | J_i | Jacobian: motion of contact i with the joints of its finger | m/rad, 1 |
+//! | r_k, T_k | a drive: its moment arms at the joints, and the force law of its spring | |
 //! | τ | torque of the drives on a joint, positive along φ | N m, N |
 //! | τ_ext | external torque on the joints, appended to the wrench of a load | N m, N |
 //!
-//! The contact law stays the same: a drive is one more spring, of one axis, whose map has entries at the joints alone.
+//! The contact law stays the same: a drive is one more spring of a single axis, whose map has entries only for joints.
 
 mod assembly;
 mod carried;

@@ -1,4 +1,4 @@
-//! Symmetric positive semidefinite matrices as sums of squares.
+//! Factorisation of symmetric positive semidefinite matrices.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -7,21 +7,21 @@ use crate::numerics::chosen;
 use crate::numerics::tolerances::{LINEARLY_DEPENDENT, NEGLIGIBLE};
 use crate::prelude::*;
 
-/// Why a matrix is not symmetric positive semidefinite.
+/// The reason why a matrix is not symmetric positive semidefinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum NotPositive {
-    /// The shape is wrong.
+    /// The matrix does not have `size` rows and columns.
     Shape { rows: usize, columns: usize, size: usize },
-    /// An entry that is not finite, or too large.
+    /// This entry is not finite, or too large.
     Entry(f64),
-    /// The largest difference across the diagonal.
+    /// The largest difference between two entries across the diagonal.
     Asymmetry(f64),
     /// The least eigenvalue, which is negative.
     Eigenvalue(f64),
 }
 
-/// Columns l with `M = Σ l lᵀ`, as many as the rank of M: Cholesky's factor with diagonal pivoting. The pivot has the largest remainder over its
-/// original entry, so entries of very different size keep their relative accuracy.
+/// Columns l with `M = Σ l lᵀ`, as many as the rank of M, by Cholesky factorisation with diagonal pivoting. The pivot is the diagonal entry with
+/// the largest remainder relative to its original value. Entries of very different size thus keep their relative accuracy.
 pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, NotPositive> {
     checked(matrix, size)?;
     let whole = matrix.diagonal();
@@ -42,7 +42,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
         if left.iter().any(|&j| share(j) < -NEGATIVE_REMAINDER) {
             return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
         }
-        // Remainder of a diagonal entry after elimination, over the entry, that counts as zero: rounding of n steps leaves about 1e-15.
+        // A remainder this small relative to the original diagonal entry counts as zero; rounding leaves about 1e-15.
         if share(pivot) <= LINEARLY_DEPENDENT {
             break;
         }
@@ -60,7 +60,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
         }
         columns.push(column);
     }
-    // The remaining block has a zero diagonal, so its other entries must be zero, too.
+    // The diagonal of the remaining block is zero, so for a semidefinite matrix all its entries must be zero.
     let beside = |i: usize, j: usize| rest[(i, j)].abs() / (whole[i] * whole[j]).sqrt();
     if left.iter().any(|&i| left.iter().any(|&j| beside(i, j) > NEGATIVE_REMAINDER)) {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
@@ -68,7 +68,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
     Ok(columns)
 }
 
-/// Refuses a matrix of another size, with entries that are not finite or too large, or without symmetry.
+/// Returns an error for a matrix of the wrong size, with entries that are not finite or too large, or that is not symmetric.
 pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPositive> {
     if matrix.shape() != (size, size) {
         return Err(NotPositive::Shape { rows: matrix.nrows(), columns: matrix.ncols(), size });
@@ -81,8 +81,8 @@ pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPosit
         for j in 0..i {
             let difference = (matrix[(i, j)] - matrix[(j, i)]).abs();
             let size = (matrix[(i, i)].abs() * matrix[(j, j)].abs()).sqrt();
-            // Largest difference of two entries across the diagonal, over the root of the product of their diagonal entries, in a matrix that counts
-            // as symmetric.
+            // Largest difference of two entries across the diagonal in a matrix that counts as symmetric, relative to the geometric mean of
+            // their diagonal entries.
             if difference > NEGLIGIBLE * size {
                 worst = worst.max(difference);
             }
