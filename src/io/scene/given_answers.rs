@@ -1,4 +1,4 @@
-//! Answers that a grasp has already given, in the form in which a scene writes them.
+//! Answers of a grasp in the form in which a scene writes them.
 
 use super::onset::{Factor, OnsetAnswer, TurnAnswer};
 use super::setup::Setup;
@@ -60,7 +60,7 @@ impl<const C: usize> Setup<C> {
         Ok(outside(inside(self).labels()?.onset_of_turn(&inside(grasp), &inside(onset))))
     }
 
-    /// An equilibrium of this setup's grasp, one of [`Grasp::equilibria`] for instance; its accuracy is left out.
+    /// An equilibrium of this setup's grasp in the form of [`Self::answers`], such as one of [`Grasp::equilibria`]. Its accuracy is left out.
     ///
     /// # Errors
     /// As for [`Self::points`].

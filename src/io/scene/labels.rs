@@ -4,7 +4,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{Equilibrium, Outcome, WorkDone};
 use crate::error::ContactLabel;
 
-/// The scene's names of the contacts of its grasp, in the order of the grasp.
+/// For each contact of the grasp, the scene's name of it.
 pub(super) struct SceneNames(pub(super) Vec<ContactLabel>);
 
 impl SceneNames {

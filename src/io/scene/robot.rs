@@ -21,41 +21,41 @@ use crate::touch::Pad;
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct RobotSetup<const C: usize> {
-    /// Its description file; a relative path counts from the folder of the scene.
+    /// The description file of the robot; a relative path counts from the folder of the scene.
     pub urdf: String,
-    /// The place of its root link, m; the origin if left out.
+    /// The position of the robot's root link, m; the origin if left out.
     #[serde(default)]
     pub at: [f64; 3],
-    /// Roll, pitch and yaw of its root link, degrees; 0 if left out.
+    /// Roll, pitch and yaw of the robot's root link, degrees; 0 if left out.
     #[serde(default)]
     pub turned_deg: [f64; 3],
-    /// Where its joints are, degrees, those that slide m; 0 if left out.
+    /// Positions of the joints by name, degrees, of prismatic joints m; 0 if left out.
     #[serde(default)]
     pub joints: BTreeMap<String, f64>,
-    /// Where its joints are commanded to be, degrees or m; where they are if left out.
+    /// Commanded positions of the joints by name, degrees or m; the actual positions if left out.
     #[serde(default)]
     pub commanded: BTreeMap<String, f64>,
-    /// Stiffness of its joints, N m/rad or N/m, by name; `others` is that of all that are not named.
+    /// Stiffness of the joints by name, N m/rad or N/m; `others` is the stiffness of all joints without an entry.
     pub stiffness: BTreeMap<String, f64>,
-    /// `"from file"`: motors stall at the efforts of the file; no limits if left out.
+    /// Limits of the motors: with `"from file"` they stall at the efforts of the description file; no limits if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub effort: Option<MotorLimits>,
     /// Contacts by the link they are on, in the frame of the link.
     pub contacts: BTreeMap<String, Vec<Fingertip<C>>>,
 }
 
-/// Where the limits of motors come from.
+/// The source of the limits of motors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum MotorLimits {
-    /// From the efforts of the file.
+    /// The `effort` limits of the description file.
     #[serde(rename = "from file")]
     FromFile,
 }
 
 impl RobotSetup<3> {
-    /// The robot in its posture, from a folder from which relative paths count.
+    /// Reads the robot and sets its posture; a relative path counts from `folder`.
     fn read_from(&self, folder: &Path) -> Result<Robot, Error> {
         let mut robot = Robot::read(folder.join(&self.urdf))?;
         let [roll, pitch, yaw] = self.turned_deg.map(f64::to_radians);
@@ -76,7 +76,7 @@ impl RobotSetup<3> {
         Ok(if self.effort.is_some() { robot.limited_by_effort() } else { robot })
     }
 
-    /// The contacts on links that no joint moves, and the fingers of all others.
+    /// The contacts on links that no joint moves, and fingers with all other contacts.
     fn spread(self, folder: &Path) -> Result<(Vec<Fingertip<3>>, Vec<FingerSetup<3>>), Error> {
         let robot = self.read_from(folder)?;
         let (mut links, mut entries) = (Vec::new(), Vec::new());
@@ -105,7 +105,7 @@ impl RobotSetup<3> {
     }
 }
 
-/// A contact from the frame of its link in that of the scene, with the place and the direction of its pad.
+/// Transforms a contact, with the position and direction of its pad, from the frame of its link to that of the scene.
 fn placed(robot: &Robot, link: usize, index: usize, mut entry: Fingertip<3>) -> Result<Fingertip<3>, Error> {
     if let Some(touches) = entry.touches.as_mut().filter(|touches| touches.collision_shapes) {
         let surface = robot.surface(&robot.links()[link])?;
@@ -123,7 +123,7 @@ fn placed(robot: &Robot, link: usize, index: usize, mut entry: Fingertip<3>) -> 
 }
 
 impl Setup<3> {
-    /// Refuses a robot in the plane, and one that touches nothing.
+    /// Refuses a robot in the plane, a robot without contacts, and surfaces of its contacts.
     pub(super) fn check_robot(&self) -> Result<(), String> {
         let Some(robot) = &self.robot else { return Ok(()) };
         let mut entries = robot.contacts.values().flatten();
@@ -139,7 +139,7 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// This setup with the contacts and the fingers of its robot in place of its file.
+    /// This setup with the contacts and fingers of its robot in place of the robot's description file.
     pub(super) fn with_robot_from(mut self, folder: &Path) -> Result<Self, Error> {
         if let Some(robot) = self.robot.take() {
             let (fixed, fingers) = robot.spread(folder)?;

@@ -33,10 +33,10 @@ enum WrittenSurface<const C: usize> {
         /// The radius, m.
         #[serde(with = "AsGiven::<f64>")]
         radius: f64,
-        /// The angle of its beginning, degrees from x to y.
+        /// The angle at which the arc begins, degrees from x to y.
         #[serde(with = "AsGiven::<f64>")]
         from_deg: f64,
-        /// The angle that it spans from there, degrees.
+        /// The angle that the arc spans, degrees.
         #[serde(with = "AsGiven::<f64>")]
         over_deg: f64,
     },
@@ -72,7 +72,7 @@ enum WrittenSurface<const C: usize> {
 }
 
 impl<const C: usize> WrittenSurface<C> {
-    /// The surface, if it has the given number of axes.
+    /// The surface; an error if it belongs to the other space.
     fn surface(self) -> Result<Surface<C>, String> {
         let (name, axes) = match &self {
             Self::Segment(_) => ("segment", 2),
