@@ -60,7 +60,7 @@ pub struct Touches {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub v_deg: Option<f64>,
     /// Whether the collision shapes of the robot's link are the pad, within the rectangle if it is given. The position of `from` along the closing
-        /// direction then has no effect.
+    /// direction then has no effect.
     #[serde(default, skip_serializing_if = "core::ops::Not::not")]
     pub collision_shapes: bool,
     /// Of a rectangle: numbers of strips in half of each side, with two points each, 2 and 2 if left out. Of a disc: numbers of annuli and of
@@ -241,7 +241,7 @@ impl Setup<3> {
     }
 
     /// Refuses pads without a part, and a part in the plane. Returns whether the points of all contacts are known: those of pads are found once the
-        /// mesh is read.
+    /// mesh is read.
     fn check_part(&self) -> Result<bool, String> {
         let touches = self.entries().position(|entry| entry.touches.is_some());
         match (&self.part, touches) {
