@@ -46,10 +46,10 @@ pub struct Setup<const C: usize> {
     /// The plane or space; a setup of the plane may have three components a vector.
     #[serde(skip, default = "space_of_text::<C>")]
     pub(crate) space: Space,
-    /// Contacts whose fingers have no joints. [`Setup::grasp`] is an error if neither this list nor a finger has a contact.
+    /// Contacts whose fingers have no joints. Together with those of fingers there must be at least one, else [`Setup::grasp`] is an error.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<Fingertip<C>>,
-    /// Fingers with joints; their contacts are numbered after [`Self::contacts`].
+    /// Fingers with joints; their contacts have the numbers behind those above.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fingers: Vec<FingerSetup<C>>,
     /// Tendons over the joints of all fingers.
@@ -71,7 +71,7 @@ pub struct Setup<const C: usize> {
     /// Whether loads of questions act on all bodies, on each with the share of its mass.
     #[serde(default, skip_serializing_if = "is_false")]
     pub shared_by_mass: bool,
-    /// Corners of the object in order, m; only pictures show them.
+    /// Corners of the object in order, m, for pictures by the caller.
     #[serde(default, with = "AsGiven::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub outline: Vec<SVector<f64, C>>,
