@@ -1,4 +1,4 @@
-//! Answers of the crate, kept as values; JSON is written only when Python reads it.
+//! Answers of the crate that are kept as Rust values; their JSON is written only when Python reads it.
 
 use std::sync::Arc;
 
@@ -20,18 +20,18 @@ use crate::pictures::Drawn;
 pub(crate) enum Reply {
     /// A value of the crate, from a grasp without joints.
     Unwritten(LazyAnswer),
-    /// JSON written by the scene room, which answers for hands and several bodies.
+    /// JSON, in which scenes answer for hands with joints and for several bodies.
     Written(String),
 }
 
-/// An answer of the crate, not yet written.
+/// An answer as a Rust value, not yet written as JSON.
 pub(crate) enum Raw<const C: usize> {
     Solved(Outcome<C>, Wrench<C>),
     Onset(Onset<C>),
     Turn(TurnOnset<C>),
 }
 
-/// Access of Python to an answer: outcome and factor are read directly, all other data from its JSON.
+/// Access of Python to an answer: outcome, factor and columns are read directly, all other data from its JSON.
 trait Tells: Send + Sync {
     fn outcome(&self) -> &'static str;
     fn factor(&self) -> Option<f64>;

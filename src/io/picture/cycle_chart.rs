@@ -15,9 +15,9 @@ use crate::load_path::Leg;
 use crate::numerics::{chosen, increasing, largest, mapped, moved};
 
 /// Two charts of `count` cycles from rest: the slip of each contact against cycles, and its friction against its slip in the last cycle. The area
-/// that the loop encloses is the heat of that cycle. Slip and friction are components along the direction in which the contact slips farthest. For a
-/// soft fingertip they are the mean slip of its points and the sum of their forces. Contacts that never slide are named below the chart. If no
-/// contact slides there is no chart; if none slides in the last cycle there is no second chart.
+/// within the loop is the heat of that cycle. Slip and friction are components along the direction in which the contact slips farthest. For a
+/// soft fingertip they are the mean slip of its points and the sum of their forces. A note names the contacts that never slide. Charts
+/// without a curve are left out: both if no contact slides, the second if none slides in the last cycle.
 ///
 /// ```
 /// use grasp_lcp::picture::charts_of_cycles;
@@ -52,7 +52,7 @@ pub fn charts_of_cycles<const C: usize>(
     let tips = grasp.engine.wholes();
     let slides: Vec<_> = mapped(tips, &|tip| Rubbing::of(tip, &states));
     let farthest = largest(&slides, &|slide| slide.farthest);
-    // Slips below this part of the longest count as zero.
+    // Slips below this fraction of the longest slip count as zero.
     let no_slip = 1e-6;
     let is_link = |tip: usize| tips[tip].label.link.is_some();
     let mut order: Vec<_> = chosen(tips.len(), &|k| !is_link(*k) && slides[*k].farthest > no_slip * farthest);
@@ -95,7 +95,7 @@ pub fn charts_of_cycles<const C: usize>(
     Ok(vec![slips, loops].into_iter().filter(|chart| !chart.is_empty()).collect())
 }
 
-/// Slip and friction of a contact along its direction of largest slip.
+/// Slip and friction of a contact along the direction of its largest slip.
 struct Rubbing {
     /// Largest slip from the start, mm.
     farthest: f64,

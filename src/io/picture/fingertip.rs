@@ -17,7 +17,7 @@ pub(super) struct Resultant<const C: usize> {
     pub(super) normal_force: f64,
     /// Displacement of the object at that point, m.
     pub(super) displacement: SVector<f64, C>,
-    /// If the whole fingertip slides, the direction of the finger over the object.
+    /// If the whole fingertip slides, the direction in which the finger slides over the object.
     pub(super) slides: Option<SVector<f64, C>>,
     /// The state in a word: "sliding" if no point sticks, "separated" if no point touches.
     pub(super) word: &'static str,
@@ -27,7 +27,7 @@ face_of_struct! {
     Resultant { at, force, normal_force, displacement, slides, word }
 }
 
-/// A force for pictures and tables, N; zero if it is rounding beside the largest force.
+/// A force for pictures and tables, N; zero if it is only a rounding error of the largest force.
 pub(super) fn without_rounding<const C: usize>(force: f64, state: &Equilibrium<C>) -> f64 {
     Words::default().beside(force, state.largest_force())
 }
@@ -38,18 +38,18 @@ impl ContactPoints {
         self.range.len() > 1
     }
 
-    /// Whether a point in this state has a dot of its own: among many points only those that do not stick.
+    /// Whether a point in this state gets a dot: of more than sixteen points only those that do not stick.
     pub(super) fn shows(&self, word: &str) -> bool {
         self.range.len() <= 16 || word != "sticking"
     }
 
-    /// The mean of its contact points, m.
+    /// The mean of the group's contact points, m.
     pub(super) fn middle<const C: usize>(&self, contacts: &[Contact<C>]) -> SVector<f64, C> {
         let points = contacts[self.range.clone()].iter().map(|contact| contact.point);
         points.sum::<SVector<f64, C>>() / self.range.len() as f64
     }
 
-    /// The ends of a link: those of a line, or its first two bearings. A link with a single point has the same end twice.
+    /// The ends of a link: those of a spring or cable, or else its first two points. A link with a single point has the same end twice.
     pub(super) fn ends_of_link<const C: usize>(
         &self,
         contacts: &[Contact<C>],
@@ -57,7 +57,7 @@ impl ContactPoints {
         let own = &contacts[self.range.clone()];
         let (first, second) = (own.first()?, own.get(1).or(own.first())?);
         match self.label.link? {
-            // The normal of a line is the vector from its beginning to its end.
+            // The normal of a spring or cable is the vector from its beginning to its end.
             LinkKind::Spring | LinkKind::Cable => Some([first.point, first.point + first.normal]),
             _ => Some([first.point, second.point]),
         }

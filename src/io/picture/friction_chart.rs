@@ -1,4 +1,4 @@
-//! The part of its friction that each contact uses along the path of a load; a soft fingertip counts as one contact.
+//! The fraction of its friction that each contact uses along a load path; a soft fingertip counts as one contact.
 
 use super::chart::Chart;
 use super::fingertip::without_rounding;
@@ -14,7 +14,7 @@ use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
 use crate::numerics::{largest, mapped, moved};
 use crate::words::opens;
 
-/// Most curves in a chart: each colour is used for a line and for a dashed line. Further curves are only named.
+/// Largest number of curves in a chart: each colour has a solid and a dashed line. The note below the chart names further curves.
 pub(super) const MOST_CURVES: usize = 2 * PALETTE.len();
 
 /// A load program whose states are drawn against an axis.
@@ -23,7 +23,7 @@ pub(super) struct Drawn<'a, const C: usize> {
     pub(super) start: Wrench<C>,
     pub(super) legs: &'a [Leg<C>],
     pub(super) axis: &'a str,
-    /// The position on the axis of a fraction of a leg.
+    /// The position on the horizontal axis, from the index of a leg and the fraction of it.
     pub(super) place: &'a dyn Fn(usize, f64) -> f64,
 }
 
@@ -56,7 +56,7 @@ impl<const C: usize> Drawn<'_, C> {
         Ok(marks.into_iter().fold(chart, |chart, (x, label)| chart.mark(x, label)))
     }
 
-    /// The end of the path: the last leg, and the fraction of it.
+    /// The end of the path: the index of its last leg, and the fraction of that leg up to which it was followed.
     pub(super) fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
         let last = path.end().and_then(|end| Some((end.leg()?, end.fraction()?)));
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
@@ -68,7 +68,7 @@ impl<const C: usize> Drawn<'_, C> {
         let on_leg = |leg: usize| {
             let to = if leg == last { end } else { 1.0 };
             let turns = self.legs.get(leg).is_some_and(Leg::turns);
-            // Little happens between events on straight legs. Events are added.
+            // On straight legs curves are smooth between events, and few points suffice. The events themselves are added.
             let count = if turns { 180 } else { (48 / (last + 1)).max(16) };
             let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).collect();
             fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));
@@ -113,7 +113,7 @@ impl<const C: usize> Drawn<'_, C> {
             _ => None,
         };
         match (left, end) {
-            // Closer events share one label.
+            // If the first slip and the end are close, they share one label.
             (Some((at, left)), Some((to, end))) if to - at < 0.15 * to => {
                 vec![(at, format!("{left}, {end}"))]
             }
@@ -122,10 +122,10 @@ impl<const C: usize> Drawn<'_, C> {
     }
 }
 
-/// The part of their friction that the points of a fingertip use together: 1 where all of them slide. NaN where it is not defined.
+/// Friction forces of a fingertip's points over the sum of their limits μ F_n; 1 if all of them slide, NaN if undefined.
 fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
     let (answers, contacts) = (&state.contacts[tip.range.clone()], &contacts[tip.range.clone()]);
-    // The ratio is meaningless for forces that are rounding.
+    // The ratio is meaningless if the forces are rounding errors.
     let force = largest(answers, &|answer| answer.force.norm());
     if force > 0.0 && without_rounding(force, state) == 0.0 {
         return f64::NAN;
@@ -141,7 +141,7 @@ fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state
             f64::NAN
         };
     }
-    // The margin is the friction left, so that friction and margin add up to the limit.
+    // The margin is μ F_n - |F_t|, so that friction force and margin add up to the limit.
     let (used, all) = answers.iter().filter(rubs).fold((0.0, 0.0), |(used, all), answer| {
         (used + answer.friction_force(), all + answer.friction_force() + answer.margin)
     });
@@ -154,7 +154,7 @@ struct Shared {
     left_out: Vec<String>,
 }
 
-/// All curves, or the highest of them if there are more than colours allow.
+/// Selects the curves to draw: all, or the highest ones if there are more than [`MOST_CURVES`].
 fn shared<const C: usize>(curves: Vec<(&ContactPoints, ChartSeries)>, contacts: &[Contact<C>]) -> Shared {
     let most = |series: &ChartSeries| series.points.iter().map(|(_, y)| *y).fold(f64::NEG_INFINITY, f64::max);
     let mut left_out = Vec::new();
@@ -189,10 +189,10 @@ fn shared<const C: usize>(curves: Vec<(&ContactPoints, ChartSeries)>, contacts: 
     Shared { drawn: moved(drawn, &|(_, series)| series), left_out }
 }
 
-/// Whether two curves coincide on paper. The second is then dashed, so that both are visible.
+/// Whether two curves coincide on paper. The caller then dashes the second, so that both are visible.
 fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
     let near = |(p, q): (&(f64, f64), &(f64, f64))| match (p.1.is_nan(), q.1.is_nan()) {
-        // Closer curves coincide on paper.
+        // A difference of at most 4e-3 is invisible.
         (false, false) => (p.1 - q.1).abs() <= 4e-3,
         (none, neither) => none == neither,
     };
@@ -213,7 +213,7 @@ fn no_curve<const C: usize>(contact: &Contact<C>) -> &'static str {
     }
 }
 
-/// The names joined by commas, each shortened to `letters`; beyond `most` of them only their number.
+/// The first `most` names, joined by commas and each shortened to `letters`, and the number of the others.
 pub(super) fn some(names: &[String], most: usize, letters: usize) -> String {
     let more = names.len().saturating_sub(most);
     let shown: Vec<_> = mapped(&names[..names.len() - more], &|name| shortened(name, letters));
@@ -221,7 +221,7 @@ pub(super) fn some(names: &[String], most: usize, letters: usize) -> String {
     if more > 0 { format!("{shown} and {more} more") } else { shown }
 }
 
-/// The first contact or drive that leaves at an event in words, such as "left slides"; `None` if all of them stay.
+/// The first contact or drive that slides, opens or yields at an event, in words such as "left slides"; `None` if there is none.
 fn left_by<const C: usize>(event: &Event<C>, tips: &WholeContacts) -> Option<String> {
     let contact = event.changes.iter().find_map(|change| {
         let tip = tips.at(change.contact.index);

@@ -16,7 +16,7 @@ use crate::numerics::tried;
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
-    /// Refuses a question whose lists have not one entry for each contact, drive or joint of this setup, or along which nothing changes.
+    /// Refuses a question with a list whose length is not the number of contacts, drives or joints of this setup, or in which nothing changes.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -42,7 +42,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// The question with the surfaces that the contacts of the scene may move along.
+    /// [`Self::improve`] of a planar or spatial setup with three components a vector.
     pub(super) fn with_surfaces(&self, grasp: &Grasp<3>, asked: &Improve<3>) -> Improve<3> {
         let mut question = asked.clone();
         for (entry, contact) in self.entries().zip(grasp.engine.wholes().iter()) {
@@ -53,7 +53,7 @@ impl Setup<3> {
         question
     }
 
-    /// [`Self::check`] in the plane or in space.
+    /// [`Self::check`] of a planar or spatial setup with three components a vector.
     pub(super) fn check_question(&self, question: &Question<3>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
@@ -81,7 +81,7 @@ impl Setup<3> {
         }
     }
 
-    /// Refuses faults that show without building the layouts.
+    /// Refuses faults that can be found without building a grasp for each layout.
     pub(super) fn check_identify(&self, asked: &Identify<3>) -> Result<(), Error> {
         if !asked.layouts.is_empty() && (self.is_held_by_a_hand() || !self.bodies.is_empty()) {
             return Err(LAYOUTS_OF_HANDS);
@@ -107,14 +107,14 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// Numbers of contacts, of drives (joints, then tendons) and of joints. Slides of contacts that are held by a force are the last joints.
+    /// Numbers of contacts, of drives (joints and tendons) and of joints. A contact that is held by a force counts as one more joint, its slide.
     fn lengths(&self) -> [usize; 3] {
         let slides = self.entries().filter(|entry| entry.contact.force.is_some()).count();
         let joints = self.fingers.iter().map(|finger| finger.joints.len()).sum::<usize>() + slides;
         [self.entries().count(), joints + self.tendons.len(), joints]
     }
 
-    /// [`Self::answers_in`] in the plane or in space.
+    /// [`Self::answers_in`] of a planar or spatial setup with three components a vector.
     pub(crate) fn answered(&self, words: Words) -> Result<Vec<Answer<3>>, Error> {
         let grasp = self.grasp_checked()?;
         tried(&self.questions, &|question| self.answer(&grasp, question, words.in_space(self.space)))

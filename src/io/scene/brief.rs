@@ -58,7 +58,7 @@ pub struct Brief {
     /// The first contact, joint or tendon that stops sticking, or the contact with the least margin: its name, or its kind and number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first: Option<String>,
-    /// The state change or state of that contact.
+    /// The change of state of [`Self::first`]; in an equilibrium, its state.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub does: Option<&'static str>,
     /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the answer to say much about it. Left out if false.
@@ -80,7 +80,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::brief_answers`] in the plane or in space.
+    /// [`Self::brief_answers`] of a planar or spatial setup with three components a vector.
     pub(crate) fn answered_briefly(&self) -> Result<Vec<Brief>, Error> {
         let grasp = self.grasp_checked()?;
         tried(&self.questions, &|question| self.brief_answer(&grasp, question))
@@ -155,7 +155,7 @@ impl SceneNames<'_> {
         }
     }
 
-    /// Adds the contact with the least margin.
+    /// Adds the contact with the least friction margin to a short answer.
     fn tightest(&self, brief: Brief, state: &Equilibrium<3>) -> Brief {
         let vacuum_gone = !state.open_cups.is_empty();
         let brief = Brief { beyond_small_motions: is_far(Some(state)), vacuum_gone, ..brief };
@@ -211,7 +211,7 @@ fn is_far(state: Option<&Equilibrium<3>>) -> bool {
     state.is_some_and(Equilibrium::is_beyond_small_motions)
 }
 
-/// Whether the load is held, and the load factor at its loss.
+/// Short answer to `hold`: whether the load is held, and the load factor at its loss.
 fn held_briefly(verdict: &Verdict<3>) -> Brief {
     let outcome = match verdict.holding {
         Holding::Sticks => "sticks",
@@ -231,7 +231,7 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
     Brief { factor, first: who, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
-/// The amount that is needed.
+/// Short answer to `need`: the amount that is needed.
 fn needed_briefly(needed: &Needed) -> Brief {
     let outcome = match needed.amount {
         Amount::Bound { .. } => "bound",
@@ -244,7 +244,7 @@ fn needed_briefly(needed: &Needed) -> Brief {
     Brief { factor, angle, ..Brief::new("need", outcome) }
 }
 
-/// First slip or the reserve of the best grasp, with the contact that slides first or has the least reserve.
+/// Short answer to `improve`: first slip or reserve of the best grasp, and the contact that slides first or has the least reserve.
 fn improved_briefly(improved: &Improved<3>) -> Brief {
     let outcome = match improved.search {
         SearchEnd::Optimum => "optimum",
@@ -260,7 +260,7 @@ fn improved_briefly(improved: &Improved<3>) -> Brief {
     Brief { factor: improved.after, first, ..Brief::new("improve", outcome) }
 }
 
-/// The fate of a repeated load, with the contact that slides.
+/// Short answer to `shake`: the kind of repetition, and a contact that slides.
 fn shaken_briefly(shaken: &Shaken<3>) -> Brief {
     let first = |contacts: &[WholeContact]| contacts.first().map(|part| part.label.clone());
     let (outcome, slides, on) = match &shaken.repeats {
@@ -276,7 +276,7 @@ fn shaken_briefly(shaken: &Shaken<3>) -> Brief {
     Brief { leg: on, first: slides, beyond_small_motions, ..Brief::new("shake", outcome) }
 }
 
-/// Whether the grasp comes to rest in any order, with the factor and the contact that would slide beyond it.
+/// Short answer to `shakedown`: whether slipping ceases in any order, the factor, and a contact that would slide beyond it.
 fn shakedown_briefly(found: Option<&Shakedown<3>>) -> Brief {
     let Some(found) = found else { return Brief::new("shakedown", "undecided") };
     let outcome = match found.rests(1.0) {
@@ -288,7 +288,7 @@ fn shakedown_briefly(found: Option<&Shakedown<3>>) -> Brief {
     Brief { factor: Some(found.factor), first, ..Brief::new("shakedown", outcome) }
 }
 
-/// The kind of the comparison, with the multiple of the load up to which both agree.
+/// Short answer to `compare`: the verdict, and the multiple of the load up to which equilibrium and minimum agree.
 fn compared_briefly(answer: &CompareAnswer<3>) -> Brief {
     let outcome = match answer.comparison.verdict {
         ComparisonVerdict::Agree => "agree",
@@ -302,7 +302,7 @@ fn compared_briefly(answer: &CompareAnswer<3>) -> Brief {
     Brief { factor: answer.agrees_up_to, ..Brief::new("compare", outcome) }
 }
 
-/// The end of the search, with the value of the first unknown if the slips determine it.
+/// Short answer to `identify`: the end of the search, and the first unknown if the slips determine it.
 fn identified_briefly(found: &Identified) -> Brief {
     let first = found.estimates.first().filter(|estimate| estimate.is_fixed);
     Brief { factor: first.map(|estimate| estimate.value), ..Brief::new("identify", ended(&found.ending)) }

@@ -28,7 +28,7 @@ pub struct CompareAnswer<const C: usize> {
 }
 
 impl SceneNames<'_> {
-    /// The comparison under a load beside one at rest, and the range of the load in which both agree.
+    /// The comparison under `base + load`, and the multiple of `load` up to which equilibrium and minimum agree.
     pub(super) fn compared(
         &self,
         base: &Wrench<3>,

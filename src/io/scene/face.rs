@@ -1,4 +1,4 @@
-//! Setups, questions and answers at the door: texts are read and written with three components a vector.
+//! Conversion of setups, questions and answers between two and three components a vector; texts are read and written with three.
 
 use super::answer::Answer;
 use super::body::BodySetup;

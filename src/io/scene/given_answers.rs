@@ -1,4 +1,4 @@
-//! Answers that a grasp has already given, in the form in which a scene writes them.
+//! Answers of a grasp in the form in which a scene writes them.
 
 use super::labels::SceneNames;
 use super::onset::{Factor, OnsetAnswer, TurnAnswer};

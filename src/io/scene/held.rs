@@ -12,7 +12,7 @@ use crate::need::Needed;
 use crate::shake::{Shakedown, Shaken};
 use crate::words::Words;
 
-/// The fate of a load that is put on from rest; see [`Verdict`].
+/// Whether the grasp holds a load that grows from rest; see [`Verdict`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -111,7 +111,7 @@ impl<const C: usize> ImproveAnswer<C> {
     }
 }
 
-/// The unknowns with their errors; see [`Identified`].
+/// The identified unknowns with their standard errors; see [`Identified`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -151,7 +151,7 @@ impl IdentifyAnswer {
     }
 }
 
-/// The fate of a repeated load; see [`Shaken`].
+/// The response of the grasp to a repeated load; see [`Shaken`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -181,7 +181,7 @@ pub struct ShakeAnswer<const C: usize> {
     pub shaken: Shaken<C>,
 }
 
-/// Whether the grasp comes to rest in any order of the loads; see [`Shakedown`].
+/// Whether slipping ceases whatever the order of the repeated loads; see [`Shakedown`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -207,7 +207,7 @@ pub struct ShakeAnswer<const C: usize> {
 pub struct ShakedownAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// Whether the grasp comes to rest under these loads; left out if the order decides, or if it is unknown.
+    /// Whether slipping ceases under these loads. Left out if that depends on their order, or if it is unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rests: Option<bool>,
     /// The answer, if there is one.
@@ -215,7 +215,7 @@ pub struct ShakedownAnswer<const C: usize> {
     pub found: Option<Shakedown<C>>,
 }
 
-/// The sentence without an answer.
+/// The sentence if no shakedown factor could be computed.
 const NO_SHAKEDOWN: &str = "UNDECIDED: with all contacts closed no slips keep what is there at rest, or nothing resists one of the loads";
 
 impl<const C: usize> ShakedownAnswer<C> {

@@ -28,7 +28,7 @@ pub enum OnsetAnswer<const C: usize, At = Factor> {
     },
     /// No equilibrium exists where the load begins.
     NoBase(NoEquilibrium<C>),
-    /// No contact stops sticking, but from here on nothing resists the load's direction.
+    /// No contact stops sticking, but beyond this place no forces can balance the load.
     GivesWay {
         /// The place up to which the grasp holds.
         #[serde(flatten)]
@@ -68,9 +68,9 @@ pub struct OnsetAt<const C: usize, At = Factor> {
     pub at: At,
     /// The load at first slip.
     pub load: Wrench<C>,
-    /// The contacts that leave, all at once.
+    /// The contacts that stop sticking at this load, all at once.
     pub leaving: Vec<Leaving<C>>,
-    /// The joints and tendons that give way.
+    /// The joints and tendons that change their state at this load.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<PartChange>,
     /// The behaviour beyond; rates are per unit of the factor, or per radian.
@@ -102,7 +102,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
     }
 }
 
-/// First slip under a turning load, with the edges that are touched before it; see [`path::TurnOnset`].
+/// First slip under a turning load, and contacts and drives that reach their limit before it; see [`path::TurnOnset`].
 ///
 /// A tray of 4 N between two palms that press with 10 N each, tilted from x to y until it slides:
 ///
@@ -132,7 +132,7 @@ pub struct TurnAnswer<const C: usize> {
     /// The first slip.
     #[serde(flatten)]
     pub onset: OnsetAnswer<C, Angle>,
-    /// Contacts and drives that touch their edge up to rounding without crossing it, before the onset.
+    /// Contacts and drives that reach the limit of their state before the onset, to within rounding, without exceeding it.
     pub touches: Vec<EdgeTouch>,
 }
 

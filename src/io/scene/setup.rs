@@ -100,7 +100,7 @@ fn is_default(settings: &Settings) -> bool {
     *settings == Settings::default()
 }
 
-/// A setup that is read from its fields, before its check.
+/// A setup as it is deserialized field by field, before it is checked.
 struct Fields(Setup<3>);
 
 impl<'de> Deserialize<'de> for Fields {
@@ -121,7 +121,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
             setup.check_bodies()?;
             #[cfg(feature = "urdf")]
             if setup.robot.is_some() {
-                // Its contacts are known, and questions are checked, once its file is read.
+                // The robot's contacts are unknown until its file is read, so that questions are checked when they are answered.
                 return setup.check_robot().map(|()| outside(setup));
             }
             if setup.entries().next().is_none() && setup.links.is_empty() {
@@ -132,7 +132,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
             #[cfg(not(feature = "mesh"))]
             let has_points = true;
             if has_points && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
-                // The numbers of joints depend on their contacts, and are checked with the grasp.
+                // Only a built grasp checks that joints fit the contacts that they move.
                 setup.grasp_checked().map(drop).map_err(|error| error.to_string())?;
             }
             for (index, question) in setup.questions.iter().enumerate() {
@@ -202,7 +202,7 @@ impl<const C: usize> Setup<C> {
         self
     }
 
-    /// All contacts, those of fingers behind the others. The index of an entry is that of the contact in questions and answers.
+    /// All contacts: first [`Self::contacts`], then those of fingers. The index of an entry is that of the contact in questions and answers.
     pub fn entries(&self) -> impl Iterator<Item = &Fingertip<C>> {
         let mut all: Vec<&Fingertip<C>> = self.contacts.iter().collect();
         for finger in &self.fingers {
@@ -237,13 +237,13 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// Number of point contacts of the grasp: soft fingertips and links count with all their points.
+    /// [`Self::points`] of a planar or spatial setup with three components a vector.
     pub(crate) fn all_points(&self) -> Result<usize, Error> {
         let points = self.entries().map(Fingertip::count).sum::<Result<usize, _>>()?;
         Ok(points + self.points_of_links()?.len())
     }
 
-    /// [`Self::grasp`] in the plane or in space.
+    /// [`Self::grasp`] of a planar or spatial setup with three components a vector.
     pub(super) fn grasp_checked(&self) -> Result<Grasp<3>, Error> {
         let grasp = if !self.bodies.is_empty() {
             self.several_bodies()?.grasp()
@@ -260,7 +260,7 @@ impl Setup<3> {
         Ok(grasp.map_err(|error| self.in_the_scene(error))?.with(&self.settings))
     }
 
-    /// [`Self::hand`] in the plane or in space.
+    /// [`Self::hand`] of a planar or spatial setup with three components a vector.
     fn whole_hand(&self) -> Result<Hand<3>, Error> {
         let mut fingers = Vec::new();
         for (index, entry) in self.contacts.iter().enumerate() {
@@ -313,7 +313,7 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// An error with the index of the contact in the scene instead of the grasp's.
+    /// Replaces the contact index of the grasp in an error by that of the scene: a soft fingertip is several contacts of the grasp.
     fn in_the_scene(&self, error: Error) -> Error {
         let Error::Contact { contact: ContactLabel { index, name, link, .. }, field, value, allowed } = error
         else {

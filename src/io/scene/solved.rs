@@ -17,13 +17,13 @@ pub struct SolveAnswer<const C: usize> {
     /// The outcome.
     #[serde(flatten)]
     pub outcome: Outcome<C>,
-    /// The answer of `hold` for the same load from rest. It is given for an undecided outcome, and for an equilibrium that has lost a vacuum.
+    /// The answer of `hold` for the same load from rest. It is given if the outcome is undecided, or if a suction cup has lost its vacuum.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from_rest: Option<HoldAnswer<C>>,
 }
 
 impl SceneNames<'_> {
-    /// The answer to a question; if the search does not decide whether the load is held, with the answer of a path from rest.
+    /// The answer to `solve`. If it does not decide whether the load is held, the answer of `hold` is added.
     pub(super) fn solve(
         &self,
         load: &Wrench<3>,

@@ -27,7 +27,7 @@ use crate::picture::words::{caution, lines};
 /// Layout of a picture, pixels.
 struct Paper {
     size: Place,
-    /// The part for the grasp, before it is moved down for sentences below the title.
+    /// The part for the grasp. Sentences below the title move it down.
     window: Window,
     /// Margins for names: to either side, and above and below the grasp.
     border: (f64, f64),
@@ -74,7 +74,7 @@ pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, Pict
     tried(&pictures, &|picture| picture.draw_on(&OF_A_PAGE, &points))
 }
 
-/// A fingertip with its contact frame, and its resultant if there is an equilibrium.
+/// A fingertip with its contact frame, and its resultant force if there is an equilibrium.
 struct Tip<'a> {
     of: &'a ContactPoints,
     middle: Vector2<f64>,
@@ -174,7 +174,7 @@ impl<'a> Picture<'a> {
         }))
     }
 
-    /// The points that the picture must contain.
+    /// All points that must lie inside the picture, m.
     fn points(&self) -> Vec<Vector2<f64>> {
         let mut points = [self.of.outlines.concat(), self.of.grasp.links().concat()].concat();
         for tip in &self.tips {

@@ -12,7 +12,7 @@ use crate::picture::error::PictureError;
 use crate::picture::palette::{PINK, SKY, hex};
 use crate::picture::words::escaped;
 
-/// Parts of one script, which share their names.
+/// Script of the choice of answers, which planar and spatial pages share. Parts of a script see each other's names.
 pub(super) const ANSWERS_SCRIPT: &str = include_str!("view/answers.js");
 const VIEW_SCRIPTS: [&str; 5] = [
     ANSWERS_SCRIPT,

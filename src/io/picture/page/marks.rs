@@ -17,7 +17,7 @@ use crate::picture::palette::{BROWN, FIXTURE, GREY, PINK, SKY, VERMILION};
 use crate::picture::words::short;
 use crate::spatial::{Contact, ContactState, Equilibrium, Wrench};
 
-/// The marks of the grasp, whatever the answer: the object, what is at rest, fingers and their names.
+/// The marks that all answers share: the object, fixtures, fingers and their names.
 pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
     let page = drawing.page;
     let mut marks: Vec<Mark> =
@@ -31,7 +31,7 @@ pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
     let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
     let names = if drawing.tips.len() > MARKS.most_named { MarkLayer::Pointed } else { MarkLayer::Names };
     for (k, tip) in drawing.tips.iter().enumerate() {
-        // The finger behind its contact, or a link.
+        // A contact is drawn with a finger behind it, a link by its ends.
         let at = tip.middle(contacts);
         let tail = at - frames[tip.range.start].column(0) * (SPATIAL.finger * drawing.span);
         let corners = tip.ends_of_link(contacts).map_or(vec![tail, at], |ends| ends.to_vec());
@@ -139,7 +139,7 @@ fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactPoints) -> Vec<M
     tip.range.clone().filter(|i| tip.shows(word(&state.contacts[*i]))).map(dot).collect()
 }
 
-/// The rim of a soft fingertip, around its points as seen along its normal.
+/// The rim of a soft fingertip: the convex hull of its points, seen along its normal.
 fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactPoints, ink: RGBColor) -> Option<Mark> {
     if !tip.is_soft() || tip.label.link.is_some() {
         return None;

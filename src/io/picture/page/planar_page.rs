@@ -13,7 +13,7 @@ use crate::picture::grasp_picture::stills_of_a_page;
 use crate::picture::planar_picture::{Outline, PlanarPicture};
 use crate::planar::{Equilibrium, Grasp, Wrench};
 
-/// A planar grasp and one or more of its answers as a single self-contained HTML file. Its first line is the answer in a sentence. Buttons select an
+/// A planar grasp and one or more of its answers as a single self-contained HTML file. Its first line states the answer in a sentence. Buttons select an
 /// answer, and a slider if there are more than two. All pictures have one scale, so that growing forces are visible. Each picture is that of a
 /// [`PlanarPicture`], and a table has the numbers of the answer shown.
 ///
@@ -83,14 +83,14 @@ impl PlanarPage {
         self
     }
 
-    /// Draws the way out of the object from the last answer, if there is one. Only the direction of the motion matters.
+    /// Draws a motion of the object in the last answer, if there is one, such as that of a loss. Only the direction of the motion matters.
     #[must_use]
     pub fn maybe_leaving(mut self, motion: Option<&Motion<2>>) -> Self {
         change_last(&mut self.frames, |frame| frame.leaving = motion.cloned());
         self
     }
 
-    /// Sets the load of the last answer, which is drawn if that has no equilibrium.
+    /// Sets the load of the last answer. It is drawn if the answer has no equilibrium.
     #[must_use]
     pub fn under(mut self, load: Wrench) -> Self {
         change_last(&mut self.frames, |frame| frame.load = Some(load));

@@ -15,7 +15,7 @@ use crate::picture::fingertip::without_rounding;
 use crate::picture::words::{caution, escaped, short};
 use crate::words::{LinkKind, Words};
 
-/// Headings and their explanations.
+/// Headings of the table's columns, and their explanations.
 const TABLE_COLUMNS: [(&str, &str); 9] = [
     ("contact", "name"),
     ("state", "what the contact does"),
@@ -137,7 +137,7 @@ fn write_rows(
     Ok(())
 }
 
-/// The numbers of a row in the order of the columns. The gap or slip is the largest of its points.
+/// The numbers of a row in the order of the columns. The gap or slip is the largest one among the points of the fingertip.
 fn numbers(
     answer: WholeAnswer<'_, 3>,
     points: &[ContactAnswer<3>],
