@@ -4,7 +4,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{Equilibrium, Outcome, WorkDone};
 use crate::error::ContactLabel;
 
-/// For each contact of the grasp, the scene's name of it.
+/// Writes the answers of a grasp with the labels of its scene, in which a soft fingertip counts as one contact.
 pub(super) struct SceneNames<'g>(pub(super) &'g Grasp<3>);
 
 impl SceneNames<'_> {
