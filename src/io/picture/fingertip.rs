@@ -43,7 +43,7 @@ impl ContactPoints {
         self.range.len() <= 16 || word != "sticking"
     }
 
-    /// The mean of the group's contact points, m.
+    /// The mean of the contact's points, m.
     pub(super) fn middle<const C: usize>(&self, contacts: &[Contact<C>]) -> SVector<f64, C> {
         let points = contacts[self.range.clone()].iter().map(|contact| contact.point);
         points.sum::<SVector<f64, C>>() / self.range.len() as f64
