@@ -1,15 +1,14 @@
-//! An arc: contact states stay while directions of sliding turn; and the linear algebra of a point on it.
+//! An arc: a piece of the path on which contact states stay while directions of sliding turn. This file has the linear algebra at a point of it.
 //!
-//! A contact that slides along p = F_t / |F_t| with `|F_t| = μ F_n` has the tangent `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see
-//! [`Tangent`], which depends on p alone. With offsets a that are affine in the factor λ, and a load W that is or turns with it, twist and factor
-//! change together:
+//! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`], depends on p
+//! alone. Offsets a are affine in the factor λ; the load W is affine or turns with it. Twist and factor change together:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
 //! ```
 //!
-//! The null vector of `[T | -b]` stays smooth where the load factor has a maximum and T is singular. With a row across the path below it
-//! the matrix is regular there, too.
+//! The null vector of `[T | -b]` stays smooth where the load factor has a maximum and T is singular. A row below this matrix, transverse to the path,
+//! makes it regular there, too.
 
 use nalgebra::{Matrix, SVector};
 
@@ -31,7 +30,8 @@ pub(super) struct Arc<'s, 'g> {
     pub(super) sliding: Vec<usize>,
     /// u, the displacement that counts in arclength as much as the whole leg, m.
     unit: f64,
-    /// T of the contacts that do not slide; motions that nothing resists are held, or pushed along by contacts without force.
+    /// T of the contacts that do not slide. Motions that nothing resists get an artificial stiffness, which keeps them at rest or at the speed at
+    /// which contacts without force push.
     fixed: PathStiffness,
     /// b of the contacts that do not slide, without the rate of the load.
     push: Vector,
@@ -49,12 +49,12 @@ pub(super) struct Direction {
 }
 
 impl Direction {
-    /// Towards a larger factor, with any motion: the row across it keeps the factor fixed.
+    /// Towards a larger factor, with any motion: the transverse row then keeps the factor fixed.
     pub(super) fn onward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
 
-    /// Whether motions across this direction keep the factor.
+    /// Whether motions transverse to this direction keep the factor.
     fn keeps_the_factor(&self) -> bool {
         self.twist.norm_squared() == 0.0
     }
@@ -71,7 +71,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         let sites = segment.grasp.sites();
         let size = segment.grasp.size();
         let mut free_motions = free_motions.into_iter().peekable();
-        // Stiffness that holds a free motion couples all coordinates that move in it.
+        // The artificial stiffness against a free motion couples all coordinates that move in it, and leaves no narrow band.
         let order = if free_motions.peek().is_none() { NarrowOrder::of(size, sites) } else { None };
         let (mut fixed, mut push, mut stiffest) =
             (PathStiffness::zeros(size, order), Vector::zeros(), 0.0_f64);
@@ -124,7 +124,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).collect()
     }
 
-    /// Factors of `[T u | -b]` at a factor with a row across the path, and the size of its entries.
+    /// Factors of `[T u | -b]` with a transverse row at a load factor, and the size of their entries.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
@@ -148,7 +148,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         (t, push)
     }
 
-    /// Factors of `[T u | -b]` with a row across the path, and the size of its entries. `None` if more than one direction is open.
+    /// Factors of `[T u | -b]` with a transverse row, and the size of their entries. `None` if the path may continue in more than one direction.
     pub(super) fn factored(
         &self,
         mut t: PathStiffness,
@@ -160,7 +160,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         Some((bordered, scale))
     }
 
-    /// Scales T, and returns the size of the entries of the bordered matrix, and its row across the path.
+    /// Scales T, and returns the size of the entries of the bordered matrix and its transverse row.
     fn border(&self, t: &mut PathStiffness, push: &Vector, across: &Direction) -> (f64, Vector) {
         t.scale(self.unit);
         let scale = t.amax().max(push.amax());
@@ -184,7 +184,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         let ends = [along.factor * scale, scale];
         let (x, factor) = t.solved_once(self.segment.grasp.size(), [&-&push, &row], ends)?;
         let length = (x.norm_squared() + factor * factor).sqrt();
-        // Least cosine of the turn of the tangent within a step, sixty degrees: a longer step might come out reversed.
+        // Least cosine of the turn of the tangent within a step: sixty degrees. After a longer step the direction might be reversed.
         let turned = 1.0 / length >= 0.5;
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
@@ -207,8 +207,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.states.iter().enumerate().map(rate).collect()
     }
 
-    /// Corrects a state onto the cones, with friction in these directions, and into balance, moving transversely to `across`. The state and its
-    /// factor.
+    /// Moves a state onto the cones, with friction in these directions, and into balance, by corrections transverse to `across`. Returns the state
+    /// and its factor.
     pub(super) fn balanced(
         &self,
         mut twist: Vector,
@@ -225,8 +225,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let begun: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // Most Newton corrections onto the cones: a step violates them by the order of its error, and the first correction leaves the square of
-            // that.
+            // Most Newton corrections onto the cones. A step violates the cones by its error, and the first correction leaves the square of it.
             for _ in 0..6 {
                 let load = self.segment.course.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
@@ -246,7 +245,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Along a motion that hardly anything resists a correction turns friction so far that its square shows: it begins again from there.
+            // Along a motion that hardly anything resists a correction turns friction directions noticeably. It is then repeated with the new
+            // directions.
             let is_on_them = off <= SLACK_ON_AN_ARC * carried;
             if !is_on_them {
                 self.sliding
@@ -254,7 +254,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // A state whose forces were larger than at the end by more than this factor is corrected again: it still carries their rounding.
+            // If the forces were larger at first than at the end by more than this factor, the state still carries their rounding and is corrected
+            // again.
             if begun <= 4.0 * carried {
                 balanced = Some((PieceState { forces, twist: twist.clone() }, factor));
                 if is_on_them {
@@ -302,8 +303,8 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// State and rates where contacts slide on the round cone: the first order of the path as long as the states last. The state is the one near `at`
-    /// with friction on the cones: where a contact has opened, the others take its share. Motions that nothing resists move at the rates `pushed`.
+    /// State and rates if contacts slide on the round cone: the path to first order. The state is the one near `at` with friction on the cones: if a
+    /// contact has opened, the others take over its force. Motions that nothing resists move at the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State],
@@ -320,7 +321,8 @@ impl Segment<'_> {
         let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(PieceState, f64)| {
-            // A correction by more than this part of the largest force leads to another equilibrium: events leave only rounding in balance and cones.
+            // A correction by more than this part of the largest force leads to another equilibrium. After an event only rounding violates balance
+            // and cones.
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =

@@ -1,4 +1,4 @@
-//! The unit of arclength along an arc: the displacement that counts as much as the whole leg.
+//! The unit of arclength along an arc: the displacement that contributes as much to arclength as the whole leg.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -12,7 +12,8 @@ use crate::numerics::{largest, least};
 use crate::prelude::*;
 
 impl Pieces<'_> {
-    /// Displacement of the object for one unit of the factor at the beginning; while the load turns, together with the rate a quarter turn later.
+    /// Displacement of the object for one unit of the factor at the beginning of an arc. While the load turns, the rate a quarter turn later is
+    /// included.
     pub(super) fn displacement_rate(&self, here: &PathPoint) -> f64 {
         let mut size = here.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {
@@ -22,8 +23,8 @@ impl Pieces<'_> {
                 size = size.hypot(rate.twist.norm());
             }
         }
-        // Near a limit load hardly anything resists a motion, and an unbounded displacement would be no scale for others.
-        // Largest ratio of the object's motion to the deflection of the softest spring, in the displacement that counts as much as the whole leg.
+        // Near a limit load hardly anything resists a motion, and an unbounded displacement would be no scale for others. So this is the largest
+        // ratio of that displacement to the deflection of the softest spring.
         let size = size.min(1e6 * self.springs_give(here));
         if size > 0.0 { size } else { 1.0 }
     }

@@ -1,8 +1,9 @@
-//! What lies beyond the end of an equilibrium: is there any other under a slightly larger load?
+//! Beyond the end of an equilibrium: whether any other exists under a slightly larger load.
 //!
 //! A motion may prove that there is none: the motion with which the object leaves, or another one that separates the load from all possible contact
 //! forces. In the plane and on polygons every combination of contact states is tried at `τ* + ε`, with ε infinitesimal. A condition holds there if
-//! its value at τ* is positive, or zero with a rate that is not negative. On the round cone an equilibrium is sought from scratch slightly beyond.
+//! its value at τ* is positive, or zero with a rate that is not negative. On the round cone an equilibrium slightly beyond is searched for without
+//! regard to the path.
 
 use nalgebra::SVector;
 
@@ -37,20 +38,20 @@ use crate::serial::AsComputed;
 pub enum Beyond<const C: usize> {
     /// The equilibrium continues with these contacts sliding or open. Only after an onset: a path is followed as far as it continues.
     Continues(Box<Continuation<C>>),
-    /// No equilibrium exists just beyond: a limit load. A motion proves that, or in the plane and on polygons every combination of contact states was
-    /// tried. On the round cone it may be known only from a hundredth of the whole load (or of all commands, or of the leg where there is no load
-    /// yet) further on.
+    /// No equilibrium exists just beyond: a limit load. A motion proves this, or in the plane and on polygons a trial of every combination of contact
+    /// states. On the round cone it may be proved only at a distance beyond the end. The distance is at most a hundredth of the whole load, or of all
+    /// commands, or of the leg if there is no load yet.
     LimitLoad,
     /// This equilibrium ends here, but others exist at slightly larger loads: the grasp snaps over to one of them or is lost. Quasi-static analysis
     /// cannot decide which.
     Snap,
-    /// This equilibrium ends here: the rates have no solution. Whether others exist beyond is not known: there are more combinations of contact
-    /// states than [`Settings::most_states`], or more than 32 contacts on the round cone, and no proof was found that nothing else holds.
+    /// This equilibrium ends here: the rates have no solution. Whether others exist beyond is not known, and no proof was found that there are none.
+    /// There are more combinations of contact states than [`Settings::most_states`], or more than 32 contacts on the round cone.
     Ends {
         /// The reason why the rates have no solution; its work is that of the load direction, J for one unit of the factor.
         reason: NoEquilibrium<C>,
     },
-    /// The lips of these suction cups are open all around, and their vacuum is gone. The remaining grasp is another one, without them.
+    /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
     WithoutVacuum {
         /// The cups.
         cups: Vec<WholeContact>,
@@ -130,7 +131,7 @@ pub(super) fn beyond_end(
             _ => beyond,
         };
     }
-    // With many contacts the ladder does not prove by itself that the rates have no solution.
+    // With many contacts the search does not itself prove that the rates have no solution.
     let settled = match settled {
         Settled::Undecided(_) if no_rates(rates) => Settled::NoneOf(0),
         settled => settled,
@@ -139,7 +140,7 @@ pub(super) fn beyond_end(
         return search_beyond(&here, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // Distance of the proof that nothing holds under any load from the end on: a longer one makes the proof clearer.
+        // Distance beyond the end up to which all loads are proved not to be held; a longer one makes the proof clearer.
         Outcome::NoEquilibrium(_) if nothing_holds(&here, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
@@ -147,8 +148,8 @@ pub(super) fn beyond_end(
     }
 }
 
-/// Whether Farkas' lemma excludes every choice of slips and gaps: then the rates have no solution. The form is computed in floating point, so the
-/// proof holds up to its rounding. It is sought by linear programs with two rows for each row of the form.
+/// Whether Farkas' lemma excludes every choice of slips and gaps, so that the rates have no solution. The form is computed in floating point: the
+/// proof holds up to its rounding. Linear programs with two rows for each row of the form search for it.
 pub(super) fn no_rates(rates: &Problem) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;
@@ -159,7 +160,7 @@ pub(super) fn no_rates(rates: &Problem) -> bool {
     kinematic_form(rates, &trial, &state).is_some_and(|form| form.lcp.solve_with(&settings).is_infeasible())
 }
 
-/// Searches an equilibrium from scratch slightly beyond the end, with the slip so far.
+/// Searches for an equilibrium slightly beyond the end, with the slip so far but without regard to the path.
 fn from_scratch<'g>(
     past: impl Fn(f64) -> Problem<'g>,
     forces: &[SVector<f64, 3>],
@@ -171,15 +172,15 @@ fn from_scratch<'g>(
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
-    // Distances tried in turn on the round cone, where the search may not decide at a shorter one.
+    // Distances tried in turn: at a shorter one the search on the round cone may not decide.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
-            // At a larger distance the search would take as many pivots again.
+            // At a larger distance the search would need as many pivots again.
             Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided { doubt: Doubt::OutOfPivots },
             Settled::Undecided(doubt) => why = doubt,
             Settled::Found(found, _) => {
-                // Shorter distances, where the equilibrium found beyond has nearly the forces of the end. On a continued path those forces converge
-                // to the end, on another they do not.
+                // If the forces found are nearly those at the end, shorter distances decide. On a continued path forces converge to those at the end;
+                // those of another equilibrium do not.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
                 // This equilibrium may be the one that ends here, found past its end by rounding.
                 return if is_another {
@@ -194,15 +195,16 @@ fn from_scratch<'g>(
     Beyond::Undecided { doubt: why }
 }
 
-/// Whether forces could belong to a path that continues by this part: over so short a way they change by at most its square root.
+/// Whether forces could belong to a path that continues over the distance `part`: they then change by at most the square root of it, relative to the
+/// largest.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The load step that parts beyond the end refer to: [`whole_way`], or the whole leg where there is no load yet. With a zero step all parts would lie
-/// at the end itself.
+/// The step of the load factor of which distances beyond the end are parts: [`whole_way`], or the whole leg if there is no load yet. A zero step
+/// would put all of them at the end itself.
 fn way_beyond(here: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(here, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
@@ -235,7 +237,7 @@ fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
         ) else {
             return false;
         };
-        // Upper bound of the slack for rounding, relative to the size of a condition. A condition missed by more is broken, however strongly a piece
+        // Tolerance for rounding, relative to the size of a condition. It has an upper bound: a larger violation is real, however strongly a piece
         // amplifies rounding.
         let rounding = (ZERO_SLACK * piece.growth()).min(MOST_SLACK);
         let mut values = Vec::new();
@@ -247,8 +249,8 @@ fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
         for_each_condition(rates, &states, &next.forces, &next.twist, |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // Conditions that would break within the uncertainty of the load factor itself count as zero.
-            // A condition that would break within this part of the way that brought the load here counts as broken at the event.
+            // A condition counts as zero if it would break within this part of the load change that makes up the whole load: the load factor is not
+            // known better.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

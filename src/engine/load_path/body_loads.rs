@@ -1,4 +1,4 @@
-//! Loads of several bodies along a program of legs, each on its own way beside the load of the question.
+//! Loads on single bodies along a program of legs, beside the load of the question.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -13,8 +13,8 @@ use crate::prelude::*;
 pub(super) type BodyGoal<const C: usize> = (Arc<str>, LegGoal<Wrench<C>>);
 
 impl<const C: usize> Leg<C> {
-    /// The load on one of several bodies, beside the load of the leg and its permanent load, changes by this much: N and N m about the origin. Such
-    /// loads are zero when a program starts, and loads that a leg does not mention stay.
+    /// A leg along which the load on one of several bodies changes by `change`, N and N m about the origin. It acts beside the load of the leg and
+    /// the permanent load of the body. Such loads are zero when a program starts, and loads that a leg does not mention stay.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Leg, Wrench};
@@ -42,19 +42,19 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_body_load_by(body, change)
     }
 
-    /// The load on one of several bodies, beside the load of the leg and its permanent load, changes to this.
+    /// A leg at whose end the load on one of several bodies is `load`, beside the load of the leg and the permanent load of the body.
     #[must_use]
     pub fn body_load_to(body: impl Into<String>, load: Wrench<C>) -> Self {
         Self::STAY.and_body_load_to(body, load)
     }
 
-    /// Meanwhile the load on a body changes by this much.
+    /// This leg, along which the load on a body also changes by `change`, see [`Self::body_load_by`].
     #[must_use]
     pub fn and_body_load_by(self, body: impl Into<String>, change: Wrench<C>) -> Self {
         self.and_body(body.into(), LegGoal::By(change))
     }
 
-    /// Meanwhile the load on a body changes to this.
+    /// This leg, at whose end the load on a body is also `load`, see [`Self::body_load_to`].
     #[must_use]
     pub fn and_body_load_to(self, body: impl Into<String>, load: Wrench<C>) -> Self {
         self.and_body(body.into(), LegGoal::To(load))
@@ -84,12 +84,12 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// The loads of all bodies at the beginning and at the end of a leg; `None` while no leg has had one.
+/// The loads of all bodies at the beginning and at the end of a leg; `None` until a leg changes one.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BodyLoads(Option<Arc<[Vec<Wrench<3>>; 2]>>);
 
 impl BodyLoads {
-    /// Moves on to the next leg: from the loads at the end of the last one, by the goals of this one for bodies with these names.
+    /// Continues to the next leg. It begins with the loads at the end of the last leg, and its goals change them for the bodies with these names.
     pub(super) fn lead_on(&mut self, names: &[Arc<str>], goals: &[BodyGoal<3>]) {
         if goals.is_empty() && self.0.is_none() {
             return;

@@ -1,14 +1,15 @@
 //! Free motion after a loss of equilibrium, until a gap closes.
 //!
 //! If nothing resists the motion v of a loss, forces stay constant along it: no spring is stretched further, and friction is exhausted already. So
-//! the object is in balance under the load of the loss all along the motion. It ends where the first open contact closes, and its slips are kept:
+//! the object is in balance under the load of the loss everywhere along the motion. It ends where the first open contact closes, and its slips are
+//! kept:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
 //! ```
 //!
-//! From there the path continues at the same load. Where friction falls as contacts begin to slide, the force that they lose is released first
-//! ([`super::letting_go`]), and the gap closes on that leg. A way too long for small motions is not taken.
+//! From there the path continues at the same load. If friction falls as contacts begin to slide, the force that they lose is removed first
+//! ([`super::letting_go`]), and the gap closes on that leg. A motion that is too long for small motions is not made.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
@@ -31,7 +32,7 @@ struct FreeWay {
     length: f64,
     /// Sites whose gaps close at the end.
     closing: Vec<usize>,
-    /// Whether each site keeps its place on the way, although it may be on an edge.
+    /// Whether each site stays in place during the motion, although it may be on an edge.
     still: Vec<bool>,
 }
 
@@ -46,8 +47,8 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // The resistance refers to a unit normal stretch; the normal velocity reduces it.
-            // Friction resists fully where the slip is off its direction by less than the root of twice this, rad.
+            // The resistance refers to a unit normal stretch, and the normal velocity reduces it. It counts as complete if slip and friction
+            // directions differ by less than √(2·1e-10) rad.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
@@ -55,8 +56,8 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
 }
 
 impl<'g> Pieces<'g> {
-    /// The way along a motion to the gap that closes first. `None` where a contact resists the motion, where no gap closes, or where the motion is
-    /// not small.
+    /// The length of a motion up to the gap that closes first. `None` if a contact resists the motion, if no gap closes, or if the motion is not
+    /// small.
     fn free_way(&self, motion: &Vector) -> Option<FreeWay> {
         let grasp = self.segment.grasp;
         let offsets = self.segment.offsets(self.factor);
@@ -71,7 +72,7 @@ impl<'g> Pieces<'g> {
                 let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
                 if velocity[0] < -none {
-                    // A contact that touches already is in the way.
+                    // A contact that touches already blocks the motion.
                     if gap <= shut {
                         return None;
                     }
@@ -115,10 +116,10 @@ impl<'g> Pieces<'g> {
         self.node.take_over(&mut self.segment, self.factor, &rates, &found)
     }
 
-    /// Moves to the end of the way; `None` where rounding keeps the state there from being computed.
+    /// Moves the object until the gap closes; `None` if rounding prevents the state there from being computed.
     fn go_free_way(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
         let here = self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
-        // Forces are solved anew in the new states, so that contacts that have opened lose the rounding of their force, too.
+        // Forces are solved for in the new states, so that contacts that have opened lose even the rounding of their force.
         let forces = mapped(&here.lines, &|line| line.force);
         let twist = &self.node.at.twist + motion * way.length;
         self.node.arrive(&mut self.segment, &here, self.factor, &PieceState { forces, twist });
@@ -135,7 +136,7 @@ impl<'g> Pieces<'g> {
         Some(())
     }
 
-    /// The event at which a gap closes after a free motion from a loss; the path continues from there. `None` where no gap closes.
+    /// The event at which a gap closes after a free motion from a loss; the path continues from there. `None` if no gap closes.
     pub(super) fn caught_by_a_gap(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         if self.fallen.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;
@@ -151,7 +152,7 @@ impl<'g> Pieces<'g> {
             if lets_go { fall.go(&goal, journey).map(|()| first) } else { Ok(first) }
         });
         let changes = went.ok()?;
-        // Where rounding prevents the state there from being computed, the path ends with the loss.
+        // If rounding prevents the state there from being computed, the path ends with the loss.
         let jump = self.land(journey, &goal, fall).ok()?;
         let jump = Some(Box::new(jump));
         self.at_node = true;
@@ -171,11 +172,11 @@ impl<'g> Pieces<'g> {
 }
 
 impl<'g> JumpInProgress<'g> {
-    /// Continues after a loss on its leg: contacts that begin to slide release the force that their friction loses, or else the object moves until a
-    /// gap closes. Whether a force is released.
+    /// Continues after a loss on this leg. If contacts begin to slide with kinetic friction, the force that they lose is removed along a new leg.
+    /// Otherwise the object moves until a gap closes. Returns whether a force is to be removed.
     ///
     /// # Errors
-    /// The loss, where no gap closes.
+    /// The loss, if no gap closes.
     pub(super) fn go_on_freely(
         &mut self,
         loss: &Loss<3>,

@@ -1,4 +1,4 @@
-//! Events of a hand: a drive is a site like a contact, but its changes have other names.
+//! Events of a hand: the engine treats a drive as a site like a contact, but its changes are reported for its joint or tendon.
 
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, ContactChange};
@@ -11,7 +11,7 @@ use crate::numerics::moved;
 use crate::prelude::*;
 
 impl Engine {
-    /// Separates the changes of contacts from those of drives, which go by the names of their owners.
+    /// Separates the changes of contacts from those of drives, which are labelled by their joint or tendon.
     pub(super) fn contacts_and_drives(
         &self,
         changes: Vec<(usize, Change<3>)>,
@@ -32,7 +32,7 @@ impl Engine {
         (contacts, drives)
     }
 
-    /// Separates contacts that stop sticking from drives that do, which go by the names of their owners.
+    /// Separates contacts that stop sticking from drives that do, which are labelled by their joint or tendon.
     pub(super) fn leaving_apart(&self, mut leaving: Vec<Leaving<3>>) -> (Vec<Leaving<3>>, Vec<PartChange>) {
         let mut drives = Vec::new();
         leaving.retain_mut(|Leaving { contact, how }| {
@@ -47,20 +47,20 @@ impl Engine {
         (leaving, drives)
     }
 
-    /// Separates the contacts among these sites from the owners of drives.
+    /// Separates the contacts among these sites from the drives, which are labelled by their joint or tendon.
     pub(super) fn sites_apart(&self, sites: Vec<usize>) -> (Vec<ContactLabel>, Vec<PartLabel>) {
         let (contacts, drives): (Vec<usize>, Vec<usize>) = sites.into_iter().partition(|i| *i < self.len());
         let contact = |i: usize| self.contacts()[i].label(i);
         (moved(contacts, &contact), drives.into_iter().filter_map(|i| self.part(i)).collect())
     }
 
-    /// The owner of the drive at a site.
+    /// The joint or tendon of the drive at a site.
     fn part(&self, site: usize) -> Option<PartLabel> {
         let linkage = self.linkage()?;
         linkage.part(site - self.len()).map(|part| linkage.label(part))
     }
 
-    /// The contact or the owner of the drive at a site; `None` for springs without an owner, which never leave.
+    /// The contact, or the joint or tendon of the drive, at a site. `None` for springs without joint or tendon, which never leave their state.
     pub(crate) fn leaver(&self, site: usize) -> Option<Leaver> {
         match self.linkage() {
             Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(Leaver::Drive),
@@ -68,7 +68,7 @@ impl Engine {
         }
     }
 
-    /// The contact or the owner of the drive at a site, by name.
+    /// The label of the contact, or of the joint or tendon of the drive, at a site.
     pub(super) fn edge_of(&self, site: usize) -> Option<EdgeOf> {
         match self.contacts().get(site) {
             Some(contact) => Some(EdgeOf::Contact(contact.label(site))),

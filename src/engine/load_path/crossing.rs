@@ -1,6 +1,6 @@
 //! A step along a sliding arc that ends where a condition is just met.
 //!
-//! Newton's method on the condition repeats the last step with a shorter or longer length, within a bracket, so that states are never interpolated.
+//! Newton's method on the condition repeats the last step with other lengths, within a bracket. States are never interpolated.
 
 use super::flow::{Flow, Reached, Rule, StepGoal};
 use super::pieces::Pieces;
@@ -33,7 +33,7 @@ impl Pieces<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// The condition violated at the end of a step that linear interpolation between both ends would reach first.
+    /// The index of the condition violated at the end of a step that linear interpolation between both ends reaches first.
     pub(super) fn first_crossing(start: &[Watch], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
@@ -56,7 +56,7 @@ impl Pieces<'_> {
             // The condition is met at the start already, and is violated at once.
             low.1 = 0.0;
         }
-        // Evaluations on the way to an event: bisection alone would need 50.
+        // Most evaluations: bisection alone would need 50.
         for trial in 0..80 {
             // A secant step, and every third time bisection, so that the bracket shrinks for certain.
             let part = low.1 / (low.1 - high.1);

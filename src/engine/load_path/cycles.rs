@@ -1,4 +1,4 @@
-//! A cycle of legs that is repeated again and again.
+//! A cycle of legs that is followed repeatedly.
 
 use nalgebra::{Matrix, SVector};
 
@@ -33,7 +33,7 @@ pub(crate) struct CycleState {
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
-    /// Whether each site slides with less friction than at rest; empty where no contact has kinetic friction.
+    /// Whether each site slides with kinetic friction below its static friction; empty if no contact has kinetic friction.
     pub(crate) weaker: Vec<bool>,
 }
 
@@ -46,7 +46,7 @@ pub(crate) struct CycleRecord {
     pub(crate) dissipated: f64,
     /// The largest force on the way, N.
     pub(crate) largest: f64,
-    /// The smallest gap of each site that was open all the way, m; `None` for others.
+    /// The smallest gap of each site that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
     /// Successive states of all sites, each with its leg.
@@ -79,7 +79,7 @@ fn are_alike(a: &[State], b: &[State]) -> bool {
 }
 
 impl<'g> Cycles<'g> {
-    /// Before the first cycle, at the equilibrium under the base load.
+    /// The program before its first cycle, at the equilibrium under the base load.
     ///
     /// # Errors
     /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back.
@@ -94,7 +94,7 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, gone: 0 })
     }
 
-    /// Before a cycle that begins in another state; `None` if that state is no equilibrium of the grasp with these slips.
+    /// The program at the beginning of a cycle, from the given state; `None` if this state is no equilibrium of the grasp with its slips.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -105,7 +105,7 @@ impl<'g> Cycles<'g> {
             slipped.cones = from.cones(grasp);
             // If a contact would have to slide at once, no search is needed.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
-                // Forces of a rebuilt state must agree with the given ones within this part of the largest.
+                // A condition of sticking that is violated by more than this part of the largest force means sliding.
                 slipped
                     .local(i)
                     .edges(&Mode::Sticking)
@@ -129,7 +129,7 @@ impl<'g> Cycles<'g> {
         self.path.journey.settings.most_steps = most_steps;
     }
 
-    /// How the path has ended, if not completed.
+    /// How the path has ended, if not by completing a cycle.
     pub(crate) fn end(&self) -> Option<&PathEnd<3>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
@@ -171,7 +171,7 @@ impl<'g> Cycles<'g> {
             states: Vec::new(),
         };
         for (k, stretch) in behind.iter().enumerate().skip(before) {
-            // Slips up to a jump; the jump adds its own.
+            // Slips at the end of the piece; those of a jump that follows are added with the jump.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.fallen.as_ref().map_or(&next.problem.slips, |fallen| &fallen.slips));
@@ -202,7 +202,7 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction of each site: kinetic where it slides with less friction. Empty if `weaker` is.
+    /// The friction of each site: kinetic for those in `weaker`, otherwise static. Empty if `weaker` is.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).collect()
@@ -210,7 +210,7 @@ impl CycleState {
 }
 
 impl CycleRecord {
-    /// Adds a piece of the way, with the slips after it.
+    /// Adds a piece of the path, with the slips after it.
     fn add(&mut self, piece: &Stretch<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(fallen) = &piece.fallen {

@@ -28,7 +28,7 @@ impl<const C: usize> fmt::Display for Onset<C> {
     }
 }
 
-/// Words for the change of a contact.
+/// The change of a contact in words.
 impl<const C: usize> fmt::Display for Change<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);

@@ -21,9 +21,9 @@ pub struct PartChange {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum DriveChange {
-    /// It has reached its limit and yields.
+    /// The drive has reached its limit and yields.
     Yields,
-    /// It holds again.
+    /// The drive holds again like a spring.
     Holds,
     /// A tendon loses its tension.
     Slackens,

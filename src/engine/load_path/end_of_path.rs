@@ -1,4 +1,4 @@
-//! The end of a path where the rates have no solution, as far as the place alone determines it.
+//! The end of a path where the rates have no solution, in so far as the state at the end determines it.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
@@ -12,8 +12,8 @@ use crate::search::{Effort, Settings, Settled};
 
 /// The end of a path whose rates have no solution.
 ///
-/// The object gives way where a motion meets no resistance. Otherwise the end is a corner: the contacts on an edge have rates in no combination of
-/// states. Where that is not known, a proof that nothing holds beyond suffices.
+/// The object gives way if a motion meets no resistance. Otherwise the end is a corner: in no combination of their states do the contacts on an edge
+/// have rates. If that is not known, a proof suffices that no equilibrium exists beyond.
 pub(super) fn end_of_path(
     edge: &StandAtEdge<'_>,
     (settled, effort): (Settled, &Effort),
@@ -27,7 +27,7 @@ pub(super) fn end_of_path(
     }
     let motions = leaving_motions(rates, &segment.course.at(loss.fraction), &rates.yielding());
     let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.map(Some));
-    // Where no contact presses yet, springs do not determine the motion; a motion that no friction can work against proves the end.
+    // If no contact presses yet, springs do not determine the motion. A motion that no friction can work against then proves the end.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);
         if let Settled::Separating(v) = &settled {
@@ -48,15 +48,15 @@ pub(super) fn end_of_path(
 
 /// The unit motion with which the object leaves when all contacts on an edge slide, and the virtual motion that proves the loss.
 ///
-/// The object leaves by a motion that then changes no force, and on which the load works. No force of these states does work on the virtual motion,
-/// which is inclined by friction: for a block that slides to the right it points upwards along the edge of the cone. Where there are no such motions,
-/// both are the motion of the rates in these states. The rates balance the load, but slip against friction: the reversed motion slips along it.
+/// The object leaves by a motion that changes no contact force, and on which the load works. The virtual motion is one on which no contact force of
+/// these states does work. Friction inclines it: for a block that slides to the right it points upwards along the edge of the cone. Without such
+/// motions both are the motion of the rates in these states, reversed if it slips against friction.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
-            // Where friction is exhausted no spring resists, but the friction forces work on the motion. Where only commands change, the load itself
-            // drives the object out.
+            // If friction is exhausted no spring resists, but the friction forces work on the motion. If only commands change, the load itself drives
+            // the object out.
             let along = |motions: &[Vector], wrench: &Vector| {
                 let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())

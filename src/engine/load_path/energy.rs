@@ -53,7 +53,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of another part of the way.
+    /// Adds the energies of another part of the leg.
     pub(super) fn add_part(&mut self, part: &Self) {
         self.load_work += part.load_work;
         self.finger_work += part.finger_work;
@@ -98,7 +98,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of a piece along which everything turns with the load: works of one harmonic on another.
+    /// Adds the energies of a piece on which all quantities are harmonics of the load's angle.
     fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {

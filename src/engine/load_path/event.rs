@@ -13,7 +13,7 @@ use crate::search::Doubt;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// One or more contacts change at one load.
+/// An event: one or more contacts change their state at one load.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -27,26 +27,29 @@ pub struct Event<const C: usize> {
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<C>,
-    /// Changes, contact by contact. Empty where only a motion has become free, and where contacts at the start of a leg keep their states but could
-    /// continue otherwise as well. Symmetric grasps change several contacts at once.
+    /// Changes, contact by contact. Empty if only a motion has become free, or if contacts at the start of a leg keep their states although other
+    /// continuations exist. Symmetric grasps change several contacts at once.
     pub changes: Vec<ContactChange<C>>,
     /// Changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartChange>,
-    /// Unit motions that nothing resists from here on: the twist is known up to them. The path continues without moving along them, unless a contact
-    /// that touches without force pushes the object.
+    /// Unit motions that nothing resists from here on: they may be added to the twist in any amount. The path continues without moving along them,
+    /// unless a contact that touches without force pushes the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Number of other continuations of the contacts on an edge. `Some(0)` means that the continuation is unique: a P-matrix of the rates proves that
-    /// or, among few contacts, a trial of all states. `None`, and not written, if neither decides, as at the apex of a round cone.
+    /// Number of other continuations of the contacts on an edge. `Some(0)` means that the continuation is unique: the matrix of the rates is a
+    /// P-matrix, or a trial of all states of few contacts found no other. `None`, and not written, if neither decides, as at the apex of a round
+    /// cone.
     ///
     /// The path prefers in this order: nothing changes; sliding contacts keep sliding and contacts at an edge slide; everything sticks; the solution
-    /// of Lemke's method. Of the motions that the same forces allow it takes one in which contacts without force do not drag the object along.
+    /// of Lemke's method. If several motions belong to the same forces, the path takes one in which contacts without force do not drag the object
+    /// along.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub other_continuations: Option<usize>,
-    /// The equilibrium there, with contact states before the event (at the very start of a path those after it).
+    /// The equilibrium there, with contact states before the event (at the very start of a path those after the event).
     pub state: Equilibrium<C>,
-    /// The jump at this load, where a contact begins to slide with less friction than at rest, or where the object moves freely until a gap closes.
+    /// The jump at this load: a contact begins to slide with less friction than at rest, or the object moves freely until a gap closes. `None`
+    /// without a jump.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub jump: Option<Box<Jump<C>>>,
 }
@@ -82,7 +85,7 @@ pub enum Change<const C: usize> {
     },
     /// A sliding contact sticks.
     Sticks,
-    /// A sliding contact slides back.
+    /// A sliding contact reverses its direction.
     Reverses {
         /// Its new direction, as for [`Self::Slides`].
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
@@ -112,12 +115,12 @@ pub enum Change<const C: usize> {
 pub enum PathEnd<const C: usize> {
     /// All legs were followed to their end.
     Completed,
-    /// The equilibrium ends here: no rates continue it under a growing load. Whether another exists beyond is a separate question, see
+    /// The equilibrium ends here: no rates continue it under the growing load. Whether another exists beyond is a separate question, see
     /// [`LoadPath::beyond`](super::LoadPath::beyond).
     Lost(Box<Loss<C>>),
     /// There is no equilibrium to start from.
     NoStart(Box<Outcome<C>>),
-    /// The path could not be followed further, and it is not known whether it continues or ends there. It is valid up to there.
+    /// The path could not be followed beyond this place, and it is not known whether it continues. Up to this place it is valid.
     Undecided {
         /// The leg, from 0.
         leg: usize,
@@ -171,20 +174,20 @@ pub struct Loss<const C: usize> {
     pub load: Wrench<C>,
     /// The reason for the end of the equilibrium.
     pub kind: LossKind,
-    /// The contacts that stand on the edge of their cone there.
+    /// The contacts that are on the edge of their cone there.
     pub contacts: Vec<ContactLabel>,
     /// The joints and tendons of a hand whose drives have reached their limit there.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
-    /// The unit motion with which the object leaves: everything on an edge slides along its friction force, or opens.
-    /// `None` if those states do not determine one.
+    /// The unit motion with which the object leaves: every contact on an edge slides along its friction force, or opens. `None` if these states do
+    /// not determine a motion.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// Contacts that begin to slide with less friction than at rest, with their slips until nothing caught the object any more, all at this load.
-    /// Empty where no friction fell.
+    /// The jump of slip at this load: contacts whose friction falls from the static to the kinetic value, and how far each slides before no further
+    /// equilibrium exists. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// The virtual motion against which contacts can resist least there, in inside coordinates.
+    /// The virtual motion that contacts can resist least there, in inside coordinates: it may prove the loss.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
     /// The motion with which the object leaves, in inside coordinates.
@@ -193,12 +196,12 @@ pub struct Loss<const C: usize> {
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion against which contacts can resist least there, in inside coordinates.
+    /// The virtual motion that contacts can resist least there, in inside coordinates: it may prove the loss.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }
 
-    /// This loss with a virtual motion other than the one with which the object leaves.
+    /// This loss with a virtual motion that differs from the motion with which the object leaves.
     pub(super) fn and_virtually(mut self, against: Option<&Vector>) -> Self {
         self.against = against.map(Coordinates::of);
         self
@@ -215,7 +218,7 @@ impl Loss<3> {
     }
 }
 
-/// The reason for the end of an equilibrium as the load grows, as far as the place alone determines it.
+/// The reason for the end of an equilibrium under a growing load, in so far as the state at the end determines it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -223,10 +226,10 @@ impl Loss<3> {
 pub enum LossKind {
     /// The load has a smooth maximum along a sliding arc of the round cone: in these contact states the equilibrium continues under less load only.
     Fold,
-    /// Contacts stand on an edge, and in no combination of their states are there rates with a growing load.
+    /// Contacts are on the edge of their cones, and no combination of their states has rates under the growing load.
     Corner,
-    /// The object moves without bound while the load approaches this one and never reaches it. Directions of sliding have turned along the motion,
-    /// which nothing else resists.
+    /// The object moves without bound while the load approaches this one and never reaches it. Directions of sliding have turned along this motion,
+    /// and nothing else resists it.
     Asymptote,
     /// From here on nothing resists the motion, and the change of the load does work on it.
     GivesWay,

@@ -1,4 +1,4 @@
-//! Onsets, programs and paths at the door.
+//! Conversion of onsets, programs and paths between the engine, which has three components everywhere, and callers in the plane or in space.
 
 use super::beyond::{Beyond, Continuation};
 use super::drive_change::PartChange;
@@ -97,13 +97,13 @@ impl<T: Face> Face for LegGoal<T> {
 }
 
 impl<const C: usize> OnsetEvent<C> {
-    /// Exchanges the lists that are the same on both sides of the door.
+    /// Swaps the fields that are the same in the engine and for the caller.
     pub(crate) fn exchange(&mut self, inside: &mut OnsetEvent<3>) {
         core::mem::swap(&mut self.local, &mut inside.local);
         core::mem::swap(&mut self.drives, &mut inside.drives);
     }
 
-    /// Becomes an event of the engine, in its own memory.
+    /// Takes the values of an event of the engine, in its own memory.
     pub(crate) fn take_over(&mut self, inside: &mut OnsetEvent<3>) {
         self.exchange(inside);
         (self.factor, self.load, self.cone) = (inside.factor, Face::leave(inside.load), inside.cone);
@@ -113,7 +113,7 @@ impl<const C: usize> OnsetEvent<C> {
 }
 
 impl<const C: usize> Ramp<C> {
-    /// The ramp as the engine has it, in the memory of another one.
+    /// Writes the ramp with three components into `inside`, whose memory is reused.
     pub(crate) fn enter_into(&self, inside: &mut Ramp<3>) {
         (inside.base, inside.direction) = (self.base.enter(), self.direction.enter());
         inside.joint_change.clone_from(&self.joint_change);

@@ -1,4 +1,4 @@
-//! The friction of contacts: that of rest, or a lower one while they slide.
+//! Static friction of contacts, and lower kinetic friction while they slide.
 
 use super::event::{Change, Event, PathEnd};
 use super::first_exits::PathState;
@@ -12,8 +12,8 @@ use crate::numerics::{chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
-    /// Gives every contact a cone of its own from rest on, if some have lower friction while they slide. Contacts that slide already get the lower
-    /// one. Cones already present belong to a path in progress, and stay.
+    /// Lists the present friction cone of every contact, if some have kinetic friction. At the start contacts that slide already get kinetic
+    /// friction, which may cause a jump. If cones are listed already, the path is in progress, and they stay.
     pub(super) fn with_falling_friction(mut self, journey: &Journey<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -43,12 +43,12 @@ impl<'g> Pieces<'g> {
         Ok(self)
     }
 
-    /// Whether the friction of some contacts falls as they begin to slide.
+    /// Whether some contacts have kinetic friction below their static friction.
     pub(super) fn friction_falls(&self) -> bool {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// Gives contacts that do not slide their friction of rest; they are inside its cone.
+    /// Gives contacts that do not slide static friction; they are inside its cone.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {
@@ -62,16 +62,16 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether a contact that alternately sticks and slips while it is unloaded has all but lost its force: up to then it would do so infinitely
-    /// often.
+    /// Whether a contact that alternately sticks and slips while it is unloaded has all but lost its force. It would do so infinitely often before
+    /// the force vanishes.
     pub(super) fn runs_out(&self, standing: &PathState) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
-        // Forces below this part of the largest have vanished, where alternating stick and slip has brought them there.
+        // A force below this part of the largest has vanished in this way.
         standing.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
-    /// Puts such a contact at its apex, as if all of its force had vanished.
+    /// Puts contacts whose force has all but vanished at the apex of their cones, as if it were zero.
     pub(super) fn let_run_out(&mut self, standing: &PathState) {
         let largest = self.segment.largest;
         for (i, _) in standing {
@@ -84,7 +84,7 @@ impl<'g> Pieces<'g> {
         self.stalls = 0;
     }
 
-    /// On a leg along which nothing changes time passes: sliding contacts come to rest.
+    /// Lets sliding contacts with kinetic friction come to rest on a leg along which nothing changes, since time passes on it. Returns these changes.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.course, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)
@@ -100,7 +100,7 @@ impl<'g> Pieces<'g> {
         moved(rest, &|i| (i, Change::Sticks))
     }
 
-    /// Sets the friction of contacts after these changes, and makes the jump that follows if some begin to slide.
+    /// Sets the friction of contacts after these changes, and makes the jump that follows if contacts begin to slide with kinetic friction.
     pub(super) fn friction_after(
         &mut self,
         journey: &Journey<'g>,
@@ -111,7 +111,7 @@ impl<'g> Pieces<'g> {
         Ok(self.jump(journey, &begin)?.map(Box::new))
     }
 
-    /// The contacts that begin to slide with less friction than at rest.
+    /// The contacts that begin to slide with kinetic friction below their static friction.
     pub(super) fn begin_to_slide(&self, changes: &[(usize, Change<3>)]) -> Vec<usize> {
         let problem = &self.segment.problem;
         let falls = |(i, change): &(usize, Change<3>)| {

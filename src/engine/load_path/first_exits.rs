@@ -1,21 +1,21 @@
-//! The first edges that contacts reach on the way.
+//! The first edges of their cones that contacts reach along a piece of the path.
 
 use crate::contact::Exit;
 use crate::prelude::*;
 
-/// Contacts on an edge of their cone, at its apex or at a closed gap, with the facets concerned.
+/// Contacts that reach an edge of their cone, its apex or a closed gap, each with its exits.
 pub(super) type PathState = Vec<(usize, Vec<Exit>)>;
 
-/// The first exits of contacts on the way.
+/// The first exits of contacts along a piece.
 pub(super) struct FirstExits {
     /// The step to the first edge, and all contacts that reach one there.
     pub(super) standing: Option<(f64, PathState)>,
-    /// Sites that come to the edge of their cone before, without crossing it, while a load turns; with the angle, rad.
+    /// Sites that come to the edge of their cone before this step without crossing it, while a load turns; with the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 
-/// The smallest step to an exit, and all contacts with exits there. Symmetric grasps reach several edges at once: steps equal up to the rounding of
-/// both count as tied.
+/// The smallest step to an exit, and all contacts with exits there. Symmetric grasps reach several edges at once: steps that are equal up to the
+/// rounding of both count as tied.
 pub(super) fn first_standing(mut ways: PathState) -> Option<(f64, PathState)> {
     let all = ways.iter().flat_map(|(_, exits)| exits);
     let first = *all.min_by(|a, b| a.step.total_cmp(&b.step))?;

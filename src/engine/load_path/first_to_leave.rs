@@ -1,7 +1,7 @@
-//! The onset where everything clearly sticks at the base, and one contact reaches the edge of its cone before all others.
+//! The onset in the common case: everything clearly sticks at the base, and one contact reaches the edge of its cone before all others.
 //!
-//! This case is common and cheap: one factorisation for two loads, a ratio test, and one more solve at the onset, which makes the last digits of its
-//! factor exact. [`super::sticking_path`] handles all other cases.
+//! This case is cheap: one factorisation for two loads, a ratio test, and one more solve at the onset, which makes the last digits of its factor
+//! exact. [`super::sticking_path`] handles all other cases.
 
 use nalgebra::{Matrix, SVector};
 
@@ -27,7 +27,7 @@ pub(super) struct FirstToLeave {
     there: PieceState,
 }
 
-/// The first contact to leave along a ramp; `None` where this simple case does not apply.
+/// The first contact that stops sticking along a ramp; `None` if this simple case does not apply.
 pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) -> Option<FirstToLeave> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -39,7 +39,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
     piece.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
     let First { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
-    // Solved again at the onset: the factor found from afar carries the rounding of forces at the base.
+    // Solved again at the onset: a factor extrapolated from the base carries the rounding of the forces there.
     let mut factor = exit.step;
     let load = segment.course.at(factor);
     segment.offsets_into(factor, offsets);
@@ -54,7 +54,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 
-/// The result of a turn.
+/// The result for a load that turns.
 pub(super) enum WhileTurning {
     /// One contact leaves before all others.
     First(FirstToLeave),
@@ -62,7 +62,7 @@ pub(super) enum WhileTurning {
     Never,
 }
 
-/// The first contact to leave while a load turns, or the answer that none leaves. `None` where this simple case does not apply.
+/// The first contact that stops sticking while a load turns, or the answer that none does. `None` if this simple case does not apply.
 pub(super) fn first_to_leave_on_turn(
     segment: &Segment<'_>,
     turn: &Turn<3>,
@@ -87,7 +87,7 @@ pub(super) fn first_to_leave_on_turn(
         return None;
     }
     let mut turned = segment.turned(inside, 1.0, &parts);
-    // Rough states carry the rounding of the largest force everywhere; the sticking path decides what that could change.
+    // These solutions are not refined and carry the rounding of the largest force everywhere; the sticking path decides cases that this could change.
     let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
     let roughly = roughly.parts().into_iter().sum::<f64>();
     for [force, _] in &mut turned.waves {
@@ -149,15 +149,15 @@ impl FirstToLeave {
     }
 }
 
-/// Whether a contact meets all conditions of its unjumped state by more than rounding.
+/// Whether a contact meets all conditions of sticking (or of being absent) by more than rounding.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // Least relative margin of conditions at the base. Less may be rounding, or a contact on an edge, which the sticking path decides.
+    // Least relative margin of conditions at the base. A smaller margin may be rounding, or a contact on an edge, which the sticking path decides.
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 
-/// The contact that reaches the edge of its cone before all others, with its way there.
+/// The contact that reaches the edge of its cone before all others, with its exit and the line of its force.
 struct First {
     contact: usize,
     exit: Exit,
@@ -198,7 +198,7 @@ fn first_exit(
         }
     }
     first.filter(|First { exit, .. }| {
-        // Least distance of the next contact behind the first, as a part of the way to the first.
+        // The next contact must follow by more than this part of the way to the first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
         // Largest growth of forces up to the onset, relative to the base: beyond it, the rates may be rounding.

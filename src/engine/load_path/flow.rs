@@ -1,14 +1,14 @@
 //! Steps along an arc, in arclength.
 //!
-//! Along an [`Arc`] twist q, load factor λ and friction forces satisfy a differential equation whose right-hand side depends on the
-//! directions of sliding alone,
+//! Along an [`Arc`] twist q, load factor λ and friction forces satisfy a differential equation whose right-hand side depends on the directions of
+//! sliding alone,
 //!
 //! ```text
 //! (q', λ') the null vector of [T | -b],     F_t' = C (a' λ' - Gᵀq')_t
 //! ```
 //!
-//! so that a fold, where the load factor has a maximum, is passed like any other point. Balance is linear in all variables and survives every step.
-//! Newton's method across the path removes the violation of the cones that a step leaves.
+//! so that a fold, where the load factor has a maximum, is passed like any other point. Balance is linear in all variables, and steps preserve it.
+//! Newton's method transverse to the path removes the violation of the cones that a step leaves.
 
 use nalgebra::SVector;
 
@@ -24,14 +24,14 @@ use crate::numerics::{Size, Stepped, Vector, explicit_step, implicit_step, mappe
 use crate::object::{PieceState, largest_force};
 use crate::prelude::*;
 
-/// How a step is made.
+/// The integration rule of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Rule {
-    /// Along the tangent, over so short a way that no direction turns.
+    /// Along the tangent, for steps so short that no direction turns.
     Straight,
-    /// To order 8, where directions turn as fast as the object moves.
+    /// Explicit, of order 8, for directions that turn about as fast as the object moves.
     Explicit,
-    /// Implicit, with this error, where directions turn much faster than that.
+    /// Implicit, with this error, for directions that turn much faster than the object moves.
     Implicit { tolerance: f64 },
 }
 
@@ -55,10 +55,10 @@ pub(super) struct StepGoal {
 }
 
 impl StepGoal {
-    /// The goal of a trial, given the number of trials that missed it: steps of implicit rules come no nearer than their rounding.
+    /// The goal of a trial, after a number of trials that missed it: steps of implicit rules approach it only to within their rounding.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
-        // A step that comes within this part of the leg of its goal ends at the goal. The part is wider after sixteen trials and after twice as many;
-        // the last is as small as the error of steps. The tangent covers the rest.
+        // A step that ends within this part of the leg of its goal is extended to the goal along the tangent. The part is wider after sixteen trials
+        // and after twice as many; the last is as small as the error of steps.
         let near = match trials / 16 {
             0 => 2e-13,
             1 => 1e-11,
@@ -76,7 +76,7 @@ pub(super) struct Flow<'s, 'g> {
     here: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start.
     begin: Vec<SVector<f64, 3>>,
-    /// Whether each of them is losing its normal force, so that its slip is not known any more.
+    /// Whether each of them is losing its normal force, so that its direction of slip is not known any more.
     vanishing: Vec<bool>,
     /// The largest force, N, and the largest displacement, m, at the start.
     sizes: [f64; 2],
@@ -91,7 +91,7 @@ pub(super) struct Reached {
     pub(super) energy: LegEnergy,
     /// Estimated relative error: of forces over the largest of them, of the twist over the largest displacement; the larger of both.
     pub(super) error: f64,
-    /// Some contact slipped against its friction force on the way, or the load went back.
+    /// Whether some contact slipped against its friction force, or the load factor decreased.
     pub(super) backwards: bool,
 }
 
@@ -102,7 +102,7 @@ impl Reached {
 }
 
 impl<'s, 'g> Flow<'s, 'g> {
-    /// The flow from a state with rates for one unit of the arclength of (q/unit, λ).
+    /// The differential equation from a state with rates for one unit of the arclength of (q/unit, λ).
     pub(super) fn new(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -148,7 +148,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
 
-    /// The sliding contacts, and the rate at which each friction force turns towards its slip at the start, for one unit of arclength: `κ γ / |F_t|`.
+    /// The sliding contacts, and the rate at which each friction force turns towards its slip at the start, per unit of arclength: `κ γ / |F_t|`.
     pub(super) fn relaxations(&self) -> impl Iterator<Item = (usize, f64)> {
         let rate = |(&i, friction): (&usize, &SVector<f64, 3>)| {
             let tangent = self.arc.tangent(i, friction);
@@ -166,7 +166,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
         let [load, works] = self.places();
-        // Works and their turnover are integrated along with the rest.
+        // Works and their turnover are integrated together with the state.
         let mut first = vec![0.0; works + 4];
         rate(&first.clone(), &mut first)?;
         let size = |error: &[f64]| self.error_size(error, length);
@@ -189,7 +189,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, factor, &self.onward())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // The correction onto the cones may reach the goal, too.
+        // The correction onto the cones may also bring the step to its goal.
         let arrived = if stays(factor) {
             None
         } else {
@@ -199,7 +199,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let (at, to) = match arrived {
             Some(arrived) if !stays(factor) => arrived,
             _ => {
-                // The rest of the way follows the tangent, and friction forces change along it.
+                // The rest of the step follows the tangent, and friction forces change along it.
                 let rest = (goal.factor - factor) / way.factor;
                 for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
                     *friction += tangential(&self.arc.rates(i, tangent, &way)[1]) * rest;
@@ -216,7 +216,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(Reached { to, here, energy, error, backwards })
     }
 
-    /// Indices of the load factor and of the works among the variables, behind friction forces and twist.
+    /// Indices of the load factor and of the works among the variables; friction forces and twist come before.
     fn places(&self) -> [usize; 2] {
         let load = self.begin.len() * (2) + self.size().count();
         [load, load + 1]
@@ -232,7 +232,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         Vector::from_fn(self.size(), |k| y[first + k])
     }
 
-    /// Rates of the variables, which count from the start, and whether a contact slips against its friction force or the load goes back.
+    /// Rates of the variables, which count from the start. Returns whether a contact slips against its friction force or the load factor decreases.
     fn rate(&self, y: &[f64], out: &mut [f64]) -> Option<bool> {
         let [load, works] = self.places();
         let segment = self.arc.segment;
@@ -261,7 +261,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.course, Trajectory::Straight { .. });
-        // A load factor that falls by less than this part of the arclength is constant. At its maximum it is known up to the square of this.
+        // A decrease of the load factor by less than this part of the arclength counts as none. At a maximum the factor is known up to the square of
+        // this.
         Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
     }
 
@@ -314,7 +315,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
     }
 
-    /// The step from the start to a factor on the way, of length at most `most`.
+    /// The step from the start to the load factor `goal`, of length at most `most`.
     pub(super) fn reach_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<Reached> {
         let (mut low, mut high) = (0.0, most);
         let mut length = (goal - self.from) / self.here.factor_rate;
@@ -322,7 +323,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // A rule that reached the end of a step also reaches a part of it, though rounding may prevent the same error.
+            // A rule that made the whole step also makes a part of it, though rounding may prevent the same error.
             let goal_here = StepGoal::after(goal, trial);
             // Factors on the error allowed to a part of a step, tried in turn: rounding may refuse the smaller ones.
             let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.looser(times));

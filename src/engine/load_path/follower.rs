@@ -1,4 +1,4 @@
-//! The interface of every follower of a load program, however it advances.
+//! The interface of every method of following a load program.
 
 use core::fmt::Debug;
 
@@ -21,7 +21,7 @@ use crate::search::Settings;
 pub(crate) enum Advance<T> {
     /// The follower has reached an event or a step to report.
     Reached(T),
-    /// Nothing to report yet.
+    /// The follower has advanced, with nothing to report.
     OnTheWay,
     /// The leg is complete, and everything on it has been reported.
     EndOfLeg,
@@ -35,8 +35,8 @@ pub(crate) struct StandAtEdge<'g> {
     pub(super) forces: Vec<SVector<f64, 3>>,
 }
 
-/// A way to follow a program: piece by piece for a few contacts, or in steps for thousands. The follower knows its place on the
-/// present leg and the slip so far; the path keeps the leg and those that follow.
+/// A method of following a program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place on the present leg
+/// and the slip so far; the path stores the legs.
 pub(crate) trait Follower<'g>: Debug {
     /// The type of reports on the way.
     type Report;
@@ -65,7 +65,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// The contacts on an edge there, with their rates.
     fn edge(&self, journey: &Journey<'g>) -> StandAtEdge<'g>;
 
-    /// The situation beyond a jump that nothing caught, from a follower with falling friction; `None` where the path did not end in one.
+    /// The situation beyond a jump that found no equilibrium, from a follower with kinetic friction; `None` if the path did not end in one.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<3>> {
         None
     }

@@ -1,4 +1,4 @@
-//! A load program with its follower: its start, the change of legs, and its end.
+//! A load program and its follower: the start, the change of legs, and the end.
 
 use core::fmt::Debug;
 
@@ -18,7 +18,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Settings, settle};
 
-/// A journey with its follower.
+/// A load program in progress, and its follower.
 #[derive(Debug)]
 pub(crate) struct Following<'g, F> {
     pub(super) journey: Journey<'g>,
@@ -28,7 +28,7 @@ pub(crate) struct Following<'g, F> {
 }
 
 impl<'g, F: Follower<'g>> Following<'g, F> {
-    /// A path from rest under a load; the follower begins at the equilibrium if there is one, before the first leg.
+    /// A path from rest under a load. The follower begins at the equilibrium, if there is one, before the first leg.
     pub(super) fn start(
         grasp: &'g Engine,
         (start, legs): (&Wrench<3>, &[Leg<3>]),
@@ -38,7 +38,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         Self::of(Journey::new(grasp, start, settings)?, legs, begin)
     }
 
-    /// The path of a journey that has no legs yet.
+    /// The path of a load program that has no legs yet.
     pub(super) fn of(
         mut journey: Journey<'g>,
         legs: &[Leg<3>],
@@ -63,7 +63,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         }
     }
 
-    /// Ends the path where the lip of a suction cup is open all around: the grasp with its vacuum no longer describes what follows.
+    /// Ends the path if the lip of a suction cup is open all around: the grasp with its vacuum then no longer describes the object.
     fn end_without_vacuum(&mut self) {
         let Some(follower) = &self.follower else { return };
         let open = follower.cups_open(&self.journey);
@@ -74,7 +74,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         }
     }
 
-    /// The report of a follower that advances by `on`; `None` where the path has ended or there is nothing to report yet.
+    /// Advances the follower by `on` and returns its report; `None` if the path has ended or there is nothing to report yet.
     pub(super) fn go(
         &mut self,
         on: impl FnOnce(&mut F, &Journey<'g>) -> Result<Advance<F::Report>, PathEnd<3>>,

@@ -1,4 +1,4 @@
-//! Exact derivatives of the onset of sliding by where contacts are and where their normals point.
+//! Exact derivatives of the onset of sliding by the positions and normals of contacts.
 
 use nalgebra::SVector;
 
@@ -16,12 +16,12 @@ use crate::prelude::*;
 /// A command a that stays along the **coordinate** axes changes in a frame that tilts by φ towards the tangent t: by φ `a·t` along the
 /// normal, by -φ `a·n` along t. Multiplied by [`OnsetGradient::command`](super::OnsetGradient::command), that is the term to add to `normal`.
 ///
-/// Not a number where a changed geometry leaves the load unbalanced, or holds a motion that is free in this one. An example is two point fingers in
+/// Not a number if a changed geometry leaves the load unbalanced, or resists a motion that is free in this one. An example is two point fingers in
 /// space that no longer meet the line of the load.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct GeometryGradient<const C: usize> {
-    /// The contact or drive that leaves. Where several leave together the onset is the least of their factors.
+    /// The contact or drive that stops sticking. If several do so together, the onset is the least of their factors.
     pub leaving: Leaver,
     /// Derivatives with respect to the position of every contact along the coordinate axes, 1/m, at a fixed frame.
     pub point: Vec<SVector<f64, C>>,

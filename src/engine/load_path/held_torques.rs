@@ -1,4 +1,5 @@
-//! Torques that hold joints, changed along a program of legs. They do not depend on the displacement of the joint, as with a screw that is tightened.
+//! Changes along a program of the torques that hold joints. Such a torque does not depend on the displacement of its joint, as with a screw that is
+//! tightened.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -10,8 +11,8 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 
 impl<const C: usize> Leg<C> {
-    /// A leg along which the torques that hold the joints of a hand change by these amounts: N m, or N for prismatic joints. There is one a joint.
-    /// Slides of contacts that are [held by a force](crate::grasp::Contact::force) come last.
+    /// A leg along which the torques that hold the joints of a hand change by `change`: N m, or N for prismatic joints, one for each joint. Slides of
+    /// contacts that are [held by a force](crate::grasp::Contact::force) come last.
     ///
     /// ```
     /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
@@ -42,13 +43,13 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_torques_to(torques)
     }
 
-    /// This leg with torques that hold joints changed by these amounts meanwhile, see [`Self::torques_by`].
+    /// This leg, along which the torques that hold joints also change by `change`, see [`Self::torques_by`].
     #[must_use]
     pub fn and_torques_by(self, change: impl IntoIterator<Item = f64>) -> Self {
         Self { torques: LegGoal::By(change.into_iter().collect()), ..self }
     }
 
-    /// This leg with these torques that hold joints at its end, see [`Self::torques_by`].
+    /// This leg, at whose end the torques that hold joints are also `torques`, see [`Self::torques_by`].
     #[must_use]
     pub fn and_torques_to(self, torques: impl IntoIterator<Item = f64>) -> Self {
         Self { torques: LegGoal::To(torques.into_iter().collect()), ..self }
@@ -82,7 +83,7 @@ impl<const C: usize> Leg<C> {
 pub(super) struct HeldTorques(Option<Arc<[Vec<f64>; 2]>>);
 
 impl HeldTorques {
-    /// Continues to the next leg: it begins with the torques at the end of the last one, or with those of the hand, and changes them by its goal.
+    /// Continues to the next leg. It begins with the torques at the end of the last leg, or with those of the hand, and its goal changes them.
     pub(super) fn lead_on(&mut self, of_the_hand: &[f64], goal: &LegGoal<Vec<f64>>) {
         if self.0.is_none() && *goal == LegGoal::Stay {
             return;

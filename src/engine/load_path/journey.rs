@@ -17,22 +17,22 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Effort, Found, FoundBy, Settings, Settled, settle_at_rest};
 
-/// The settled equilibrium to start from.
+/// The result of the search for the equilibrium to start from, and its effort.
 pub(crate) type Rest = (Settled, Effort);
 
-/// A program of legs in progress.
+/// A load program in progress, with its grasp and settings.
 #[derive(Debug)]
 pub(crate) struct Journey<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) settings: Settings,
     pub(super) polygon: Arc<Polygon>,
     pub(super) program: Program,
-    /// The start, if it is known already.
+    /// The equilibrium to start from, if it has been searched for already.
     pub(super) rest: Option<Rest>,
 }
 
 impl<'g> Journey<'g> {
-    /// A journey that has not begun yet, from rest under a load.
+    /// A load program that has not begun yet, from rest under a load.
     pub(super) fn new(grasp: &'g Engine, start: &Wrench<3>, settings: &Settings) -> Result<Self, Error> {
         grasp.load_alone(start, "start load")?;
         settings.small_motions.check()?;
@@ -40,7 +40,7 @@ impl<'g> Journey<'g> {
         Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start), rest: None })
     }
 
-    /// The question of one equilibrium with these offsets, for the cone of the journey.
+    /// The problem of one equilibrium with these offsets, on the cone of the settings.
     pub(super) fn problem(&self, offsets: Vec<SVector<f64, 3>>, load: &Vector) -> Problem<'g> {
         let round = self.settings.is_round(self.grasp.space());
         self.grasp.problem(self.polygon.clone(), round, offsets, &Load::from(load))
@@ -51,7 +51,7 @@ impl<'g> Journey<'g> {
         self.problem(self.grasp.offsets(), &self.program.inside_course(self.grasp).at(0.0))
     }
 
-    /// The equilibrium to start from; else how the path ends before it begins.
+    /// The equilibrium to start from. The error says why the path ends before it begins.
     pub(super) fn start(&self, problem: &Problem<'g>) -> Result<Found, PathEnd<3>> {
         match self.rest.clone().unwrap_or_else(|| settle_at_rest(problem, &self.settings)) {
             (Settled::Found(found, _), _) => Ok(found),
@@ -63,8 +63,8 @@ impl<'g> Journey<'g> {
         }
     }
 
-    /// The present leg, with slips up to its beginning. It is computed anew from the goals of the leg, so that rounding does not add up over many
-    /// legs.
+    /// The present leg, with the slips up to its beginning. Its loads and commands follow from the goals of the legs, so that rounding does not add
+    /// up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let course = self.program.inside_course(self.grasp);
         let [mut offsets, change] = self.program.offsets(self.grasp);
@@ -78,7 +78,7 @@ impl<'g> Journey<'g> {
         AnswerFor::of(self.grasp.space(), &self.settings)
     }
 
-    /// The equilibrium found at a fraction of the present leg, as an answer.
+    /// The equilibrium found at a fraction of the present leg, in physical quantities.
     pub(super) fn equilibrium(&self, problem: &Problem<'g>, fraction: f64, found: Found) -> Equilibrium<3> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
         let grasp = self.program.bodies.put_on(self.grasp, fraction);
@@ -86,7 +86,7 @@ impl<'g> Journey<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &effort, self.answer_for())
     }
 
-    /// The loss of equilibrium at a fraction of the present leg, with these sites on an edge; the object leaves with this motion.
+    /// The loss of equilibrium at a fraction of the present leg, with these sites on an edge; the object leaves with the motion `motion`.
     pub(super) fn loss(
         &self,
         fraction: f64,

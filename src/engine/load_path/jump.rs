@@ -1,5 +1,4 @@
-//! Jumps at one load, because friction falls as a contact begins to slide or because nothing resists the object. They end where other contacts
-//! catch it.
+//! Jumps at constant load: friction falls as a contact begins to slide, or nothing resists the object. A jump ends where contacts stop the object.
 
 use core::fmt;
 
@@ -18,23 +17,23 @@ use crate::words::{Words, listed};
 /// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they
 /// carry less.
 ///
-/// The lost force is taken off as slowly as necessary, so that other contacts take it over. Contacts that reach their friction at rest on the way
-/// begin to slide, too, and lose theirs. The object comes to rest where forces balance again. This is the overdamped answer: the object does not
+/// The lost force is removed so slowly that other contacts can take it over. Contacts that reach their static friction limit meanwhile begin to
+/// slide, too, and lose force as well. The object comes to rest where forces balance again. This is the overdamped answer: the object does not
 /// overshoot.
 ///
-/// Or nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]). Every place on the way is in
+/// Or nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]). Every place on this motion is in
 /// balance under the same load. The speed of arrival plays no part.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Jump<const C: usize> {
-    /// Further changes in the jump, in order: contacts that join, stick again, open or close.
+    /// Further changes of contact states in the jump, in order: contacts that begin to slide, stick again, open or close.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub changes: Vec<ContactChange<C>>,
     /// The contacts that slip in the jump, and how far.
     pub slips: Vec<JumpSlip<C>>,
-    /// The contacts whose gaps close after the object has moved without resistance, in order. Empty where contacts that touch already catch it.
+    /// The contacts whose gaps close after the object has moved without resistance, in order. Empty if contacts that touch already stop the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub reaches: Vec<ContactLabel>,
     /// The motion of the object, or of each of several bodies, in the jump.

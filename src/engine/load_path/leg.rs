@@ -48,7 +48,7 @@ pub struct Leg<const C: usize> {
     pub(super) commands: LegGoal<Vec<SVector<f64, C>>>,
     pub(super) joints: LegGoal<Vec<f64>>,
     pub(super) torques: LegGoal<Vec<f64>>,
-    /// Of several bodies those whose own loads change.
+    /// The bodies whose own loads change along the leg.
     pub(super) bodies: Vec<BodyGoal<C>>,
 }
 
@@ -68,20 +68,20 @@ impl<const C: usize> Leg<C> {
         bodies: Vec::new(),
     };
 
-    /// The load changes by this much.
+    /// A leg along which the load changes by `change`.
     #[must_use]
     pub fn load_by(change: Wrench<C>) -> Self {
         Self { load: LegLoad::Straight(LegGoal::By(change)), ..Self::STAY }
     }
 
-    /// The load changes to this.
+    /// A leg at whose end the load is `load`.
     #[must_use]
     pub fn load_to(load: Wrench<C>) -> Self {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..Self::STAY }
     }
 
-    /// The load changes along a [`Turn`]: the change of the turn from its beginning is added to the present load. Other loads stay, and the constant
-    /// part of the turn does not matter. The fingers stay as commanded, so that events are found at their angles without stepping.
+    /// A leg along which the load changes as in a [`Turn`]: the change of the turn from its beginning is added to the present load. Other loads stay,
+    /// and the constant part of the turn does not matter. The fingers stay as commanded, so that events are found at their angles without stepping.
     ///
     /// ```
     /// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, Turn, Wrench};
@@ -107,43 +107,43 @@ impl<const C: usize> Leg<C> {
         Self { load: LegLoad::Turn(*turn), ..Self::STAY }
     }
 
-    /// The finger commands change by this much: one displacement a contact, each in its contact frame (m).
+    /// A leg along which the finger commands change by `change`: one displacement a contact, each in its contact frame (m).
     #[must_use]
     pub fn commands_by(change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::By(vectors(change)), ..Self::STAY }
     }
 
-    /// The finger commands change to these: one displacement a contact, each in its contact frame (m).
+    /// A leg at whose end the finger commands are `commands`: one displacement a contact, each in its contact frame (m).
     #[must_use]
     pub fn commands_to(commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::To(vectors(commands)), ..Self::STAY }
     }
 
-    /// Meanwhile the load changes by this much.
+    /// This leg, along which the load also changes by `change`.
     #[must_use]
     pub fn and_load_by(self, change: Wrench<C>) -> Self {
         Self { load: LegLoad::Straight(LegGoal::By(change)), ..self }
     }
 
-    /// Meanwhile the load changes to this.
+    /// This leg, at whose end the load is also `load`.
     #[must_use]
     pub fn and_load_to(self, load: Wrench<C>) -> Self {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..self }
     }
 
-    /// Meanwhile the finger commands change by this much.
+    /// This leg, along which the finger commands also change by `change`, m.
     #[must_use]
     pub fn and_commands_by(self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::By(vectors(change)), ..self }
     }
 
-    /// Meanwhile the finger commands change to these.
+    /// This leg, at whose end the finger commands are also `commands`, m.
     #[must_use]
     pub fn and_commands_to(self, commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::To(vectors(commands)), ..self }
     }
 
-    /// The joint commands of a hand change by this much: one displacement for each joint and then each tendon, rad or m.
+    /// A leg along which the joint commands of a hand change by `change`: one displacement for each joint and then each tendon, rad or m.
     ///
     /// ```
     /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
@@ -168,19 +168,19 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_joints_by(change)
     }
 
-    /// The joint commands of a hand change to these, in the order of [`Self::joints_by`].
+    /// A leg at whose end the joint commands of a hand are `commands`, in the order of [`Self::joints_by`].
     #[must_use]
     pub fn joints_to(commands: impl IntoIterator<Item = f64>) -> Self {
         Self::STAY.and_joints_to(commands)
     }
 
-    /// Meanwhile the joint commands change by this much.
+    /// This leg, along which the joint commands also change by `change`, rad or m.
     #[must_use]
     pub fn and_joints_by(self, change: impl IntoIterator<Item = f64>) -> Self {
         Self { joints: LegGoal::By(change.into_iter().collect()), ..self }
     }
 
-    /// Meanwhile the joint commands change to these.
+    /// This leg, at whose end the joint commands are also `commands`, rad or m.
     #[must_use]
     pub fn and_joints_to(self, commands: impl IntoIterator<Item = f64>) -> Self {
         Self { joints: LegGoal::To(commands.into_iter().collect()), ..self }
@@ -205,7 +205,7 @@ impl<const C: usize> Leg<C> {
         }
     }
 
-    /// Two legs: the load changes by this much, then back again.
+    /// Two legs: the load changes by `change`, then back again.
     ///
     /// ```
     /// use grasp_lcp::planar::{Leg, Wrench};
@@ -264,7 +264,7 @@ pub(super) enum LegLoad<const C: usize> {
 }
 
 impl<const C: usize> LegLoad<C> {
-    /// The trajectory of the load along the leg that starts at `from`, and the load at its end.
+    /// The trajectory of the load along this leg from the load `from` at its beginning, and the load at its end.
     pub(super) fn course(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
         let to = match self {
             Self::Straight(LegGoal::Stay) => *from,
@@ -280,7 +280,7 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Moves commands on to this leg: the list holds commands at both ends of a leg, beginning first.
+    /// Replaces the commands at both ends of the previous leg by those at both ends of this leg; the beginning comes first.
     pub(super) fn lead_on(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

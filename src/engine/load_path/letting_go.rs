@@ -1,14 +1,14 @@
-//! A jump at one load: other contacts take over the force that contacts lose when their friction falls.
+//! A jump at constant load: other contacts take over the force that contacts lose when their friction falls from the static to the kinetic value.
 //!
-//! A contact that leaves its cone of rest, its springs stretched as before, has the force F' of its cone of sliding in place of F. The force missing
-//! for balance is supplied at first, and then released along a leg of its own, at the same load and with the same commands:
+//! A contact that leaves its static cone has, at the same stretch of its springs, the force F' on its kinetic cone in place of F. The difference is
+//! first applied as an external force, and then removed along a leg of its own, at the same load and commands:
 //!
 //! ```text
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
 //! ```
 //!
-//! The path follows such a leg like any other. A contact that leaves its cone of rest on the leg joins: the force that it loses is supplied as well,
-//! and the leg begins anew from there. Either the leg reaches its end, or equilibrium is lost on it, with a complete [`Loss`]. The released force
+//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is applied as well, and
+//! the leg begins anew from there. Either the leg reaches its end, or equilibrium is lost on it, with a complete [`Loss`]. The external force
 //! represents the damping of a motion that does not overshoot.
 
 use nalgebra::{Matrix, SVector};
@@ -32,9 +32,9 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 
 /// A jump in progress.
 pub(super) struct JumpInProgress<'g> {
-    /// The leg along which the missing force is released.
+    /// The leg along which the external force is removed.
     pub(super) leg: Pieces<'g>,
-    /// Slips before the jump, and the states of all sites in it so far.
+    /// Slips before the jump, and all states so far of all sites in it.
     fallen: Fallen,
     pub(super) changes: Vec<(usize, Change<3>)>,
     /// Sites whose gaps have closed at the end of a free motion.
@@ -49,10 +49,10 @@ impl<'g> JumpInProgress<'g> {
         Self { leg, fallen, changes: Vec::new(), reaches: Vec::new() }
     }
 
-    /// Follows the leg to its end; contacts that leave their cone on the way join.
+    /// Follows the leg to its end; the forces that further contacts lose are removed as well.
     pub(super) fn go(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        // Most times that one contact slides, sticks and slides again within a jump. Each time energy is lost; beyond this number rounding goes in
-        // circles.
+        // Limit on how often a force is removed anew, sixteen times for each site. Each time energy is lost; more often only rounding can make
+        // contacts stick and slide again.
         let mut left = 16 * self.fallen.slid.len();
         loop {
             let begin = match self.go_to_the_next_node(journey) {
@@ -74,8 +74,8 @@ impl<'g> JumpInProgress<'g> {
         }
     }
 
-    /// Advances along the leg, or decides its continuation. Returns the contacts that begin to slide with less friction than at rest; `None` at the
-    /// end of the leg.
+    /// Advances along the leg, or decides its continuation. Returns the contacts that begin to slide with kinetic friction below their static
+    /// friction; `None` at the end of the leg.
     fn go_to_the_next_node(&mut self, journey: &Journey<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
@@ -108,8 +108,8 @@ impl<'g> JumpInProgress<'g> {
 }
 
 impl<'g> Pieces<'g> {
-    /// The leg along which the missing force is released after the contacts `begin` have begun to slide. At its end the load is `goal`. `None` where
-    /// they start from an apex, with no force to lose: the continuation is then decided once more, with less friction.
+    /// The leg along which an external force is removed after the contacts `begin` have begun to slide; at its end the load is `goal`. `None` if they
+    /// start from an apex, with no force to lose: the continuation is then decided once more, with kinetic friction.
     pub(super) fn let_go(
         &mut self,
         goal: &Vector,
@@ -139,7 +139,7 @@ impl<'g> Pieces<'g> {
             self.segment.problem.cones.clone_from(&problem.cones);
             return Ok(None);
         }
-        // A contact that starts to slide on a round cone at this very place has no friction force, hence no direction of slip.
+        // A contact that starts to slide on a round cone just here has no friction force, and so no direction of slip.
         let has_none = |i: usize| states[i].slide().is_some() && tangential_norm(&forces[i]) == 0.0;
         if (0..states.len()).any(has_none) {
             return Err(journey.undecided(0.0, Doubt::OnTheBoundary));
@@ -170,7 +170,7 @@ impl<'g> Pieces<'g> {
         if begin.is_empty() {
             return Ok(None);
         }
-        // Contacts that slide together, sticking and slipping in turn, jump more often the less friction falls.
+        // When contacts alternate between sticking and sliding, jumps are the more frequent the less friction falls.
         if self.pace.steps >= journey.settings.most_steps {
             return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
         }
@@ -214,7 +214,7 @@ impl<'g> Pieces<'g> {
         let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
         let mut stands = landed.standing_here(journey).ok_or_else(inaccurate)?;
         if landed.node.turns() {
-            // Close to an asymptote the contact states hardly determine the twist: as along an arc, the twist at the end of the leg is kept.
+            // Close to an asymptote the contact states hardly determine the twist: the twist at the end of the leg is kept, as along an arc.
             stands.there = landed.node.at.clone();
             stands.bend = Some(Bend { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }
@@ -238,7 +238,7 @@ impl<'g> Pieces<'g> {
         Ok(Jump { changes, slips, reaches, moved, energy_lost: energy.dissipated, state })
     }
 
-    /// Energies of a jump from these forces and this twist: the work of the load less the energy that springs take up is lost.
+    /// Energies of a jump from these forces and this twist. The work of the load less the energy that springs take up is lost.
     fn energy_of(&self, load: &Vector, forces: &[SVector<f64, 3>], twist: &Vector) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =
@@ -249,7 +249,7 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// Whether an equilibrium exists at the load of a jump that was not caught, with the remaining friction.
+/// Whether an equilibrium exists at the load of a jump that found none, with the friction that remains.
 pub(super) fn beyond_a_jump(fallen: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(fallen, settings).0 {
         Settled::Found(..) => Beyond::Snap,

@@ -1,24 +1,24 @@
 //! The onset of sliding as the load grows, found directly, the first step beyond it, and whole load programs with slip memory.
 //!
-//! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything sticks, forces are affine in the factor τ of a [`Ramp`], and the onset
-//! is the least τ >= 0 at which a condition of sticking is used up, found from two linear solves and no stepping:
+//! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything sticks, forces are affine in the factor τ of a [`Ramp`]. The onset is the
+//! least τ >= 0 at which a condition of sticking is met with equality. Two linear solves determine it, without stepping:
 //!
 //! ```text
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
 //! ```
 //!
 //! **A load that turns** ([`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn), [`Leg::turn`]), like the weight in the frame of an object that
-//! is tilted. While contacts keep their states, forces and slips turn with the load. A margin is then a trigonometric polynomial: its first fall
-//! below zero is isolated between its turning points.
+//! is tilted. While contacts keep their states, forces and slips are harmonics of the load's angle. A margin is then a trigonometric polynomial. Its
+//! extrema bracket its first zero.
 //!
 //! ```text
 //! W(θ) = W₀ + W_c cos θ + W_s sin θ        F(θ) = F₀ + F_c cos θ + F_s sin θ
 //! ```
 //!
-//! **Beyond.** At an event the contacts on an edge pose a complementarity problem in rates. A gap or a slip grows only where the normal force or the
-//! friction reserve stays zero; a contact on no edge is bonded or absent. A solution says how the equilibrium continues ([`Continuation`]); without
-//! one the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: the end is a limit load
-//! if there is none, else a snap.
+//! **Beyond.** At an event the contacts on an edge pose a complementarity problem in rates: a gap or a slip grows only where the normal force or the
+//! friction reserve stays zero. A contact inside its cone counts as bonded, an open one as absent. A solution says how the equilibrium continues
+//! ([`Continuation`]); without one the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate
+//! question: if there is none, the end is a limit load, else a snap.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip:
 //! `F_t = K_t (a_t - t·u_c - s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round
@@ -29,7 +29,7 @@
 //!
 //! | path | advances by | reports | affordable |
 //! |---|---|---|---|
-//! | [`LoadPath`] | whole pieces, kept behind | every event, energies, states anywhere | some hundreds of contacts |
+//! | [`LoadPath`] | whole pieces, which are stored | every event, energies, states anywhere | some hundreds of contacts |
 //! | [`SteppedPath`] | steps of exact slips, on the round cone | the steps | 10⁵ |
 //!
 //! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`response`](crate::ask::Sensitivity::response),

@@ -1,4 +1,4 @@
-//! A node of the load path: the active sets of contacts, and the decision how the path continues.
+//! A node of the load path, the place of an event: the active sets of contacts, and the decision how the path continues.
 
 use nalgebra::{Matrix, SVector};
 
@@ -38,7 +38,7 @@ pub(super) struct Node {
     /// Directions in which contacts slide, coordinate axes.
     pub(super) directions: Vec<Option<SVector<f64, 3>>>,
     pub(super) stands: Vec<ActiveSet>,
-    /// Whether infinite friction holds a tangential force: the force cannot vanish with the normal force but is lost at once.
+    /// Whether a contact with infinite friction carries a tangential force: this force is lost at once when the normal force vanishes.
     pub(super) holds: Vec<bool>,
     /// Whether a contact starts to slide from the apex of its cone: it has a direction, but no friction force yet.
     pub(super) sets_out: bool,
@@ -57,7 +57,7 @@ pub(super) struct Onward {
 }
 
 impl Node {
-    /// Decides the states of all contacts on an edge, from the rates.
+    /// Decides the states of all contacts on an edge by solving the problem in rates.
     pub(super) fn go_on(
         &mut self,
         segment: &mut Segment<'_>,
@@ -81,12 +81,12 @@ impl Node {
         if segment.problem.round {
             slide_where_they_graze(&rates, &mut found);
         }
-        // From a state without forces a contact that slides without slipping may slip as well. The path takes the middle of all motions that hold,
-        // not one end.
+        // In a state without forces a contact that slides at zero rate may slip as well. The path takes the middle of all admissible motions, not one
+        // end.
         if self.at.forces.iter().all(|force| force.norm() == 0.0) {
             found = on_the_solution_interval(&rates, found);
         }
-        // Infinite friction keeps its tangential force until the normal force is gone, and then loses it at once.
+        // A contact with infinite friction keeps its tangential force until the normal force is gone, and then loses it at once.
         let lets_go = |i: usize| self.holds[i] && !self.states[i].is_open() && found.states[i].is_open();
         if (0..self.states.len()).any(lets_go) {
             let motion = (found.twist.norm() > 0.0).then(|| found.twist.normalize());
@@ -112,11 +112,11 @@ impl Node {
         Ok(Onward { here, changes, other_continuations })
     }
 
-    /// Solves the rates at the node.
+    /// Solves the problem in rates at the node.
     ///
     /// While the load turns, a slip may stop and a force may touch its edge. Rates at the node do not show in which direction these continue; rates
-    /// slightly ahead do. The loads for which given states hold in rates form a convex cone, and the rates of the load in between lie between those
-    /// at both ends: states that hold at both ends hold all the way.
+    /// slightly ahead do. The load rates for which given states hold form a convex cone, and the load rates in between lie between those at both
+    /// ends. So states that hold at both ends hold all the way.
     fn decided<'g>(&self, segment: &Segment<'g>, factor: f64, settings: &Settings) -> Decided<'g> {
         let laws = segment.laws_of_rates(&self.stands, &self.states);
         let at = |ahead: f64| {
@@ -129,15 +129,15 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
-        // While the load turns, rates this many radians ahead decide, or nearer ones where another event comes first.
+        // While the load turns, the rates this many radians ahead decide, or nearer ones if another event comes first.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let Settled::Found(found, _) = &decided.settled else {
                 last = Some(decided);
                 continue;
             };
-            // At the apex of a round cone the direction of sliding turns with the load.
-            // Accuracy of an event's angle, rad: where the load turns back, its rate is zero up to that, of either sign.
+            // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the states must also hold just behind the node.
+            // This distance, rad, is the accuracy of an event's angle: nearer, the rate of a load that turns back may have either sign.
             let here = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round || matches!(try_states(&here, found.states.clone()), Judged::Holds(_)) {
                 return decided;
@@ -153,15 +153,15 @@ impl Node {
 
     /// Tries the two usual continuations: nothing changes, or contacts on an edge slide.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
-        // Within a leg a contact has just left its cone, and must change.
+        // Within a leg some contact has just reached the edge of its cone, and must change.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
         if let Some(holds @ Judged::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
             return holds;
         }
         let sliding = rates.yielding();
-        // At the apex every state is as good a guess. On the round cone either the contact opens, or Newton's method starts from sticking and from
-        // sliding.
+        // At the apex no state is more likely than another. On the round cone the contact either opens, or Newton's method starts from sticking and
+        // from sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if (0..rates.len()).any(at_the_apex) {
             if !rates.round {
@@ -179,9 +179,9 @@ impl Node {
         try_states(rates, sliding)
     }
 
-    /// Opens contacts that touch without force and gain none, so that they do not drag the object along. A contact opens where it may as well part
-    /// from the object and the object then moves less; forces are the same. Where nothing presses at all, and a contact would slide on the round
-    /// cone, all contacts that touch open.
+    /// Opens contacts that touch without force and gain none, so that they do not drag the object along. A contact opens if it may as well separate
+    /// and the object then moves less; forces are the same. If nothing presses at all, and a contact would slide on the round cone, all contacts that
+    /// touch open.
     fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // Friction of zero force has no direction to slide in.
@@ -211,7 +211,7 @@ impl Node {
         }
     }
 
-    /// Takes over the states from the rates and returns the changes.
+    /// Sets the states from a solution in rates, and returns the changes.
     pub(super) fn take_over(
         &mut self,
         segment: &mut Segment<'_>,
@@ -228,7 +228,8 @@ impl Node {
             let is = is.unwrap_or(Mode::Open);
             self.sets_out |= is.slide().is_some() && matches!(rates.laws[i], Law::Cone { .. });
             if was.is_open() && !is.is_open() {
-                // The contact closes at the present place of its finger: F_t = 0 at first, its slip has followed the surfaces.
+                // The contact closes at the present place of its finger: its friction starts from zero, and its slip has followed the surfaces up to
+                // here.
                 segment.remember_slip(i, factor, &self.at.twist, &SVector::zeros());
             }
             if let Mode::Round(slide) = &is {
@@ -241,7 +242,8 @@ impl Node {
     }
 }
 
-/// Lets a contact slide that sticks along a tangent of the round cone, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
+/// Lets contacts slide whose force, if they stuck, would leave the round cone along a tangent, see
+/// [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
 fn slide_where_they_graze(rates: &Problem, found: &mut Found) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {

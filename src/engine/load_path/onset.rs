@@ -21,7 +21,7 @@ use crate::serial::AsComputed;
 pub enum Onset<const C: usize> {
     /// The onset lies at this factor.
     At(Box<OnsetEvent<C>>),
-    /// Everything keeps sticking however far the load goes along its direction; for a turn, up to its last angle.
+    /// Everything keeps sticking at every factor; for a turn, up to its last angle.
     Never,
     /// A contact slides already at factor 0: the equilibrium there. (A contact on the edge of its cone sticks, and may leave at factor 0.)
     AlreadySliding(Box<Equilibrium<C>>),
@@ -48,8 +48,8 @@ impl<const C: usize> Onset<C> {
         }
     }
 
-    /// The load factor up to which everything that touches sticks: the factor of the event, or the one from which on nothing resists; infinite for
-    /// [`Self::Never`]. `None` where there is no sticking equilibrium to start from, or where the answer is undecided.
+    /// The load factor up to which everything that touches sticks: the factor of the event, or the one from which on nothing resists the load;
+    /// infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {
@@ -61,8 +61,8 @@ impl<const C: usize> Onset<C> {
     }
 }
 
-/// The first contact stops sticking. The equilibrium there is computed on request ([`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset)), and
-/// so is the continuation ([`Grasp::beyond`](crate::ask::Grasp::beyond)).
+/// The event at which the first contact stops sticking. The equilibrium there is computed on request
+/// ([`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset)), and so is the continuation ([`Grasp::beyond`](crate::ask::Grasp::beyond)).
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct OnsetEvent<const C: usize> {
@@ -70,7 +70,7 @@ pub struct OnsetEvent<const C: usize> {
     pub factor: f64,
     /// The load there.
     pub load: Wrench<C>,
-    /// The contacts that leave, all at once. Contacts that close on the way do not count.
+    /// The contacts that stop sticking, all at this factor. Contacts that have closed before are not among them.
     pub leaving: Vec<Leaving<C>>,
     /// Drives of a hand that give way there: joints and tendons at their limit, tendons that slacken.
     pub drives: Vec<PartChange>,
@@ -80,12 +80,12 @@ pub struct OnsetEvent<const C: usize> {
     pub(super) local: StickingState,
 }
 
-/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp from there. Loads are in inside
-/// coordinates.
+/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp there. Loads are in inside coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: Kept,
     pub(super) rule: FoundBy,
+    /// The active set of each site: the edges of its cone that it has reached.
     pub(super) stands: Vec<ActiveSet>,
     /// The sites that leave.
     pub(super) leaving: Vec<usize>,
@@ -134,7 +134,7 @@ impl Leaving<3> {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
 
-    /// The departure of a contact that the load drives out of its cone, where no equilibrium shows its direction.
+    /// The departure of a contact that the load drives out of its cone, if no continuation determines its direction.
     pub(super) fn driven_out(
         site: usize,
         stand: &ActiveSet,

@@ -14,8 +14,8 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct OnsetGradient<const C: usize> {
-    /// The contact or drive that leaves. Where several leave together the onset is the least of their factors, and its one-sided derivative along a
-    /// change of the data is the least of their derivatives.
+    /// The contact or drive that stops sticking. If several do so together, the onset is the least of their factors. Its one-sided derivative along a
+    /// change of the data is then the least of their derivatives.
     pub leaving: Leaver,
     /// With respect to every contact's coefficient of friction.
     pub friction: Vec<f64>,
@@ -25,16 +25,16 @@ pub struct OnsetGradient<const C: usize> {
     pub command: Vec<SVector<f64, C>>,
     /// With respect to the commands of the joints of a hand, then of its tendons, 1/rad or 1/m.
     pub joint_command: Vec<f64>,
-    /// With respect to the stiffnesses of their own springs, rad/(N m) or m/N.
+    /// With respect to the stiffnesses of the own springs of joints, then of tendons, rad/(N m) or m/N.
     pub joint_stiffness: Vec<f64>,
-    /// With respect to their limits, 1/(N m) or 1/N.
+    /// With respect to the limits of joints, then of tendons, 1/(N m) or 1/N.
     pub joint_limit: Vec<f64>,
-    /// With respect to the components of the base load, or of the constant part of a load that turns, 1/N and 1/(N m). Multiply by the factor for the
-    /// load direction, and by cos θ and sin θ for the parts that turn. Not a number where a component works on a motion that nothing resists: under
-    /// such a load there is no equilibrium.
+    /// With respect to the components of the base load, or of the constant part of a load that turns, 1/N and 1/(N m). Times the factor, it is the
+    /// derivative by the load direction; times cos θ and sin θ, that by the parts that turn. Not a number if a component works on a motion that
+    /// nothing resists: under such a load there is no equilibrium.
     pub base_load: Vec<f64>,
-    /// With respect to a factor on the whole load, at 1: on base and direction, or on all parts of a load that turns. Without a base load, and with
-    /// constant commands, it is minus the onset.
+    /// With respect to a factor on the whole load (base and direction, or all parts of a load that turns), at the value 1 of this factor. Without a
+    /// base load, and with constant commands, it is minus the onset.
     pub load_scale: f64,
 }
 
@@ -77,7 +77,7 @@ impl Engine {
             put(margins.by(Parameter::JointLimit { joint }), &|g, value| g.joint_limit.push(value))?;
         }
         for component in 0..self.space().of_the_object() {
-            // A load on a free motion cannot be carried at all, so its derivative stays not a number.
+            // A load along a free motion cannot be carried at all, so that its derivative stays not a number.
             put(margins.by(Parameter::Load { component }), &|g, value| g.base_load[component] = value);
         }
         put(margins.by_load(&event.load), &|g, value| g.load_scale = value);

@@ -1,4 +1,4 @@
-//! The margins that vanish at an onset, and how its factor depends on the data, `dτ = -dm / m'`.
+//! The margins that vanish at an onset, and the derivative of its factor by the data, `dτ = -dm / m'`.
 
 use nalgebra::SVector;
 
@@ -10,7 +10,7 @@ use crate::numerics::mapped;
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// The part of a grasp that leaves at an onset.
+/// The part of a grasp that stops sticking at an onset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Leaver {
@@ -32,13 +32,12 @@ struct Margin {
     leaver: Leaver,
     site: usize,
     row: SVector<f64, 3>,
-    /// m' along the ramp.
+    /// The rate m' along the ramp, N per unit of the factor.
     slope: f64,
 }
 
 impl<'g> OnsetMargins<'g> {
-    /// `None` if the onset was reached after a contact had closed on the way or as one closes, or if the event has another number of
-    /// contacts.
+    /// The margins at an onset. `None` if it was reached as or after an open contact closed, or if the event has another number of contacts.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let StickingState { found, slips, offset_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();
@@ -67,8 +66,8 @@ impl<'g> OnsetMargins<'g> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative, with respect to one datum, of the factor of each contact or drive that leaves. `None` where
-    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
+    /// The derivative of the factor by one datum, for each contact or drive that leaves. `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of)
+    /// has no derivative of the forces.
     pub(crate) fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;
         let direct = |margin: &Margin| match parameter {
@@ -80,7 +79,7 @@ impl<'g> OnsetMargins<'g> {
         Some(mapped(&self.margins, &|margin| margin.moved(&change.forces, direct(margin))))
     }
 
-    /// The derivative along an additional load, in proportion to it.
+    /// The derivative of the factor by a multiple of `load` that is added to the load.
     pub(crate) fn by_load(&self, load: &Wrench<3>) -> Option<Vec<f64>> {
         let change = self.response.by_load(load).ok()?;
         Some(mapped(&self.margins, &|margin| margin.moved(&change.of, 0.0)))
@@ -88,7 +87,7 @@ impl<'g> OnsetMargins<'g> {
 }
 
 impl Margin {
-    /// The change of the factor by that of the forces, and by that of the row itself.
+    /// The change of the factor due to that of the forces, and to the change `direct` of the margin's coefficients.
     fn moved(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(self.row.dot(&forces[self.site]) + direct) / self.slope
     }

@@ -1,9 +1,9 @@
-//! The onset of sliding, found directly.
+//! The onset of sliding under a load that grows, found without stepping.
 //!
 //! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`: two linear solves. The onset is the smallest τ at which a
-//! contact reaches the edge of its cone (a linear equation for each facet, a quadratic one for the round cone). It is the first pivot of Lemke's
-//! method with the load as covering vector. An open contact may close on the way; it starts with F_t = 0 and continues to stick if the rates lie in
-//! its cone.
+//! contact reaches the edge of its cone. Each facet gives a linear equation for τ, the round cone a quadratic one. The onset is the first pivot of
+//! Lemke's method with the load as covering vector. An open contact may close before; it starts with F_t = 0 and continues to stick if the rates lie
+//! in its cone.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, continuation};
 use super::end_of_path::leaving_motions;
@@ -32,7 +32,7 @@ impl Engine {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
     }
 
-    /// [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset): in the memory of the last question and of its answer.
+    /// [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset): reuses the memory of the last question and of its answer `told`.
     pub(crate) fn onset_in(
         &self,
         ramp: &Ramp<3>,
@@ -47,7 +47,7 @@ impl Engine {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// [`Self::onset`], with the solution of the base if it had to be found: for a path from there.
+    /// [`Self::onset`], with the equilibrium at the base if it had to be searched for: a path can start from it.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<3>,
@@ -55,7 +55,7 @@ impl Engine {
     ) -> Result<(Onset<3>, Option<Rest>), Error> {
         let mut memory = OnsetMemory::default();
         let onset = self.onset_in_memory(ramp, settings, &mut memory)?;
-        // With few coordinates the base is found at once.
+        // With few coordinates this equilibrium is not worth keeping, since it is quickly found again.
         Ok((onset, memory.rest.filter(|_| uses_band(self.size()))))
     }
 
@@ -81,8 +81,8 @@ impl Engine {
         Ok(onset)
     }
 
-    /// The onset along a course, in the coordinates of the question, up to its end, including contacts that close on the way; starts from the settled
-    /// base.
+    /// The onset along a trajectory of the load up to the factor `end`, including contacts that close before. It starts from the equilibrium `rest`
+    /// at the base.
     pub(super) fn walked<'a>(
         &'a self,
         segment: Segment<'a>,

@@ -1,4 +1,4 @@
-//! Memory that one onset after another uses.
+//! Memory that is reused from one onset to the next.
 
 use alloc::sync::Arc;
 
@@ -16,14 +16,14 @@ use crate::object::{Lists, Load, PieceState, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The lists that an onset needs.
+/// The lists that the computation of an onset needs.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OnsetMemory {
     pub(super) lists: Lists,
     pub(super) change: Vec<SVector<f64, 3>>,
     polygon: Option<((Space, PolygonCone), Arc<Polygon>)>,
     pub(super) solution: SolutionMemory,
-    /// State at the base, its rate, and state at the onset with the offsets there.
+    /// State at the base, its rate, and the state at the onset with the offsets there.
     pub(super) base: PieceState,
     pub(super) rate: PieceState,
     pub(super) there: PieceState,
@@ -41,7 +41,7 @@ pub(super) struct OnsetMemory {
 }
 
 impl OnsetMemory {
-    /// The segment from a base load, with rates of the offsets from this memory and all contacts at rest.
+    /// The segment from a base load, with the rates of offsets in `change`, and no contact slipped yet.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,
@@ -71,7 +71,7 @@ impl OnsetMemory {
         }
     }
 
-    /// Puts an event into the box of the last one.
+    /// Puts an event into the box of the last event.
     pub(super) fn put(&mut self, event: OnsetEvent<3>) -> Box<OnsetEvent<3>> {
         match self.place.take() {
             Some(mut place) => {
@@ -82,7 +82,7 @@ impl OnsetMemory {
         }
     }
 
-    /// Recovers the lists of an answer that is no longer needed.
+    /// Takes back the lists of an answer that is no longer needed.
     pub(super) fn take_back(&mut self, told: Onset<3>) {
         let Onset::At(mut event) = told else { return };
         let local = &mut event.local;

@@ -1,4 +1,4 @@
-//! Lengths of the steps along a sliding arc.
+//! Step control along a sliding arc.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -15,7 +15,7 @@ const LEAST_RATIO: f64 = 0.2;
 pub(super) struct Pace {
     /// Length of the next step, in arclength.
     pub(super) length: Option<f64>,
-    /// The displacement that counts in arclength as the whole leg does, m; `None` before the first step from a node.
+    /// The displacement that contributes as much to arclength as the whole leg, m; `None` before the first step from a node.
     pub(super) unit: Option<f64>,
     /// Refusals in a row.
     refused: u8,
@@ -44,17 +44,17 @@ impl Pace {
         }
     }
 
-    /// At an event the step length is chosen anew.
+    /// The control after an event, with a new choice of step length.
     pub(super) fn at_node(self) -> Self {
         Self { steps: self.steps, ..Self::new() }
     }
 
-    /// Allows a larger error where steps die out. Whether that was possible.
+    /// Allows a larger error if steps become too short to advance. Returns whether this was possible.
     pub(super) fn loosen(&mut self, rest: f64) -> bool {
         let may = self.loosened < 2;
         if may {
-            // Where steps die out, the allowed error grows by this factor, at most twice: rounding may be the reason for refusals. The path reports
-            // the error actually made.
+            // The allowed error grows by this factor, at most twice, since rounding may be the reason for refusals. The path reports the error
+            // actually made.
             (self.loosened, self.looser) = (self.loosened + 1, self.looser * 30.0);
             // First step after such a change, as a part of the rest of the leg.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
@@ -73,7 +73,7 @@ impl Pace {
         self.steps += 1;
     }
 
-    /// Whether steps have been explicit for a while, and so short that more than fifty of them remain.
+    /// Whether steps have been explicit for a while, and are so short that more than fifty of them remain.
     pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
         // An implicit step costs as much as a few explicit ones, and is as long as hundreds.
         self.patience == 0 && stable * 50.0 < rest
@@ -83,8 +83,7 @@ impl Pace {
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
-        // Where implicit steps do not help, an explicit one may.
-        // After this many refusals in a row the other kind of step is tried.
+        // After this many refusals in a row of implicit steps, explicit ones are tried.
         if self.stiff && self.refused >= 4 {
             (self.stiff, self.patience) = (false, 64);
         }

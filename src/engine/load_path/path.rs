@@ -1,4 +1,4 @@
-//! [`Path`], which shows a followed load program without its follower.
+//! [`Path`]: a load program being followed, one type for every method of following.
 
 use core::fmt;
 
@@ -17,11 +17,11 @@ use crate::grasp::{Face, outside};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// A load program being followed: an iterator over the reports of the way, so that the caller can inspect each event or step and stop at any. When
-/// the iterator has ended, [`end`](Self::end) says how the path ended.
+/// A load program being followed: an iterator over its events or steps. The caller can inspect each report, and stop at any. When the iterator has
+/// ended, [`end`](Self::end) says how the path ended.
 ///
-/// The follower determines the type `T` of the reports and how many contacts are affordable: [`LoadPath`] or [`SteppedPath`]. The law
-/// is the same for all: contacts stick, slide with memory of their slip, open and close again.
+/// The method of following determines the type `T` of the reports and how many contacts are affordable: [`LoadPath`] or [`SteppedPath`]. The law is
+/// the same for both: contacts stick, slide with memory of their slip, open and close again.
 #[derive(Debug)]
 pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 
@@ -55,14 +55,14 @@ pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 /// ```
 pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
 
-/// A load program being followed in steps: an iterator over them, so that the caller can inspect each and stop at any. Made by
+/// A load program being followed in steps: an iterator over them, so that the caller can inspect each and stop at any. It is made by
 /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps); when the iterator has ended, [`end`](Self::end) says how the path ended.
 ///
 /// The law is the same as for a [`LoadPath`], on the round cone, with slip memory: contacts stick, slide in directions that turn, open and close
 /// again. The path does not report their events one by one; [`state`](Self::state) returns the equilibrium at the present place.
 pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
 
-/// A path of the engine whose reports and answers have vectors of `C` components.
+/// A path of the engine, whose reports and answers are converted to vectors of `C` components.
 struct AtTheDoor<'g, const C: usize, T: Face> {
     inside: Box<dyn AnyPath<3, T::Inside> + 'g>,
     end: Option<PathEnd<C>>,
@@ -77,7 +77,7 @@ impl<const C: usize, T: Face> fmt::Debug for AtTheDoor<'_, C, T> {
 }
 
 impl<const C: usize, T: Face> AtTheDoor<'_, C, T> {
-    /// Keeps the end of the path once it is known.
+    /// Converts and stores the end of the path once it is known.
     fn keep_end(&mut self) {
         if self.end.is_none() {
             self.end = self.inside.end().cloned().map(outside);
@@ -152,7 +152,7 @@ impl<const C: usize, T: Face> AnyPath<C, T> for AtTheDoor<'_, C, T> {
     }
 }
 
-/// A path of the engine as the caller sees it.
+/// Converts a path of the engine for a caller with vectors of `C` components.
 pub(crate) fn path_outside<const C: usize, T: Face>(path: Path<'_, 3, T::Inside>) -> Path<'_, C, T> {
     let mut path = AtTheDoor { inside: path.0, end: None, legs: Vec::new() };
     path.keep_end();
@@ -204,16 +204,15 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.continue_with(legs)
     }
 
-    /// Whether another equilibrium exists just beyond where this one was lost; `None` where the path has not been lost.
-    /// See [`Self::beyond`].
+    /// Whether another equilibrium exists just beyond the loss of this one; `None` if the path has not been lost. See [`Self::beyond`].
     #[must_use]
     pub fn beyond(&self) -> Option<Beyond<C>> {
         self.0.beyond(None)
     }
 
-    /// Whether another equilibrium exists just beyond where this one was lost, with the slip so far, sought as far as these [`Settings`] allow. The
-    /// search usually takes longer than the path, in space up to a proof over all contact states. With too many contacts to try all their states,
-    /// only a motion can prove a limit load. `None` where the path has not been lost.
+    /// Whether another equilibrium exists just beyond the loss of this one, with the slip so far, searched for within the limits of these
+    /// [`Settings`]. The search usually takes longer than the path; in space it may go as far as a proof over all contact states. With too many
+    /// contacts to try all their states, only a motion can prove a limit load. `None` if the path has not been lost.
     #[must_use]
     pub fn beyond_with(&self, settings: &Settings) -> Option<Beyond<C>> {
         self.0.beyond(Some(settings))
@@ -229,18 +228,18 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 }
 
 impl<const C: usize> LoadPath<'_, C> {
-    /// Sum of the estimated errors of all steps along sliding arcs on the round cone, each below [`Settings::step_error`] unless
-    /// rounding forbids that; zero where nothing had to be integrated, as always in the plane and on polygons.
+    /// Sum of the estimated errors of all steps along sliding arcs on the round cone. Each is below [`Settings::step_error`] unless rounding forbids
+    /// that. Zero if nothing had to be integrated, as always in the plane and on polygons.
     ///
     /// The estimate is relative: of forces to the largest force of the step, of displacements to the largest one, whichever is worse. The error is
-    /// usually smaller. How an earlier error grows later is not included; sliding forgets most of it.
+    /// usually smaller. The growth of an earlier error on later steps is not included; sliding damps most of it.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()
     }
 
-    /// The place where motions cease to be small by [`Settings::small_motions`], as far as the path has been followed. Beyond it the answers hold for
-    /// the undeformed geometry and say little. `None` where all motions are small.
+    /// The place where motions cease to be small by [`Settings::small_motions`], on the part of the path followed so far. Beyond it the answers hold
+    /// for the undeformed geometry and say little. `None` if all motions are small.
     #[must_use]
     pub fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         self.0.end_of_small_motions()
@@ -257,7 +256,7 @@ impl<const C: usize> LoadPath<'_, C> {
     }
 
     /// The leg and fraction from which every contact with friction and a normal force slides, without interruption up to the leg and fraction
-    /// `until`. `None` where such a contact sticks there.
+    /// `until`. `None` if such a contact sticks just before `until`.
     #[must_use]
     pub fn everything_slides_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.0.all_slide_from(until)
@@ -278,9 +277,9 @@ impl<const C: usize> LoadPath<'_, C> {
 }
 
 impl<const C: usize> SteppedPath<'_, C> {
-    /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It compares the path with one that makes each
-    /// step at once instead of in two halves, and adds what both can miss alike where a contact stops, opens or closes. The error is usually a third
-    /// of the estimate.
+    /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the distance to a second path that makes
+    /// each step at once instead of in two halves. An estimate of errors that both paths share is added, for contacts that stop, open or close. The
+    /// error is usually a third of the estimate.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

@@ -1,4 +1,4 @@
-//! Active sets and slip memory of the contacts at a node of the path.
+//! Active sets and slip memory of the contacts at a node of the path, which is the place of an event or the start.
 
 use nalgebra::{Matrix, SVector};
 
@@ -17,18 +17,17 @@ use crate::prelude::*;
 use crate::search::Found;
 
 /// Whether all forces are as small as the rounding of displacements in the softest spring. Rounding alone would then decide which contacts press, so
-/// none of them does. The same holds for rates of forces and of displacements.
+/// that none counts as pressing. The test applies to rates of forces and displacements, too.
 pub(super) fn carries_nothing(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
-    // Forces at rest are rounding below this part of the force that the displacements make in the softest spring. Rounding of 16 units may add
-    // up.
+    // Forces are rounding below this part of the force that the displacements make in the softest spring: rounding of 16 units may add up.
     largest <= ROUNDED_SUM * least_spring_force(problem.sites, spans)
 }
 
 impl Node {
-    /// The node at the start of the path, with active sets from forces and gaps: the one-shot solution does not report them. Slip from rest to here
-    /// becomes memory.
+    /// The node at the start of the path. Active sets follow from forces and gaps, since the search for an equilibrium does not report them. Slip
+    /// from rest to the start becomes memory.
     pub(super) fn at_start(segment: &mut Segment<'_>, found: Found) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
@@ -47,7 +46,7 @@ impl Node {
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }
-        // Active sets follow from forces and gaps alone, and rates of free motions change neither.
+        // The load is kept constant here: active sets follow from forces and gaps alone, which rates of free motions do not change.
         if let Ok(here) = node.look(&segment.at_rest(0.0), 0.0, None) {
             node.stand(segment, &here);
         }
@@ -59,7 +58,7 @@ impl Node {
         self.states.iter().any(|state| state.slide().is_some())
     }
 
-    /// Forces and their rates in the present states. Motions that these leave free move at the rates `pushed`.
+    /// Forces and their rates in the present states. If these states leave motions free, the object moves along them at the rates `pushed`.
     pub(super) fn look(
         &self,
         segment: &Segment<'_>,
@@ -100,14 +99,14 @@ impl Node {
         }
     }
 
-    /// Adds the edges reached on the way to the active sets.
+    /// Adds the edges that contacts have reached to their active sets.
     pub(super) fn reach(&mut self, axes: usize, reached: &PathState) {
         for (i, exits) in reached {
             self.stands[*i].reach(axes, &self.states[*i], exits);
         }
     }
 
-    /// Moves to the end of a piece: the slip on it becomes memory.
+    /// Moves the node to the end of a piece: the slip on it becomes memory.
     pub(super) fn arrive(
         &mut self,
         segment: &mut Segment<'_>,
@@ -133,8 +132,8 @@ impl Node {
         self.slip_until_now(segment, factor);
     }
 
-    /// While the load turns, removes edges from active sets that contacts have moved away from by now: at the event their rates did not show that
-    /// yet.
+    /// While the load turns, removes edges from active sets that contacts have moved away from since the last event: the rates at the event did not
+    /// show this.
     fn leave_behind(&mut self, segment: &Segment<'_>, here: &PathPoint, factor: f64) {
         let offsets = segment.offsets(factor);
         for (i, (stand, state)) in self.stands.iter_mut().zip(&self.states).enumerate() {
@@ -148,8 +147,8 @@ impl Node {
         }
     }
 
-    /// Puts sliding contacts that have all but lost their normal force at the apex: their friction cannot be followed any further. Whether there is
-    /// such a contact.
+    /// Puts sliding contacts that have all but lost their normal force at the apex of their cones, since their friction cannot be followed any
+    /// further. Returns whether there is such a contact.
     pub(super) fn let_go(&mut self, here: &PathPoint) -> bool {
         let mut any = false;
         for (i, line) in here.lines.iter().enumerate() {
@@ -161,14 +160,14 @@ impl Node {
         any
     }
 
-    /// A contact has stopped sliding: it is inside its cone from here on.
+    /// Records that a contact has stopped sliding: from here on it counts as inside its cone.
     pub(super) fn stick(&mut self, contact: usize) {
         self.stands[contact] = ActiveSet::NOWHERE;
         self.stopped.push(contact);
     }
 
-    /// A contact that has stopped here and, sticking, leaves its cone along a tangent. Where everything else is straight it can neither slide nor
-    /// stick: sliding on, it would slip against friction.
+    /// Returns a contact that has stopped here and that, if it sticks, leaves its cone along a tangent. On a straight piece such a contact can
+    /// neither slide nor stick: sliding on, it would slip against friction.
     pub(super) fn neither_slides_nor_sticks(&self, segment: &Segment<'_>, here: &PathPoint) -> Option<usize> {
         let leaves = |i: &&usize| {
             self.states[**i].is_sticking() && segment.problem.local(**i).leaves_by_a_tangent(&here.lines[**i])
@@ -177,9 +176,9 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Where steps die out, puts contacts near an edge onto it, so that all events within the error of steps happen at one place. Returns the largest
-    /// distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While the load turns, sliding contacts
-    /// alone need no decision: the rates ahead have decided about them.
+    /// If steps become too short to advance, puts contacts near an edge onto it, so that all events within the error of steps happen at one place.
+    /// Returns the largest distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While the load
+    /// turns, contacts that merely slide need no decision, since the rates ahead have decided about them.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, here: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in here.lines.iter().zip(&here.gaps).enumerate() {

@@ -1,4 +1,4 @@
-//! Stiffness T at a point of a path, and factors of T with a border: as a full matrix, or for many coordinates as a band in a suitable order.
+//! Tangent stiffness T at a point of a path, and factors of the bordered matrix: full, or for many coordinates as a band.
 
 use alloc::sync::Arc;
 use core::ops::Range;
@@ -31,14 +31,14 @@ impl NarrowOrder {
     }
 }
 
-/// The stiffness T.
+/// The tangent stiffness T.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness {
     Whole(Square),
     Narrow { order: Arc<NarrowOrder>, band: Band },
 }
 
-/// Factors of `[T | c]` with a row below.
+/// Factors of T with one more column and row: the bordered matrix.
 #[derive(Debug, Clone)]
 pub(super) enum PathFactors {
     Whole(Bordered),
@@ -100,7 +100,8 @@ impl PathStiffness {
         }
     }
 
-    /// The solution with a border and zeros on the right but `last` in the border; `None` if more than one direction is open.
+    /// Solves the bordered system with a right side of zeros and `last` in the row of the border. `None` if the path may continue in more than one
+    /// direction.
     pub(super) fn solved_once(
         self,
         size: Size,
@@ -122,7 +123,7 @@ impl PathStiffness {
         }
     }
 
-    /// Factors with a border: one column and one row. `None` if more than one direction is open.
+    /// Factors of T bordered by one column and one row. `None` if the path may continue in more than one direction.
     pub(super) fn bordered(
         self,
         size: Size,
@@ -146,7 +147,7 @@ impl PathStiffness {
             }
         };
         let bordered = Bordered::new(&square, cover, gradient, corner)?;
-        // A pivot below this part of the largest means that more than one direction is open.
+        // A pivot below this part of the largest means that the path may continue in more than one direction.
         (bordered.least_pivot() > LINEARLY_DEPENDENT).then_some(PathFactors::Whole(bordered))
     }
 }

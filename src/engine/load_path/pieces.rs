@@ -1,10 +1,9 @@
 //! Every event of a load program with its exact load, piece by piece: for a few contacts.
 //!
-//! While every contact keeps its state, forces and motions are affine in the fraction of the leg, and a ratio test gives the next event; under a
+//! While every contact keeps its state, forces and motions are affine in the fraction of the leg, and a ratio test gives the next event. Under a
 //! turning load they are trigonometric, and the next event is a root (see [`super::straight`], [`super::turning_load`]). A contact that slides on a
-//! round cone changes its direction on the way (see [`super::turning`]).
-//! At an event some contacts are on an edge of their cone, at its apex or at a closed gap. Their rates solve a small complementarity problem. Its
-//! solution is the next straight piece; without a solution the path ends.
+//! round cone changes its direction along the piece (see [`super::turning`]). At an event some contacts are on an edge of their cone, at its apex or
+//! at a closed gap. Their rates solve a small complementarity problem. Its solution determines the next piece; without a solution the path ends.
 
 use nalgebra::SVector;
 
@@ -33,29 +32,30 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// The follower of a [`LoadPath`]: it keeps the pieces behind it.
+/// The method of following behind [`LoadPath`]; it stores all pieces passed.
 #[derive(Debug)]
 pub(crate) struct Pieces<'g> {
     pub(super) factor: f64,
     pub(super) segment: Segment<'g>,
     pub(super) node: Node,
-    /// Whether the continuation from here is still to be decided.
+    /// Whether the path is at a node whose continuation is not yet decided.
     pub(super) at_node: bool,
     pub(super) here: Option<PathPoint>,
     /// The pieces that the path has passed.
     pub(super) behind: Vec<Stretch<'g>>,
     pub(super) energy: Vec<LegEnergy>,
+    /// Number of successive steps within their own uncertainty, see `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
-    /// The factor at which events that follow each other ever faster were last gathered; NaN before that.
+    /// The factor at which events that accumulate towards a point were last moved to one place; NaN before that.
     pub(super) gathered: f64,
     /// The factor at which slips last ended on an arc, and the contacts whose slips these were.
     pub(super) stopped: (f64, Vec<usize>),
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,
-    /// An event to report before the path starts: a contact slides at rest, and its friction falls.
+    /// An event to report before the first leg: a contact slides at the start, and its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
-    /// The problem at the end of a jump that no contact stopped.
+    /// The problem at the end of a jump that found no equilibrium.
     pub(super) fallen: Option<Problem<'g>>,
     /// Where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
@@ -184,7 +184,7 @@ impl<'g> Pieces<'g> {
         Ok(path)
     }
 
-    /// At the beginning of a segment.
+    /// A path at the beginning of a segment.
     pub(super) fn standing(segment: Segment<'g>, node: Node) -> Self {
         Self {
             factor: 0.0,
@@ -223,7 +223,7 @@ impl<'g> Pieces<'g> {
         stretch.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
-    /// The equilibrium where the path stands, with the contact states that led there.
+    /// The equilibrium at the present place, with the contact states before the event.
     pub(super) fn state_before_event(&self) -> Option<Equilibrium<3>> {
         self.behind.last()?.state_before_event(self.segment.grasp, self.segment.answer_for)
     }
@@ -246,13 +246,13 @@ impl<'g> Pieces<'g> {
         self.pace = self.pace.at_node();
         let jump = if self.friction_falls() { self.friction_after(journey, &onward.changes)? } else { None };
         let (changes, drives) = grasp.contacts_and_drives(onward.changes);
-        // At the start of a leg several continuations are reported, even if the present one changes nothing.
+        // At the start of a leg an event is reported if several continuations exist, even if the chosen one changes nothing.
         let branches = self.factor == 0.0 && onward.other_continuations.is_some_and(|others| others > 0);
         if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) && !branches {
             return Ok(None);
         }
         let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
-        // Where all forces vanish together, the forces that remain are rounding, and residuals relative to them mean nothing.
+        // If all forces vanish together, the remaining ones are rounding, and residuals relative to them mean nothing.
         let largest = largest(&state.contacts, &|contact| contact.force.norm());
         let carries = largest > WEIGHTLESS * self.segment.largest
             && self.node.at.forces.iter().any(|force| force.norm() > 0.0);
@@ -281,7 +281,7 @@ impl<'g> Pieces<'g> {
     pub(super) fn standing_here(&self, journey: &Journey<'g>) -> Option<Stretch<'g>> {
         let here = match &self.here {
             Some(here) => here.clone(),
-            // Where no rates lead further, the state with fixed load and commands.
+            // If no rates lead further, the state with fixed load and commands.
             None => self
                 .node
                 .look(&self.segment, self.factor, None)

@@ -17,9 +17,9 @@ use crate::prelude::*;
 /// A load program in progress.
 #[derive(Debug, Clone)]
 pub(super) struct Program {
-    /// The legs, from the first that was not done when legs were added last.
+    /// The legs; those that were done when legs were last added are removed.
     legs: Vec<Leg<3>>,
-    /// Number of legs done then.
+    /// Number of legs that were removed.
     done: usize,
     /// The index of the present leg; the number of all legs when all are done.
     pub(super) leg: usize,
@@ -31,10 +31,10 @@ pub(super) struct Program {
     pub(super) commands: [Vec<SVector<f64, 3>>; 2],
     /// Joint commands at the beginning and at the end of the present leg.
     joints: [Vec<f64>; 2],
-    /// Names of several bodies, and their loads along the present leg.
+    /// Names of the bodies, if there are several, and their loads along the present leg.
     names: Vec<Arc<str>>,
     pub(super) bodies: BodyLoads,
-    /// The torques that hold the joints of the hand, and what becomes of them along the present leg.
+    /// The torques that hold the joints of the hand at rest, and their values along the present leg.
     held: Vec<f64>,
     pub(super) torques: HeldTorques,
 }
@@ -66,7 +66,7 @@ impl Program {
             leg.check(grasp)?;
             leg.of_points(grasp)?;
         }
-        // Programs that go on and on need no more memory.
+        // Legs that are done are removed, so that endless programs need no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
         for leg in legs {
@@ -86,7 +86,8 @@ impl Program {
         true
     }
 
-    /// Checks that the program closes: load and commands at the end differ from the beginning by at most this part of the largest on the way.
+    /// Checks that the program closes: load and commands at the end differ from those at the beginning by at most `part` of the largest along the
+    /// program.
     ///
     /// # Errors
     /// [`Error::NotClosed`] naming the quantity that differs at the end.
@@ -117,7 +118,7 @@ impl Program {
             size(&(gone.goal - load)),
             largest_of(&paired(&gone.commands[1], &commands, &|(end, start)| (end - start).amax())),
             largest_of(&paired(&gone.joints[1], &joints, &|(end, start)| end - start)),
-            // A cycle begins without them.
+            // A cycle begins without loads on single bodies.
             on_bodies(&gone.bodies, 1),
             largest_of(&paired(gone.torques.at_end(1), &self.held, &|(end, start)| end - start)),
         ];
@@ -129,7 +130,7 @@ impl Program {
         }
     }
 
-    /// After all legs, returns exactly to this load and to the commands of a grasp: removes the rounding of a closed program.
+    /// After all legs, sets load and commands exactly to those of the beginning: removes the rounding of a closed program.
     pub(super) fn return_to(&mut self, grasp: &Engine, load: &Wrench<3>) {
         self.goal = *load;
         self.commands[1] = mapped(grasp.contacts(), &|contact| contact.command);
@@ -149,7 +150,7 @@ impl Program {
         self.begin_leg()
     }
 
-    /// Drives, commands less clearances, at the beginning of the present leg, and their change along it.
+    /// Offsets (commands less clearances) at the beginning of the present leg, and their change along it.
     pub(super) fn offsets(&self, grasp: &Engine) -> [Vec<SVector<f64, 3>>; 2] {
         let mut offsets = [Vec::new(), Vec::new()];
         self.offsets_into(grasp, &mut offsets);
@@ -185,12 +186,12 @@ impl Program {
         }
     }
 
-    /// What acts beside the load of the question, at the beginning and at the end of the leg.
+    /// Loads beside that of the question, on single bodies and by torques of joints, at the beginning and at the end of the leg.
     fn beside(&self, grasp: &Engine) -> [Option<[Vector; 2]>; 2] {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }
 
-    /// The leg of which this fraction has been gone: the last one when all are done.
+    /// The present leg and `fraction`; the end of the last leg once all are done.
     pub(super) fn place(&self, fraction: f64) -> (usize, f64) {
         if self.goes() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
     }

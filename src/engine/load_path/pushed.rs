@@ -1,5 +1,5 @@
-//! Motions that nothing resists: no force drives the object along them. The twist stays as near as possible to the previous one, and moves as fast as
-//! contacts without force push it.
+//! Motions that nothing resists: no force drives the object along them. The twist stays as near as possible to the previous one, and changes only as
+//! contacts without force push the object.
 
 use super::segment::Segment;
 use crate::numerics::Vector;
@@ -7,7 +7,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
-    /// Rates of a piece, with the velocities along its free motions taken from `pushed`.
+    /// Rates of a piece, with velocities along its free motions as in `pushed`.
     pub(super) fn pushed_along(
         &self,
         piece: &Piece,
@@ -22,7 +22,7 @@ impl Segment<'_> {
         if moves { self.nearest(piece, rate, pushed) } else { rate }
     }
 
-    /// The state or rate of a piece with free motions whose twist is nearest to `near`.
+    /// The state or rate of a piece, shifted along its free motions until the twist is nearest to `near`.
     pub(super) fn nearest(
         &self,
         piece: &Piece,

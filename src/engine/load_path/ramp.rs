@@ -57,7 +57,7 @@ impl<const C: usize> Ramp<C> {
         self
     }
 
-    /// Multiplies base and direction of the load by a factor; changes of commands stay.
+    /// Multiplies base and direction of the load by a factor; changes of commands stay as they are.
     ///
     /// ```
     /// use grasp_lcp::planar::{Ramp, Wrench};
@@ -73,7 +73,7 @@ impl<const C: usize> Ramp<C> {
         self
     }
 
-    /// This ramp with all its rates multiplied by a factor; backwards for a negative one.
+    /// This ramp with all its rates multiplied by a factor; a negative factor reverses it.
     pub(crate) fn times(&self, factor: f64) -> Self {
         let times = |change: &Vec<SVector<f64, C>>| mapped(change, &|a| a * factor);
         Self {
@@ -138,7 +138,7 @@ impl<const C: usize> Ramp<C> {
     }
 }
 
-/// The load alone, starting from zero.
+/// A ramp of the load alone, from zero to this load at factor 1.
 impl<const C: usize> From<Wrench<C>> for Ramp<C> {
     fn from(load: Wrench<C>) -> Self {
         Self::load(Wrench::ZERO, load)

@@ -1,14 +1,15 @@
-//! How directions of sliding relax along an arc, to first order: the derivative J of the rates of a [`Flow`](super::flow::Flow).
+//! Relaxation of the directions of sliding along an arc, to first order: the derivative J of the rates of a [`Flow`](super::flow::Flow).
 //!
-//! A friction force along p that turns by the angle φ towards d changes the tangent C of its contact, and with it the rate `r = C s` of its own
-//! force. Through balance the motion of the object changes, which affects all contacts. With φ = d·Δ / |F_t| for a change Δ of the friction forces
+//! A friction force along p that turns by the angle φ towards d changes the tangent C of its contact. So it changes the rate `r = C s` of its own
+//! force, with the rate s of the stretch. Balance then changes the motion of the object, which affects all contacts. With φ = d·Δ / |F_t| for a
+//! change Δ of the friction forces
 //!
 //! ```text
 //! (J Δ)_i = v_i φ_i + C_i s_i',     v = (∂C/∂φ) s,     s_i' = a_i' δλ - G_iᵀ δq
 //! T δq - b δλ = Σ G_i v_i φ_i,      (δq, δλ) across the path
 //! ```
 //!
-//! J is one number a contact beside a matrix of rank D + 1, and so is the inverse of 1 - hJ. With c = Cᵀ d
+//! J is a diagonal with one number for each contact, plus a matrix of rank D + 1, and so is the inverse of 1 - hJ. With c = Cᵀ d
 //!
 //! ```text
 //! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
@@ -108,8 +109,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Some(Damped { length, bordered, sizes })
     }
 
-    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and factor. Works stay unchanged: no rate depends on them, and their own rates
-    /// follow from the states within a step.
+    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and factor. Works stay unchanged, since no rate depends on them.
     pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();

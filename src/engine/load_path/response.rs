@@ -1,4 +1,4 @@
-//! How an equilibrium answers to commands: the matrices of position control.
+//! Response of an equilibrium to finger commands: the matrices of position control.
 
 use nalgebra::{DMatrix, DVector, DVectorView};
 
@@ -9,15 +9,15 @@ use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, least_combination};
 use crate::prelude::*;
 
-/// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position
-/// control, the paper's aim. Columns: the commands, contact by contact, axis by axis (m); column `c i + a` is axis a of contact i. Of a
-/// [response to joint commands](crate::ask::Sensitivity::joint_response): joint by joint, then tendon by tendon (rad, m).
+/// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position control, the
+/// paper's aim. Columns are the commands, contact by contact, axis by axis (m): column `c i + a` is axis a of contact i. Columns of a [response to
+/// joint commands](crate::ask::Sensitivity::joint_response) are joints, then tendons (rad, m).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Response {
     /// dq/da, `d x (n c)`: twist about the origin, translation first; 1 and rad/m.
     pub twist: DMatrix<f64>,
-    /// dF/da, `(n c)` rows, N/m: contact forces in the contact frames, contact by contact, axis by axis.
+    /// dF/da, `(n c)` rows, N/m: contact forces in the contact frames, contact by contact, axis by axis. By joint commands N/rad or N/m.
     pub forces: DMatrix<f64>,
 }
 
@@ -75,7 +75,7 @@ impl Response {
         let command = DVector::from_vec(self.least_combination(Size::of(wanted.len()), wanted));
         let wanted = DVectorView::from_slice(wanted, wanted.len());
         let missed = (&self.twist * &command - wanted).norm();
-        // Commands produce a twist that they miss by no more than this part of it.
+        // Commands produce a twist if they miss it by no more than this part of it.
         (missed <= NEGLIGIBLE * wanted.norm()).then_some(command)
     }
 

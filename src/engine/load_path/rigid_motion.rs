@@ -1,14 +1,14 @@
-//! Motion of bodies that leave before any contact presses: as rigid bodies under the load, with Coulomb friction at the contacts that touch.
+//! Motion of bodies that leave before any contact presses: rigid bodies under the load, with Coulomb friction at the contacts that touch.
 //!
-//! Where no contact presses, springs do not determine the motion, and the elastic trial with all contacts sticking turns about a point of its own. As
-//! soon as the load acts, a rigid body that it drives away has the velocity
+//! If no contact presses, springs do not determine the motion, and the elastic trial, in which all contacts stick, turns about an arbitrary point. A
+//! rigid body that the load drives away starts with the velocity
 //!
 //! ```text
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
 //! ```
 //!
-//! as if its mass were one in inside coordinates: that of points at the root mean square distance of contacts. Links, and contacts that neither open
-//! nor slide, allow only motions across them.
+//! as if its mass matrix were the identity in inside coordinates: unit mass at the root mean square distance of contacts. Links, and contacts that
+//! neither open nor slide, only allow motions on which they do no work.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -23,7 +23,7 @@ use crate::prelude::*;
 /// Largest number of coordinates and of contacts for which the motion is computed: beyond, it takes too long.
 const MOST_RIGID: usize = 64;
 
-/// The unit motion with which the object leaves under rates of a load that nothing balances, where no contact presses yet; `None` where one does.
+/// The unit motion with which the object leaves under load rates that nothing balances, if no contact presses yet; `None` if one does.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
@@ -67,12 +67,12 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if motion.norm() > NO_RIGID_MOTION * load.norm() {
         return Some(motion.normalize());
     }
-    // Near the limit forces almost balance the load: contacts that slide there may slide on, sticking ones stay, and pressing ones do not come
+    // Near the limit, forces almost balance the load. Contacts that slide there may slide on, sticking ones stay, and no pressing contact comes
     // nearer.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(axes * k, axes);
-        // Friction within this part of its limit is at its limit, where forces nearly balance the load.
+        // Friction within this part of its limit counts as exhausted.
         let near = 1e-6;
         if push[0] <= near * largest {
             continue;
@@ -90,7 +90,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
 /// Adds a motion to the basis of resisted ones, unless it depends on them.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = across(motion.clone(), basis);
-    // A direction of which less than this part remains beside others depends on them.
+    // A direction depends on the others if less than this part of it remains after their components are removed.
     if rest.norm() > 1e-9 * motion.norm() {
         basis.push(rest.normalize());
     }

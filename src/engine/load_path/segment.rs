@@ -1,5 +1,5 @@
-//! One segment of a load program: the load changes linearly or turns, commands change linearly, and so does everything else while contacts keep their
-//! states.
+//! One leg of a load program, or a part of it: the load changes linearly or turns, and commands change linearly. All other quantities do the same
+//! while contacts keep their states.
 
 use nalgebra::{Matrix, SVector};
 
@@ -13,12 +13,12 @@ use crate::numerics::{Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Load and offsets at factor 0 and their rates, with the slips of the contacts so far.
+/// Load and offsets at factor 0 and their rates, with the accumulated slips of the contacts.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) answer_for: AnswerFor,
-    /// The problem at factor 0; its offsets count from the slips so far.
+    /// The problem at factor 0; its offsets count from the accumulated slips.
     pub(super) problem: Problem<'g>,
     /// Rates of the offsets; zero while the load turns.
     pub(super) change: Vec<SVector<f64, 3>>,
@@ -28,24 +28,24 @@ pub(super) struct Segment<'g> {
     pub(super) largest: f64,
 }
 
-/// The state at a factor, with its rates.
+/// The state at a factor, with its rates: per unit of the factor on a straight piece, per unit of arclength along an arc.
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
     pub(super) twist: Vector,
     pub(super) twist_rate: Vector,
-    /// Rate of the factor: one on a straight piece, where rates are per unit of the factor, and less along an arc.
+    /// Rate of the factor: one on a straight piece, less along an arc.
     pub(super) factor_rate: f64,
     /// Motions that stretch no spring in these states.
     pub(super) free_motions: Vec<Vector>,
     pub(super) neutral_motions: Vec<Vector>,
-    /// The linear piece of these states.
+    /// The linear problem of these states.
     pub(super) piece: alloc::sync::Arc<Piece>,
     pub(super) gaps: Vec<GapLine>,
-    /// Largest force and displacement among the terms that the state and its rates are sums of.
+    /// Largest force (N) and displacement (m) among the terms that add up to the state and to its rates.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
-    /// The future state while the load turns; `None` where rates stay constant, or where nothing beyond them is known.
+    /// The state as harmonics of the angle while the load turns; `None` if rates are constant, or if only the present rates are known.
     pub(super) turned: Option<alloc::sync::Arc<TurningState>>,
 }
 
@@ -60,7 +60,7 @@ impl PathPoint {
         PieceState { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
-    /// The same state with all rates multiplied by this factor.
+    /// The same state with all rates multiplied by `part`.
     pub(super) fn slowed(&self, part: f64) -> Self {
         let mut here = self.clone();
         here.twist_rate *= part;
@@ -77,8 +77,8 @@ impl PathPoint {
 }
 
 impl<'g> Segment<'g> {
-    /// Forces, gaps and their rates at a factor. Where the states leave motions free, the twist is the one nearest to `near`, and its rate the one
-    /// nearest to `pushed`: no force drives the object along them, but a contact that touches without force may push it.
+    /// Forces, gaps and their rates at a factor. If the states leave motions free, the twist is the one nearest to `near`, and its rate the one
+    /// nearest to `pushed`: no force drives the object along these motions, but a contact that touches without force may push it.
     pub(super) fn look(
         &self,
         states: &[State],
@@ -117,7 +117,7 @@ impl<'g> Segment<'g> {
         self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    /// The loss from a factor on: nothing resists this motion.
+    /// The reason for a loss from a factor on: nothing resists the motion `motion`.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
@@ -125,8 +125,8 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// A state at a factor with its rates. Quantities that vanish on the way are known up to the rounding of their terms: the state `base` at the
-    /// factor `since`, and the change from there.
+    /// A state at a factor with its rates. The rounding of a quantity that vanishes here is scaled by its terms: the state `base` at the factor
+    /// `since`, and the change from there.
     pub(super) fn here(
         &self,
         piece: alloc::sync::Arc<Piece>,
@@ -158,7 +158,7 @@ impl<'g> Segment<'g> {
             let (stretch, stretching) =
                 (site.stretch(&offsets[i], &twist), site.stretch(&change[i], &rate.twist));
             let span_rate = site.span_moved(&change[i], norm_of_rate);
-            // Drives count from the slips so far, and carry the rounding of those slips where they cancel.
+            // Offsets count from the accumulated slips, and carry their rounding if both cancel.
             let memory = self.problem.slips[i].norm();
             let span_here = site.span_moved(&offsets[i], norm);
             let span =
@@ -187,7 +187,7 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a factor, solved there: interpolation from afar would add the rounding of the larger terms there. Where the states leave
+    /// Forces and twist at a factor, solved there: extrapolation from another factor would add the rounding of larger terms. If the states leave
     /// motions free, the twist is the one nearest to `near`.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
@@ -195,7 +195,7 @@ impl<'g> Segment<'g> {
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
-    /// The step along a straight piece from a state to where a contact reaches an edge.
+    /// The step along a straight piece from the state `at` to the exit of a contact.
     pub(super) fn way_to(
         &self,
         contact: usize,
@@ -244,7 +244,7 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Adds the slip of a contact up to here to its memory: its springs count from there.
+    /// Adds the present slip of a contact to its memory: its offset counts from there.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,
@@ -262,7 +262,7 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The exits through which a contact may leave its state.
+    /// The exits through which a contact may leave its state, with their distances.
     pub(super) fn ways_out(&self, contact: usize, state: &State, here: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &here.lines[contact], &here.gaps[contact])
     }
@@ -273,8 +273,8 @@ impl<'g> Segment<'g> {
         locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).collect()
     }
 
-    /// The smallest step to an edge, an apex, a closed gap or a reversal of slip, with all contacts that reach one there. For a load that turns,
-    /// steps up to `rest` are searched.
+    /// The smallest step after which a contact reaches an edge, its apex, a closed gap or a reversal of slip, with all contacts that do so there. For
+    /// a load that turns, steps up to `rest` are searched.
     pub(super) fn first_exits(&self, states: &[State], here: &PathPoint, rest: f64) -> FirstExits {
         if let Some(turned) = &here.turned {
             return turned.first_exits(&self.problem, states, rest);

@@ -12,11 +12,11 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Derivative<const C: usize> {
-    /// Of the twist, m and rad per unit of the parameter; of least norm where motions are free.
+    /// Derivative of the twist, m and rad per unit of the parameter; of least norm if motions are free.
     pub twist: Twist<C>,
-    /// Of the displacements of the joints of a hand, finger by finger, rad or m; empty without one.
+    /// Derivatives of the displacements of the joints of a hand, finger by finger, rad or m per unit of the parameter; empty without a hand.
     pub joints: Vec<f64>,
-    /// Of the contact forces in the contact frames, N per unit of the parameter, in the order of the grasp.
+    /// Derivatives of the contact forces in the contact frames, N per unit of the parameter, in the order of the grasp.
     pub forces: Vec<SVector<f64, C>>,
 }
 

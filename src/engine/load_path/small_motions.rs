@@ -1,8 +1,8 @@
 //! The place on a path where motions cease to be small, and the place from which all contacts slide.
 //!
-//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that their largest value is at an end of the
-//! piece. While the load turns, they are trigonometric in its angle, and the first place is a root of a trigonometric polynomial. Steps along sliding
-//! arcs are checked at their ends. Regula falsi then finds the place within the piece or step.
+//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg: their largest value is at an end of the piece.
+//! While the load turns, they are harmonics of its angle, and the first place is a root of a trigonometric polynomial. Steps along sliding arcs are
+//! checked at their ends. Regula falsi then finds the place within the piece or step.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -38,7 +38,8 @@ pub struct EndOfSmallMotions {
 type Place = (f64, CountedMotion);
 
 impl<'g> Pieces<'g> {
-    /// Records the farthest motion and the place where motions cease to be small, after each piece and at the very start.
+    /// Records the motion that is farthest beyond its limit, and the place where motions cease to be small. It is called at the start and after each
+    /// piece.
     pub(super) fn note_how_far(&mut self, journey: &Journey<'g>) {
         let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
         let offsets = self.segment.offsets(self.factor);
@@ -68,7 +69,8 @@ impl<'g> Pieces<'g> {
         self.end_of_small_motions = found.and_then(end);
     }
 
-    /// The leg and fraction from which every contact with friction and a normal force slides, up to the place `until`; `None` where one sticks there.
+    /// The leg and fraction from which every contact with friction and a normal force slides, up to the place `until`; `None` if one sticks just
+    /// before it.
     pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         let mut since = None;
         for piece in self.behind.iter().rev() {
@@ -87,7 +89,7 @@ impl<'g> Pieces<'g> {
 impl<'g> Stretch<'g> {
     /// The first place on a piece where a motion is too large, given a motion that is too large at the end of the piece.
     fn first_too_far(&self, grasp: &'g Engine, answer_for: AnswerFor, at_the_end: CountedMotion) -> Place {
-        // A part of a step that cannot be made counts as its end.
+        // If rounding prevents a part of a step, the motion at the end of the step is taken.
         let farthest_at = |fraction: f64| {
             let Some((problem, found)) = self.found_at(grasp, answer_for, fraction) else {
                 return at_the_end;
@@ -102,8 +104,8 @@ impl<'g> Stretch<'g> {
         }
         let (mut low, mut high) = ((self.from, excess(&start)), (self.to, excess(&at_the_end)));
         let (mut which, mut side) = (at_the_end, 0.0_f64);
-        // Regula falsi by the rule of Illinois, which needs some eight trials; on a step each of them repeats the step. It aims at a rounding beyond
-        // the limit.
+        // Regula falsi with the Illinois rule, which needs some eight trials; on an arc each trial repeats the step. It aims at a rounding beyond the
+        // limit.
         for _ in 0..64 {
             let secant = low.0 + (high.0 - low.0) * ((ROUNDED_SUM - low.1) / (high.1 - low.1));
             let trial = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };
@@ -112,7 +114,7 @@ impl<'g> Stretch<'g> {
             }
             let motion = farthest_at(trial);
             let value = excess(&motion);
-            // Twice in a row at the same end, the weight of the other end is halved.
+            // If the same end moves twice in a row, the weight of the other end is halved.
             if value > 0.0 {
                 (high, which) = ((trial, value), motion);
                 low.1 *= if side > 0.0 { 0.5 } else { 1.0 };
@@ -128,7 +130,8 @@ impl<'g> Stretch<'g> {
         (high.0, which)
     }
 
-    /// The first place where a motion that turns with the load is too large: three angles determine each motion, since it is affine in the harmonics.
+    /// The first place where a motion that turns with the load is too large. Each motion is a first harmonic of the angle, which its values at three
+    /// angles determine.
     fn turns_too_far(&self, grasp: &'g Engine, small: &SmallMotions) -> Option<Place> {
         let turned = self.here.turned.as_ref()?;
         let at = |angle: f64| {

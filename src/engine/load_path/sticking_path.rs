@@ -1,4 +1,4 @@
-//! The walk along a ramp or a turn while nothing slides: from closing contact to closing contact, up to the first that leaves.
+//! Follows a ramp or a turn while nothing slides, from one closing contact to the next, up to the first contact that stops sticking.
 
 use nalgebra::SVector;
 
@@ -14,7 +14,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, FoundBy, Settings, Settled, settle};
 
-/// The walk along a course while nothing slides.
+/// A ramp or a turn being followed while nothing slides.
 pub(super) struct StickingPath<'a> {
     pub(super) segment: Segment<'a>,
     /// Trajectory of the load, in the coordinates of the question.
@@ -31,7 +31,7 @@ pub(super) struct StickingPath<'a> {
 impl StickingPath<'_> {
     pub(super) fn run(&mut self, mut states: Vec<State>) -> Onset<3> {
         let mut reached: Option<PathState> = None;
-        // Every iteration closes a contact for good or ends the walk; the bound only guards against rounding.
+        // Every iteration closes a contact for good or ends the path; the bound only guards against rounding.
         for _ in 0..2 * states.len() + 2 {
             let mut here = match self.segment.look(&states, self.factor, None, None) {
                 Ok(here) => here,
@@ -79,8 +79,8 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts on an edge at the base: those about to cross it with no way left, and those that touch without force. Only the rates decide about
-    /// both.
+    /// Contacts on an edge at the base: those whose distance to an exit is zero within its uncertainty, and those that touch without force. Only the
+    /// rates decide about both.
     fn standing_at_base(&self, states: &[State], here: &PathPoint) -> PathState {
         let mut standing = Vec::new();
         for (i, state) in states.iter().enumerate() {
@@ -150,7 +150,7 @@ impl StickingPath<'_> {
     }
 }
 
-/// The active sets that these exits lead to. A contact without an exit touches without force.
+/// The active sets after these exits. A contact without an exit touches without force.
 fn stands(axes: usize, states: &[State], here: &PathPoint, standing: &PathState) -> Vec<ActiveSet> {
     let mut stands = vec![ActiveSet::NOWHERE; states.len()];
     for (i, exits) in standing {

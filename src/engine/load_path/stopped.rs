@@ -1,7 +1,7 @@
 //! A contact whose slip has ended on an arc, and that can neither stick nor slide from there.
 //!
-//! Where the contact stops, sticking and sliding have the same rates, and differ only a little later. As a rule one of the two states lasts. Near a
-//! maximum of the load both may fail: sticking leads its force out of the cone, and sliding would be a slip against friction. There the path ends.
+//! When the contact stops, sticking and sliding have the same rates, and differ only a little later. As a rule one of the two states continues. Near
+//! a maximum of the load both may fail: sticking leads its force out of the cone, and sliding would be a slip against friction. There the path ends.
 
 use super::flow::{Flow, Rule, StepGoal};
 use super::pieces::Pieces;
@@ -15,7 +15,7 @@ impl Pieces<'_> {
         [Mode::Sticking, slides].into_iter().all(|state| self.fails_at_once(contact, state, tolerance))
     }
 
-    /// Whether a contact in this state breaks its condition clearly on steps of this error, however short they are.
+    /// Whether a contact in this state clearly breaks its condition after any accurate step, however short.
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;
@@ -29,7 +29,7 @@ impl Pieces<'_> {
         let mut length = (1.0 - self.factor) / here.factor_rate;
         let mut failures = 0;
         for _ in 0..40 {
-            // Ratio of the lengths of successive trial steps; the first one is this part of the rest of the leg.
+            // Ratio of the lengths of successive trial steps, and of the first one to the rest of the leg.
             length *= 0.25;
             let reached = flow.reach(length, StepGoal::after(1.0, 0), Rule::Explicit);
             let Some(reached) = reached.filter(|reached| reached.error <= tolerance) else { continue };
@@ -39,7 +39,7 @@ impl Pieces<'_> {
                 return false;
             }
             failures += 1;
-            // Number of accurate trial steps that must break the condition, each by more than rounding.
+            // Number of accurate trial steps that must clearly break the condition.
             if failures == 3 {
                 return true;
             }

@@ -1,5 +1,5 @@
-//! Advance along a piece without sliding on a round cone: everything is affine in the fraction of the leg, and the next event is a ratio test. While
-//! the load turns, everything turns with it, and the event is a root ([`super::turning_load`]).
+//! Advance along a piece without sliding on a round cone. All quantities are affine in the fraction of the leg, and the next event is a ratio test.
+//! While the load turns they are harmonics of its angle, and the event is a root ([`super::turning_load`]).
 
 use super::event::PathEnd;
 use super::first_exits::PathState;
@@ -12,7 +12,7 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> Pieces<'g> {
-    /// Advances along the present piece to its end: the next edge, or the end of the leg. Whether the leg is done.
+    /// Advances along the present piece to its end: the next edge, or the end of the leg. Returns whether the leg is complete.
     pub(super) fn advance_straight(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
         let Some(here) = self.here.clone() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
@@ -25,7 +25,7 @@ impl<'g> Pieces<'g> {
         };
         let (step, standing, leg_done) = match exits {
             Some((_, standing)) if at_the_end(&standing) => (rest, standing, true),
-            // While the load turns, every root is refined in place already.
+            // While the load turns, every root is refined already.
             Some((step, standing)) if here.turned.is_some() && self.factor + step < 1.0 => {
                 (step, standing, false)
             }
@@ -37,7 +37,7 @@ impl<'g> Pieces<'g> {
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
-        // A step within its own uncertainty may be zero: two motions between which rounding chooses could alternate for ever.
+        // A step within its own uncertainty may be zero: two continuations between which rounding chooses could alternate for ever.
         let uncertain = standing.iter().flat_map(|(_, exits)| exits).any(|exit| step <= exit.uncertainty);
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         // Most steps in a row within their uncertainty that still count as events of one node: with more, rounding goes in circles.
@@ -68,7 +68,7 @@ impl<'g> Pieces<'g> {
         self.segment.state(&here.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of the present state.
+    /// The step to an edge, corrected from the state there: extrapolated from the present state it carries the rounding of that state.
     fn corrected(&self, here: &PathPoint, step: f64, standing: &PathState) -> f64 {
         let exits = standing.iter().flat_map(|(i, exits)| exits.iter().map(move |exit| (*i, exit)));
         let Some((i, exit)) = exits.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty)) else {

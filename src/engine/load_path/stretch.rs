@@ -1,5 +1,6 @@
 //! One piece of a path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine in the
-//! fraction of the leg, or turn with the load. Otherwise the piece is a step of the integration, which is repeated up to the requested fraction.
+//! fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration, which is repeated up to the requested
+//! fraction.
 
 use nalgebra::SVector;
 
@@ -23,15 +24,15 @@ pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The local problem at fraction 0 of the leg, with the slip so far; the rates of its offsets; the trajectory of its load.
+    /// The problem at fraction 0 of the leg, with the accumulated slip; the rates of its offsets; the trajectory of its load.
     pub(super) problem: Problem<'g>,
     pub(super) change: Vec<SVector<f64, 3>>,
     pub(super) course: Trajectory<Vector>,
     /// Trajectory of the load of the question.
     pub(super) load: Trajectory<Wrench<3>>,
-    /// Loads of bodies with goals of their own.
+    /// Loads of single bodies along the leg.
     pub(super) bodies: BodyLoads,
-    /// Torques that hold joints.
+    /// Torques that hold joints along the leg.
     pub(super) torques: HeldTorques,
     pub(super) states: Vec<State>,
     /// State at `from`, with rates.
@@ -44,7 +45,7 @@ pub(super) struct Stretch<'g> {
     pub(super) fallen: Option<Box<Fallen>>,
 }
 
-/// The course of a jump at one load.
+/// A jump at constant load.
 #[derive(Debug)]
 pub(super) struct Fallen {
     /// Slips before the jump.
@@ -66,8 +67,8 @@ pub(super) struct Bend {
 }
 
 impl<'g> Stretch<'g> {
-    /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` where rounding keeps a part of a step from being
-    /// made.
+    /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` if rounding prevents the part of a step up to
+    /// there.
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine,
@@ -75,7 +76,7 @@ impl<'g> Stretch<'g> {
         fraction: f64,
     ) -> Option<Equilibrium<3>> {
         let (problem, found) = self.found_at(grasp, answer_for, fraction)?;
-        // Contacts without force all touch at a state without any force: there is no scale then.
+        // In a state without any force nothing defines a small force, and contacts keep their states.
         let nothing = carries_nothing(&problem, &found.forces, &found.twist);
         let found = if nothing { found } else { told_at_rest(&problem, found) };
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
@@ -104,7 +105,7 @@ impl<'g> Stretch<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &Effort::default(), answer_for)
     }
 
-    /// Problem and contact states at a fraction of the leg; `None` where rounding keeps a part of a step from being made.
+    /// Problem and solution at a fraction of the leg; `None` if rounding prevents the part of a step up to there.
     pub(super) fn found_at(
         &self,
         grasp: &'g Engine,
@@ -116,7 +117,7 @@ impl<'g> Stretch<'g> {
             return self.on_the_bend(bend, &segment, fraction);
         }
         let step = fraction - self.from;
-        // Interpolation between the ends, each of which is solved in place.
+        // Interpolation between both ends of the piece, each of which was solved directly.
         let part = if self.to > self.from { step / (self.to - self.from) } else { 0.0 };
         let between = |line: &Line, there: &SVector<f64, 3>| line.force * (1.0 - part) + there * part;
         let (forces, twist) = match &self.here.turned {
@@ -129,7 +130,7 @@ impl<'g> Stretch<'g> {
                 &self.here.twist * (1.0 - part) + &self.there.twist * part,
             ),
         };
-        // Sizes of a turning state are already the largest of its turn.
+        // Sizes of a turning state are already the largest over all angles.
         let step = if self.here.turned.is_some() { 0.0 } else { step };
         let found = Found {
             free_motions: self.here.free_motions.clone(),
@@ -170,7 +171,7 @@ impl<'g> Stretch<'g> {
         Some((problem, found))
     }
 
-    /// The state at a fraction within the step. Where rounding prevents the part in one step, it is made in successive shorter ones.
+    /// The state at a fraction within the step. If rounding prevents one step up to there, successively shorter steps lead to it.
     fn part_of_a_step(&self, bend: &Bend, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut here, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = bend.length;
@@ -193,7 +194,7 @@ impl<'g> Stretch<'g> {
                 }
             }
         }
-        // If the object moves under a load that is constant up to rounding, any place on the way is valid.
+        // If the object moves under a load that is constant up to rounding, every state of the step is valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
         // Loads less than this part of the leg apart are equal, up to the rounding of balance.
         let near = to_the_start.min(to_the_end) <= 1e-15;

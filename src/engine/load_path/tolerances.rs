@@ -4,22 +4,24 @@
 
 use crate::contact::ZERO_SLACK;
 
-/// First distance beyond the end, as a part of the whole load or of all commands, or of the leg where there is no load.
+/// First distance beyond the end of a path at which another equilibrium is searched for. It is a part of the whole load or of all commands, or of the
+/// leg if there is no load.
 ///
 /// Smaller, the equilibrium beyond differs from the end by rounding only; larger, a later event decides.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
-/// Largest correction of an event's load factor by the solve at the event, as a part of it. A larger one means that something else is wrong.
+/// Largest correction of an event's load factor by the solve at the event, as a part of the factor. A larger one means that the event itself is
+/// wrong.
 ///
 /// Smaller, true corrections are thrown away; larger, wrong events count as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
-/// Margins below this part of their size count as zero where steps die out, because events follow each other ever faster there.
+/// Margins below this part of their size count as zero where events accumulate towards a point, and steps become too short to advance.
 ///
 /// Smaller, a path ends where events gather; larger, it skips events that lie apart.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
 
-/// A motion below this part of the load's counts as zero, up to the rounding of forces: contacts push it back entirely, or nearly so.
+/// A rigid motion below this part of the load, in inside coordinates, counts as zero: contact forces balance the load, up to their rounding.
 ///
 /// Smaller, rounding moves a grasp that holds; larger, a slow motion counts as none.
 pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
@@ -30,8 +32,8 @@ pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 /// Smaller, rounding would seem to turn directions for ever; larger, directions that still turn count as settled.
 pub(super) const STANDS_STILL: f64 = 1e-10;
 
-/// A normal force below this part of its size, on its way to zero, does not give the direction of friction any more. Its relative error is the error
-/// of the steps divided by this part.
+/// A normal force that is below this part of its size, and decreases, no longer determines the direction of friction: that direction has the error of
+/// the steps divided by this part.
 ///
 /// Smaller, friction follows directions that the steps have blurred; larger, a contact that still presses counts as vanishing.
 pub(super) const VANISHING_NORMAL: f64 = 1e-7;

@@ -1,10 +1,10 @@
-//! Trajectory of a load with a growing factor: linear, or a turn.
+//! Trajectory of a load as a function of the factor: a straight line, or a turn.
 
 use core::ops::{Add, Mul, Sub};
 
 use crate::numerics::Harmonic;
 
-/// A trajectory, of wrenches in the coordinates of the question or in inside coordinates.
+/// A trajectory of wrenches, in the coordinates of the question or in inside coordinates.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Trajectory<X> {
     Straight {

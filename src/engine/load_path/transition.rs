@@ -1,4 +1,4 @@
-//! The transition between straight pieces: the usual guess, other continuations, and the changes.
+//! From one piece of the path to the next: the first guess of states, the number of other continuations, and the changes of states.
 
 use nalgebra::SVector;
 
@@ -12,7 +12,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, combinations, search_among};
 
-/// The present states expressed in the laws of the rates, if these have them: nothing changes.
+/// The states in rates if no contact changes its state; `None` if the laws of the rates exclude that.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
@@ -37,10 +37,10 @@ pub(super) fn change(
     }
 }
 
-/// Number of other solutions of the rates: with other forces, or other motions apart from free ones. Zero if a P-matrix proves uniqueness; else all
-/// combinations of states are tried if they are few. `None` if that is not decided.
+/// Number of other solutions of the rates, with other forces or with motions that differ by more than free ones. Zero if a P-matrix proves
+/// uniqueness; else all combinations of states are tried if they are few. `None` if they are many.
 pub(super) fn others(rates: &Problem, found: &Found) -> Option<usize> {
-    // Conclusions of polygons about an apex do not hold for the round cone.
+    // For a round cone, polygons do not decide what happens at its apex.
     if rates.round {
         return None;
     }
@@ -57,7 +57,7 @@ pub(super) fn others(rates: &Problem, found: &Found) -> Option<usize> {
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
     let mut distinct: Vec<Found> = vec![found.clone()];
-    // With many coordinates a solution takes long, and signs in the few rows rule out most states first.
+    // With many coordinates a solution takes long: the signs in the few rows of the form exclude most states first.
     let is_planar = rates.space() == Space::Planar;
     let ruled_out = |states: &[State]| {
         few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, is_planar, states, few.largest))
@@ -69,7 +69,7 @@ pub(super) fn others(rates: &Problem, found: &Found) -> Option<usize> {
                 apart -= v * v.dot(&apart);
             }
             let travel = known.twist.norm().max(other.twist.norm());
-            // Solutions whose forces and travel differ by no more than this part of their size are equal.
+            // Solutions are equal if forces and motions differ by no more than this part of their size.
             apart.norm() <= NEGLIGIBLE * travel
                 && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= NEGLIGIBLE * size)
         };
@@ -89,7 +89,7 @@ struct FewRows {
     many: bool,
 }
 
-/// The kinematic form, if it has some rows and not too many. A P-matrix gives one solution under any load.
+/// The kinematic form, if it has at least one row and not too many.
 fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
     // With more rows than this, classifying their matrix costs more than the event.
     if rows == 0 || rows > 64 {

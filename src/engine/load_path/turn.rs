@@ -34,7 +34,8 @@ pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// Angle of the turn, rad.
     pub(super) angle: f64,
-    /// The axis about which the bodies of a scene are tilted under their own gravity, in place of a load; the scene knows their weight.
+    /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`; only the scene knows that
+    /// weight.
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
@@ -51,7 +52,7 @@ impl<const C: usize> Turn<C> {
         Self { load: Harmonic { constant, cosine, sine }, angle: TAU, tilts_bodies_about: None }
     }
 
-    /// A turn in which the bodies of a scene are tilted about this axis, of any length but zero, by the right-hand rule. Scenes alone can answer it.
+    /// A turn in which the bodies of a scene are tilted about `axis`, of any length but zero, by the right-hand rule. Only scenes can answer it.
     #[cfg(feature = "serde")]
     pub(crate) fn of_bodies(axis: SVector<f64, 3>) -> Self {
         let turn = Self::new(Wrench::ZERO, Wrench::ZERO, Wrench::ZERO);
@@ -80,7 +81,7 @@ impl<const C: usize> Turn<C> {
         self
     }
 
-    /// The way back: from the end of this turn to its beginning.
+    /// The reverse of this turn: from its end to its beginning.
     #[must_use]
     pub(crate) fn back(mut self) -> Self {
         let (sin, cos) = self.angle.sin_cos();
@@ -122,7 +123,7 @@ impl<const C: usize> Turn<C> {
         Trajectory::Turn { load, angle: self.angle }
     }
 
-    /// The angle of the turn, at most a full turn: it covers every load that occurs.
+    /// The angle of the turn, at most a full turn, which covers every load that occurs.
     pub(crate) fn whole_angle(&self) -> f64 {
         self.angle.min(TAU)
     }
@@ -203,7 +204,7 @@ impl Turn<3> {
     ) -> Result<Self, Error> {
         let (force, point, axis) =
             (SVector::<f64, 3>::from(force.into()), point.into(), SVector::<f64, 3>::from(axis.into()));
-        // Of the largest component first, so that no square leaves the range of numbers.
+        // The largest component is factored out, so that no square overflows or underflows.
         let scale = axis.amax();
         let length = scale * (axis / scale).norm();
         if !(length > 0.0 && length <= 1e50) {
@@ -240,7 +241,7 @@ pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vec
     }
 }
 
-/// A contact, or a drive of a hand, touches its edge without crossing it.
+/// A contact or a drive of a hand that comes to the edge of its cone or limit without crossing it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -1,7 +1,7 @@
 //! The onset of sliding while a load turns.
 //!
-//! While everything sticks, `F(θ) = F⁰ + F^c cos θ + F^s sin θ`: three linear solves. A contact reaches the edge of its cone where its
-//! margin, a trigonometric polynomial, first falls below zero: one of degree one for each facet, one of degree two on the round cone.
+//! While everything sticks, `F(θ) = F⁰ + F^c cos θ + F^s sin θ`: three linear solves. A contact reaches the edge of its cone at the first angle at
+//! which its margin becomes negative. The margin is a trigonometric polynomial: of degree one for each facet, of degree two on the round cone.
 
 use super::first_to_leave::{WhileTurning, first_to_leave_on_turn};
 use super::onset::Onset;
@@ -19,8 +19,8 @@ use crate::search::{Settings, settle_at_rest};
 pub struct TurnOnset<const C: usize> {
     /// The onset, whose factor is the angle, rad. [`Onset::Never`] holds up to the angle asked for.
     pub onset: Onset<C>,
-    /// Contacts that come as near to the edge of their cone as rounding, without crossing it, up to the onset. If there are any, the last digits of
-    /// the question may make one of them the onset.
+    /// Contacts that come to the edge of their cone within rounding, without crossing it, before the onset. If there are any, the last digits of the
+    /// question may make one of them the onset.
     pub touches: Vec<EdgeTouch>,
 }
 

@@ -1,6 +1,6 @@
-//! Along a sliding arc of the round cone, step by step, to the next event.
+//! Advances along a sliding arc of the round cone, step by step, to the next event.
 //!
-//! Steps are in arclength, see [`super::flow`], and as long as the error of the settings allows. An event is where one of these values reaches zero,
+//! Steps are in arclength, see [`super::flow`], and as long as the error of the settings allows. An event is where one of these values vanishes,
 //!
 //! ```text
 //! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero
@@ -9,7 +9,7 @@
 //! path      the rate of the load factor, and the rest of the leg
 //! ```
 //!
-//! which is found by repeating the last step until it ends there, see [`super::crossing`].
+//! It is found by repeating the last step until it ends there, see [`super::crossing`].
 
 use nalgebra::SVector;
 
@@ -30,12 +30,12 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> Pieces<'g> {
-    /// Makes one step along the arc, up to an event if one comes first. Whether the leg is done.
+    /// Makes one step along the arc, up to an event if one comes first. Returns whether the leg is complete.
     pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
         let Some(here) = self.here.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
-        // From a node on, arclength weighs motion and load equally at the beginning.
+        // At a node the unit of arclength is chosen so that motion and load contribute equally.
         let here = if self.pace.unit.is_some() {
             here
         } else {
@@ -60,7 +60,7 @@ impl<'g> Pieces<'g> {
         let length = length.min(self.way_to_apex(&here)).min(self.part_of_a_turn(&here));
         let tolerance = journey.settings.step_error * self.pace.looser;
         let (length, rule) = self.stable(&here, length, tolerance);
-        // Steps shorter than this part of the load factor do not advance: the arc ends here.
+        // Steps shorter than this part of the load factor do not advance: the arc cannot be followed further.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.let_go(&here) {
                 self.at_node = true;
@@ -99,22 +99,22 @@ impl<'g> Pieces<'g> {
                 end = self.locate(here, &start, end, condition)?;
             }
             let ends = [here, &end.reached.here];
-            // The bounds within a step are for straight legs: while the load turns, they would only shorten steps in vain.
+            // The bounds within a step assume a straight leg: while the load turns, they would shorten steps in vain.
             let is_straight = matches!(self.segment.course, Trajectory::Straight { .. });
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            // Most times that a step is shortened because a condition may be violated within it.
+            // Most times that a step is shortened because a condition may fail within it.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(here, (part * end.length, 0), end.rule)?;
         }
     }
 
-    /// Whether a contact whose slip has ended here can neither stick nor slide.
+    /// Whether a contact whose slip has ended at this place can neither stick nor slide.
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
-        // Least distance of two places at which events are gathered, as a part of the leg.
+        // Places closer than this part of the leg are the same.
         let here = (self.factor - at).abs() <= NEGLIGIBLE;
         here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
@@ -149,8 +149,8 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether the object moves on while no force changes: the load factor approaches its limit and never reaches it. A friction force that relaxes
-    /// fast always turns slightly by its rounding, and sticking contacts take that up.
+    /// Whether the object moves on while no force changes: the load factor approaches its limit and never reaches it. Rounding turns a friction force
+    /// the more the faster it relaxes, which sticking contacts balance: the tolerance grows with the rate.
     fn slides_away(&self, here: &PathPoint) -> bool {
         if here.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -163,8 +163,8 @@ impl<'g> Pieces<'g> {
         here.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
-    /// Length of a step along the tangent, where one is short enough for that. From an apex it gives a friction force its direction; close to an apex
-    /// it covers the rest.
+    /// Length of a step along the tangent, if one is short enough for that. From an apex it gives a friction force its direction; close to an apex it
+    /// covers the rest.
     fn straight_length(&self, here: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / here.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {
@@ -178,10 +178,9 @@ impl<'g> Pieces<'g> {
             return Some(way);
         }
         let force_way = here.sizes[0] / here.rate_sizes[0];
-        // Smaller ratios come from the rounding of vanishing forces.
-        // Forces that would double within this part of the rest of the leg are rounding.
+        // Forces that would double within this part of the rest of the leg are rounding of vanishing forces.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
-        // First step from an apex, as a part of the way on which forces change by their own size: directions turn by its square.
+        // First step from an apex, as a part of the way on which forces change by their own size: directions turn by the square of it.
         self.node.sets_out.then_some(1e-6 * way)
     }
 
@@ -210,15 +209,15 @@ impl<'g> Pieces<'g> {
                 && line.rate[0] < -ZERO_SLACK * line.rate_size
                 && !ActiveSet::is_weightless(&line.force, line.force_size)
             {
-                // A step leaves this part of the way to the place where a sliding contact loses its normal force: directions may turn ever faster
-                // there.
+                // A step covers at most this part of the way to the place where a sliding contact loses its normal force: directions may turn ever
+                // faster there.
                 way = way.min(0.5 * line.force[0] / -line.rate[0]);
             }
         }
         way
     }
 
-    /// Moves to the end of a step and adds the edges reached there to the active sets. Whether the leg is done.
+    /// Moves to the end of a step and adds the edges reached there to the active sets. Returns whether the leg is complete.
     fn arrive_at(
         &mut self,
         journey: &Journey<'g>,
@@ -229,7 +228,7 @@ impl<'g> Pieces<'g> {
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;
-        // At a maximum of the load, contacts that slide only because of the load stop together with it.
+        // At a maximum of the load, contacts whose slip the load drives stop together with it.
         let grows = |watch: &Watch| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let there = end.reached.here.clone();
@@ -248,9 +247,9 @@ impl<'g> Pieces<'g> {
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
                     standing.push((contact, vec![Exit { facet, ..apex() }]));
                 }
-                // At the end of a leg its rates no longer count.
+                // At the end of a leg the rates of this leg no longer count.
                 _ if leg_done => {}
-                // Where the load itself turns back everything stops: the rates ahead decide which contacts slide on.
+                // If the load itself turns back everything stops: the rates ahead decide which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }
@@ -266,7 +265,7 @@ impl<'g> Pieces<'g> {
         }
         self.take(journey, here, (end.length, end.rule), &end.reached);
         self.node.reach(self.segment.problem.space().axes(), &standing);
-        // If another event happens here, too, it decides about contacts that have not slipped during the step.
+        // If another event happens at the same place, it also decides about contacts that have not slipped during the step.
         for contact in sticks.iter().filter(|contact| standing.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
         }

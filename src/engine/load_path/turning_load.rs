@@ -1,4 +1,4 @@
-//! Where a load that turns stands, and how everything turns with it from there: three solves.
+//! The state under a load that turns, and its harmonics from there on, by three linear solves.
 
 use alloc::sync::Arc;
 
@@ -21,7 +21,7 @@ impl Segment<'_> {
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
-    /// Forces, gaps and their rates at a factor, and how they turn from there on.
+    /// Forces, gaps and their rates at a factor, and their harmonics from there on.
     pub(super) fn look_round(
         &self,
         piece: &Arc<Piece>,
@@ -46,7 +46,7 @@ impl Segment<'_> {
         let at = self.state(piece, factor, near).unwrap_or_else(|| at_start(&parts));
         let mut here = self.here(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.turned(&onward, angle, &parts);
-        // Quantities that vanish on the way are known up to the rounding of their size elsewhere on it.
+        // A quantity that vanishes at some angle still carries the rounding of its size at other angles.
         for ((line, gap), [force, stretch]) in here.lines.iter_mut().zip(&mut here.gaps).zip(&turned.waves) {
             line.force_size = line.force_size.max(force.size);
             line.rate_size = line.rate_size.max(force.turning_size * angle);
@@ -66,7 +66,7 @@ impl Segment<'_> {
         Ok(here)
     }
 
-    /// The turn of all quantities. `parts` are the states under the parts of the load, the constant one with the offsets.
+    /// All quantities as harmonics of the load's angle. `parts` are the solutions under the parts of the load; offsets belong to the constant part.
     pub(super) fn turned(
         &self,
         load: &Harmonic<Vector>,
@@ -91,7 +91,7 @@ impl Segment<'_> {
             let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
             let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // Drives count from the slips so far, and carry the rounding of those slips where they cancel.
+            // Offsets count from the accumulated slips, and carry their rounding if both cancel.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };
@@ -100,7 +100,7 @@ impl Segment<'_> {
     }
 }
 
-/// The state at the beginning of a turn, from those under the parts of its load.
+/// The state at the beginning of a turn, from the solutions under the parts of its load.
 pub(super) fn at_start(parts: &Harmonic<PieceState>) -> PieceState {
     let Harmonic { constant, cosine, .. } = parts;
     let forces = paired(&constant.forces, &cosine.forces, &|(f, more)| f + more);

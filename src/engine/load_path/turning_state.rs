@@ -1,4 +1,5 @@
-//! Forces and motions that turn with the load while states last: the first exit is a root of a trigonometric polynomial.
+//! Forces and motions under a load that turns while contacts keep their states: harmonics of its angle. The first exit is a root of a trigonometric
+//! polynomial.
 
 use super::first_exits::{FirstExits, first_standing};
 use crate::contact::{Exit, State, TurningExit, Wave};
@@ -6,7 +7,7 @@ use crate::numerics::{Harmonic, Vector, mapped};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 
-/// The turn of all quantities from a place on, while contacts keep their states.
+/// All quantities as harmonics of the load's angle, counted from a place on the path, while contacts keep their states.
 #[derive(Debug)]
 pub(super) struct TurningState {
     /// Force and stretch of every contact.
@@ -34,7 +35,7 @@ impl TurningState {
             let mut exits = Vec::new();
             for exit in local.turning_exits(state, [force, stretch], rest * self.angle) {
                 match exit {
-                    // From an angle to a part of it.
+                    // From an angle to the factor of the leg.
                     TurningExit::Leaves(exit) => exits.push(Exit {
                         step: exit.step / self.angle,
                         uncertainty: exit.uncertainty / self.angle,

@@ -1,4 +1,4 @@
-//! The conditions that must stay positive along a sliding arc.
+//! The conditions that must hold along a sliding arc: each is a value that must stay positive.
 
 use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};
@@ -11,9 +11,9 @@ use crate::prelude::*;
 pub(super) enum WatchedCondition {
     /// The state of this contact.
     Contact(usize),
-    /// The load factor grows.
+    /// The rate of the load factor is positive.
     Growth,
-    /// The leg is not at its end.
+    /// The rest of the leg is positive.
     Leg,
 }
 
@@ -28,29 +28,29 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Clearly negative.
+    /// Whether the value is clearly negative.
     pub(super) fn is_violated(&self) -> bool {
         self.value < -SLACK_ON_AN_ARC * self.size
     }
 
-    /// Zero up to rounding and the error of steps.
+    /// Whether the value is zero up to rounding and the error of steps.
     pub(super) fn is_met(&self) -> bool {
         self.value.abs() <= SLACK_ON_AN_ARC * self.size
     }
 
-    /// Negative by far more than rounding and the errors of steps explain.
+    /// Whether the value is negative by far more than rounding and the errors of steps explain.
     pub(super) fn is_broken(&self) -> bool {
         // Multiple of the tolerance for zero beyond which a negative value is certain.
         self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
 
-    /// Decreasing by more than rounding, or with an unknown rate. A constant value does not fall: contacts at rest stay at their edge while others
-    /// slide.
+    /// Whether the value decreases by more than rounding, or has an unknown rate. A constant value does not decrease: contacts at rest stay at their
+    /// edge while others slide.
     pub(super) fn falls(&self) -> bool {
         self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }
 
-    /// The length of the path until the value is zero along the tangent.
+    /// The length of the path until the value is zero, extrapolated linearly.
     pub(super) fn way(&self) -> Option<f64> {
         self.rate.map(|[rate, _]| self.value / -rate).filter(|way| way.is_finite())
     }
@@ -118,7 +118,7 @@ pub(super) fn watch(
                 push(line.force[0], Some([line.rate[0], line.rate_size]), line.force_size);
             }
             Mode::Sticking => {}
-            // Rounding decides whether a contact with a vanishing force sticks on the way there.
+            // Near zero normal force only rounding decides whether the contact sticks: it is not asked.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);

@@ -1,4 +1,4 @@
-//! Events of whole contacts: a soft fingertip begins to slide with its first point, and slides everywhere with its last one.
+//! Events of whole contacts: a soft fingertip begins to slide with its first point, and slides everywhere once its last point slides.
 
 use core::fmt;
 
@@ -9,7 +9,7 @@ use crate::numerics::picked;
 use crate::prelude::*;
 use crate::words::{Words, opens};
 
-/// A change at an event, with the points of one soft fingertip together.
+/// A change of one contact at an event; the points of a soft fingertip count as one contact.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct WholeChange<const C: usize> {
@@ -19,7 +19,8 @@ pub struct WholeChange<const C: usize> {
     pub what: PadChange<C>,
 }
 
-/// The behaviour of a contact from an event on. Point contacts are described by their change, soft fingertips by their first and last points.
+/// The behaviour of a contact from an event on. A point contact has its own change; a soft fingertip is described by its first and its last points to
+/// change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum PadChange<const C: usize> {
@@ -78,7 +79,7 @@ impl<const C: usize> fmt::Display for WholeChange<C> {
 }
 
 impl<const C: usize> WholeChange<C> {
-    /// What the contact does, without the direction of a slip: "slides", "begins to open".
+    /// The verb for the contact, without the direction of a slip: "slides", "begins to open".
     #[must_use]
     pub fn verb(&self) -> String {
         self.verb_in(Words::default())
@@ -97,8 +98,8 @@ impl<const C: usize> WholeChange<C> {
 }
 
 impl<const C: usize> Event<C> {
-    /// The changes, with the points of one soft fingertip together, described by the first and the last of them. Empty where only points in between
-    /// change.
+    /// The changes, with the points of a soft fingertip taken together and described by the first and the last of them. Empty if only points in
+    /// between change.
     #[must_use]
     pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
         whole_changes(&self.state, &self.changes)
@@ -122,7 +123,7 @@ impl<const C: usize> fmt::Display for Event<C> {
     }
 }
 
-/// The changes relative to a state, with the points of one soft fingertip together, in the order of the first change of each.
+/// The changes relative to `state`, with the points of a soft fingertip taken together, in the order of the first change of each contact.
 pub(crate) fn whole_changes<const C: usize>(
     state: &Equilibrium<C>,
     changes: &[ContactChange<C>],
@@ -213,7 +214,7 @@ impl PointState {
         }
     }
 
-    /// The states before and after a change. At the very start of a path the states given are those after it.
+    /// The states before and after a change. At the very start of a path `state` is the one after it.
     fn change<const C: usize>(change: &Change<C>, state: Self) -> [Self; 2] {
         match change {
             Change::Slides { .. } => [Self::Sticks, Self::Slides],

@@ -28,8 +28,8 @@ struct Bounded {
     nothing: f64,
 }
 
-/// The part of a step to make in place of the whole step, whose ends have rates for one unit of its length. It ends where a sticking or open contact
-/// violates its condition, or earlier where the step is too long for a decision. `None` where all conditions hold within the step.
+/// The part of a step after which a sticking or open contact violates its condition, although it may hold again at the end. The part is shorter if
+/// the step is too long for a decision. `None` if all conditions hold within the step. Rates at both ends are per unit of arclength.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
@@ -80,8 +80,8 @@ impl Bounded {
     ) -> Self {
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        // The cubic leaves out the term of fourth order. It is estimated by that of third order, but by no less than this part of that of second
-        // order. The terms of accepted steps fall from order to order at least by this factor.
+        // The error of the cubic is the term of fourth order. It is estimated by that of third order, but by no less than this part of that of second
+        // order. In accepted steps each order is smaller than the one before by at least this factor.
         let bend = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
     }
@@ -90,7 +90,7 @@ impl Bounded {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
-    /// The part of the step at which the margin is violated, or one half where that is undecided. `None` where it holds.
+    /// The part of the step at which the margin is violated; one half if that is undecided. `None` if the margin holds.
     fn dip(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
         // Most pieces that are examined before a step is refused as too long.

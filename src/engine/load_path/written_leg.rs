@@ -1,4 +1,4 @@
-//! Legs as questions write them: a value `…_by` or `…_to` of each quantity that changes.
+//! Legs in serialised form: a field `…_by` or `…_to` for each quantity that changes.
 
 use alloc::collections::BTreeMap;
 
@@ -62,7 +62,7 @@ struct WrittenLeg<const C: usize> {
 }
 
 impl<T: Clone> LegGoal<T> {
-    /// The goal of the quantity `name` from its two fields; giving both is an error.
+    /// The goal of the quantity `name` from its fields `…_by` and `…_to`; giving both is an error.
     fn read(by: Option<T>, to: Option<T>, name: &str) -> Result<Self, String> {
         match (by, to) {
             (None, None) => Ok(Self::Stay),
@@ -72,7 +72,7 @@ impl<T: Clone> LegGoal<T> {
         }
     }
 
-    /// The two fields of the goal.
+    /// The fields `…_by` and `…_to` of the goal.
     fn written(&self) -> (Option<T>, Option<T>) {
         match self {
             Self::Stay => (None, None),

@@ -1,22 +1,22 @@
-//! A second path of the same steps, each made at once. The distance between both paths measures the remaining effect of all errors.
+//! A second path with the same steps, each made at once. The distance between both paths measures the remaining effect of all errors.
 //!
-//! The error of a step in two halves is a third of its difference from the step made at once. But errors do not add up: directions of slip relax and
-//! forget them, and errors of different steps affect different contacts. The second path forgets in the same way, so that
+//! The error of a step in two halves is a third of its difference from the step made at once. But errors do not add up: directions of slip relax, so
+//! that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay in the same way, so that
 //!
 //! ```text
 //! distance = error of the second - error of the first = 3 times the error of the first
 //! ```
 //!
-//! The path reports the distance. Where it is not three times the error, directions relax within a step, and it is as large as the error.
+//! The path reports the distance. If directions relax within a step, the distance is not three times the error but about as large as it.
 
 use super::one_step::{StepProblem, SteppedState};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The path of steps made at once.
+/// The second path, of steps made at once.
 #[derive(Debug, Clone)]
 pub(super) struct Coarse {
     pub(super) standing: SteppedState,
-    /// Sum of the distances, over the largest force, at which the second path was lost and began again from the first.
+    /// Sum of the distances, over the largest force, at which the second path was lost and restarted from the first.
     lost: f64,
     /// The largest distance so far plus those sums, over the largest force.
     pub(super) farthest: f64,
@@ -28,8 +28,8 @@ impl Coarse {
         Self { standing: standing.clone(), lost: 0.0, farthest: 0.0 }
     }
 
-    /// Makes the step of the first path between two places. `at_once` is that step made at once: the second path moves there where it finds no step
-    /// of its own, or only one elsewhere. `beside` is memory for its own step.
+    /// Makes the step of the first path between two places. `at_once` is that step made at once. If the second path finds no step of its own, or only
+    /// one to a distant state, it moves to `at_once`. `beside` is memory for its own step.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_>,
@@ -39,12 +39,12 @@ impl Coarse {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.apart(&self.standing);
         let near = &to.twist + &self.standing.twist - &from.twist;
-        // Growth of the distance in one step beyond which the second path counts as lost. With a factor of only a few it would be lost at every
-        // change of states; errors that are forgotten would then add up.
+        // Growth of the distance in one step beyond which the second path counts as lost. With a small factor it would be lost at every change of
+        // states, and errors that decay would be added up.
         let by = 10.0 * distance + to.apart(at_once);
         let step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
-        // Below this distance, as a part of the largest force, both paths are equal up to Newton's method. So is their next step made at once. With
-        // more, errors that are forgotten would add up.
+        // If the distance is at most this part of the largest force, both paths and their next steps made at once are equal up to the tolerance of
+        // Newton's method. With a larger part, errors that decay would be added up.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.apart(at_once) <= by {
             core::mem::swap(&mut self.standing, beside);
         } else {

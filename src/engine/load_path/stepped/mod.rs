@@ -1,19 +1,19 @@
 //! Load programs followed in steps for any number of contacts on the round cone.
 //!
-//! [`LoadPath`](super::LoadPath) finds every event of a few hundred contacts. Where thousands slide on the round cone, their directions of slip turn
-//! all the time. Here a step takes all contacts along straight stretches, each
-//! with its exact slip, and Newton's method finds the motion of the object that balances the load at its end. The remaining error is that stretches
-//! are not straight in between. Each step is made once, and again in two halves, to measure it. A second path of steps made once measures how much of
-//! the error remains later.
+//! [`LoadPath`](super::LoadPath) finds every event of a few hundred contacts. If thousands slide on the round cone, their directions of slip turn all
+//! the time. Here a step assumes that the stretch of every contact changes along a straight line, for which its slip is exact. Newton's method finds
+//! the motion of the object that balances the load at the end of the step. The remaining error is that stretches are not straight in between. To
+//! measure it, each step is made once at once and once in two halves. A second path of steps made at once measures the part of the error that later
+//! steps retain.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `one_step` | the equilibrium at the end of a step |
 //! | `stepped_path` | the follower and its state |
-//! | `step_length`, `places`, `pace` | steps as long as the error asked for allows |
-//! | `coarse`, `unseen` | the error: shown by a second path, or missed by both |
-//! | `standing_at` | the equilibrium on the way, and the contacts on an edge |
-//! | `ending`, `speeds` | a limit load, or a doubt |
+//! | `step_length`, `places`, `pace` | step control: steps as long as the allowed error permits |
+//! | `coarse`, `unseen` | the error: measured by a second path, or shared by both paths |
+//! | `standing_at` | the equilibrium at the present place, and the contacts on an edge |
+//! | `ending`, `speeds` | the end of a path: a limit load, or undecided |
 
 mod coarse;
 mod ending;

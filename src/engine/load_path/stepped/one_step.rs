@@ -29,7 +29,7 @@ impl SteppedState {
         largest(&self.forces, &SVector::norm_squared).sqrt()
     }
 
-    /// The largest difference of a contact force, N.
+    /// The largest difference between contact forces of two states, N.
     pub(super) fn apart(&self, other: &Self) -> f64 {
         let pairs = self.forces.iter().zip(&other.forces);
         pairs.map(|(a, b)| (a - b).norm_squared()).fold(0.0, f64::max).sqrt()
@@ -66,7 +66,7 @@ pub(super) struct StepProblem<'g> {
 }
 
 impl<'g> StepProblem<'g> {
-    /// The problem on the present leg.
+    /// The problem along the present leg.
     pub(super) fn along(journey: &Journey<'g>) -> Self {
         let course = journey.program.inside_course(journey.grasp);
         let offsets = journey.program.offsets(journey.grasp);
@@ -85,7 +85,8 @@ impl<'g> StepProblem<'g> {
         self.offsets[1][i]
     }
 
-    /// The step of a length from a state, written to `to`; the search starts near a given twist. `None` where Newton's method does not converge.
+    /// Makes a step of a length from a state, and writes its end to `to`. The search starts at the twist `near`. `None` if Newton's method does not
+    /// converge.
     pub(super) fn step(
         &mut self,
         from: &SteppedState,
@@ -107,8 +108,8 @@ impl<'g> StepProblem<'g> {
     }
 }
 
-/// The equilibrium of a problem that counts slips from the state `from`, given the stretches before the step; the search starts near a given twist.
-/// `None` where Newton's method does not converge, or only where a contact would have to pull that cannot.
+/// The equilibrium of a problem whose offsets count from the slips of `from`, given the stretches before the step. The search starts at the twist
+/// `near`. `None` if Newton's method does not converge, or if a contact would have to pull that cannot.
 fn equilibrium_after(
     (from, before): (&SteppedState, &[SVector<f64, 3>]),
     problem: &Problem<'_>,
@@ -116,8 +117,8 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.offsets);
-    // Rounding of spring forces, relative to the forces that their displacements would make. It is divided by the imbalance that may be left, to
-    // have the same scale.
+    // Newton's method cannot reduce the imbalance below the rounding of spring forces, a part of the forces that displacements would make in these
+    // springs. The factor is this part over [`SOLVED_ROUNDING`].
     let rounded =
         1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
@@ -130,7 +131,7 @@ fn equilibrium_after(
     cleared_for(&mut to.states, answers.len());
     for (i, (slip, answer)) in to.slips.iter_mut().zip(answers.iter()).enumerate() {
         let (springs, stretch) = (&problem.sites[i].springs, problem.stretch(i, &to.twist));
-        // A contact that stuck all the way has not slipped by the rounding of its spring either.
+        // A contact that stuck throughout has not slipped, not even by the rounding of its spring.
         if !(answer.state.is_sticking() && answer.force == springs.force(&stretch)) {
             *slip += springs.slip(&stretch, &answer.force);
         }

@@ -1,4 +1,4 @@
-//! Control of the steps along a leg: length of the next one, and speed of the object.
+//! Step control along a leg: length of the next step, and speed of the object.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -6,18 +6,18 @@ use super::speeds::Speeds;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::Vector;
 
-/// The steps of a leg so far.
+/// The state of the step control along a leg.
 #[derive(Debug, Clone)]
 pub(super) struct StepPace {
     /// Rate of the twist per unit of the fraction, from the last step.
     pub(super) rate: Option<Vector>,
     /// Speeds of the object so far.
     pub(super) speeds: Speeds,
-    /// Largest change of a force in the last step, relative to the change that sticking springs would feel.
+    /// Largest change of a force in the last step, over the change that sticking springs would feel.
     pub(super) changed: f64,
-    /// The fraction of the leg that the next step tries.
+    /// Length of the next step, as a fraction of the leg.
     pub(super) step: f64,
-    /// Longest step: after a full turn a load would look as if it had stayed.
+    /// Longest step, a quarter turn of the load: after a full turn the load would look unchanged.
     pub(super) longest: f64,
     /// Whether the last step was refused: the next one is then no longer than its replacement.
     pub(super) refused: bool,

@@ -2,7 +2,7 @@
 
 use super::one_step::SteppedState;
 
-/// The states that a step made twice leads to: in halves, which the path takes, and at once.
+/// The states of a step made twice: in two halves, which the path takes, and at once.
 #[derive(Debug)]
 pub(super) struct Places {
     pub(super) middle: SteppedState,

@@ -1,13 +1,13 @@
 //! Speeds of the object as the load grows, towards the end of a path.
 //!
-//! Towards a load that is never exceeded the speed grows without bound, as a power of the remaining distance:
+//! Towards a load that is never exceeded the speed grows without bound, as a power of the remaining distance δ:
 //!
 //! ```text
 //! a maximum of the load      q ~ δ^{1/2}                  dq/dδ ~ δ^{-1/2}
 //! an asymptote               q ~ ln(1/δ),  δ^{-p}         dq/dδ ~ δ^{-1},  δ^{-1-p}
 //! ```
 //!
-//! In the end the distance is too small to distinguish one power from the other.
+//! Near the end the distance is too small to distinguish one power from the other.
 
 use crate::prelude::*;
 
@@ -23,13 +23,13 @@ impl Speeds {
 
     /// Records the speed of a step that has arrived at a fraction.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
-        // Growth of the speed from which it is recorded anew.
+        // A speed is recorded if it exceeds the last one by this factor.
         if self.0.last().is_none_or(|[_, fastest]| speed > 2.0 * fastest) {
             self.0.push([fraction, speed]);
         }
     }
 
-    /// Whether the object moves ever faster towards the end of the path.
+    /// Whether the speed of the object grows without bound towards the end of the path.
     pub(super) fn run_to(&self, end: f64) -> bool {
         let mut before = self.0.iter().rev().filter(|[fraction, _]| *fraction < end);
         let Some([near, fast]) = before.next() else { return false };
@@ -37,7 +37,7 @@ impl Speeds {
         let far = before.find(|[fraction, _]| end - fraction >= 1e3 * (end - near));
         // Last part of the leg over which a speed must have grown if it grows without bound.
         let to_the_end = 1e-8;
-        // Growth of the speed between them beyond which the path does not end at a corner.
+        // Growth of the speed between these distances beyond which the path does not end at a corner.
         let runs = 8.0;
         end - near < to_the_end && far.is_some_and(|[_, slow]| *fast > runs * slow)
     }

@@ -17,7 +17,7 @@ impl SteppedState {
         let spans =
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
-        // All slip so far is memory: of a slide only the direction remains.
+        // All slip so far is memory: of a slide only the direction is kept.
         let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
@@ -27,12 +27,12 @@ impl SteppedState {
         journey.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The rates, with edges within the resolution of the last steps.
+    /// The problem in rates, with contacts near an edge, within the resolution of the last steps, taken as on it.
     pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StandAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
-        // A friction reserve, or a force to close a gap, below this part of the largest force counts as none. The last steps are 1e-12 of a leg. With
-        // a smaller part, a contact that such a step would bring to its edge still holds, and the limit is missed.
+        // A friction reserve, or a force to close a gap, counts as zero below this part of the largest force. The last steps are 1e-12 of a leg. If
+        // the part were smaller, a contact that such a step would bring to its edge would still hold, and the limit would be missed.
         let at_an_edge = 1e-9;
         let near = largest * (at_an_edge / ZERO_SLACK);
         let law = |i: usize| {

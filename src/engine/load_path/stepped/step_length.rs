@@ -1,4 +1,4 @@
-//! Steps as long as the allowed error permits.
+//! Step control: steps as long as the allowed error permits.
 
 use super::one_step::SteppedState;
 use super::places::Places;
@@ -13,14 +13,14 @@ use crate::numerics::{Vector, largest};
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// Result of a step made twice.
+/// Result of a step made in two halves and at once.
 #[derive(Debug)]
 struct Twice {
-    /// The largest contact force on the way, N.
+    /// The largest contact force at the ends of the step, N.
     largest: f64,
-    /// The error that both miss alike, over the largest force.
+    /// The error that both may share, over the largest force.
     unseen: f64,
-    /// The change of force that sticking springs would feel from the motion of the object, N.
+    /// The largest change of force that the motion of the object would cause in the springs of a sticking contact, N.
     felt: f64,
 }
 
@@ -70,28 +70,28 @@ impl<'g> Steps<'g> {
         let (from, Places { to, at_once, .. }, largest) = (&self.standing, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let way = to.apart(from) / largest;
-        // Half the error may be made in proportion to the way of a step, which is the longest of three. They are the fraction of the leg, the change
-        // of forces over the largest force, and the change that sticking springs would feel. The error of a direction is forgotten while that last
-        // change grows to the largest force.
+        // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. These are the fraction of the
+        // leg, the change of forces over the largest force, and the change that sticking springs would feel. An error of direction decays while that
+        // last change grows to the largest force.
         let even = 0.5 * self.error * length.max(way).max(twice.felt / largest);
-        // The error budget of a contact is proportional to the way of the forces over the largest one, up to twice the error. The error is a third of
-        // the distance between the two paths. With more it would exceed the allowed error.
+        // The error budget of a contact grows with the sum of the changes of forces over the largest force, up to twice the allowed error. The error
+        // is a third of the distance between the two paths; a larger budget would exceed the allowed error.
         let budget = self.error * (self.way + way).min(2.0);
         // Errors below this part of the largest force are rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
             let so_far = (from.forces[i] - self.coarse.standing.forces[i]).norm() / largest;
             // Part of a contact's remaining error budget that a step may use. With more, a few steps would use it up, and the others would have as
-            // little as if nothing were ever forgotten. With less, steps are shorter than the error requires.
+            // little as if errors never decayed. With less, steps are shorter than the error requires.
             let allowed = even.max(0.05 * (budget - so_far)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let seen = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // A tenth of the allowed error is for what a step and its halves miss alike. That happens to a contact a few times a leg.
+        // A tenth of the allowed error is for errors that a step and its halves share. A contact makes such an error a few times a leg.
         seen.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
-    /// A step in two halves and at once; `None` where one of them finds no equilibrium, or only a distant one.
+    /// Makes a step in two halves and at once; `None` if one of them finds no equilibrium, or only a distant one.
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, standing: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
@@ -103,8 +103,8 @@ impl<'g> Steps<'g> {
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
         let felt = most_felt(sites, &(&to.twist - &from.twist));
-        // A step is a jump if halfway the object is farther from the middle of the step than a quarter of it. Springs must also feel the step by more
-        // than a twentieth of the largest force.
+        // A step is a jump if its middle is off the straight line between its ends by more than a quarter of its length. Springs must also feel the
+        // step by more than a twentieth of the largest force.
         if felt > 0.05 * largest && most_felt(sites, &off) > 0.25 * felt {
             return None;
         }
@@ -135,12 +135,12 @@ impl<'g> Steps<'g> {
     }
 }
 
-/// The largest force that sticking springs would make of a motion, N.
+/// The largest force that a motion would cause in the springs of a sticking contact, N.
 fn most_felt(sites: &[Site], motion: &Vector) -> f64 {
     largest(sites, &|site| pull(site, motion))
 }
 
-/// The force that the springs of a sticking contact make of a motion, N.
+/// The force that a motion causes in the springs of a sticking contact, N.
 fn pull(site: &Site, motion: &Vector) -> f64 {
     site.springs.force(&site.map.tr_mul(motion)).norm()
 }

@@ -1,4 +1,4 @@
-//! The follower in steps: its state, and its start.
+//! The method of following in steps: its state, and its start.
 
 use nalgebra::SVector;
 
@@ -22,22 +22,22 @@ use crate::search::{Found, Settings};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The follower of a [`SteppedPath`].
+/// The method of following behind [`SteppedPath`].
 #[derive(Debug)]
 pub(crate) struct Steps<'g> {
     /// The problem of a step.
     pub(super) along: StepProblem<'g>,
     /// The present state.
     pub(super) standing: SteppedState,
-    /// The states that the last step tried leads to.
+    /// The states at the ends of the last step tried.
     pub(super) places: Places,
     /// Control of the steps of the leg.
     pub(super) pace: StepPace,
-    /// The allowed error.
+    /// The allowed error of the forces, over the largest force.
     pub(super) error: f64,
-    /// The path of the same steps made at once.
+    /// A second path with the same steps, each made at once instead of in two halves.
     pub(super) coarse: Coarse,
-    /// The largest error that both paths may share.
+    /// Largest error that both paths may share, over the largest force.
     pub(super) unseen: f64,
     /// Sum of the changes of forces along the path, over the largest force.
     pub(super) way: f64,
@@ -99,7 +99,7 @@ impl Engine {
     }
 }
 
-/// The state of a path at an equilibrium: its slips become memory.
+/// The state of a path at an equilibrium, whose slips become memory.
 fn at_start(problem: &Problem<'_>, found: Found) -> SteppedState {
     let slip = |(i, state): (usize, &crate::contact::State)| {
         let springs = &problem.sites[i].springs;

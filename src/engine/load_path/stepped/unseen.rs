@@ -1,19 +1,19 @@
 //! Errors that a step and its halves share, so that their difference does not show them.
 //!
-//! Along a step h the twist is off a straight way by up to `off`, and sticking springs would pull by `K v'' h² = 8 K Gᵀ off` more at its end than its
-//! beginning suggests. A contact that slides on its cone along p is driven out across the cone by `a = p·K v_t' - μ k_n v_n'`, times h. With `c = a'
-//! h`, c < 0,
+//! Along a step of length h the twist deviates from a straight line by up to `off`. At its end sticking springs pull by `K v'' h² = 8 K Gᵀ off` more
+//! than the rate at its beginning suggests. A contact that slides on its cone along p is driven out of the cone at the rate `a = p·K v_t' - μ k_n
+//! v_n'`. With `c = a' h`, c < 0,
 //!
 //! ```text
 //! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
 //! and so errs by a² / 2|c| of a force if that place is nearer than half a stretch, 1/4 of the step
 //! ```
 //!
-//! This is at most c / 32, a quarter of the force that springs make of `off`. By as much a sticking contact may have been beyond its edge for a
-//! while, and an opening or closing contact may have had the wrong force until then.
+//! This is at most c / 32, a quarter of the force that springs make of `off`. A sticking contact may have been beyond its edge by as much for a
+//! while. An opening or closing contact may have had a force wrong by as much.
 //!
-//! A contact that begins to slide bends the way, which is there up to `2 off` from a straight one. Sliding contacts lose the part of that along their
-//! slips and keep the part across, as if they had stuck, so that only the rotation of their forces on the cones makes a difference.
+//! A contact that begins to slide bends the line, from which the twist then deviates by up to `2 off`. Of this, sliding contacts lose the part along
+//! their slips and keep the part across, as if they had stuck. So only the rotation of their forces on the cones makes a difference.
 
 use nalgebra::SVector;
 
@@ -35,7 +35,7 @@ impl StepProblem<'_> {
         }
         let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
-        // Deviation from a straight way in the middle of each half, relative to that in the middle of the step.
+        // Deviation from a straight line in the middle of each half, relative to that in the middle of the step.
         let off = 0.25 * bend.norm();
         let drawn = |a: &SteppedState, b: &SteppedState| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
@@ -43,8 +43,7 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // A force turns no farther than its slip.
-            // The same ratio at a bend somewhere in a half.
+            // A force turns no farther than its slip. The factor is the ratio of deviations at a bend somewhere in a half.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
@@ -54,7 +53,7 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // The contact has slid on the part of the way by which its springs have softened.
+                // The contact has slid on the part of the step by which its springs have softened.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }
