@@ -25,7 +25,7 @@ impl Grasp<3> {
         let stiffness: Vec<f64> = mapped(&told, &|(i, _)| self.contacts()[*i].stiffness.series()[0]);
         let mut commands: Vec<[f64; 3]> = mapped(self.contacts(), &|contact| contact.command.into());
         let mut off = self.missing(&commands, &told)?;
-        // Most Newton steps: one is enough while no contact changes state, and each change of state takes one more.
+        // Limit on Newton steps: one is enough while no contact changes state, and each change of state takes one more.
         for _ in 0..20 {
             let worst = off.iter().zip(&told).map(|(off, (_, force))| off.abs() / force).fold(0.0, f64::max);
             // Relative error of a tension at which Newton's method stops.
@@ -73,7 +73,7 @@ impl Grasp<3> {
             name: link.label_text(contact),
             field: "tension",
             value: force,
-            // The allowed values in the error of a tension that is not reached.
+            // The allowed values, in words, for the error about a tension that is not reached.
             allowed: "one that the rest of the grasp holds against while nothing else is put on",
         }
     }

@@ -12,7 +12,7 @@ use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 pub struct Statics<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<const C: usize> Statics<'_, C> {
-    /// Whether contact forces inside their friction cones could balance any load, on the round cone in space.
+    /// Whether contact forces inside their friction cones could balance any load; in space on the round cone.
     ///
     /// Stiffness, commands and squeeze play no part: the question is whether fingers *could* balance the load if they pressed as needed.
     ///

@@ -102,7 +102,7 @@ pub enum Holding<const C: usize> {
     },
     /// No contact carries a force: the object lies loose between the fingers, without a load.
     Loose,
-    /// Equilibrium is lost before the whole load is on, or motions cease to be small.
+    /// Equilibrium is lost before the whole load is applied, or motions cease to be small.
     Lost,
     /// The grasp has no equilibrium even under the load at rest. The variant carries the proof.
     NoRest(NoEquilibrium<C>),

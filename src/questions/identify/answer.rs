@@ -15,7 +15,7 @@ use crate::sweep::Uncertainty;
 pub struct Identified {
     /// The unknowns, in the order of the question.
     pub estimates: Vec<Estimate>,
-    /// The end of the search.
+    /// How the search ended.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub ending: Ending,
     /// Number of slips.
@@ -78,7 +78,7 @@ pub struct Estimate {
     pub degrees_of_freedom: Option<f64>,
 }
 
-/// The end of the search.
+/// How the search ended.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",

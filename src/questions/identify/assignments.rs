@@ -16,13 +16,13 @@ use crate::error::Error;
 use crate::numerics::two_sided;
 use crate::prelude::*;
 
-/// Most pairs of unknowns that change places from one fit: all pairs of five.
+/// Limit on the pairs of unknowns that change places from one fit: all pairs of five.
 const MOST_PAIRS: usize = 10;
-/// Most halvings of an unknown until other slips depend on it: to a sixteenth.
+/// Limit on the halvings of an unknown until other slips depend on it: to a sixteenth.
 const MOST_HALVINGS: u8 = 5;
-/// Most bisections between two values of an unknown on which different slips depend.
+/// Limit on the bisections between two values of an unknown on which different slips depend.
 const MOST_BISECTIONS: usize = 4;
-/// Most fits that are compared, and most points at which slips are predicted beside fits.
+/// Limit on the fits that are compared, and on the points at which slips are predicted beside fits.
 const MOST_FITS: usize = 12;
 const MOST_LOOKS: usize = 240;
 

@@ -67,7 +67,8 @@ mod tests {
     use super::*;
     use crate::numerics::Draw;
 
-    /// Normally distributed numbers have the scale of their distribution for every transition; the mean square is that of limited ones.
+    /// For normally distributed numbers the scale is their standard deviation at every transition, and the mean square is that of numbers limited
+    /// there.
     #[test]
     fn the_scale_is_that_of_a_normal_distribution() {
         let drawn: Vec<f64> = (0..20_000).map(|k| 3.0 * Draw::new([1, 2, k]).normal()).collect();

@@ -230,7 +230,7 @@ impl Climb<'_> {
     }
 }
 
-/// The decrease along a step of the gradient of the Lagrangian: events and bounds, weighted by their multipliers.
+/// The decrease of the gradient of the Lagrangian along a step: events and bounds, weighted by their multipliers.
 fn fallen(
     old: &LastStep,
     (events, bounds): (&[SlipEvent], &[Constraint]),

@@ -50,7 +50,7 @@ impl Need<3> {
             Loads::Each(list) => tried(list, &|load| put_on(Ramp::load(*besides, *load * *times)))?,
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
-                // The force in the weakest direction with the size of the need.
+                // The force of the needed size in the weakest direction.
                 let part = |most: f64| size * times / most;
                 let load = match grasp.weakest_direction(base, *point)? {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {

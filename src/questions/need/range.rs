@@ -88,7 +88,7 @@ impl Range {
         loading: &dyn Fn(f64) -> Result<Loading, Error>,
         [least, most]: [f64; 2],
     ) -> Result<(), Error> {
-        // Work of the first unbalanced load along the motion that proves it unbalanced; `None` where all loads have no such proof.
+        // Work of the first unbalanced load along the motion that proves it unbalanced; `None` if no load has such a proof.
         let left = |amount: f64| {
             let here = loading(amount)?;
             for load in here.to_balance() {

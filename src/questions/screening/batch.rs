@@ -107,21 +107,21 @@ impl<const C: usize, const N: usize> Batch<C, N> {
     }
 
     /// Onsets of every grasp under each of the turning loads, on one thread; [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) uses
-    /// all cores. Answers are ordered as in [`Self::onsets_into`], each with the bits of [`Fingers::onset_of_turn`].
+    /// all cores. Answers are ordered as in [`Self::onsets_into`], and each equals that of [`Fingers::onset_of_turn`] bit for bit.
     pub fn turn_onsets_into(&self, turns: &[TurningPull<C>], answers: &mut Vec<ScreenedTurn>) {
         self.ask_into(&Kernels::get().turning_pull, turns, answers);
     }
 
     /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread;
-    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`],
-    /// each with the bits of [`Fingers::least_squeeze`].
+    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`], and
+    /// each equals that of [`Fingers::least_squeeze`] bit for bit.
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
     /// Derivatives of the onset of each grasp by all of its data, for each of the loads, on one thread;
     /// [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered as in
-    /// [`Self::onsets_into`], each with the bits of [`Fingers::onset_gradients`].
+    /// [`Self::onsets_into`], and each equals that of [`Fingers::onset_gradients`] bit for bit.
     pub fn onset_gradients_into(&self, pulls: &[Pull<C>], gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         self.ask_into(&Kernels::get().gradient, &of_the_first(pulls), &mut gradients.numbers);

@@ -32,7 +32,7 @@ pub(super) trait Packed:
     fn each<T: Copy>(of: impl FnMut(usize) -> T) -> Self::Each<T>;
     /// Packs the numbers of the scenes.
     fn of(numbers: Self::Each<f64>) -> Self;
-    /// The number of one scene.
+    /// The number that belongs to the scene in this lane.
     fn lane(self, lane: usize) -> f64;
     fn abs(self) -> Self;
     fn sqrt(self) -> Self;

@@ -198,8 +198,8 @@ impl<X: Packed> LeastFactor<X> {
     /// Intersects the interval so far with that of one margin.
     #[inline(always)]
     fn narrow(&mut self, margin: &Margin<X>, interval: &Interval<X>, binding: X) {
-        // A margin whose shortfall is about its rounding is unclear. The rounding of ordinary sums stays
-        // below.
+        // A margin whose shortfall is from a quarter of the bound of its rounding to four times this bound is unclear. The rounding of ordinary sums
+        // stays below that range.
         let (short, about) = (-margin.value, X::all(4.0));
         let doubt = (about * margin.noise).above(short, X::all(1.0), X::all(0.0));
         self.doubt += (about * short).above(margin.noise, doubt, X::all(0.0));

@@ -75,7 +75,7 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     triangle.ready(scene);
     let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
-    // Forces along edges caused by forces P, in sizes: `|N| |A⁻¹| |Nᵀ| C P`.
+    // A bound of the forces along edges that forces P cause, by absolute values: `|N| |A⁻¹| |Nᵀ| C P`.
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];

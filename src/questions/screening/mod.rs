@@ -15,7 +15,7 @@
 //! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
-//! Derivatives of the factor of a load by all data of a grasp are [`ScreenedGradients`]; all of them together cost a few values. One grasp:
+//! Derivatives of the factor of a load by all data of a grasp are [`ScreenedGradients`]; all of them together take as long as a few values. One grasp:
 //! [`Fingers::onset_gradients`]. Many: [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
 //!
 //! In a control loop [`Fingers::watch`] evaluates measured forces: their margins, the first slip under a load to come, and the extra squeeze that

@@ -14,8 +14,8 @@ use crate::prelude::*;
 
 /// Many grasps of equally many contact points, two to 64 of them, to be screened: the number of points is known at run time alone.
 ///
-/// The points of a [soft fingertip](crate::grasp::SoftFingertip) are contacts of one finger, which leaves where its first point does. All grasps
-/// have the same fingers with as many points each. The answers have the bits of [`Batch`](super::Batch).
+/// The points of a [soft fingertip](crate::grasp::SoftFingertip) are contacts of one finger, which leaves where its first point does. All grasps have
+/// the same fingers with as many points each. The answers equal those of [`Batch`](super::Batch) bit for bit.
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, PointBatch, Pull, SoftFingertip, Wrench};

@@ -83,7 +83,8 @@ pub struct ScreenedGradient<'a, const C: usize> {
 }
 
 impl<const C: usize> ScreenedGradient<'_, C> {
-    /// The answer itself, with the bits of [`Fingers::onset`](crate::screening::Fingers::onset): the factor, and the contacts that leave there.
+    /// The answer itself, equal bit for bit to that of [`Fingers::onset`](crate::screening::Fingers::onset): the factor, and the contacts that leave
+    /// there.
     #[must_use]
     pub fn screened(&self) -> Screened {
         Screened(SlipCode {

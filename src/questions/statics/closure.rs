@@ -89,7 +89,7 @@ impl Engine {
         }
     }
 
-    /// The closure of cones with straight and round generators, whose forces have these axes of the contacts.
+    /// The closure of cones with straight and round generators, whose forces act along these axes of the contacts.
     fn closure(
         &self,
         axes: &[(usize, usize)],

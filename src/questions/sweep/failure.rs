@@ -97,8 +97,7 @@ impl TwoLoads<'_> {
         if least <= 0.0 {
             return 1.0;
         }
-        // Beyond three standard deviations the first-order probability is a thousandth of the allowed one or
-        // less, and is kept.
+        // Three standard deviations beyond those in reserve, the first-order probability is at most a thousandth of the allowed one, and is kept.
         if least > self.here.sigmas + 3.0 {
             return normal_tail(least);
         }

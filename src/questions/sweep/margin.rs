@@ -170,8 +170,8 @@ impl UncertainForce<'_> {
         factor * normal + other
     }
 
-    /// `φ(β) E[(X' - β')₊]` per unit of the angle, while the row changes at the rate `turned`. X is the margin in deviations about its mean, and X'
-    /// is independent of X.
+    /// `φ(β) E[(X' - β')₊]` per unit of the angle, while the row changes at the rate `turned`. X is the margin about its mean, in standard deviations,
+    /// and X' is independent of X.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;

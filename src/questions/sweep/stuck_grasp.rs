@@ -96,9 +96,9 @@ impl StuckGrasp {
         }
         let start = here.max(f64::MIN_POSITIVE) / growth;
         let roughly = |factor: f64| allowed - reliability(self.roughly(&rate, factor));
-        // Forces linearised in the data give a starting value.
         // A load has no limit if its forces may exceed the forces under the base load by this factor.
         let far = 1e6;
+        // Forces linearised in the data give a starting value.
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
         let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
         // Relative step of the difference quotient that gives the initial slope.
@@ -168,8 +168,8 @@ fn reliability(fails: f64) -> f64 {
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
 }
 
-/// The root of an increasing function that is negative at zero, from below, to the relative accuracy `precise`; infinite without a root up to `end`.
-/// Secant steps start from a guess and a slope (NaN if unknown), and stay within the bracket.
+/// The root of an increasing function that is negative at zero, to the relative accuracy `precise`. The lower end of the last bracket is returned, or
+/// infinity without a root up to `end`. Secant steps start from a guess and a slope (NaN if unknown), and stay within the bracket.
 fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let (mut at, mut last) = (guess, None);
