@@ -171,7 +171,7 @@ pub(crate) struct LocalAnswer {
     pub(crate) states: Vec<State>,
     /// Forces of the drives of a hand.
     pub(crate) drive_forces: Vec<SVector<f64, 3>>,
-    /// In inside coordinates.
+    /// Displacement and rotation of the object, in the coordinates of the engine.
     pub(crate) twist: Coordinates,
     pub(crate) free_motions: Vec<Coordinates>,
     /// Commanded displacements less clearance and slips, m, in the contact frames.
@@ -207,7 +207,7 @@ pub struct WorkDone {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Undecided {
-    /// The reason.
+    /// The reason why the search could not decide.
     pub doubt: Doubt,
     /// Counts of the work of the search; not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]

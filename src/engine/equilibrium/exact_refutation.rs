@@ -30,7 +30,7 @@ fn dot(a: &[Rational], b: &[Rational]) -> Rational {
 
 /// One contact in rational numbers.
 struct Exact {
-    /// Columns of G.
+    /// The columns of the grasp map G of this contact.
     map: [[Rational; 6]; 3],
     stiffness: [Rational; 3],
     friction: Rational,

@@ -92,7 +92,7 @@ pub enum WholeAnswer<'a, const C: usize> {
 }
 
 impl<const C: usize> WholeAnswer<'_, C> {
-    /// Its name.
+    /// Name of the contact or soft fingertip.
     #[must_use]
     pub fn text(&self) -> String {
         match self {

@@ -33,23 +33,23 @@ pub enum TooFar {
         /// The name of the body; `None` where there is one object.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         body: Option<String>,
-        /// The limit, rad.
+        /// The largest rotation that still counts as small, rad.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
     /// The surfaces of a closed contact have moved past each other too far.
     Slips {
-        /// The contact.
+        /// The contact that slips.
         contact: WholeContact,
-        /// The limit, m.
+        /// The largest displacement that still counts as small, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
     /// The object has moved too far away from a finger.
     Opens {
-        /// The contact.
+        /// The contact that opens.
         contact: WholeContact,
-        /// The limit, m.
+        /// The largest displacement that still counts as small, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },

@@ -35,16 +35,16 @@ pub(super) struct Arc<'s, 'g> {
     fixed: PathStiffness,
     /// b of the contacts that do not slide, without the rate of the load.
     push: Vector,
-    /// Whether commands change.
+    /// Whether commands change along the leg.
     pub(super) driven: bool,
 }
 
 /// A direction of the path.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
-    /// q'.
+    /// q', the rate of the twist by arclength.
     pub(super) twist: Vector,
-    /// λ'.
+    /// λ', the rate of the load factor by arclength.
     pub(super) factor: f64,
 }
 

@@ -53,12 +53,12 @@ pub enum Beyond<const C: usize> {
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
     WithoutVacuum {
-        /// The cups.
+        /// The suction cups that have lost their vacuum.
         cups: Vec<WholeContact>,
     },
     /// The answer could not be decided.
     Undecided {
-        /// The reason.
+        /// The reason why the continuation could not be decided.
         doubt: Doubt,
     },
 }

@@ -140,7 +140,7 @@ impl<'g> Cycles<'g> {
         (leg - self.gone.saturating_sub(1) * self.legs.len(), fraction)
     }
 
-    /// The equilibrium there.
+    /// The equilibrium at the present place of the path.
     pub(crate) fn state(&self) -> Option<Equilibrium<3>> {
         self.path.state()
     }

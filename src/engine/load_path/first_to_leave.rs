@@ -58,7 +58,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
 pub(super) enum WhileTurning {
     /// One contact leaves before all others.
     First(FirstToLeave),
-    /// Everything keeps sticking.
+    /// All contacts keep sticking.
     Never,
 }
 

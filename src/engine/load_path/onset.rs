@@ -68,7 +68,7 @@ impl<const C: usize> Onset<C> {
 pub struct OnsetEvent<const C: usize> {
     /// Load factor τ of a ramp, or the angle of a turn in rad, exact up to rounding.
     pub factor: f64,
-    /// The load there.
+    /// The load at the onset.
     pub load: Wrench<C>,
     /// The contacts that stop sticking, all at this factor. Contacts that have closed before are not among them.
     pub leaving: Vec<Leaving<C>>,
@@ -162,7 +162,7 @@ pub struct Leaving<const C: usize> {
     /// The contact that leaves.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// How it leaves.
+    /// Whether the contact slides, opens, or would have to pull.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub how: Departure<C>,
 }

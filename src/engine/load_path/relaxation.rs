@@ -28,25 +28,25 @@ use crate::prelude::*;
 struct Turning {
     contact: usize,
     tangent: Tangent,
-    /// |F_t|, N.
+    /// Size |F_t| of the friction force, N.
     size: f64,
-    /// d; zero for a contact without friction force, which has no direction to turn.
+    /// d, the direction in which the friction force turns; zero if there is no friction force.
     across: SVector<f64, 3>,
-    /// v, N for one radian and one unit of arclength.
+    /// v, by which the rate of force changes as the friction force turns, N for one radian and one unit of arclength.
     change: SVector<f64, 3>,
-    /// G v.
+    /// G v, the same change as a force on the coordinates.
     push: Vector,
     /// c = Cᵀ d, N/m.
     felt: SVector<f64, 3>,
-    /// G c.
+    /// G c, the row that maps the motion to the turn of the friction force.
     pull: Vector,
 }
 
-/// J at the start of a step.
+/// The derivative J at the start of a step.
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
     contacts: Vec<Turning>,
-    /// T and b.
+    /// T and b of the balance `T δq - b δλ`.
     stiffness: PathStiffness,
     load: Vector,
     way: Direction,
@@ -57,7 +57,7 @@ pub(super) struct Damped {
     length: f64,
     /// Of `[T' | -b']` with the row of the path below.
     bordered: PathFactors,
-    /// e, N.
+    /// e_i of each contact whose friction force turns, N.
     sizes: Vec<f64>,
 }
 

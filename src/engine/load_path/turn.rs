@@ -250,7 +250,7 @@ pub struct EdgeTouch {
     /// The contact or drive that touches its edge.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
-    /// The angle, rad.
+    /// The angle of the turn at which the edge is touched, rad.
     #[cfg_attr(feature = "serde", serde(rename = "angle_rad", with = "AsComputed::<f64>"))]
     pub angle: f64,
 }

@@ -34,9 +34,9 @@ pub(crate) struct BandPiece {
     /// Position of each coordinate in the order that makes the band narrow.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
-    /// A.
+    /// A, one row for each spring.
     pub(super) right: Side,
-    /// B, where a contact slides; otherwise B = A.
+    /// B, one row for each spring; `None` if no contact slides, since then B = A.
     pub(super) left: Option<Side>,
     pub(super) factors: BandFactors,
 }

@@ -23,7 +23,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// Without free motions.
+    /// The missing part of the twist, without free motions.
     pub(crate) twist: Vector,
     /// Uncertainty of the forces, N: the last correction if refinement did not converge, plus rounding of the stiffest springs in twice the working
     /// precision. Large where the piece is singular at working precision.

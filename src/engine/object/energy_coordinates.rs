@@ -32,7 +32,7 @@ impl Facet {
         Self { row, unit: row.norm() }
     }
 
-    /// (0, c).
+    /// The direction (0, c) of slip across the facet.
     pub(crate) fn column(&self) -> SVector<f64, 3> {
         tangential(&self.row)
     }
@@ -200,7 +200,7 @@ impl Slipping {
     }
 }
 
-/// `(1, 0…)`.
+/// The unit vector of the normal axis.
 pub(crate) fn normal() -> SVector<f64, 3> {
     SVector::from_fn(|axis, _| if axis == 0 { 1.0 } else { 0.0 })
 }

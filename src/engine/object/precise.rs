@@ -23,7 +23,7 @@ impl Precise {
         Self { high, low }
     }
 
-    /// Component k.
+    /// Component k in twice the working precision.
     #[inline(always)]
     fn at(&self, k: usize) -> DoubleDouble {
         DoubleDouble { high: self.high[k], low: self.low[k] }

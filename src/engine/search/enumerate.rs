@@ -33,7 +33,7 @@ pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<
 #[derive(Debug, Clone)]
 pub(crate) struct Enumerated {
     pub(crate) found: Vec<Found>,
-    /// Combinations tried.
+    /// Number of combinations tried.
     pub(crate) tried: usize,
     /// Whether some combination failed so narrowly that rounding may be the cause.
     pub(crate) doubtful: bool,

@@ -14,11 +14,11 @@ use super::ladder::LADDER;
 pub enum RungResult {
     /// The rung does not apply to the search.
     Untried,
-    /// Neither an equilibrium nor a proof.
+    /// The rung found neither an equilibrium nor a proof.
     Nothing,
-    /// An equilibrium.
+    /// The rung found an equilibrium.
     Found,
-    /// A proof that no equilibrium exists.
+    /// The rung proved that no equilibrium exists.
     Proved,
 }
 

@@ -34,7 +34,7 @@ pub(super) struct BalanceEquation {
     projector: Vec<f64>,
     /// f⁰ over its length.
     target: Vec<f64>,
-    /// |f⁰|, √J.
+    /// The length |f⁰| of the elastic trial forces, √J.
     unit: f64,
     /// K^{1/2} of each contact.
     roots: Vec<SVector<f64, 3>>,
@@ -97,7 +97,7 @@ impl BalanceEquation {
         }
     }
 
-    /// `P y`.
+    /// Computes the product `P y`.
     fn projected(&self, y: &[f64], projected: &mut Vec<f64>) {
         let size = y.len();
         projected.clear();

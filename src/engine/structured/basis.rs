@@ -75,11 +75,11 @@ impl Active {
 /// The linear response of a contact in a given state to u and z₀.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reaction {
-    /// The projection P.
+    /// The projection P in `x = P u - k z₀`.
     pub(super) hold: SMatrix<f64, 3, 3>,
-    /// Rows of Z.
+    /// The rows of Z in `z_A = -(Z u + ζ z₀)`.
     pub(super) multipliers: [SVector<f64, 3>; 3],
-    /// ζ and k of the covering vector.
+    /// ζ and k, the response to z₀.
     pub(super) cover: Jumps,
     /// ζ and k of the perturbation that breaks ties.
     pub(super) tie: Jumps,

@@ -20,7 +20,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(super) struct PairedContact {
     pub(super) contact: EnergyContact,
-    /// x⁰_i.
+    /// x⁰_i, the elastic trial state of this contact.
     pub(super) trial: SVector<f64, 3>,
     /// The index of its first pair in the whole problem. Pair 0 of a contact that may open is its
     /// gap.
@@ -39,7 +39,7 @@ impl PairedContact {
     }
 }
 
-/// The kinematic form.
+/// The kinematic form of a problem, as a list of contacts instead of a dense matrix.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ContactForm {
     pub(super) locals: Vec<PairedContact>,
@@ -47,7 +47,7 @@ pub(crate) struct ContactForm {
     pub(super) size: Size,
     /// The number of pairs of all contacts.
     pub(super) pairs: usize,
-    /// The largest |Q_i|.
+    /// The largest norm |Q_i| of the map of a contact.
     pub(super) widest: f64,
     /// The covering vector d, entry by entry in the units of the rows. An empty list stands for ones, if rows have length one.
     covering: Vec<f64>,

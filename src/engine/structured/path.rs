@@ -27,7 +27,7 @@ pub(crate) enum PivotEnd {
     /// The entering variable grows without bound. On this form a ray proves nothing.
     Ray,
     PivotLimit,
-    /// A singular basis.
+    /// The basis has become singular.
     Breakdown,
 }
 

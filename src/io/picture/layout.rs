@@ -23,7 +23,7 @@ pub(super) const MARKS: MarkLayout =
 
 /// A grasp in the plane.
 pub(super) struct PlanarLayout {
-    /// Height of letters.
+    /// Height of letters, pixels.
     pub(super) letters: f64,
     /// Length of a finger behind its contact, and distance of its name from the contact, as fractions of the span.
     pub(super) finger: f64,

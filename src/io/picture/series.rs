@@ -10,7 +10,7 @@ pub struct ChartSeries {
     pub name: String,
     /// The points (x, y).
     pub points: Vec<(f64, f64)>,
-    /// The stroke.
+    /// How the points are drawn: by a line, a dashed line, or circles.
     pub stroke: Stroke,
 }
 

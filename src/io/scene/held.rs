@@ -19,7 +19,7 @@ use crate::words::Words;
 pub struct HoldAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The answer.
+    /// The verdict, field by field.
     #[serde(flatten)]
     pub verdict: Verdict<C>,
 }
@@ -51,7 +51,7 @@ pub struct HoldAnswer<const C: usize> {
 pub struct NeedAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The answer.
+    /// The needed amount, field by field.
     #[serde(flatten)]
     pub needed: Needed,
 }
@@ -100,7 +100,7 @@ impl NeedAnswer {
 pub struct ImproveAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The answer.
+    /// The better finger places, field by field.
     #[serde(flatten)]
     pub improved: Improved<C>,
 }
@@ -140,7 +140,7 @@ impl<const C: usize> ImproveAnswer<C> {
 pub struct IdentifyAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The answer.
+    /// The estimates, field by field.
     #[serde(flatten)]
     pub identified: Identified,
 }
@@ -176,7 +176,7 @@ impl IdentifyAnswer {
 pub struct ShakeAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The answer.
+    /// The fate of the repeated load, field by field.
     #[serde(flatten)]
     pub shaken: Shaken<C>,
 }

@@ -14,7 +14,7 @@ use crate::words::Words;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SolveAnswer<const C: usize> {
-    /// The outcome.
+    /// The equilibrium, the proof, or the doubt.
     #[serde(flatten)]
     pub outcome: Outcome<C>,
     /// The answer of `hold` for the same load from rest. It is given if the outcome is undecided, or if a suction cup has lost its vacuum.

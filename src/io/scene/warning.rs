@@ -44,7 +44,7 @@ pub enum Warning {
     SameName {
         /// The contacts of the scene, from 0.
         contacts: Vec<usize>,
-        /// The common name.
+        /// The name that these contacts share.
         name: String,
     },
     /// Contacts have no stiffness, and answers depend on the default.
@@ -64,7 +64,7 @@ pub enum Warning {
         link: usize,
         /// The name of the link in messages.
         name: String,
-        /// The pretension, N.
+        /// The given pretension, N.
         told: f64,
         /// The pull at rest, N.
         force: f64,
@@ -84,7 +84,7 @@ pub enum Warning {
     ManyMetres {
         /// The length in words, with a verb.
         what: String,
-        /// The length, m.
+        /// The length in doubt, m.
         length: f64,
         /// The distance of the contacts, m, if the length is too large beside it.
         #[serde(skip_serializing_if = "Option::is_none")]

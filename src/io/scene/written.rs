@@ -47,9 +47,9 @@ pub enum Space {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Id {
-    /// A number.
+    /// A whole number.
     Number(i64),
-    /// A text.
+    /// A string.
     Text(String),
 }
 

@@ -23,9 +23,9 @@ pub const BLOCK_BYTES: usize = 1 << 16;
 pub struct Tally {
     /// Lines read, empty ones included.
     pub lines: usize,
-    /// Lines with answers.
+    /// Lines that were answered.
     pub answered: usize,
-    /// Lines with an error.
+    /// Lines with an error in place of answers.
     pub errors: usize,
 }
 

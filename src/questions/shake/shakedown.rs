@@ -53,7 +53,7 @@ pub struct BindingContact {
     /// The number of the load, from 0; `None` for the load at rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub load: Option<usize>,
-    /// The contact.
+    /// The contact at its limit of friction.
     pub contact: WholeContact,
 }
 

@@ -21,7 +21,7 @@ pub(super) struct StepPace {
     pub(super) longest: f64,
     /// Whether the last step was refused: the next one is then no longer than its replacement.
     pub(super) refused: bool,
-    /// Steps tried.
+    /// Number of steps tried so far, refused ones included.
     pub(super) tried: usize,
 }
 
