@@ -46,7 +46,7 @@ impl Engine {
         }
         let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };
         let twist = PreciseTwist::new(problem.size(), at.twist.clone());
-        // Slides on the round cone follow the present forces and slips.
+        // The direction of each slide on the round cone is recomputed from the present force and slip.
         let states = problem.slid_on(&equilibrium.local.states, &at.forces, &twist);
         let piece = Piece::new(&problem, &states);
         let largest = problem.largest_force(&at.forces, &at.twist);
@@ -55,7 +55,7 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // Displacements are sums of terms of this size, rounded.
+            // A displacement has at least half a rounding of its terms.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {
@@ -66,7 +66,7 @@ impl Engine {
             }
             size(&forces)
         };
-        // Number of sign patterns with which the data are varied.
+        // Number of sign patterns with which all data are varied.
         let most = (0..3).map(varied).fold(0.0, f64::max);
         Some(Accuracy {
             force: size(&missing.forces) + missing.doubt,
@@ -75,7 +75,7 @@ impl Engine {
         })
     }
 
-    /// The local problem that an equilibrium solves; `None` for an equilibrium with another number of contacts.
+    /// The problem that an equilibrium solves; `None` for an equilibrium with another number of contacts.
     pub(crate) fn problem_of(&self, equilibrium: &Equilibrium<3>) -> Option<Problem<'_>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;

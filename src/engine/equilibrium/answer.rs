@@ -66,7 +66,8 @@ pub struct Equilibrium<const C: usize> {
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then that of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub bodies: Vec<BodyMotion<C>>,
-    /// Loads on single bodies that a [program](crate::load_path::Leg::body_load_by) has put on beside `load`, without the constant loads of bodies.
+    /// Loads on single bodies that a [program](crate::load_path::Leg::body_load_by) has applied in addition to `load`, without the constant loads of
+    /// bodies.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub body_loads: Vec<BodyLoad<C>>,
     /// The motion that is farthest beyond [small motions](crate::Settings::small_motions). The theory keeps contact points and normals fixed, so
@@ -85,8 +86,8 @@ pub struct Equilibrium<const C: usize> {
     /// The tendons of the hand; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
-    /// Suction cups whose lips are open all around. The answer counts their vacuum, which would be gone: it does not hold for the real
-    /// grasp.
+    /// Suction cups whose lips are open all around. The answer still includes the pull of their vacuum, which would be lost: it does not hold for the
+    /// real grasp.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open_cups: Vec<WholeContact>,
     /// The residuals of the conditions, recomputed from the question.
@@ -103,13 +104,13 @@ pub struct Equilibrium<const C: usize> {
     /// Energy stored in the springs, those of joints included, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
-    /// Unit motions that no contact resists in its present state, m and rad: the twist is known up to them, and the forces do not depend on
-    /// them. Their length is one about the centroid of the contact points, with a rotation counted in radians times the root mean square distance
-    /// of the points from it, and joints as in the norm of `twist`. Both signs are allowed. Empty where every motion is resisted.
+    /// Unit motions that no contact resists in its present state, m and rad. They may be added to the twist in any amount, with either sign, and the
+    /// forces do not depend on them. Their length is one about the centroid of the contact points. A rotation counts in radians times the root mean
+    /// square distance of the points from it, and joints as in the norm of `twist`. Empty if every motion is resisted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of
-    /// a whole line. Lengths as for `free_motions`. Empty except at loads where friction just balances on a wedge.
+    /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of a whole line. Lengths as for
+    /// `free_motions`. Empty except at loads at which friction just balances on a wedge.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
     /// On the round cone: the largest change of a contact force, N, from the answer of the polygon with which the search started.
@@ -171,7 +172,7 @@ pub(crate) struct LocalAnswer {
     pub(crate) states: Vec<State>,
     /// Forces of the drives of a hand.
     pub(crate) drive_forces: Vec<SVector<f64, 3>>,
-    /// Displacement and rotation of the object, in the coordinates of the engine.
+    /// The twist in inside coordinates.
     pub(crate) twist: Coordinates,
     pub(crate) free_motions: Vec<Coordinates>,
     /// Commanded displacements less clearance and slips, m, in the contact frames.

@@ -42,12 +42,12 @@ impl Cone {
         if settings.is_round(space) { Self::Round } else { Self::polygonal(space, settings) }
     }
 
-    /// The polygonal cone of the settings, in the plane the exact one.
+    /// The polygonal cone of the settings; in the plane the exact cone.
     pub(crate) fn polygonal(space: Space, settings: &Settings) -> Self {
         if space == Space::Planar { Self::Planar } else { Self::Polygon(settings.cone) }
     }
 
-    /// Facets of a form with this cone: 2 in the plane, and the one tangent facet of a round cone.
+    /// Number of facets that a contact with this cone has in a complementarity problem: 2 in the plane, one tangent facet for a round cone.
     pub(crate) fn facets(self) -> usize {
         match self {
             Self::Planar => 2,

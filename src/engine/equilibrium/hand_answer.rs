@@ -20,10 +20,10 @@ pub struct JointAnswer {
     /// Label of the joint.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub joint: PartLabel,
-    /// Whether it turns or slides.
+    /// Whether the joint turns or slides.
     #[cfg_attr(feature = "serde", serde(default))]
     pub kind: JointKind,
-    /// State of its own drive.
+    /// State of the joint's own drive.
     pub state: DriveState,
     /// Displacement φ from the posture in which the contacts were given, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -32,14 +32,14 @@ pub struct JointAnswer {
     /// Σ Jᵀ F - τ_ext`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub torque: f64,
-    /// Torque of its own drive, without constant torques, N m or N; zero without a drive.
+    /// Torque of the joint's own drive, without constant torques, N m or N; zero without a drive.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub drive: f64,
-    /// Limit in reserve, the bound less |drive|, N m or N; infinite without a limit.
+    /// Margin to the limit, the bound less |drive|, N m or N; infinite without a limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Displacement by which its own drive has yielded beyond its spring, `θ - φ - drive/k`, rad or m: zero while it holds, apart from earlier slip
-    /// of a clutch.
+    /// Displacement by which the joint's own drive has yielded beyond its spring, `θ - φ - drive/k`, rad or m: zero while it holds, apart from
+    /// earlier slip of a clutch.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
@@ -53,15 +53,15 @@ pub struct TendonAnswer {
     /// Label of the tendon.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub tendon: PartLabel,
-    /// State of its drive.
+    /// State of the tendon's drive.
     pub state: DriveState,
-    /// Its tension, N: that of its spring and the constant one.
+    /// Tension of the tendon, N: that of its spring and the constant one.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub tension: f64,
-    /// Limit in reserve, N; infinite without a limit.
+    /// Margin to the limit, N; infinite without a limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Displacement by which its drive has yielded beyond its spring, `x - r·φ - T/k`, m.
+    /// Displacement by which the tendon's drive has yielded beyond its spring, `x - r·φ - T/k`, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
@@ -72,13 +72,13 @@ pub struct TendonAnswer {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum DriveState {
-    /// It holds like a spring.
+    /// The drive holds like a spring.
     Holds,
-    /// It has reached its limit and yields.
+    /// The drive has reached its limit and yields.
     Yields,
     /// A tendon without tension, which follows the joints.
     Slack,
-    /// There is no spring: a constant torque acts, or drives of other joints hold it.
+    /// The joint has no spring of its own: a constant torque acts, or drives of other joints hold it.
     Absent,
 }
 
@@ -90,7 +90,7 @@ struct Own {
 }
 
 impl Engine {
-    /// Answers for joints and tendons, from a solution of the local problem.
+    /// Answers for joints and tendons, from a solution of the problem.
     pub(super) fn hand_answers(
         &self,
         problem: &Problem,

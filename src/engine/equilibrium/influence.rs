@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// The matrix A of a contact: its force by 1 N along each coordinate axis, column by column.
 pub(crate) struct Influence {
     pub(crate) of: SMatrix<f64, 3, 3>,
-    /// Sum of the sizes of its columns.
+    /// Sum of the force sizes under the three loads, which scales rounding.
     pub(crate) size: f64,
 }
 

@@ -42,13 +42,13 @@ pub struct PadAnswer<const C: usize> {
 }
 
 impl<const C: usize> PadAnswer<C> {
-    /// Its points among the contacts of the answer.
+    /// Range of the points among the contacts of the answer.
     #[must_use]
     pub fn range(&self) -> Range<usize> {
         self.first..self.first + self.points
     }
 
-    /// Its state in words: "sticks", "3 of 12 points slide", "slides everywhere", "open".
+    /// State of the fingertip in words: "sticks", "3 of 12 points slide", "slides everywhere", "open".
     #[must_use]
     pub fn doing(&self) -> String {
         let Self { points, sliding, open, .. } = *self;
@@ -62,13 +62,13 @@ impl<const C: usize> PadAnswer<C> {
         }
     }
 
-    /// Its force in the contact frame, N.
+    /// Force of the finger on the object in the contact frame, N.
     #[must_use]
     pub fn force(&self) -> SVector<f64, C> {
         self.wrench.force_part()
     }
 
-    /// Its moment about its middle, N m: one component in the plane, three in space.
+    /// Moment about the middle of the pad, N m: one component in the plane, three in space.
     #[must_use]
     pub fn moment(&self) -> &[f64] {
         &self.wrench.components()[C..]
@@ -92,7 +92,7 @@ pub enum WholeAnswer<'a, const C: usize> {
 }
 
 impl<const C: usize> WholeAnswer<'_, C> {
-    /// Name of the contact or soft fingertip.
+    /// The name of the contact.
     #[must_use]
     pub fn text(&self) -> String {
         match self {
@@ -101,7 +101,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
-    /// Kind of the link between bodies that it represents, if it is no contact.
+    /// The kind of link between bodies, if this is a link and no contact.
     #[must_use]
     pub fn link(&self) -> Option<LinkKind> {
         match self {
@@ -121,7 +121,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
         Some(self.link()?.carries(words, force(self.force()[0]), force(self.force().norm()), moment))
     }
 
-    /// Its state in words: "sticks".
+    /// State of the contact in words: "sticks".
     #[must_use]
     pub fn doing(&self) -> String {
         match self {
@@ -220,7 +220,7 @@ impl Engine {
                 add(axes + turn, space.displacement_of(&arm, &unit).dot(&contact.force_world));
             }
         }
-        // Size of a sum, over the sizes of its terms, below which it is rounding.
+        // A sum below this part of the sizes of its terms is rounding.
         let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= 1e-14 * size { 0.0 } else { *sum };
         Wrench::among(space, &Vector::from_slice(&sums.iter().map(clean).collect::<Vec<_>>()))
     }

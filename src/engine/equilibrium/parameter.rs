@@ -59,11 +59,11 @@ pub enum Parameter {
     Normal {
         /// The contact, from 0.
         contact: usize,
-        /// The tangent towards which the normal tilts, an axis of the contact frame from 1. In space 0 stands for a turn about the
+        /// The tangent towards which the normal tilts, by its axis in the contact frame: 1, in space also 2. In space 0 stands for a turn about the
         /// normal, from t₁ to t₂.
         axis: usize,
     },
-    /// Command of a joint of the hand or, behind the joints, of a tendon, rad or m.
+    /// Command of a joint of the hand or of a tendon, rad or m.
     JointCommand {
         /// The joint, from 0, finger by finger; tendons follow.
         joint: usize,

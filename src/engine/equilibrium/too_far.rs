@@ -116,7 +116,7 @@ pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
 }
 
-/// Contacts in known states, with the offsets of their springs.
+/// Contacts in known states, with their forces and the offsets of their springs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing<'s> {
     pub(crate) offsets: &'s [SVector<f64, 3>],
@@ -135,7 +135,7 @@ impl<'s> Standing<'s> {
 }
 
 impl Engine {
-    /// The root mean square distance of contact points from their centroid, of several bodies the largest; infinite where all are at one point.
+    /// The root mean square distance of contact points from their centroid, for several bodies the largest; infinite if all points coincide.
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
         let far = largest(self.contacts(), &|contact| contact.point.amax());
@@ -175,7 +175,7 @@ impl Engine {
             let moved = site.map.tr_mul(standing.twist);
             let (mut shift, mut of) = (SVector::zeros(), MotionOf::Slip(i));
             if standing.states[i].is_open() {
-                // A command that leads a finger away from the object is no motion of the object.
+                // An opening that a retracting command causes is no motion of the object, and does not count.
                 (shift[0], of) = (moved[0] - standing.offsets[i][0].max(0.0), MotionOf::Opening(i));
             } else {
                 let mut slip = standing.slips[i];

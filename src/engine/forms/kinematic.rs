@@ -77,7 +77,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
     form(problem, state, rows, &jumps, &|i, j| seen[i][0].dot(&seen[j][1]))
 }
 
-/// Displacements of the coordinates under unit jumps, kept by contact: forms of other sets of contacts reuse them.
+/// Displacements of the coordinates under unit jumps (gaps or slips), kept by contact: forms of other sets of contacts reuse them.
 #[derive(Debug, Default)]
 pub(crate) struct Moved(Vec<Option<Vec<Vec<f64>>>>);
 

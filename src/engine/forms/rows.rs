@@ -96,7 +96,7 @@ pub struct Form {
 }
 
 impl Form {
-    /// The row with this meaning, if it was made.
+    /// The index of the row with this meaning, if the form has it.
     #[must_use]
     pub fn position(&self, row: Row) -> Option<usize> {
         self.rows.iter().position(|r| *r == row)

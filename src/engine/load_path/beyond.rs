@@ -97,7 +97,7 @@ pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: 
     }))
 }
 
-/// The end of an equilibrium.
+/// The place at which an equilibrium ends, and the contact forces there.
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
@@ -182,7 +182,7 @@ fn from_scratch<'g>(
                 // If the forces found are nearly those at the end, shorter distances decide. On a continued path forces converge to those at the end;
                 // those of another equilibrium do not.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // This equilibrium may be the one that ends here, found past its end by rounding.
+                // Otherwise this equilibrium may be the one that ends here, found past its end through rounding.
                 return if is_another {
                     Beyond::Snap
                 } else {
@@ -220,7 +220,7 @@ fn whole_way(here: &Problem, rates: &Problem) -> f64 {
 }
 
 fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
-    // The complete laws under the rates of load and commands.
+    // The problem with complete contact laws in which rates of load and commands replace load and commands.
     let rates = &Problem {
         offsets: rates.offsets.clone(),
         wrench: rates.wrench.clone(),

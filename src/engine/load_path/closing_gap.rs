@@ -36,7 +36,7 @@ struct FreeWay {
     still: Vec<bool>,
 }
 
-/// Whether a contact with this force lets the body move at a velocity, in the contact frame, without a change of its force. Velocities up to `none`
+/// Whether a body may move past a contact with this force at a velocity, in the contact frame, without changing the force. Velocities up to `none`
 /// are rounding.
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {

@@ -8,18 +8,18 @@ use super::segment::PathPoint;
 use super::watch::{Watch, watch};
 use crate::prelude::*;
 
-/// The end of a step.
+/// The end of a step, with the conditions there.
 pub(super) struct StepEnd {
     pub(super) length: f64,
     pub(super) rule: Rule,
     pub(super) reached: Reached,
     pub(super) watches: Vec<Watch>,
-    /// The condition at which the step was made to end.
+    /// The index of the condition at which the step was made to end, if any.
     pub(super) located: Option<usize>,
 }
 
 impl Pieces<'_> {
-    /// A step of a length, with the conditions at its end.
+    /// Makes a step of a length, and evaluates the conditions at its end.
     pub(super) fn step(
         &self,
         here: &PathPoint,
@@ -43,7 +43,7 @@ impl Pieces<'_> {
         violated.min_by(|&i, &j| part(i).total_cmp(&part(j)))
     }
 
-    /// The step that ends where condition `k` is just met and no other is violated.
+    /// Returns the step that ends where condition `k` is just met and no other is violated.
     pub(super) fn locate(
         &self,
         here: &PathPoint,
@@ -53,7 +53,7 @@ impl Pieces<'_> {
     ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // The condition is met at the start already, and is violated at once.
+            // The condition is zero at the start already, and violated right behind it.
             low.1 = 0.0;
         }
         // Most evaluations: bisection alone would need 50.
@@ -67,7 +67,7 @@ impl Pieces<'_> {
                 end.watches[k].way().map(|way| end.length + way).filter(|t| *t > low.0 && *t < high.0);
             let to = newton.unwrap_or(low.0 + (high.0 - low.0) * part);
             if to <= low.0 || to >= high.0 {
-                // No floating-point number lies between.
+                // No floating-point number lies between both ends of the bracket.
                 end.located = Some(k);
                 return Some(end);
             }

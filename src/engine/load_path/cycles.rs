@@ -44,7 +44,7 @@ pub(crate) struct CycleRecord {
     pub(crate) slid: Vec<f64>,
     /// Heat from friction, J.
     pub(crate) dissipated: f64,
-    /// The largest force on the way, N.
+    /// The largest force during the cycle, N.
     pub(crate) largest: f64,
     /// The smallest gap of each site that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
@@ -54,7 +54,7 @@ pub(crate) struct CycleRecord {
 }
 
 impl CycleRecord {
-    /// Adds the next cycle to this record.
+    /// Adds the totals of the next cycle, so that this record covers both.
     pub(crate) fn append(&mut self, next: &Self) {
         self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
         self.dissipated += next.dissipated;
@@ -89,7 +89,7 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, Pieces::at_start)?;
-        // A cycle is closed if its end differs from its beginning by at most this part of the largest load or command on the way.
+        // A cycle is closed if its end differs from its beginning by at most this part of the largest load or command along it.
         path.journey.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, gone: 0 })
     }
@@ -103,7 +103,7 @@ impl<'g> Cycles<'g> {
             slipped.offsets.iter_mut().zip(&from.slips).for_each(|(offset, slip)| *offset -= slip);
             slipped.slips.clone_from(&from.slips);
             slipped.cones = from.cones(grasp);
-            // If a contact would have to slide at once, no search is needed.
+            // A state in which a contact would have to slide at once is refused without a search.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
                 // A condition of sticking that is violated by more than this part of the largest force means sliding.
                 slipped
@@ -140,19 +140,19 @@ impl<'g> Cycles<'g> {
         (leg - self.gone.saturating_sub(1) * self.legs.len(), fraction)
     }
 
-    /// The equilibrium at the present place of the path.
+    /// The equilibrium at the present place.
     pub(crate) fn state(&self) -> Option<Equilibrium<3>> {
         self.path.state()
     }
 
-    /// Follows one cycle; `None` if the path [ends](Self::end) on the way.
+    /// Follows one cycle; `None` if the path [ends](Self::end) before.
     pub(crate) fn go(&mut self) -> Option<CycleRecord> {
         if self.gone > 0 && self.path.end().is_some() {
             self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
             self.path.continue_with(&self.legs).ok()?;
         }
         self.gone += 1;
-        // The present state is computed from the piece that led to it, which is no part of this cycle.
+        // The last piece of the previous cycle is still stored, since the present state is computed from it; it is no part of this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         self.end().is_none().then_some(())?;

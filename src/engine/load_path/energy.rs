@@ -10,8 +10,9 @@ use crate::numerics::{Harmonic, mapped};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, and under a load
-/// that turns they turn with it, so that every integral is exact. Where contacts slide on the round cone, works are integrated along with the slips.
+/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, under a load that
+/// turns they are harmonics of its angle, and every integral is exact. Where contacts slide on the round cone, works are integrated along with the
+/// slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

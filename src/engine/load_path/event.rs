@@ -25,7 +25,7 @@ pub struct Event<const C: usize> {
     /// steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
-    /// The load at this fraction of the leg.
+    /// The load at the event.
     pub load: Wrench<C>,
     /// Changes, contact by contact. Empty if only a motion has become free, or if contacts at the start of a leg keep their states although other
     /// continuations exist. Symmetric grasps change several contacts at once.
@@ -63,7 +63,7 @@ pub struct ContactChange<const C: usize> {
     /// The contact that changes.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// Its behaviour from here on.
+    /// The behaviour of the contact from here on.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub what: Change<C>,
 }
@@ -170,7 +170,7 @@ pub struct Loss<const C: usize> {
     /// Fraction of the leg already followed, from 0 to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
-    /// The load at this fraction of the leg.
+    /// The load at the loss.
     pub load: Wrench<C>,
     /// The reason for the end of the equilibrium.
     pub kind: LossKind,

@@ -56,7 +56,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
 
 /// The result for a load that turns.
 pub(super) enum WhileTurning {
-    /// One contact leaves before all others.
+    /// One contact stops sticking before all others.
     First(FirstToLeave),
     /// All contacts keep sticking.
     Never,

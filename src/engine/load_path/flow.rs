@@ -36,7 +36,7 @@ pub(super) enum Rule {
 }
 
 impl Rule {
-    /// This rule with a larger error by this factor, if it has one.
+    /// This rule with its error, if it has one, multiplied by `times`.
     fn looser(self, times: f64) -> Self {
         if let Self::Implicit { tolerance } = self {
             Self::Implicit { tolerance: tolerance * times }
@@ -161,7 +161,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.sliding.iter().zip(&self.begin).map(move |(i, friction)| (*i, rate((i, friction))))
     }
 
-    /// A step of this length, ended at the goal if it comes near enough. `None` if no such step exists.
+    /// Makes a step of this length, which ends at the goal if it comes near enough. `None` if no such step exists.
     pub(super) fn reach(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<Reached> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);

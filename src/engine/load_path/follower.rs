@@ -27,7 +27,7 @@ pub(crate) enum Advance<T> {
     EndOfLeg,
 }
 
-/// The contacts at the present place, and the rates of those on an edge.
+/// The state at the present place, and the problem in rates for the contacts on an edge.
 #[derive(Debug)]
 pub(crate) struct StandAtEdge<'g> {
     pub(super) segment: Segment<'g>,
@@ -41,7 +41,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// The type of reports on the way.
     type Report;
 
-    /// Starts the present leg of the journey.
+    /// Starts the present leg of the program.
     ///
     /// # Errors
     /// How the path ends if it cannot start.
@@ -56,13 +56,13 @@ pub(crate) trait Follower<'g>: Debug {
     /// The fraction of the leg already followed.
     fn fraction(&self) -> f64;
 
-    /// The equilibrium there; `None` where rounding keeps it from being computed.
+    /// The equilibrium at the present place; `None` if rounding prevents its computation.
     fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>>;
 
-    /// Contact forces there, N, in the contact frames.
+    /// Contact forces at the present place, N, in the contact frames.
     fn forces(&self, journey: &Journey<'g>) -> Vec<SVector<f64, 3>>;
 
-    /// The contacts on an edge there, with their rates.
+    /// The contacts on an edge at the present place, with their problem in rates.
     fn edge(&self, journey: &Journey<'g>) -> StandAtEdge<'g>;
 
     /// The situation beyond a jump that found no equilibrium, from a follower with kinetic friction; `None` if the path did not end in one.
@@ -85,7 +85,7 @@ pub(crate) trait Follower<'g>: Debug {
         false
     }
 
-    /// The equilibrium at a fraction of a leg already passed; `None` where rounding keeps it from being computed.
+    /// The equilibrium at a fraction of a leg already passed; `None` if rounding prevents its computation.
     fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<3>> {
         None
     }

@@ -37,7 +37,7 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_torques_by(change)
     }
 
-    /// A leg at whose end these torques hold the joints, in the order of [`Self::torques_by`].
+    /// A leg at whose end the torques `torques` hold the joints, in the order of [`Self::torques_by`].
     #[must_use]
     pub fn torques_to(torques: impl IntoIterator<Item = f64>) -> Self {
         Self::STAY.and_torques_to(torques)

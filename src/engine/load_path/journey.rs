@@ -116,7 +116,7 @@ impl<'g> Journey<'g> {
         PathEnd::Undecided { leg: self.program.leg, fraction, doubt }
     }
 
-    /// Appends legs, all or none of them.
+    /// Appends legs to the program; none is appended if one is invalid.
     pub(super) fn extend(&mut self, legs: &[Leg<3>]) -> Result<(), Error> {
         self.program.extend(self.grasp, legs)
     }

@@ -161,7 +161,7 @@ impl<'g> Pieces<'g> {
         Ok(Some(leg))
     }
 
-    /// Moves to the equilibrium after the friction of these contacts falls. `None` where they have no friction force to lose.
+    /// Makes the jump that follows when the contacts `begin` start to slide with kinetic friction. `None` if they have no friction force to lose.
     pub(super) fn jump(
         &mut self,
         journey: &Journey<'g>,

@@ -21,7 +21,7 @@ use crate::search::{
     solution_near, try_states,
 };
 
-/// The decision from the rates at a node.
+/// The result of the problem in rates at a node.
 struct Decided<'g> {
     /// The factor at which the rates were taken.
     ahead: f64,
@@ -129,7 +129,8 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
-        // While the load turns, the rates this many radians ahead decide, or nearer ones if another event comes first.
+        // While the load turns, the rates at this angle (rad) beyond the node decide; smaller angles follow, for the case that another event comes
+        // first.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let Settled::Found(found, _) = &decided.settled else {
@@ -184,7 +185,7 @@ impl Node {
     /// touch open.
     fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
-        // Friction of zero force has no direction to slide in.
+        // A zero friction force has no direction of sliding.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
         let nothing = slides && carries_nothing(rates, &found.forces, &found.twist);
         let state = |i: usize| {

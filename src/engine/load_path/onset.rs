@@ -19,7 +19,7 @@ use crate::serial::AsComputed;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Onset<const C: usize> {
-    /// The onset lies at this factor.
+    /// The first contact stops sticking at the factor of this event.
     At(Box<OnsetEvent<C>>),
     /// Everything keeps sticking at every factor; for a turn, up to its last angle.
     Never,
@@ -87,13 +87,13 @@ pub(super) struct StickingState {
     pub(super) rule: FoundBy,
     /// The active set of each site: the edges of its cone that it has reached.
     pub(super) stands: Vec<ActiveSet>,
-    /// The sites that leave.
+    /// The sites that stop sticking.
     pub(super) leaving: Vec<usize>,
     pub(super) wrench: Coordinates,
     pub(super) wrench_rate: Coordinates,
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) offset_rates: Vec<SVector<f64, 3>>,
-    /// Slips of contacts that have closed on the way.
+    /// Slips of contacts that have closed before the onset.
     pub(super) slips: Vec<SVector<f64, 3>>,
 }
 
@@ -159,10 +159,10 @@ impl Leaving<3> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Leaving<const C: usize> {
-    /// The contact that leaves.
+    /// The contact that stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// Whether the contact slides, opens, or would have to pull.
+    /// How it stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub how: Departure<C>,
 }
@@ -176,14 +176,14 @@ pub struct Leaving<const C: usize> {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Departure<const C: usize> {
-    /// It slides, `|F_t| = μ F_n`.
+    /// The contact slides, `|F_t| = μ F_n`.
     Slides {
         /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
-    /// It opens, F_n = 0.
+    /// The contact opens, F_n = 0.
     Opens,
-    /// It is kept closed and would have to pull, F_n = 0, which its friction does not allow.
+    /// The contact is kept closed and would have to pull, F_n = 0, which its friction does not allow.
     WouldPull,
 }

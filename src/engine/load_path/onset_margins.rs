@@ -45,7 +45,7 @@ impl<'g> OnsetMargins<'g> {
         let has_slipped = |i: usize| {
             found.states[i].is_sticking() && !response.law(i).is_frictionless() && slips[i].norm() != 0.0
         };
-        // A contact that slides as soon as it touches leaves at a gap, not at a margin.
+        // A contact that slides as soon as it touches has no margin that vanishes at the onset: its gap closes there.
         let opens = |site: &usize| found.states[*site].is_open();
         if (0..grasp.len()).any(has_slipped) || leaving.iter().any(opens) {
             return None;
@@ -61,7 +61,7 @@ impl<'g> OnsetMargins<'g> {
         Some(Self { response, state, margins })
     }
 
-    /// The contacts and drives that leave.
+    /// The contacts and drives that stop sticking.
     pub(crate) fn leavers(&self) -> Vec<Leaver> {
         mapped(&self.margins, &|margin| margin.leaver)
     }

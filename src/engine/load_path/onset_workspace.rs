@@ -31,12 +31,12 @@ pub(super) struct OnsetMemory {
     pub(super) states: Vec<State>,
     pub(super) stands: Vec<ActiveSet>,
     pub(super) leaving: Vec<Leaving<3>>,
-    /// The sites that leave.
+    /// The sites that stop sticking.
     pub(super) sites: Vec<usize>,
     /// Lists of joint coordinates.
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<3>>>,
-    /// The settled base, if the last question needed it.
+    /// The equilibrium at the base, if the last question had to search for it.
     pub(super) rest: Option<Rest>,
 }
 

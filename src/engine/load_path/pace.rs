@@ -62,9 +62,9 @@ impl Pace {
         may
     }
 
-    /// Records a step, given its error as a part of the allowed one. A step shortened to end at an event does not speak against longer ones.
+    /// Records a step, given its error as a part of the allowed one. A step that was shortened to end at an event does not reduce the next length.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // Largest ratio of successive step lengths, for the same reason as the least one.
+        // Largest ratio of successive step lengths, since the error estimate holds for small changes.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });

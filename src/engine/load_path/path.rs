@@ -191,7 +191,7 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.forces()
     }
 
-    /// Follows the path to its end and returns all reports of the way.
+    /// Follows the path to its end and returns all its reports.
     pub fn run(&mut self) -> Vec<T> {
         self.by_ref().collect()
     }

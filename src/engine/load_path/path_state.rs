@@ -121,7 +121,7 @@ impl Node {
         segment.largest = segment.largest.max(here.sizes[0]);
         for (i, (line, force)) in here.lines.iter().zip(&there.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            // A contact that started to slide from the apex and is still weightless has not left it.
+            // A contact that started to slide from the apex, and still has no force, has not left the apex.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
                 self.stands[i].apex = true;

@@ -59,7 +59,7 @@ impl Program {
         }
     }
 
-    /// Appends legs, all or none of them.
+    /// Appends legs; none is appended if one is invalid.
     pub(super) fn extend(&mut self, grasp: &Engine, legs: &[Leg<3>]) -> Result<(), Error> {
         // All legs are checked before one is appended.
         for leg in legs {
@@ -75,7 +75,7 @@ impl Program {
         Ok(())
     }
 
-    /// Begins the next leg where the last one ended; false if there is none.
+    /// Begins the next leg where the last one ended; returns false if there is none.
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
         (self.course, self.goal) = leg.load.course(&self.goal);
@@ -144,7 +144,7 @@ impl Program {
         self.leg - self.done < self.legs.len()
     }
 
-    /// Moves on to the next leg; false if there is none.
+    /// Moves on to the next leg; returns false if there is none.
     pub(super) fn next_leg(&mut self) -> bool {
         self.leg += 1;
         self.begin_leg()

@@ -30,27 +30,28 @@ pub struct Ramp<const C: usize> {
 }
 
 impl<const C: usize> Ramp<C> {
-    /// The load changes while finger commands stay. Base in N and N m, direction in the same for each unit of the factor.
+    /// A ramp of the load, with constant finger commands. Base in N and N m, direction in N and N m per unit of the factor.
     #[must_use]
     pub fn load(base: Wrench<C>, direction: Wrench<C>) -> Self {
         Self { base, direction, command_change: None, joint_change: None }
     }
 
-    /// The finger commands change while the load stays: one displacement a contact for each unit of the factor, each in its contact frame (m), the
-    /// normal part positive into the object. All points of a soft fingertip follow one displacement, unless there is one for each point.
+    /// A ramp of the finger commands, with a constant load. `change` has one displacement a contact per unit of the factor, in its contact frame (m),
+    /// the normal part positive into the object. All points of a soft fingertip follow one displacement, unless there is one for each point.
     #[must_use]
     pub fn commands(load: Wrench<C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self::load(load, Wrench::ZERO).with_commands(change)
     }
 
-    /// Finger commands change along with the load, as for [`Self::commands`].
+    /// This ramp, along which the finger commands also change, as for [`Self::commands`].
     #[must_use]
     pub fn with_commands(mut self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         self.command_change = Some(vectors(change));
         self
     }
 
-    /// Joint commands of a hand change along with the load: one displacement for each joint and then each tendon, for each unit of the factor, rad or m.
+    /// This ramp, along which the joint commands of a hand also change: one displacement for each joint and then each tendon, per unit of the factor,
+    /// rad or m.
     #[must_use]
     pub fn with_joint_commands(mut self, change: impl IntoIterator<Item = f64>) -> Self {
         self.joint_change = Some(change.into_iter().collect());

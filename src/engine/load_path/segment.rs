@@ -24,7 +24,7 @@ pub(super) struct Segment<'g> {
     pub(super) change: Vec<SVector<f64, 3>>,
     /// Trajectory of the load.
     pub(super) course: Trajectory<Vector>,
-    /// The largest force on the way so far, N: the scale of rounding where all forces vanish together.
+    /// The largest force on the path so far, N: the scale of rounding where all forces vanish together.
     pub(super) largest: f64,
 }
 

@@ -39,9 +39,9 @@ pub(super) struct Stretch<'g> {
     pub(super) here: PathPoint,
     /// State at `to`.
     pub(super) there: PieceState,
-    /// The step, where a contact slides on the round cone.
+    /// The integration step, if a contact slides on the round cone.
     pub(super) bend: Option<Bend>,
-    /// The jump that led to this piece of zero length.
+    /// The jump that led to this piece of zero length; `None` for other pieces.
     pub(super) fallen: Option<Box<Fallen>>,
 }
 
@@ -59,7 +59,7 @@ pub(super) struct Fallen {
 /// The step by which a piece was integrated.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bend {
-    /// The displacement that counts in arclength as the whole leg does, m.
+    /// The displacement that contributes as much to arclength as the whole leg, m.
     pub(super) unit: f64,
     /// Length of the step, in arclength.
     pub(super) length: f64,
@@ -175,7 +175,7 @@ impl<'g> Stretch<'g> {
     fn part_of_a_step(&self, bend: &Bend, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut here, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = bend.length;
-        // Most parts into which a step is divided where it cannot be repeated at once: each is half as long as the one before.
+        // Most parts into which a step is divided if it cannot be repeated at once; each is half as long as the one before.
         for _ in 0..60 {
             let flow = Flow::new(segment, &states, from, &here, bend.unit);
             if let Some(reached) = flow.reach_factor(fraction, length, bend.rule) {
@@ -196,7 +196,7 @@ impl<'g> Stretch<'g> {
         }
         // If the object moves under a load that is constant up to rounding, every state of the step is valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
-        // Loads less than this part of the leg apart are equal, up to the rounding of balance.
+        // Loads closer than this part of the leg are equal up to the rounding of balance.
         let near = to_the_start.min(to_the_end) <= 1e-15;
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
     }

@@ -34,9 +34,9 @@ pub(crate) struct BandPiece {
     /// Position of each coordinate in the order that makes the band narrow.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
-    /// A, one row for each spring.
+    /// The rows of A.
     pub(super) right: Side,
-    /// B, one row for each spring; `None` if no contact slides, since then B = A.
+    /// The rows of B, if a contact slides; otherwise B = A.
     pub(super) left: Option<Side>,
     pub(super) factors: BandFactors,
 }
@@ -44,7 +44,7 @@ pub(crate) struct BandPiece {
 /// For each contact the coordinates that its springs feel, those with entries in its grasp map.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
-    /// Felt coordinates by their position in the narrow order, contact after contact.
+    /// Coordinates with entries in the contact's map, by position in the narrow order, contact after contact.
     felt: Vec<usize>,
     /// The first entry of each contact in `felt`; the last number is the length of `felt`.
     first: Vec<usize>,
@@ -141,7 +141,7 @@ impl BandPiece {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// Displacements of the coordinates, by their numbers, where each spring of a contact pushes with the given force: `T⁻¹Bᵀ` of `pushes`.
+    /// Displacements of the coordinates, in the narrow order, if the springs of a contact push with the forces `pushes`: `T⁻¹Bᵀ` of `pushes`.
     pub(super) fn moved_by(&self, contact: usize, pushes: &[f64]) -> Vec<f64> {
         let left = self.left.as_ref().unwrap_or(&self.right);
         let mut q = vec![0.0; self.numbers.len()];

@@ -177,7 +177,7 @@ impl Slipping {
         z
     }
 
-    /// Z_a: slip a is `-Z_a·u`.
+    /// The row Z_a: the slip across facet a is `-Z_a·u`.
     pub(crate) fn slip(&self, a: usize) -> SVector<f64, 3> {
         if self.count == 1 {
             return self.rows[0];
@@ -200,7 +200,7 @@ impl Slipping {
     }
 }
 
-/// The unit vector of the normal axis.
+/// The normal axis, `(1, 0, 0)`.
 pub(crate) fn normal() -> SVector<f64, 3> {
     SVector::from_fn(|axis, _| if axis == 0 { 1.0 } else { 0.0 })
 }

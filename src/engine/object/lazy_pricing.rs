@@ -64,7 +64,7 @@ pub(crate) struct LazyPricing {
     /// The reference direction e of the path.
     pub(crate) towards: Point,
     contacts: usize,
-    /// Length and steps of the path since all contacts were queued.
+    /// Length and number of steps of the path since all contacts were queued.
     length: f64,
     steps: usize,
     /// Contacts evaluated in the present step, and others that have to be queued again.
@@ -86,14 +86,14 @@ impl LazyPricing {
         (self.towards, self.contacts, self.length, self.steps) = (e, contacts, 0.0, 0);
     }
 
-    /// The speed of the clock along a direction.
+    /// Clock time for a unit step along a direction of the path.
     pub(crate) fn speed(&self, along: &Point) -> f64 {
         let e = &self.towards;
         let forward = (along.y.dot(&e.y) + along.s * e.s).max(0.0);
         forward + along.plus(-forward, e).size() / PRICED_ACROSS
     }
 
-    /// Advances the path by `times` a direction.
+    /// Advances path and clock by `times` steps along a direction.
     pub(crate) fn advance(&mut self, times: f64, along: &Point) {
         self.line.clock += times * self.speed(along);
         self.length += times * along.size();

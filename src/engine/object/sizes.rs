@@ -51,7 +51,7 @@ impl Problem<'_> {
         sites.map(|((local, force), span)| local.force_size(force, span, largest)).collect()
     }
 
-    /// Size of the displacements at a contact.
+    /// Size of the displacements at a contact, m, which scales the rounding of its stretch.
     #[inline]
     pub(crate) fn span(&self, contact: usize, twist: &Vector) -> f64 {
         self.sites[contact].span(&self.offsets[contact], twist)

@@ -18,7 +18,7 @@ impl Problem<'_> {
         }
     }
 
-    /// The piece of these states, or the elastic trial's piece if the states are its own.
+    /// The piece with these states; that of the elastic trial, which may be stored, if they are its states.
     pub(crate) fn piece(&self, states: &[State]) -> Arc<Piece> {
         let unjumped = || self.locals().zip(states).all(|(local, state)| local.unjumped() == *state);
         if self.trial.is_some() && unjumped() { self.trial() } else { Arc::new(Piece::new(self, states)) }

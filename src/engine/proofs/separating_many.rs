@@ -61,7 +61,7 @@ impl Pushing {
     }
 }
 
-/// All contacts and the load, in a narrow order of coordinates.
+/// All contacts and the load, in an order of coordinates that makes the band narrow.
 struct PushedBack {
     contacts: Vec<Pushing>,
     numbers: Vec<usize>,

@@ -54,7 +54,7 @@ pub(crate) struct NearestForces {
     pub(crate) motion: Vector,
     /// The most work of a generator against the motion.
     pub(crate) against: f64,
-    /// The generators with a share, and their shares.
+    /// The generators that carry the sum, with their coefficients β.
     pub(crate) shares: Vec<(Generator, f64)>,
 }
 

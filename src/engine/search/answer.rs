@@ -54,7 +54,7 @@ pub enum Doubt {
     OutOfSteps,
 }
 
-/// A solution of the local problem.
+/// A solution of a problem: states, forces and motion.
 #[derive(Debug, Clone)]
 pub(crate) struct Found {
     pub(crate) states: Vec<State>,
@@ -70,7 +70,7 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    /// A solution without free motions and history.
+    /// A solution without free motions, and without a load path that led to it.
     pub(crate) fn new(states: Vec<State>, forces: Vec<SVector<f64, 3>>, twist: Vector) -> Self {
         Self {
             states,
@@ -97,7 +97,7 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
-    /// Stores the twist in `list`.
+    /// Converts a solution; `list` is the memory for its twist.
     pub(crate) fn of(found: Found, list: Vec<f64>) -> Self {
         Self {
             states: found.states,
@@ -123,7 +123,7 @@ impl Kept {
     }
 }
 
-/// The end of a search.
+/// The result of a search.
 #[derive(Debug, Clone)]
 pub(crate) enum Settled {
     Found(Found, FoundBy),

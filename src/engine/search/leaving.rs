@@ -24,14 +24,14 @@ struct Base {
 }
 
 impl Base {
-    /// The base with these states; `None` where no forces of these states balance the load.
+    /// The start with these states; `None` if no forces of these states balance the load.
     fn of(problem: &Problem, states: Vec<State>) -> Option<Self> {
         let piece = problem.piece(&states);
         let at = piece.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
         Some(Self { states, piece, at })
     }
 
-    /// The base with the contacts `among` sticking; itself if they stick already. `None` where its tangent stiffness is singular.
+    /// This start with the contacts `among` sticking; unchanged if they stick already. `None` if the tangent stiffness is then singular.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut Moved) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
@@ -118,8 +118,8 @@ fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
     chosen(problem.len(), &|i| felt(*i).any(|k| is_near[k]))
 }
 
-/// The states, with further contacts sticking until no motion is loose. For each loose motion the contact with the largest displacement sticks,
-/// among the contacts that do not. `None` if motions are still loose after all rounds.
+/// Makes further contacts stick until the tangent stiffness is regular. For each motion in which it is singular, the contact that moves most sticks,
+/// among those that do not stick yet. `None` if it is still singular after all rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
     // Most rounds of sticking further contacts before the states are given up.
     for _ in 0..8 {

@@ -77,7 +77,7 @@ impl BalanceEquation {
         Some(Self { projector, target, unit, roots })
     }
 
-    /// The point to start from: no generator has a share.
+    /// The start of the search for the nearest point: the sum without any generator.
     pub(super) fn start(&self) -> NearestPoint<Tag> {
         NearestPoint::new(&self.target)
     }

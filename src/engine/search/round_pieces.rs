@@ -66,7 +66,7 @@ impl RoundPieces {
     pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
-        // Most steps.
+        // Most Newton steps.
         let most_steps = 20;
         for step in 1..=most_steps {
             let Progress { sharp, near, settled } = self.step(problem, &piece);

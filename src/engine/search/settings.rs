@@ -68,14 +68,14 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// The same with another polygonal cone.
+    /// These settings with another polygonal cone.
     #[must_use]
     pub fn with_cone(mut self, cone: PolygonCone) -> Self {
         self.cone = cone;
         self
     }
 
-    /// The same with answers for the polygonal cone itself instead of the round one.
+    /// These settings with answers for the polygonal cone itself instead of the round one.
     #[must_use]
     pub fn on_the_polygon(mut self) -> Self {
         self.round = false;
@@ -87,49 +87,49 @@ impl Settings {
         space == Space::Spatial && self.round
     }
 
-    /// The same with another limit on the combinations of contact states.
+    /// These settings with another limit on the combinations of contact states.
     #[must_use]
     pub fn with_most_states(mut self, most_states: usize) -> Self {
         self.most_states = most_states;
         self
     }
 
-    /// The same with another error of a step along a sliding arc: 1e-13 for all digits; below 1e-14 rounding is in the way.
+    /// These settings with another error of a step along a sliding arc: 1e-13 for all digits; below 1e-14 rounding is in the way.
     #[must_use]
     pub fn with_step_error(mut self, step_error: f64) -> Self {
         self.step_error = step_error;
         self
     }
 
-    /// The same with another limit on the steps along sliding arcs and the jumps within one leg.
+    /// These settings with another limit on the steps along sliding arcs and the jumps within one leg.
     #[must_use]
     pub fn with_most_steps(mut self, most_steps: usize) -> Self {
         self.most_steps = most_steps;
         self
     }
 
-    /// The same with another largest load factor for the loss of the grasp, a multiple of the load asked about.
+    /// These settings with another largest load factor for the loss of the grasp, a multiple of the load asked about.
     #[must_use]
     pub fn with_most_load(mut self, most_load: f64) -> Self {
         self.most_load = most_load;
         self
     }
 
-    /// The same with another limit on the cycles of a repeated load.
+    /// These settings with another limit on the cycles of a repeated load.
     #[must_use]
     pub fn with_most_cycles(mut self, most_cycles: usize) -> Self {
         self.most_cycles = most_cycles;
         self
     }
 
-    /// The same with other limits of small motions: a rotation, rad, and a slip as a part of the grasp's size.
+    /// These settings with other limits of small motions: a rotation, rad, and a slip as a part of the grasp's size.
     #[must_use]
     pub fn with_small_motions(mut self, rotation: f64, slip: f64) -> Self {
         self.small_motions = SmallMotions { rotation, slip };
         self
     }
 
-    /// The same with a limit on the pivots of one run of Lemke's method.
+    /// These settings with a limit on the pivots of one run of Lemke's method.
     #[must_use]
     pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
         self.max_pivots = Some(max_pivots);

@@ -20,7 +20,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(super) struct PairedContact {
     pub(super) contact: EnergyContact,
-    /// x⁰_i, the elastic trial state of this contact.
+    /// x⁰_i, the elastic trial state of the contact.
     pub(super) trial: SVector<f64, 3>,
     /// The index of its first pair in the whole problem. Pair 0 of a contact that may open is its
     /// gap.
@@ -33,13 +33,13 @@ impl PairedContact {
         unit * generic(self.first + pair)
     }
 
-    /// u = x⁰ - Q y.
+    /// The stretch `u = x⁰ - Q y` of the contact.
     pub(super) fn stretch(&self, y: &Vector) -> SVector<f64, 3> {
         self.trial - &self.contact.seen * y
     }
 }
 
-/// The kinematic form of a problem, as a list of contacts instead of a dense matrix.
+/// The kinematic form, contact by contact.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ContactForm {
     pub(super) locals: Vec<PairedContact>,

@@ -37,7 +37,7 @@ impl SteppedState {
 }
 
 impl SteppedState {
-    /// An empty state, as memory.
+    /// An empty state, whose memory later states use.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
         Self { fraction: 0.0, twist: Vector::zeros(), slips, forces, states }

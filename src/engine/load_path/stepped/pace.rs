@@ -19,7 +19,7 @@ pub(super) struct StepPace {
     pub(super) step: f64,
     /// Longest step, a quarter turn of the load: after a full turn the load would look unchanged.
     pub(super) longest: f64,
-    /// Whether the last step was refused: the next one is then no longer than its replacement.
+    /// Whether the last step was refused: the step length then does not grow after the next one.
     pub(super) refused: bool,
     /// Number of steps tried so far, refused ones included.
     pub(super) tried: usize,

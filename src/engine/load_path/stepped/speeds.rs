@@ -33,9 +33,9 @@ impl Speeds {
     pub(super) fn run_to(&self, end: f64) -> bool {
         let mut before = self.0.iter().rev().filter(|[fraction, _]| *fraction < end);
         let Some([near, fast]) = before.next() else { return false };
-        // Least ratio of the distances at which speeds are compared.
+        // Speeds are compared at two places whose distances from the end of the path differ at least by this factor.
         let far = before.find(|[fraction, _]| end - fraction >= 1e3 * (end - near));
-        // Last part of the leg over which a speed must have grown if it grows without bound.
+        // A speed that grows without bound is still recorded within this last part of the leg.
         let to_the_end = 1e-8;
         // Growth of the speed between these distances beyond which the path does not end at a corner.
         let runs = 8.0;

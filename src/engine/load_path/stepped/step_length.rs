@@ -36,7 +36,7 @@ impl<'g> Steps<'g> {
         let step = self.pace.step.min(self.pace.longest);
         let length = if step > 0.9 * rest { rest } else { step };
         let Some(twice) = self.twice(length) else {
-            // Ratio of step lengths after a step that found no equilibrium.
+            // After a step that found no equilibrium the next one is shorter by this factor.
             self.pace.step = length * 0.25;
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(journey, Doubt::OnTheBoundary))
@@ -51,7 +51,7 @@ impl<'g> Steps<'g> {
         // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of this one.
         self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
-            // Rounding may forbid so small an error.
+            // Steps so short are refused only because rounding forbids so small an error.
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(journey, Doubt::Inaccurate))
             } else {

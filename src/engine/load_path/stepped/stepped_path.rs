@@ -54,11 +54,11 @@ pub struct Step<const C: usize> {
     /// Fraction of the leg at the end of the step, up to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
-    /// The load there, about the origin, N and N m.
+    /// The load at the end of the step, about the origin, N and N m.
     pub load: Wrench<C>,
-    /// Number of contacts that slide there.
+    /// Number of contacts that slide at the end of the step.
     pub sliding: usize,
-    /// Number of open contacts there.
+    /// Number of contacts that are open at the end of the step.
     pub open: usize,
     /// Estimated error of the forces from this step, over the largest force.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
