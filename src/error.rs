@@ -12,7 +12,7 @@ pub(crate) const LARGEST: f64 = 1e50;
 /// Wording of this range in error messages.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
-/// Finite and at most [`LARGEST`] in size.
+/// Whether a number is finite and at most [`LARGEST`] in size.
 pub(crate) fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST
 }
@@ -173,8 +173,8 @@ pub enum Error {
         /// The contact at fault.
         contact: ContactLabel,
     },
-    /// The question asks whether the contacts can resist loads of any size. They can do so only with the help of a vacuum, whose force is
-    /// limited.
+    /// The question asks whether the contacts can resist loads of any size. Without their vacuum they cannot, and with it they resist only
+    /// limited loads.
     #[error(
         "{question} asks for loads of any size: the vacuum of contact {contact} is limited, ask load_limit or ferrari_canny"
     )]

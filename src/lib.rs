@@ -2,7 +2,8 @@
 //!
 //! A multifingered hand holds an object. Each contact is a point with Coulomb friction. Finger and object are elastic at each contact, like
 //! springs in series. Small displacements of the fingers are commanded, and a load acts on the object. This crate computes the motion of the
-//! object, the contact forces, **the load at which a contact starts to slide**, and whether an equilibrium exists beyond it.
+//! object, the contact forces, and **the load at which a contact starts to slide**. It also tells whether an equilibrium exists beyond that
+//! load.
 //!
 //! ```
 //! use grasp_lcp::need::Need;
@@ -35,7 +36,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`planar`], [`spatial`] | the types of a grasp in the plane and in space, under short names |
-//! | [`guide`] | choosing a question, several equilibria, rays, facets, hands |
+//! | [`guide`] | which answer to trust, several equilibria, rays, facets, hands |
 //! | [`ask`] | a [`Grasp`](ask::Grasp), and a table of the questions that it answers |
 //! | [`grasp`] | the parts of a question: contacts, soft fingertips, stiffness, friction, hands, bodies, wrench and twist; vectors of other libraries |
 //! | [`hold`] | does it hold: the verdict on a load that is applied from rest, as one sentence |

@@ -15,7 +15,7 @@ macro_rules! names {
         pub type SoftFingertip = crate::grasp::SoftFingertip<$axes>;
         /// A grasp; see [`crate::ask::Grasp`].
         pub type Grasp = crate::ask::Grasp<$axes>;
-        /// Many grasps of any number of contact points, to be screened; see [`crate::screening::PointBatch`].
+        /// Many grasps with any number of contact points, prepared for screening; see [`crate::screening::PointBatch`].
         pub type PointBatch = crate::screening::PointBatch<$axes>;
         /// Force and moment; in the plane the moment is one number, from x to y; see [`crate::grasp::Wrench`].
         pub type Wrench = crate::grasp::Wrench<$axes>;
@@ -55,7 +55,7 @@ macro_rules! names {
         pub type Closure = crate::statics::Closure<$axes>;
         /// The loads that a grasp is to hold; see [`crate::squeeze::Loads`].
         pub type Loads = crate::squeeze::Loads<$axes>;
-        /// The least squeeze for these loads; see [`crate::squeeze::LeastSqueeze`].
+        /// The least squeeze with which a grasp holds a set of loads; see [`crate::squeeze::LeastSqueeze`].
         pub type LeastSqueeze = crate::squeeze::LeastSqueeze<$axes>;
         /// The direction in which the least force causes sliding; see [`crate::squeeze::WeakestDirection`].
         pub type WeakestDirection = crate::squeeze::WeakestDirection<$axes>;
@@ -67,7 +67,7 @@ macro_rules! names {
         pub type Turn = crate::load_path::Turn<$axes>;
         /// The angle at which the first contact stops sticking while a load turns; see [`crate::load_path::TurnOnset`].
         pub type TurnOnset = crate::load_path::TurnOnset<$axes>;
-        /// The factor at which the first contact stops sticking; see [`crate::load_path::Onset`].
+        /// The load factor at which the first contact stops sticking; see [`crate::load_path::Onset`].
         pub type Onset = crate::load_path::Onset<$axes>;
         /// Reusable memory for a sequence of onset questions; see [`crate::ask::OnsetWorkspace`].
         pub type OnsetWorkspace = crate::ask::OnsetWorkspace<$axes>;

@@ -22,9 +22,9 @@ use nalgebra::{DMatrix, DVector};
 /// 0 ≤ z  ⟂  w = D u + M z + q ≥ 0
 /// ```
 ///
-/// The free variables are eliminated by pivoting. If A is singular, as in equilibrium problems with A = 0, a free variable is exchanged with a
-/// w_i, and the z_i of that pair with an equality row. What remains is again a complementarity problem, in which w_i is the unknown of pair i
-/// and z_i the slack.
+/// The free variables are eliminated by pivoting. A may be singular, as in equilibrium problems with A = 0. A free variable is then exchanged
+/// with a w_i, and the z_i of that pair with an equality row. What remains is again a complementarity problem, in which w_i is the unknown of
+/// pair i and z_i the slack.
 ///
 /// The form is that of Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992, chapter 1.
 ///

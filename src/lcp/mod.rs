@@ -37,7 +37,7 @@
 //! |---|---|---|
 //! | positive definite, or a P-matrix (all principal minors positive) | one solution for every q (3.3.7) | it is found |
 //! | strictly copositive (zᵀMz > 0 for 0 ≠ z ≥ 0) | a solution for every q (3.8.5) | one is found |
-//! | positive semidefinite, or copositive-plus | solvable if {z ≥ 0, Mz + q ≥ 0} is not empty (3.8.6) | one is found, or a ray proves that none exists (4.4.12) |
+//! | positive semidefinite, or copositive-plus | solvable if {z ≥ 0, Mz + q ≥ 0} is not empty (3.8.6) | one is found; a ray proves that none exists (4.4.12) |
 //! | any other | perhaps no solution, perhaps many | a ray proves nothing |
 //!
 //! [`Outcome`] says which of these happened. It says "solved" only after the residuals have been recomputed from the given M and q. If a ray

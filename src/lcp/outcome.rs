@@ -8,8 +8,7 @@ use nalgebra::DVector;
 use thiserror::Error;
 
 /// The end of a solve, and the conclusion that it allows. S is the type of a solution: of an [`Lcp`](super::Lcp), of a problem with free
-/// variables
-/// ([`MixedSolution`](super::MixedSolution)), or one that borrows the memory of a solver ([`OutcomeView`]).
+/// variables ([`MixedSolution`](super::MixedSolution)), or one that borrows the memory of a solver ([`OutcomeView`]).
 ///
 /// The first four variants state a fact about the problem; the last three leave it undecided. `Display` writes one line.
 #[derive(Debug, Clone, PartialEq)]
@@ -186,7 +185,7 @@ pub struct Ray {
     pub pivots: usize,
 }
 
-/// The reason why a solve broke down. The first three are invalid settings; the others arise in the arithmetic.
+/// The reason why a solve broke down. The first three are invalid settings; the others arise during the solve.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]

@@ -48,8 +48,8 @@ impl LcpPoint {
         self.w[i] > tolerance * self.terms[i]
     }
 
-    /// Whether the basis of this point is singular. Then, in a row whose w_i must be zero, some q_i ≠ 0 is smaller than the rounding of the
-    /// terms, and a factorisation of the block finds no inverse.
+    /// Whether the basis of this point is singular. Two conditions must hold. In a row whose w_i must be zero, some q_i ≠ 0 is smaller than the
+    /// rounding of the terms. A factorisation of the block finds no inverse.
     ///
     /// Entries of such a point are quotients of rounding errors, however small its residuals are.
     pub(super) fn is_noise(&self, lcp: &Lcp, basic: impl Iterator<Item = usize> + Clone) -> bool {

@@ -28,7 +28,7 @@ fn parts(entry: Entry) -> (f64, u32, u32) {
     (f64::from_bits((entry >> 64) as u64), (entry >> 32) as u32, entry as u32)
 }
 
-/// The unsorted items up to a horizon in time.
+/// The unsorted items later than a horizon in time.
 #[derive(Debug, Clone, Default)]
 struct Tier {
     waiting: Vec<Entry>,

@@ -4,9 +4,9 @@
 
 /// The rounding of a few operations, relative to their terms: 4 ε.
 ///
-/// Three examples: a normal computed as (cos π/2, sin π/2) has a component of 6e-17, the residual of Newton's method stagnates at this level,
-/// and a smaller projection only changes rounding. Smaller, such an entry counts as a spring, and steps are made on noise. Larger, true entries
-/// of soft springs beside stiff ones are lost, and forces lose their last digit.
+/// Three examples: a normal computed as (cos π/2, sin π/2) has a component of 6e-17; the residual of Newton's method stagnates at this level; a
+/// smaller projection only changes rounding. Smaller, such an entry counts as a spring, and steps are made on noise. Larger, true entries of
+/// soft springs beside stiff ones are lost, and forces lose their last digit.
 pub(crate) const FEW_ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
 /// The rounding of a short sum, relative to its largest term: some sixteen operations, 16 ε.

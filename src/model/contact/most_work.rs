@@ -81,7 +81,8 @@ impl LocalLaw<'_> {
         most
     }
 
-    /// The friction force for μ F_n = 1 that does the most work along a stretch, in a sector of the round cone or at a corner of the polygon.
+    /// The friction force for μ F_n = 1 that does the most work along a stretch. It lies in a sector of the round cone, or at a corner of the
+    /// polygon.
     fn most_along(&self, sector: &Sector, along: &SVector<f64, 3>) -> SVector<f64, 3> {
         if self.on_round_cone {
             return sector.most_along(along);

@@ -36,10 +36,9 @@ pub enum Fit {
 /// h_j·F_t <= μ F_n for all j      or      F_t = Σ β_j d_j,  β >= 0,  Σ β_j <= μ F_n
 /// ```
 ///
-/// Corner j lies at the angle `2πj/m` from the first tangent towards the second, facet normal j at `(2j - 1)π/m`, j from 0; h_j has the
-/// length that puts the facet at `h_j·x = 1`. A contact slides with F_t on a facet and slips along its normal, or with F_t at a
-/// corner and slips between the normals of its two facets (maximum dissipation over the polygon). Default: 8 facets, inscribed. See
-/// [choosing facets](crate::guide::choosing_facets).
+/// Corner j lies at the angle `2πj/m` from the first tangent towards the second, facet normal j at `(2j - 1)π/m`, j from 0; h_j has the length
+/// that puts the facet at `h_j·x = 1`. A contact with F_t on a facet slips along its normal. With F_t at a corner it slips between the normals
+/// of the two facets (maximum dissipation over the polygon). Default: 8 facets, inscribed. See [choosing facets](crate::guide::choosing_facets).
 ///
 /// ```
 /// use grasp_lcp::{Error, Fit, PolygonCone};

@@ -85,7 +85,7 @@ impl Engine {
         grasp
     }
 
-    /// Whether any contact is pressed without a load from the caller: by a command, a constant force, a vacuum, or a constant load on a body.
+    /// Whether anything presses without a load from the caller: a command, a constant force or torque, a vacuum, or a constant load on a body.
     pub(crate) fn presses(&self) -> bool {
         let by_force = self.linkage().is_some_and(|linkage| linkage.held.iter().any(|force| *force != 0.0));
         let by_load =

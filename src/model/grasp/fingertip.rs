@@ -44,9 +44,9 @@ use crate::prelude::*;
 /// | turning stiffness, N m/rad | k_n ⟨x²⟩ | k_n b² | k_n b²/3 | k_n b²/5 | k_n b²/4 |
 /// | first opening, N m | N ⟨x²⟩/b | N b | N b/3 | N b/5 | N b/4 |
 ///
-/// These are the values of the continuum. Patches of points agree with them to rounding, even the coarsest: every annulus of a disc has its
-/// exact share of the load, of ⟨r⟩ and of ⟨r²⟩, and one layer of points lies on the rim (see [`Pressure`]). If the tangential stiffnesses k_1
-/// and k_2 differ, their mean replaces k_t in the torsional stiffness. First sliding then comes earlier, by up to the factor mean/max(k_1, k_2).
+/// These are the values of the continuum. Patches of points agree with them to rounding, even the coarsest. Every annulus of a disc has its
+/// exact share of the load, of ⟨r⟩ and of ⟨r²⟩. One layer of points lies on the rim (see [`Pressure`]). If the tangential stiffnesses k_1 and
+/// k_2 differ, their mean replaces k_t in the torsional stiffness. First sliding then comes earlier, by up to the factor mean/max(k_1, k_2).
 ///
 /// Under torsion slip starts at the rim and spreads inwards: at an angle θ all points beyond `r_s = μ N / (k_t θ)` slide. On the uniform disc
 /// the moment is `M = μ N R (2/3 - (r_s/R)³/6)`. The continuum reaches its friction limit only asymptotically; a patch of points reaches it when

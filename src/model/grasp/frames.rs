@@ -20,8 +20,8 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 
 impl<const C: usize> Contact<C> {
-    /// This contact in another frame. `pose` is the frame in which the contact is given, such as that of a finger's last link or of the object,
-    /// as seen from the target frame. All contacts of a grasp must be in the same frame.
+    /// This contact in another frame. `pose` is the frame in which the contact is given, as seen from the target frame. It may be that of a
+    /// finger's last link or of the object. All contacts of a grasp must be in the same frame.
     ///
     /// Points become `r' = R r + p`; normal and tangents are rotated by R. A tangent that was not given is set to the default of the old frame
     /// and rotated, too. Commands, stiffnesses and forces in the contact frame therefore do not change.
@@ -49,8 +49,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// This contact with its normal tilted towards its tangents by these angles, rad; the frame rotates with it. The angle of rotation is the
-    /// norm of the tangential components, about the axis normal to both. The first component is ignored.
+    /// This contact with its normal tilted towards its tangents by these angles, rad; the frame rotates with it. The axis of rotation is
+    /// orthogonal to the normal and to the tilt, and the angle is the norm of the tilt. The first component is ignored.
     pub(crate) fn tilted(mut self, tilt: &SVector<f64, C>) -> Self {
         // A contact without a frame is refused later, when its grasp is made.
         let Ok(frame) = self.frame(0) else { return self };

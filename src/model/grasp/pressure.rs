@@ -3,7 +3,8 @@
 use crate::numerics::Space;
 use crate::prelude::*;
 
-/// Profile of the pressure at the distance r from the centre, over a disc of radius R in space or a line of half-width R in the plane.
+/// Profile of the pressure at the distance r from the centre. It extends over a disc of radius R in space, over a line of half-width R in the
+/// plane.
 ///
 /// Means weighted by the pressure, ⟨f⟩ = ∫ f p / ∫ p:
 ///

@@ -33,7 +33,7 @@ pub(crate) struct Site {
     /// Kinetic friction cone, if smaller than the static one.
     pub(crate) kinetic: Option<Coulomb>,
     pub(crate) hold: Hold,
-    /// Polygon that replaces the friction cone for any settings; used by drives that slip.
+    /// Polygon that replaces the friction cone even where the settings ask for the round cone; used for drives that slip.
     pub(crate) polygon: Option<Arc<Polygon>>,
 }
 

@@ -17,7 +17,7 @@ use crate::prelude::*;
 /// |---|---|---|
 /// | a force away from the cup | V | the whole lip opens |
 /// | a force in the plane of the lip | μ V | the whole lip slides |
-/// | a moment across the normal | V R/2 | one point opens |
+/// | a moment about an axis in the plane of the lip | V R/2 | one point opens |
 /// | a moment about the normal | μ V R | the whole lip slides |
 ///
 /// A real lip lets air in as soon as its first point opens, which is the onset. In this model the vacuum is lost when the whole lip is open:
@@ -27,7 +27,7 @@ use crate::prelude::*;
 /// | [`hold`](crate::ask::Grasp::hold), [`need`](crate::ask::Grasp::need) | the cup lets go ([`WayOut::LetsGo`](crate::hold::WayOut::LetsGo)), and the object is lost |
 /// | [`follow`](crate::ask::Grasp::follow), maps of held loads | the path ends ([`LossKind::LetsGo`](crate::load_path::LossKind::LetsGo)) |
 /// | [`onset`](crate::ask::Grasp::onset), also of a turn | [`beyond`](crate::ask::Grasp::beyond) returns [`Beyond::WithoutVacuum`](crate::load_path::Beyond::WithoutVacuum) |
-/// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups) lists the cup: the equilibrium is not valid |
+/// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups) lists the cup: the equilibrium fails |
 /// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the weakest direction, the reserve | does not arise: every lip touches and sticks in these answers |
 /// | [`statics`](crate::ask::Statics) | limits include the vacuum forces; closure by cups alone is refused |
 /// | [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) | not detected: the vacuum stays on; check the contact states |

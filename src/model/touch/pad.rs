@@ -119,10 +119,9 @@ impl Pad {
         Ok(Self::of_profile(&SoftFingertip::rectangle(sides, strips)?, Outline::Rectangle(sides), profile))
     }
 
-    /// A jaw with this surface, in the frame in which the contact is given. It consists of the foremost points along the contact's normal,
-    /// within a rectangle about the contact's point with sides along its tangents, m, or of the whole surface without `sides`. Points are placed
-    /// as for a rectangle; those that miss the surface, or lie where it turns away, are omitted. The position of the contact's point along the
-    /// normal is ignored.
+    /// A jaw with this surface, in the frame in which the contact is given. It consists of the foremost points along the contact's normal.
+    /// `sides` limits it to a rectangle about the contact's point with sides along the tangents, m. Points are placed as for a rectangle; those
+    /// that miss the surface, or lie where it turns away, are omitted. The position of the contact's point along the normal is ignored.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for a rectangle, [`Error::Misses`] if the surface has no point within the rectangle, and [`Error::Contact`] with

@@ -71,8 +71,8 @@ impl Engine {
         moments
     }
 
-    /// These bodies with all loads in proportion: the constant loads plus the shares of `base`, for a question's force of 1 N along the first
-    /// axis. No constant load remains. `None` for a single object.
+    /// These bodies with all loads in proportion to a question's force along the first axis. Per newton of that force, each body carries its
+    /// constant load plus its share of `base`; no constant load remains. `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);

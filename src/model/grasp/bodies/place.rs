@@ -206,7 +206,7 @@ impl PlacedBodies {
         !matches!(self.sharing, Sharing::OnObject)
     }
 
-    /// These bodies without constant loads. Instead `loads` act on them for a question's force of 1 N along the first axis, and in proportion.
+    /// These bodies without constant loads. Instead `loads` act on them, multiplied by a question's force along the first axis in N.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<3>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         let sharing = Sharing::Together { one: Wrench::from_components(&[1.0]), loads };

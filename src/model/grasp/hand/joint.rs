@@ -57,8 +57,8 @@ impl Limit {
 /// A joint with its spring, command and limit. Built step by step; all of these are zero or absent by default.
 ///
 /// The torque of its drive is `k (θ - φ)`. Here k is the stiffness of structure and controller in series, θ the commanded and φ the actual
-/// displacement, both from the posture in which the contacts are given. Positive rotations turn from x to y in the plane and follow the
-/// right-hand rule in space. Units are N m/rad, rad and N m for a revolute joint, N/m, m and N for a prismatic one.
+/// displacement. Displacements are measured from the posture in which the contacts are given. Positive rotations turn from x to y in the plane
+/// and follow the right-hand rule in space. Units are N m/rad, rad and N m for a revolute joint, N/m, m and N for a prismatic one.
 ///
 /// ```
 /// use grasp_lcp::planar::hand::Joint;
@@ -138,7 +138,7 @@ impl<const C: usize> Joint<C> {
         self
     }
 
-    /// Sets a constant torque on the joint along φ, N m (a force in N for a prismatic joint), as of a finger under force control or of the
+    /// Sets a constant torque on the joint along φ, N m (for a prismatic joint a force, N). Examples are a finger under force control and the
     /// weight of a link.
     #[must_use]
     pub fn torque(mut self, torque: f64) -> Self {
