@@ -47,7 +47,7 @@ impl ForceCondition {
         Self { contact, facet, law, normal, length, weight, seen: seen * normal }
     }
 
-    /// `μ F_n - h·F_t`, or F_n, N.
+    /// The value of the row, N: `μ F_n - h·F_t`, or F_n.
     pub(super) fn value(&self, forces: &[SVector<f64, 3>]) -> f64 {
         self.law.dot(&forces[self.contact])
     }

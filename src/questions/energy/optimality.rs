@@ -53,7 +53,7 @@ pub(super) struct ProgramPoint {
     pub(super) forces: Vec<SVector<f64, 3>>,
     pub(super) twist: Vector,
     pub(super) gaps: Vec<f64>,
-    /// Multipliers of all friction rows, scaled to unit length.
+    /// Multipliers of all friction rows, each row scaled to unit length.
     pub(super) multipliers: Vec<f64>,
     pub(super) free: Vec<Vector>,
 }

@@ -26,7 +26,7 @@ impl<X: Packed> StickingCone<X> {
 }
 
 impl<X: Packed> StickingCone<X> {
-    /// `β F_t` of a contact.
+    /// The scaled friction force `β F_t` of a contact.
     #[inline(always)]
     pub(super) fn friction<const C: usize>(&self, force: &Force<C, X>) -> [X; C] {
         let mut t = force.tangential;
