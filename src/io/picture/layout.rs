@@ -61,11 +61,11 @@ pub(super) const SPATIAL: SpatialLayout = SpatialLayout {
 /// A still picture of a grasp in space.
 pub(super) struct StillLayout {
     pub(super) margin: f64,
-    /// Size of the part for the grasp.
+    /// Width and height of the area for the grasp, pixels.
     pub(super) room: (f64, f64),
     /// Letter height of names.
     pub(super) names: f64,
-    /// Size of the part for the coordinate axes and their letters.
+    /// Size of the area for the coordinate axes and their letters, pixels.
     pub(super) axes_room: f64,
 }
 

@@ -220,7 +220,7 @@ impl Polar {
 }
 
 fn meet(angle: f64, other: f64) -> bool {
-    // Two texts outside the rim do not fit between closer directions.
+    // Labels outside the rim would overlap if their directions were closer than this angle, rad.
     turn(other, angle).abs() < 0.06
 }
 
