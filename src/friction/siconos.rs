@@ -36,8 +36,8 @@ impl ReadProblem {
         Self::read(text, local, local)
     }
 
-    /// Reads a problem from a file of Siconos that contains the bodies (`GlobalFrictionContactProblem`): M v = H r + f and u = Hᵀ v + b. Hence W
-    /// = Hᵀ M⁻¹ H and q = Hᵀ M⁻¹ f + b.
+    /// Reads a problem from a file of Siconos that contains the bodies (`GlobalFrictionContactProblem`): M v = H r + f and u = Hᵀ v + b. Hence
+    /// W = Hᵀ M⁻¹ H and q = Hᵀ M⁻¹ f + b.
     ///
     /// ```
     /// use grasp_lcp::friction::ReadProblem;

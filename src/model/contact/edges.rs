@@ -18,7 +18,7 @@ use crate::prelude::*;
 pub(crate) enum Edges {
     /// `a·F >= 0` for each row a: a facet, or the normal force or the gap alone.
     Rows(Vec<SVector<f64, 3>>),
-    /// `limit F_n >= |F_t|`.
+    /// The round friction cone, `limit F_n >= |F_t|`.
     Round {
         /// The coefficient of friction.
         limit: f64,

@@ -16,8 +16,8 @@
 //! ```
 //!
 //! Half a step `drawn`, a whole step `squeezed` and half a step `drawn` (Strang splitting) are correct to second order. They are exact for a
-//! constant normal force or equal springs. Sliding never stops: where its rate γ, with γ p·K p = p·K v_t' - r', vanishes, it increases by `(p⊥·K
-//! v_t')²`.
+//! constant normal force or equal springs. Sliding never stops: where its rate γ, with γ p·K p = p·K v_t' - r', vanishes, it increases by
+//! `(p⊥·K v_t')²`.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;

@@ -1,7 +1,7 @@
 //! The exact force after a stretch that grew along a straight line, while the slip direction turned.
 //!
-//! A sliding contact on the round cone with equal tangential stiffnesses has its friction force at an angle ψ from the traction rate `d = k_t
-//! v_t'`. With d constant and the radius `r = μ F_n` linear in the time τ from 0 to 1,
+//! A sliding contact on the round cone with equal tangential stiffnesses has its friction force at an angle ψ from the traction rate
+//! `d = k_t v_t'`. With d constant and the radius `r = μ F_n` linear in the time τ from 0 to 1,
 //!
 //! ```text
 //! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)
@@ -9,9 +9,8 @@
 //!
 //! With two different stiffnesses [`RelaxingSlide`] gives the direction. Once sliding begins it lasts to the end, since |d| cos ψ grows and r'
 //! is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. It is exact if sliding starts at the apex, where the
-//! traction
-//! keeps its direction; otherwise it is correct to first order. For the same closed form with a constant radius see R. D. Krieg and D. B. Krieg,
-//! Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
+//! traction keeps its direction; otherwise it is correct to first order. For the same closed form with a constant radius see R. D. Krieg and D.
+//! B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
 
 use nalgebra::SVector;
 

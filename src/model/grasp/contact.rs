@@ -180,7 +180,7 @@ impl<const C: usize> Contact<C> {
     /// slide, its friction drops to this value at constant load. Other contacts then take over the difference, or the object is lost. A contact
     /// that has stopped sliding has static friction again.
     ///
-    /// Answers are **overdamped**: the object moves to the nearest new equilibrium without overshoot. An undamped object overshoots up to twice
+    /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice
     /// as far, and may be lost where the overdamped one is held. See the [guide](crate::guide::kinetic_friction).
     ///
     /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to

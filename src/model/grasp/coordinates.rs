@@ -1,4 +1,4 @@
-//! The engine's coordinates (see [`inside`](super::inside)) in the form in which answers store them.
+//! The engine's coordinates (defined in the module `inside`), in the form in which answers store them.
 
 use nalgebra::SVector;
 

@@ -178,9 +178,9 @@ impl SoftFingertip<3> {
         self.mean(|at| k[1] * at[2] * at[2] + k[2] * at[1] * at[1])
     }
 
-    /// Moment about the normal at which the first points slide, N m, under the normal force `normal_force` (N) and no other load: `μ N k_θ /
-    /// √((k_1 y_i)² + (k_2 x_i)²)` at the point that slides first. On a ring with equal tangential stiffnesses all points slide at once, and the
-    /// moment equals [`Self::torsional_limit`].
+    /// Moment about the normal at which the first points slide, N m, under the normal force `normal_force` (N) and no other load:
+    /// `μ N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point that slides first. On a ring with equal tangential stiffnesses all points slide at
+    /// once, and the moment equals [`Self::torsional_limit`].
     #[must_use]
     pub fn first_sliding(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         let k = contact.series_stiffness_of_axes();

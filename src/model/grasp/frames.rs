@@ -97,8 +97,8 @@ macro_rules! in_other_frames {
                 Self::among(space, &space.moved_wrench(&from, &self.coordinates(space)))
             }
 
-            /// This load in another frame. `pose` is the frame in which the load is given, as seen from the target frame (points: `r' = R r +
-            /// p`). `f' = R f`, `m' = R m + p × f'`; in the plane R does not change m.
+            /// This load in another frame. `pose` is the frame in which the load is given, as seen from the target frame (points:
+            /// `r' = R r + p`). `f' = R f`, `m' = R m + p × f'`; in the plane R does not change m.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let space = Space::of::<$c>();
@@ -117,8 +117,8 @@ macro_rules! in_other_frames {
                 Self::among(space, &space.moved_twist(&from, &self.coordinates(space)))
             }
 
-            /// This motion in another frame. `pose` is the frame in which the motion is given, as seen from the target frame (points: `r' = R r
-            /// + p`). `θ' = R θ`, `u' = R u + p × θ'` for the translation u of the origin; in the plane R does not change θ.
+            /// This motion in another frame. `pose` is the frame in which the motion is given, as seen from the target frame (points:
+            /// `r' = R r + p`). `θ' = R θ`, `u' = R u + p × θ'` for the translation u of the origin; in the plane R does not change θ.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let space = Space::of::<$c>();
