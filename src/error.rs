@@ -241,7 +241,7 @@ pub enum Error {
         "{what}: {field} {fault} {value}, must be symmetric, with no eigenvalue below zero (a compliance: all above)"
     )]
     Matrix {
-        /// The finger, by number and name.
+        /// The finger, by number.
         what: String,
         /// Name of the matrix.
         field: &'static str,
