@@ -1,4 +1,4 @@
-//! Round arches stand from that thickness on for which a line of thrust stays within their stones.
+//! Round arches stand if their stones are thick enough to contain a line of thrust.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;

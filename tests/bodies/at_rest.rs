@@ -1,4 +1,4 @@
-//! What is lost already at rest, where no proof was found for it: told as the part of it that is held.
+//! Loads that are lost at rest without a proof: the answer states the fraction of them that is held.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::{Holding, Verdict};

@@ -1,4 +1,4 @@
-//! Houses of cards stand from the least friction on with which forces inside all cones balance the weights, and below it there is a proof.
+//! Houses of cards stand if friction suffices for forces inside all cones to balance the weights. With less friction the answer is a proof.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::need::Need;

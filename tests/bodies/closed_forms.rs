@@ -1,4 +1,4 @@
-//! Loads at which bodies that touch each other give way, from textbooks and by hand.
+//! Limit loads of bodies that touch each other, against textbooks and calculations by hand.
 
 use super::faces::{assert_close, face, lost_at};
 use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};

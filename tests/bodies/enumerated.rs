@@ -1,4 +1,4 @@
-//! Two planar bodies against every combination of contact states, those that come near in exact rational arithmetic.
+//! Two planar bodies against every combination of contact states; close cases are decided in exact rational arithmetic.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;

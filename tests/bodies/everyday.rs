@@ -1,4 +1,4 @@
-//! Everyday piles of boxes on a table, with fingers and without: none is undecided, and what holds keeps to the law by own sums.
+//! Everyday piles of boxes on a table, with and without fingers: all are decided, and equilibria satisfy the contact law by independent sums.
 
 use support::piles::boxes;
 use support::samples::{assert_met, samples, seeded};

@@ -1,4 +1,4 @@
-//! Flat faces that touch, and the load at which bodies give way.
+//! Flat faces that touch, and limit loads of bodies.
 
 use grasp_lcp::planar::{Bodies, Contact, Wrench};
 

@@ -1,4 +1,4 @@
-//! Walls that cannot stand are told so soon, by a motion that no friction works against: judged by own sums over all bodies.
+//! Walls that cannot stand are recognised early, by a motion against which no friction does work. Independent sums over all bodies check it.
 
 use grasp_lcp::equilibrium::{Outcome, Proof};
 use grasp_lcp::grasp::{Bodies, Contact, Wrench};

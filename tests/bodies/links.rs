@@ -1,4 +1,4 @@
-//! Hinges, slides, rigid joints, springs and cables carry what statics says, and leave free what they are to leave free.
+//! Hinges, slides, rigid joints, springs and cables carry the forces of statics, and leave their own motions free.
 
 use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::grasp::LinkKind;

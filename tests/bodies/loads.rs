@@ -1,4 +1,4 @@
-//! Loads on several bodies: on one, on all by their mass, weights under gravity.
+//! Loads on several bodies: on one body, on all in proportion to mass, and weights under gravity.
 
 use grasp_lcp::planar::{Bodies, Body, Contact, Leg, PathEnd, Turn, Wrench};
 

@@ -1,4 +1,4 @@
-//! Bodies that are not well posed are refused by name.
+//! Errors about bodies that are not well posed name the body.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Wrench};

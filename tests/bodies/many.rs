@@ -1,4 +1,4 @@
-//! Many bodies: what gives way first is known, and what is above or beside each cut is in balance by own sums.
+//! Many bodies: the first part to slide is known, and independent sums check the balance of all bodies above or beside each cut.
 
 use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::spatial;

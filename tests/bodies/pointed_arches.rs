@@ -1,4 +1,4 @@
-//! Pointed arches, and friction: by the line of thrust, and by what is published.
+//! Pointed arches and their friction, against the line of thrust and published values.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;

@@ -1,4 +1,4 @@
-//! Programs along which each body's load goes its own way.
+//! Load programs in which each body has a load of its own.
 
 use grasp_lcp::Error;
 use grasp_lcp::equilibrium::Equilibrium;

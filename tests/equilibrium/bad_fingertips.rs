@@ -1,4 +1,4 @@
-//! Malformed soft fingertips come back as typed errors, and broken contacts as they were given.
+//! Malformed soft fingertips are typed errors; an error about their contact names the contact as it was given.
 
 use crate::pinch::{KN, KT, R, finger};
 use grasp_lcp::spatial::{Contact, Pressure, SoftFingertip};

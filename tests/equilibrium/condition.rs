@@ -1,4 +1,4 @@
-//! The condition of an answer against what really happens when the data change a little.
+//! The condition of an answer, against its change when the data change a little.
 
 use grasp_lcp::equilibrium::Equilibrium;
 use nalgebra::SVector;

@@ -1,4 +1,4 @@
-//! An equilibrium or an onset of another grasp, with more or fewer contacts, is no panic: what it does not have counts for nothing.
+//! Questions about an equilibrium or onset of another grasp, with more or fewer contacts, do not panic; missing contacts are ignored.
 
 use std::error::Error;
 

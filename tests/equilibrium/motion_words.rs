@@ -1,4 +1,4 @@
-//! A motion in words says where its axis is: against motions that are made from a known axis.
+//! The description of a motion in words states its axis, against motions made from a known axis.
 
 use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};

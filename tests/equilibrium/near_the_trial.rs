@@ -1,4 +1,4 @@
-//! Of several equilibria on the round cone that one is found which lies near the elastic trial state, and none that lies beyond all digits.
+//! Of several equilibria on the round cone, the answer is one near the elastic trial state, and none with motions too large for double precision.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! What an answer says of a soft fingertip, summed once more from its points.
+//! The totals of a soft fingertip in an answer, summed again from its points.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium, WholeAnswer};

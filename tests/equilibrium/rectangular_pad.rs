@@ -1,4 +1,4 @@
-//! Rectangular pads: stiffness and edges of a uniform pressure over a rectangle, integrated by hand, against what grasps by their points do.
+//! Rectangular pads: stiffness and limits of a uniform pressure over a rectangle, integrated by hand, against grasps with the pad's points.
 
 use grasp_lcp::Error;
 use grasp_lcp::spatial::{Contact, Departure, Grasp, Ramp, SoftFingertip, Wrench};

@@ -1,4 +1,4 @@
-//! What turns far is told to be beyond small motions; against the closed form of a beam in two bonded springs.
+//! Large rotations are reported as beyond small motions, against the closed form of a beam on two bonded springs.
 
 use grasp_lcp::{planar, spatial};
 

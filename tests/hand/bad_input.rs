@@ -1,4 +1,4 @@
-//! Malformed hands get an error that names joint, field, value and what is allowed.
+//! Errors about malformed hands name joint, field, value and allowed values.
 
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;

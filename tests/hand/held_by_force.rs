@@ -1,4 +1,4 @@
-//! A contact that is held by a force carries it wherever the object goes, as a position would that is moved to just there.
+//! A contact held by a constant force carries that force wherever the object moves, like a position command adjusted to its displacement.
 
 use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::grasp::{Contact, HandPart, JointKind};

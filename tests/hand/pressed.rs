@@ -1,4 +1,4 @@
-//! A squeeze in newtons is the force that is there when the object stands still, whatever lies behind the contact.
+//! A squeeze in newtons is the normal force at rest, for any kind of finger behind the contact.
 
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Wrench;

@@ -1,4 +1,4 @@
-//! The stiffness that stability tells is the one that solving feels: `elastic · (change of twist) = change of load`.
+//! The elastic stiffness of the stability analysis predicts equilibria: `elastic · (change of twist) = change of load`.
 
 use grasp_lcp::nalgebra::{DMatrix, SVector};
 use grasp_lcp::planar::Contact;

@@ -1,4 +1,4 @@
-//! What theory promises of coupled compliance, and what it does not.
+//! Theorems about coupled compliance, and their limits.
 
 use grasp_lcp::PolygonCone;
 use grasp_lcp::equilibrium::FoundBy;

@@ -1,4 +1,4 @@
-//! Everyday grippers, at loads around their limit: every one is decided, and rightly.
+//! Everyday grippers at loads around their limit: every verdict is decided and correct.
 
 use grasp_lcp::hold::Holding;
 use grasp_lcp::{planar, spatial};

@@ -1,4 +1,4 @@
-//! What the turning of the squeeze takes of what resists: the closed form of a pinch, `−N / (k_t a)`.
+//! The geometric stiffness of the squeeze relative to the stiffness of the springs, against the closed form of a pinch, `−N / (k_t a)`.
 
 use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::spatial;

@@ -1,4 +1,4 @@
-//! Does it hold: loads put on from rest, and what is said of them.
+//! Does it hold: verdicts on loads that are applied from rest.
 
 mod everyday;
 mod kinetic;

@@ -1,4 +1,4 @@
-//! The proof that nothing holds near where a load was lost is attacked: at motions within its radius contact forces of any history are sought.
+//! Attacks on the proof that no equilibrium exists near a loss: within its radius, contact forces of any history are sought.
 
 use grasp_lcp::Settings;
 use grasp_lcp::planar::{Contact, Grasp, Pressure, SoftFingertip, Wrench};

@@ -1,4 +1,4 @@
-//! What is said of a load under which the object slides to a stop.
+//! The verdict on a load under which the object slides to a stop.
 
 use grasp_lcp::Error;
 use grasp_lcp::hold::{Holding, Verdict, WayOut};

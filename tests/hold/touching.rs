@@ -1,4 +1,4 @@
-//! A contact that touches with no force, and that the load does not push, neither sticks nor slides: what is said of a verdict does not hang on its rounding.
+//! A contact that touches without force and that the load does not push neither sticks nor slides. Rounding of its force does not change the verdict.
 
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::hold::Holding;

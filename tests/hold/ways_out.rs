@@ -1,4 +1,4 @@
-//! How an object leaves, where that is known by hand.
+//! How an object leaves, in cases known by hand.
 
 use grasp_lcp::hold::WayOut;
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Ramp, Wrench};

@@ -1,4 +1,4 @@
-//! Random grasps: what is told to hold has moved little, and the first line is the same in other units and orders.
+//! Random grasps: with a verdict that holds all motions are small, and the first line is the same in other units and orders.
 
 use core::fmt::Write;
 

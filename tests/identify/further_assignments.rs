@@ -1,4 +1,4 @@
-//! Three and more unknowns, of which slips of several kinds depend on different ones: the assignment that fits is found from any other.
+//! Three and more unknowns on which different slips depend: the search finds the best assignment from any other one.
 
 use grasp_lcp::identify::{Estimate, Identified, Identify, Slip, Unknown};
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! What slips that were seen tell: numbers that are known by hand, their errors, and what is not fixed.
+//! Parameters from observed slips: values known by hand, their errors, and combinations that slips do not determine.
 
 mod closed_forms;
 mod coverage;

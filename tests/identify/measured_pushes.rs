@@ -1,4 +1,4 @@
-//! What the measured pushes of one layout tell of its supports: a part of the weight on each, with the block weighed.
+//! Loads of the supports from the measured pushes of one layout of a weighed block.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::spatial::Wrench;

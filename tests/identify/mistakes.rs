@@ -1,4 +1,4 @@
-//! Numbers that cannot be, by name; searches that cannot end well say so.
+//! Errors name numbers that are out of range, and answers state the reason of a search that fails.
 
 use grasp_lcp::identify::{Ending, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

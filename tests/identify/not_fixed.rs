@@ -1,4 +1,4 @@
-//! What slips do not fix is said plainly, and has no numbers.
+//! Unknowns that slips do not determine have no number, and the answer says so.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

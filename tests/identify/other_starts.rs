@@ -1,4 +1,4 @@
-//! Slips that the grasp's own numbers do not predict: other starting values are tried, and weights lie there at rest.
+//! Slips that the model does not predict at the starting values: the search tries other values. Weights act on the object at rest.
 
 use grasp_lcp::Settings;
 use grasp_lcp::identify::{Ending, Identify, Slip, Unknown};

@@ -1,4 +1,4 @@
-//! Errors beside formulas of statistics, and slips that lie far off.
+//! Standard errors against formulas of statistics, and slips that are outliers.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::need::{Amount, Need};

@@ -1,4 +1,4 @@
-//! Standard errors of many unknowns at once: those of derivatives that are differences of what the grasp itself answers, or known by hand.
+//! Standard errors of many unknowns at once, against derivatives by differences of exact answers or by hand.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::{planar, spatial};

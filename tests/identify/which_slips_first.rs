@@ -1,4 +1,4 @@
-//! Where which contact slips first depends on the unknowns, other assignments are fitted: the answer does not depend on the start.
+//! If the contact that slips first depends on the unknowns, the search fits other assignments, and the answer does not depend on the start.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

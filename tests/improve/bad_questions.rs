@@ -1,4 +1,4 @@
-//! What is asked badly is refused by name.
+//! Errors about malformed questions name the field.
 
 use grasp_lcp::Error;
 use grasp_lcp::improve::{Improve, Surface};

@@ -1,4 +1,4 @@
-//! Multipliers are what one more newton or metre gains: against differences of whole answers.
+//! Multipliers are the gain for one more newton or metre, against differences of complete answers.
 
 use grasp_lcp::improve::{Binds, Improve, Improved, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! Planar hands and exhaustive enumeration in rationals say the same.
+//! Planar hands against exhaustive enumeration in rational numbers.
 
 mod affine;
 mod census;
