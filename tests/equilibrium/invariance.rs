@@ -1,4 +1,4 @@
-//! What must not change an equilibrium: the order of the contacts, the coordinates, the units, and what is not felt.
+//! Transformations that leave an equilibrium unchanged: order of contacts, coordinates, units, and changes without effect.
 //!
 //! Where there is one equilibrium only, or where everything sticks (which is the one returned first), the grasp seen
 //! from another side must give the same forces and displacements. Splitting a contact into two of half the stiffness

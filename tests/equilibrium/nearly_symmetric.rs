@@ -1,4 +1,4 @@
-//! Three fingers around a jar that are symmetric but for a little, as simulators give them: a load beyond the limit is decided.
+//! Three fingers around a jar, symmetric except for small deviations as from simulators: a load beyond the limit is decided.
 //!
 //! The small motions of an object know no limit: along a taper it may go far enough to be wedged, and the smaller the taper the farther. So there
 //! is an equilibrium, far beyond small motions, or none, by the signs of what is uneven and hardly by its size.

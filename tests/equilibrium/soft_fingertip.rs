@@ -1,4 +1,4 @@
-//! Soft fingertips: their stiffness and their edges against closed forms, in space and in the plane.
+//! Soft fingertips: stiffness, first slip and first opening against closed forms, in space and in the plane.
 //!
 //! All numbers are integrals over a ring, a disc or a line, worked out by hand; see the comments.
 

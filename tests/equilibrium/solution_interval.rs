@@ -1,4 +1,4 @@
-//! A body wedged between two contacts at which friction is used up to the last: forces are known, and where along a line it is is not. The answer says so.
+//! A body wedged between two contacts that both use all of their friction: forces are known, but the place along a line is not. The answer says so.
 //!
 //! By hand: forces on the edges of both cones, and the load that balances them. Any twist for which the surfaces are pressed as deep as that and have slipped
 //! along friction is an equilibrium, so that the twists are those of a stretch of a line.

@@ -1,4 +1,4 @@
-//! A valid grasp in the plane and one in space, for tests that break one number, and numbers that break it.
+//! A valid grasp in the plane and one in space, and malformed numbers to replace one of theirs.
 
 use grasp_lcp::{planar, spatial};
 

@@ -1,4 +1,4 @@
-//! Of several equilibria at rest, the one to which viscous slip leads from where everything sticks.
+//! Of several equilibria at rest, the one to which viscous slip leads from the state in which everything sticks.
 
 use std::f64::consts::TAU;
 

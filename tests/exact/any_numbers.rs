@@ -1,4 +1,4 @@
-//! Arbitrary floating point numbers (non-finite, subnormal, huge) fed to everything.
+//! Arbitrary floating-point numbers (non-finite, subnormal, huge) as input of every question.
 //!
 //! Nothing may panic. Whatever is returned as an equilibrium must consist of finite numbers and satisfy its conditions,
 //! however extreme the question: a grasp that cannot be computed is refused or undecided, never answered wrongly.

@@ -1,5 +1,5 @@
-//! On the round cone there is an answer: an equilibrium that holds, or a proof whose every case can be checked, however far beyond the
-//! onset. Where the proof says that there is none, Newton's method from many places finds none either.
+//! Every answer on the round cone is an equilibrium, or a proof whose cases are checked, however far beyond the onset. Where a proof excludes
+//! equilibria, Newton's method from many starts finds none.
 
 use std::f64::consts::TAU;
 use std::ops::AddAssign;

@@ -1,4 +1,4 @@
-//! The library and exact arithmetic say the same of planar grasps of two to four contacts.
+//! Planar grasps of two to four contacts: the library agrees with exact arithmetic.
 //!
 //! `support::exact` lists every equilibrium of a scene in rational arithmetic. Whenever the list is not empty the library
 //! must return an equilibrium, and it must be in the list; it may say "no equilibrium" only when the list is empty.

@@ -1,4 +1,4 @@
-//! Bodies on legs, whose motion is known.
+//! Bodies on legs, whose motion has a closed form.
 
 use grasp_lcp::friction::{ContactMode, SpatialContacts};
 use grasp_lcp::lcp::Outcome;

@@ -1,4 +1,4 @@
-//! The order of the contacts, the frame of their tangents and the units change nothing.
+//! The order of contacts, the frames of their tangents and the units do not change the answer.
 
 use grasp_lcp::friction::SpatialContacts;
 use grasp_lcp::lcp::Outcome;

@@ -1,4 +1,4 @@
-//! In the plane the answer is a solution exactly if there is one: against all combinations of states in rational arithmetic.
+//! In the plane there is a solution if and only if one of all combinations of states in rational arithmetic is one.
 
 use grasp_lcp::friction::PlanarContacts;
 use grasp_lcp::lcp::Outcome;

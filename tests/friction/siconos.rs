@@ -1,4 +1,4 @@
-//! Problems in the three forms that files of Siconos have.
+//! Problems in the three matrix formats of Siconos files.
 
 use grasp_lcp::friction::{Error, ReadProblem};
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! A row whose terms lie below the range of doubles is measured as any other.
+//! A row whose terms lie below the range of doubles is treated like any other.
 
 use grasp_lcp::lcp::{Lcp, Outcome};
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! Rows, triplets, text and JSON give the problem that they say, bit for bit, or name the place that is wrong.
+//! Problems from rows, triplets, text and JSON are exact to the bit; an error names the faulty place.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::doc_markdown)]
 
 use crate::common::{Random, seeded};

@@ -1,4 +1,4 @@
-//! Proofs of few rows and small entries, and problems whose entries are sixteen orders of magnitude apart.
+//! Proofs for few rows and small entries, and problems whose entries differ by sixteen orders of magnitude.
 
 use grasp_lcp::lcp::{Lcp, Outcome};
 use nalgebra::{DMatrix, DVector};

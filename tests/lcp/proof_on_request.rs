@@ -1,4 +1,4 @@
-//! Linear programming proves what a ray leaves open, and is left out where that is not asked for.
+//! Linear programming proves infeasibility after a ray, and only on request.
 
 use grasp_lcp::lcp::{Lcp, Outcome, Settings};
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! Settings that do not fit are refused by name, whatever the problem.
+//! Errors about inconsistent settings name the setting.
 
 use grasp_lcp::lcp::{Basis, BreakdownCause, Lcp, Outcome, Settings, Workspace};
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! What is verified is true in rational arithmetic, and nearly all that is true is verified.
+//! Verified bounds are true in rational arithmetic, and nearly all solutions are verified.
 
 use crate::adversarial::{FAMILIES, Family, problem};
 use crate::common::{Exact, samples, seeded};

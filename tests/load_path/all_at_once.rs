@@ -1,4 +1,4 @@
-//! Hundreds of contacts that reach the edge of their cones at once, at a load that is known: `μ Σ F_n`, and `μ Σ F_n R` for a torque.
+//! Hundreds of contacts that reach the edges of their cones at once, at a known load: `μ Σ F_n`, and `μ Σ F_n R` for a torque.
 
 use grasp_lcp::load_path::{Beyond, LossKind, Onset, PathEnd, Ramp};
 use grasp_lcp::{planar, spatial};

@@ -1,4 +1,4 @@
-//! Paths at their edges, as they came from others: each stood still there, and each goes on, or ends with what it is.
+//! Paths with contacts on the edges of their cones, at which earlier versions stopped. Each continues, or ends with its reason.
 //!
 //! The second opinion is the path in steps, which knows no events.
 

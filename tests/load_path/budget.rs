@@ -1,4 +1,4 @@
-//! A path takes no more steps than its caller allows, and says where it stands.
+//! A path takes at most the allowed number of steps, and reports the place where it stopped.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,5 @@
-//! Planar load paths that can be written down: wedges about their locking angle, a lost continuation, orders of loading
-//! that matter, no friction and infinite friction.
+//! Planar load paths with closed forms: wedges about their locking angle, a lost continuation, the order of loading, no friction and infinite
+//! friction.
 //!
 //! Each test derives its numbers by hand in the comment above it, from the springs, Coulomb's law and equilibrium alone.
 

@@ -1,4 +1,4 @@
-//! An object that nothing resists any more moves until a gap closes, and the path goes on from there: by hand, and by work.
+//! After a loss the object moves until a gap closes, and the path continues from there: against calculations by hand and the balance of work.
 //!
 //! A block of weight W slides on feet (tangential stiffness K in all, friction μ) towards a stop that is a gap g away:
 //!

@@ -1,5 +1,5 @@
-//! Cutting the legs of a load program changes nothing, not even at an event: the same events at the same loads, once each, the same
-//! states, the same end, whether the pieces are followed in one go or one after the other. Random paths in the plane and in space.
+//! Cutting the legs of a load program changes nothing: events, loads, states and end are the same, also if a cut lies at an event. Random paths in
+//! the plane and in space.
 
 use grasp_lcp::load_path::{Event, LoadPath, PathEnd};
 use proptest::prelude::*;

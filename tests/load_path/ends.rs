@@ -1,4 +1,4 @@
-//! How paths in space end, each against its exact load: at a fold, where the load has a maximum; along an asymptote, which is never reached.
+//! Ends of paths in space against exact loads: at a fold, where the load has a maximum, and along an asymptote, which is never reached.
 //!
 //! A body that slides on guides without friction, under one finger: along the way x it moves freely, across it a spring K_y holds. The finger
 //! presses with N and was moved across by b, so that the friction force points across to begin with and turns along the way as it slides.

@@ -1,5 +1,5 @@
-//! Everyday load paths in space: three to six fingers in a ring, on two faces or over a ball. A weight grows, or a push, or a twist.
-//! Those that end undecided are counted; what is said of the others at rest is checked against equilibria just beyond.
+//! Everyday load paths in space: three to six fingers in a ring, on two faces or over a ball, under a growing weight, push or twist. Undecided ends
+//! are counted; statements about the other ends are checked against equilibria just beyond.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;

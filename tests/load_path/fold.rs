@@ -1,5 +1,5 @@
-//! The end of a path at a fold: a contact that slides on while its force fades can turn its friction ever faster, until the load
-//! cannot grow any more, although another equilibrium with nearly the same forces waits beyond.
+//! A path that ends at a fold: the friction of a sliding contact turns ever faster as its normal force vanishes, until the load reaches a maximum.
+//! Another equilibrium with nearly the same forces exists beyond.
 
 use std::error::Error;
 

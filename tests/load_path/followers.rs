@@ -1,4 +1,4 @@
-//! A program followed event by event and in steps stands at the same place, leg by leg or at once.
+//! A program followed from event to event and in steps is at the same place after each leg, whether legs are followed one by one or together.
 
 use std::mem::discriminant;
 

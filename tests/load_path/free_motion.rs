@@ -1,6 +1,5 @@
-//! Motions that nothing resists any more, from the middle of a path on: they are named with the event, the forces stay what statics
-//! says, the path goes on without moving along them as long as no load works there, and gives way in their direction when
-//! one does. Planar and in space, by hand.
+//! Motions that become free in the middle of a path: the event names them, and forces stay those of statics. The path does not move along them until
+//! a load does work on them, and then gives way in that direction. Planar and in space, by hand.
 
 use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::{LossKind, PathEnd};

@@ -1,5 +1,5 @@
-//! Legs that end exactly on an event. Standing on an edge is no event yet: what comes next decides, so the event is told when a
-//! further leg crosses the edge, once, at the beginning of that leg, and not at all if it turns back. Planar, by hand.
+//! Legs that end exactly on an event. A contact on the edge of its cone is no event yet. If the next leg crosses the edge, the event is reported
+//! once, at the beginning of that leg; if it turns back, there is none. Planar, by hand.
 //!
 //! One foot (k, kt, μ, pressed with N₀ = k a) under a body on two bonded springs, together kb both ways; nothing turns. A shear P
 //! moves it by x = P/(kt + kb) as long as the foot sticks, which it does until kt x = μN, and a lift Λ by y = Λ/(k + kb), so that

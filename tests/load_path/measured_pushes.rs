@@ -1,4 +1,4 @@
-//! Measured pushes of a block on three supports: the coefficient of friction that each of 400 tells is the one found elsewhere, by another method.
+//! Measured pushes of a block on three supports: the friction found from each of 400 pushes agrees with that of another method.
 
 use support::Failure;
 use support::measured_pushes::{blocks, limit, normal_forces, pushes, supports};

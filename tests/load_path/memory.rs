@@ -1,5 +1,5 @@
-//! Where a path forgets nothing and where it has nothing to remember: without sticking again it ends at the one-shot
-//! equilibrium, and without events it can be reversed. Random paths in the plane.
+//! The role of slip memory: a path without new sticking ends at the equilibrium of `solve`, and a path without events is reversible. Random paths in
+//! the plane.
 
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::Wrench;

@@ -1,4 +1,4 @@
-//! A rough ball on independent springs, pressed and sheared at once, then sheared further and back: the tractions of Jäger and of Ciavarella.
+//! A rough ball on independent springs, pressed and sheared at once, then sheared further and back, against the tractions of Jäger and of Ciavarella.
 //!
 //! Spring i closes when the ball has come down by `h_i = r_i²/2R`; then it presses with `n_i = k (δ - h_i)`. All friction acts in the plane of
 //! the springs' ends, and they lie alike on both sides, so that nothing tilts. From a pressed ball on

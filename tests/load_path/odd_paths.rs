@@ -1,5 +1,5 @@
-//! Odd programs: fingers at unequal heights, uneven stiffness and friction, a weight held before, forces with moments, fingers let go of and pressed on
-//! again. Each is followed to an end that says what it is, and each fraction that it has passed is told.
+//! Irregular programs: fingers at unequal heights, uneven stiffness and friction, a weight held before, forces with moments, fingers released and
+//! pressed again. Each path ends with a reason, and has a state at each fraction that it has passed.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::load_path::PathEnd;

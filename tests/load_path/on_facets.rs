@@ -1,5 +1,5 @@
-//! Load paths in space on a polygonal cone, against hand calculations: pads that slide along a facet, turn at a corner
-//! and go on along the next; rings that let go all at once.
+//! Load paths in space on a polygonal cone, against calculations by hand: pads that slide along a facet, turn at a corner and continue along the next
+//! facet; rings in which all contacts slide at once.
 //!
 //! All numbers come from the polygon's geometry alone (8 facets, inscribed: corner j at angle jπ/4 of the contact's
 //! tangents on the circle of radius μN, facets between at distance r = μN cos π/8) and from scalar springs.

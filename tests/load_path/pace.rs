@@ -1,4 +1,4 @@
-//! Steps along sliding arcs grow again after they had to be short: a path does not creep on to the most steps a leg may take.
+//! Steps along sliding arcs grow again after short ones, so that a path does not exhaust the steps of a leg.
 
 use std::f64::consts::TAU;
 

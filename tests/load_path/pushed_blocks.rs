@@ -1,4 +1,5 @@
-//! A block on three points is pushed until it slides: the load at which it does is known to the last digits, however nearly the push goes through its middle.
+//! A block on three points is pushed until it slides: the limit load is accurate to the last digits, even if the push nearly passes through the
+//! middle.
 //!
 //! The weight alone says what each point carries, N. Against a motion v, ω of the block friction does the work Σ μ N |v + ω × r| at least, so that the limit
 //! load is the least of that over all motions on which the push does the work of one unit: a convex minimum, found here by golden sections.

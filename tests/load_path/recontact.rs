@@ -1,5 +1,5 @@
-//! A contact that loses its force and takes it up again: it reverses, sticks or opens at the apex of its cone, and what
-//! has opened closes without tangential force, wherever its finger now is. Planar, by hand.
+//! A contact that loses its normal force and regains it: it reverses, sticks or opens at the apex of its cone. After opening it closes without
+//! tangential force, wherever its finger is. Planar, by hand.
 //!
 //! One foot (k, kt, μ) on a body that two bonded springs carry, together kb both ways; nothing turns. With the foot's command
 //! (a, b) and the body at (x, y): N = k (a - y) and T = kt (b - x - s) on the body, kb x = T, kb y = N. Closed it gives

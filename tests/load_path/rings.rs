@@ -1,6 +1,5 @@
-//! Rings of 2 to 64 identical contacts, in the plane and in space: what symmetry makes happen at one load is one event, with all
-//! contacts concerned, and no path goes round in circles. By hand where all do the same; where a side load lets them go group by
-//! group, against their mirror images.
+//! Rings of 2 to 64 identical contacts, in the plane and in space: simultaneous changes by symmetry are one event with all contacts, and no path
+//! cycles. By hand if all contacts behave alike; against mirror images if a side load makes groups slide one after the other.
 
 use std::f64::consts::{FRAC_PI_8, TAU};
 

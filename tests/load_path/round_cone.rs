@@ -1,5 +1,5 @@
-//! Load paths on the round cone, random grasps and programs in space: the contact law at every sampled fraction, slips along the friction
-//! force, energies, legs cut in two, other frames, and small steps of a method that knows nothing of arcs and events.
+//! Load paths on the round cone for random grasps and programs: the contact law at sampled fractions, slips along the friction force, energies, legs
+//! cut in two, other frames, and small steps of a method without arcs and events.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};

@@ -1,4 +1,4 @@
-//! Every event of a path lies where small implicit steps find it, and where a path is lost they find nothing near.
+//! Small implicit steps find every event at the same place, and no equilibrium near a loss.
 //!
 //! The steps ([`support::programs::steps`]) share nothing with the crate but the state at the start: at the end of each the
 //! contact law with the slip so far is solved by trying all combinations of states. At every step that has no event in it or

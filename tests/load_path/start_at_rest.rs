@@ -1,4 +1,4 @@
-//! Paths that start without a load and without forces, at contacts that only touch.
+//! Paths that start without load and without forces, at contacts that only touch.
 
 use std::f64::consts::TAU;
 

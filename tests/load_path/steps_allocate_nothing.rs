@@ -1,4 +1,4 @@
-//! A path of many contacts in steps allocates nothing from the second round of its program on.
+//! From the second round of its program on, a path of many contacts in steps allocates no memory.
 
 use allocation_counter::measure;
 use grasp_lcp::spatial;

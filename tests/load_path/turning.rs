@@ -1,4 +1,4 @@
-//! Loads that turn, against closed forms, mirror images and chords: where contacts slide, stick and slide back, what each turn leaves behind.
+//! Loads that turn, against closed forms, mirror images and chords: where contacts slide, stick and slide back, and the slip after each turn.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

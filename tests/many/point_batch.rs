@@ -1,4 +1,4 @@
-//! Batches of any number of points: the bits of single grasps up to five contacts, and beyond, with pads, the onsets of `Grasp::onset`.
+//! Batches of any number of points: the same bits as single grasps up to five contacts; beyond, with pads, the onsets of `Grasp::onset`.
 
 use grasp_lcp::screening::{Fingers, PointBatch, Pull, Screened, ScreeningVerdict};
 use grasp_lcp::spatial::{Contact, Grasp, Pressure, Ramp, SoftFingertip, Wrench};

@@ -1,4 +1,4 @@
-//! The load that a grasp keeps sticking under with a reserve is never less safe than it says: as often as that, or less, a sample slides below it.
+//! The load with a reserve is on the safe side: the fraction of samples that slide below it is at most the stated one.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 use std::f64::consts::TAU;

@@ -1,4 +1,4 @@
-//! Onsets of grasps that are not known exactly, to first order: against samples, which know no gradients, and in closed form.
+//! Onsets of grasps with uncertain data, to first order: against samples, which use no gradients, and in closed form.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Scenes that screening is asked about.
+//! Scenes for tests of screening.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;

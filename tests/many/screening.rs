@@ -1,4 +1,4 @@
-//! Screening against `Grasp::onset`, which finds the onset on its own way: by settling the base and walking along the ramp.
+//! Screening against `Grasp::onset`, which uses another method: it solves the base and follows the ramp.
 //!
 //! Contacts of every kind: without, with, and with infinite friction, kept closed and bonded, with a clearance; in the plane and in space,
 //! from no base load and from one, with stiffnesses and friction coefficients over many decades. Wherever screening gives a factor it is that of the onset, and wherever it gives none the onset says why;

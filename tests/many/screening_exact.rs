@@ -1,4 +1,4 @@
-//! Screening against exact rational arithmetic: how far is the factor off?
+//! Error of the factor of screening, against exact rational arithmetic.
 //!
 //! Every number of a planar scene whose normals are Pythagorean is rational. Forces at factor zero and their rates are solved for
 //! exactly, with every contact sticking, and so is the first facet that is reached. The factor may be off by the rounding of the forces over the rate at which the

@@ -1,4 +1,4 @@
-//! Screening of three contacts in space against exact rational arithmetic: how far from the edges of their cones are contacts at the factor?
+//! Screening of three contacts in space, against exact rational arithmetic: distance of contacts from the edges of their cones at the factor.
 //!
 //! Numbers of a scene are rational where normals are. Forces at factor zero and their rates are solved for exactly, with every contact sticking. At the
 //! factor of screening no contact is outside of its cone, and one is on the edge, but for the rounding of forces: for even triangles and slim ones, and

@@ -1,4 +1,4 @@
-//! Gradients of screening against those of `Grasp::sensitivity`, which solves once more for every single datum.
+//! Gradients of screening against those of `Grasp::sensitivity`, which solves again for every single datum.
 //!
 //! In the plane and in space, two to five contacts of every kind, about a place off the origin, with a base load and without: every field agrees to nine digits.
 

@@ -1,4 +1,4 @@
-//! Screening for the least squeeze against `Grasp::least_squeeze`, which finds it cut by cut, and against closed forms.
+//! Least squeezes of screening against `Grasp::least_squeeze`, which uses cutting planes, and against closed forms.
 //!
 //! Scenes of two to five contacts in the plane and in space, of every kind of contact, with and without clearances, under one to four loads. Wherever
 //! screening gives a factor it is that of the search, and wherever it gives none the search says why; every lane of a batch answers as the grasp on its

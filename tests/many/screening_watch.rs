@@ -1,4 +1,4 @@
-//! A watch over measured forces against what onsets and least squeezes say of the same grasp, whose springs made the forces.
+//! Monitoring of measured forces, against onsets and least squeezes of the grasp whose springs produce the forces.
 
 use allocation_counter::measure;
 use grasp_lcp::ask::Grasp;

@@ -1,5 +1,5 @@
-//! Sweeps can be watched and stopped, one bad question does not spoil the others, and samples of an uncertain grasp are distributed as they
-//! should be, the same ones for any number of threads.
+//! Sweeps report progress and can be stopped, an error affects one question only, and samples of an uncertain grasp have the right distribution for
+//! any number of threads.
 
 use std::ops::ControlFlow;
 use std::sync::Mutex;

@@ -1,4 +1,4 @@
-//! Verdicts in a batch against `Grasp::hold`, one grasp at a time: the same outcome in every column, whatever road a row takes.
+//! Verdicts in a batch against `Grasp::hold`, one grasp at a time: the same outcome in every column, whether a row is screened or followed.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;

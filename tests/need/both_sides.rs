@@ -1,4 +1,4 @@
-//! A billionth more does, a billionth less does not, on random grasps.
+//! On random grasps an amount larger by a billionth suffices, and one smaller by a billionth does not.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! Amounts that are known by hand.
+//! Needed amounts known by hand.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Turn, Wrench};

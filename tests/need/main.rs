@@ -1,4 +1,4 @@
-//! How much it needs: by closed forms, and tried from both sides.
+//! Needed amounts: closed forms, and tests on both sides of each amount.
 
 mod both_sides;
 mod brute_force;

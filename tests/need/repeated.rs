@@ -1,4 +1,4 @@
-//! Loads that are put on again and again: by the closed form of the block that walks, below the shakedown factor, and refused where they come in no order.
+//! Amounts for loads that repeat: the closed form of the walking block, the bound by the shakedown factor, and errors where loads have no order.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Squeezes that do lie in windows where a motor reaches its limit, while another finger still pushes the object away: known by hand.
+//! Sufficient squeezes that form an interval: a motor reaches its limit while another finger still pushes the object away. Known by hand.
 
 use grasp_lcp::need::{Amount, AmountWindow, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,5 +1,4 @@
-//! The polygon inside the round cone and the one around it have the onset of sliding between them, and the spread of their answers
-//! is that of a sliding foot by hand.
+//! The onset lies between those of the inscribed and the circumscribed polygon, and the spread of their answers is that of a sliding foot by hand.
 
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};

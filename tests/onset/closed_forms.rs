@@ -1,5 +1,5 @@
-//! The onset of sliding in all its endings: never, at once, already, no base, gives way, after a contact closes, along
-//! commands, all contacts together.
+//! All outcomes of the onset of sliding in closed form: never, at once, already sliding, no base, gives way, after a contact closes, along commands,
+//! all contacts together.
 
 use grasp_lcp::planar::{Beyond, Contact, ContactState, Departure, Grasp, Onset, Ramp, Wrench};
 use grasp_lcp::{Settings, spatial};

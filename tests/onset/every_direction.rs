@@ -1,4 +1,4 @@
-//! Onsets for every direction of a force: the region in which nothing slides, found from plain equilibria; symmetries; what lies beyond a limit.
+//! Onsets for every direction of a force: the region without slip from plain equilibria, symmetries, and loads beyond a limit.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,4 @@
-//! Derivatives by positions and normals of contacts against central differences of grasps that are built again elsewhere. The solver that
-//! is asked twice knows nothing of derivatives.
+//! Derivatives by positions and normals of contacts, against central differences of grasps that are built again with moved contacts.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::ContactState;

@@ -1,4 +1,4 @@
-//! Derivatives by positions and normals where they are known in closed form, and where there are none.
+//! Derivatives by positions and normals: closed forms, and cases without a derivative.
 
 use grasp_lcp::load_path::Parameter;
 use grasp_lcp::{Error, planar, spatial};

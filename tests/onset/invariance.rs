@@ -1,4 +1,4 @@
-//! What must not change the onset of sliding: the coordinates, the units, and a contact split in two.
+//! Transformations that leave the onset of sliding unchanged: coordinates, units, and a contact split in two.
 //!
 //! No expected numbers are needed: each ramp is compared with its own image. Factor and leaving contacts must be the same.
 

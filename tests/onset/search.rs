@@ -1,4 +1,4 @@
-//! The onset of sliding against a search that knows nothing of how it was found.
+//! The onset of sliding against a search that uses only equilibria.
 //!
 //! While everything sticks the forces solve a linear least-squares problem (`support::sticking`); the largest load factor at
 //! which all of them lie in their cones is found here by bisection and must be the onset, in the plane and in space, on

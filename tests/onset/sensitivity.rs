@@ -1,5 +1,5 @@
-//! Exact derivatives of equilibria and onsets against central differences of the solver itself, whose steps of 1e-5 leave an
-//! error of about 1e-10: an independent answer, since the derivatives come from one linear solve on the final piece.
+//! Exact derivatives of equilibria and onsets against central differences of the solver. The step of 1e-5 leaves an error of about 1e-10. The
+//! derivatives come from one linear solve, so that differences are independent.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Equilibrium;

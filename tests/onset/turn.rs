@@ -1,4 +1,4 @@
-//! What happens to contacts while a load turns: edges touched, gaps closed, turns that end, and what is no turn.
+//! Contacts while a load turns: edges touched, gaps closed, turns that end, and malformed turns.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

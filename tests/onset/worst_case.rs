@@ -1,4 +1,4 @@
-//! The least onset within bounds: against every corner of small boxes, each asked by itself, and in closed form.
+//! The least onset within bounds: against every corner of small boxes, and in closed form.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};

@@ -1,4 +1,4 @@
-//! The paper's method reproduces the paper's tables, the rows beyond the onset included; the comparison says what these are.
+//! The paper's method reproduces the paper's tables, also the rows beyond the onset; the comparison states that these are no equilibria.
 
 use grasp_lcp::Settings;
 use grasp_lcp::energy::{Agreement, ComparisonVerdict, QpOutcome};

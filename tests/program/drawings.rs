@@ -1,4 +1,4 @@
-//! `draw` has a picture for every question of a scene; names keep apart in it, and nothing leaves the sheet.
+//! `draw` has a picture for every question of a scene; names do not overlap, and all marks lie on the sheet.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The guide's twelve everyday questions are answered as it says, each on a scene of at most twelve lines, and so are its questions to several bodies.
+//! The guide quotes the answers to its twelve everyday questions and to those about several bodies. Each everyday scene has at most twelve lines.
 
 use std::collections::HashSet;
 

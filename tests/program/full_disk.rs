@@ -1,4 +1,4 @@
-//! Where nobody reads on the program ends quietly, where a disk is full with one line and a code; it never panics.
+//! The program ends quietly if its output is closed, and with one line and a code if a disk is full; it never panics.
 
 use std::fs::File;
 use std::io::{Read, Write};

@@ -1,4 +1,4 @@
-//! Names are somebody else's text: wherever they are printed control characters are written out, so that none clears a screen or passes for an answer.
+//! Names are untrusted text: control characters in them are escaped wherever they are printed, so that no name clears a screen or imitates an answer.
 
 use crate::{folder, run, text};
 

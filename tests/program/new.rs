@@ -1,4 +1,4 @@
-//! Scenes to begin with: asked at once, and explained.
+//! Scenes written by `new`: they can be asked at once, and they explain themselves.
 
 use std::collections::BTreeSet;
 

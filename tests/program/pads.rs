@@ -1,4 +1,4 @@
-//! Soft fingertips are told as contacts: one row, and an event for the first point and for the last.
+//! Soft fingertips are printed as contacts: one row, and events for the first and the last point.
 //!
 //! A disc of R = 10 mm presses with N = 10 N on an object that a bonded foot holds; tip and foot resist turning about their line alike, with 0.5 N m/rad.
 //! Under a moment M the tip carries M/2 until, under an even pressure, its rim slides at μ N R/2 = 0.025 N m. Its inner points, at R/2, slide at twice the

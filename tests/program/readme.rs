@@ -1,4 +1,4 @@
-//! What the README says that the program prints.
+//! Quotations of the program's output in the README.
 
 use super::{ROOT, dialogues, folder, is_a_scene, run, scene};
 

@@ -1,4 +1,4 @@
-//! The stream behind pipes that split it: every answer finds its line again.
+//! The stream in pipes that split it: every answer identifies its line.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What a person reads is words: no insides of the machine, no minus before zero, no "not a number", in any command and any figure.
+//! The output is plain language: no internals, no minus sign before zero, no NaN, in any command and any figure.
 
 use std::path::{Path, PathBuf};
 

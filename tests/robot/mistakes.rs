@@ -1,4 +1,4 @@
-//! What a description file must not be, and names that it does not have.
+//! Errors about malformed description files, and about missing names.
 
 use grasp_lcp::Error;
 use grasp_lcp::robot::Robot;

@@ -1,4 +1,4 @@
-//! Robots as texts.
+//! Description files of robots, as texts.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! A scene compares the equilibrium with the minimum of energy; the answer is read back as it was written.
+//! A scene compares equilibrium and minimum of energy; the answer is the same after writing and reading.
 
 use grasp_lcp::energy::ComparisonVerdict;
 use grasp_lcp::scene::{Answer, Answers, CompareAnswer, Scene};

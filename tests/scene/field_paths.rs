@@ -1,4 +1,4 @@
-//! A wrong value, wherever it stands in a scene, is reported under the path of its own field.
+//! An error about a value in a scene names the path of its field.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The scene format: what is written reads back as the same grasp, the same questions and the same answers, to the bit.
+//! The scene format: after writing and reading, grasp, questions and answers are the same to the bit.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Outcome;

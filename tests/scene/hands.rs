@@ -1,4 +1,4 @@
-//! Hands in scenes: what is written reads back, is answered as the same hand built by calls, and says what is wrong with it.
+//! Hands in scenes: they survive writing and reading, are answered like hands built by calls, and errors name their parts.
 
 use grasp_lcp::Limit;
 use grasp_lcp::equilibrium::Outcome;

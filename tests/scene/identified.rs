@@ -1,4 +1,4 @@
-//! Slips that a scene tells of: its answer is that of the grasp, and comes back as it was written.
+//! Slips in a scene: the answer is that of the grasp, and survives writing and reading.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Turn, Wrench};

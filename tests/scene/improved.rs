@@ -1,4 +1,4 @@
-//! Fingers that are improved in a scene: the answer comes back as it was written, also where nothing ever slides.
+//! Improved fingers in a scene: the answer survives writing and reading, also if nothing ever slides.
 
 use grasp_lcp::scene::{Answer, Answers, Scene};
 

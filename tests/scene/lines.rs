@@ -1,4 +1,4 @@
-//! The stream: answers in order and the same for any number of threads, bad lines by themselves, bounded memory.
+//! The stream: answers in order and the same for any number of threads, an error for each bad line, bounded memory.
 
 use std::io::{self, Read, Write};
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -1,4 +1,4 @@
-//! Links of a scene: read, written, refused, told of as one thing each; what is taken for a stiffness is said where an answer depends on it.
+//! Links in scenes: read, written, refused, and reported as one contact each. A default stiffness is reported if an answer depends on it.
 
 use grasp_lcp::scene::{Scene, Space, Warning};
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! A load is always seen: however small or large it is, wherever it acts, whether it is a moment alone, and from wherever it is looked at.
+//! A load is always visible: for any size, place and direction of view, also a moment alone.
 
 use grasp_lcp::picture::{PlanarPicture, SpatialPage, View, draw_grasp};
 use grasp_lcp::{planar, spatial};

@@ -1,4 +1,4 @@
-//! Scenes and pictures: what is read, what is written, what is drawn.
+//! Scenes and pictures.
 
 mod bodies;
 mod carried;

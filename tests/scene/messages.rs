@@ -1,4 +1,4 @@
-//! Malformed scenes are refused with a message that says where, what, and what is allowed.
+//! Errors about malformed scenes name the place, the fault and the allowed values.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! No name covers another, none leaves the sheet, and a soft fingertip has one.
+//! Names in pictures do not overlap and lie on the sheet; a soft fingertip has one name.
 
 use std::f64::consts::TAU;
 

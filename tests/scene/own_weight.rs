@@ -1,4 +1,4 @@
-//! Bodies with masses under the scene's gravity: tilted and accelerated by their own weight, which no load counts once more.
+//! Bodies with masses under the scene's gravity: tilting and acceleration act on their weights, which no load counts twice.
 
 use grasp_lcp::scene::Scene;
 

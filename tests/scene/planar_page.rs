@@ -1,4 +1,4 @@
-//! A page with a planar grasp needs nothing else, says its answer first, cannot be broken out of by names, and has all its pictures at one scale.
+//! A page with a planar grasp is self-contained, states its answer first, escapes names, and draws all pictures at one scale.
 
 use grasp_lcp::picture::PlanarPage;
 use grasp_lcp::planar::{Equilibrium, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! Questions are values with a text form of their own, and count contacts as a scene does: a soft fingertip is one.
+//! Questions are values with a text form. They count contacts as a scene does: a soft fingertip is one.
 
 use grasp_lcp::Error;
 use grasp_lcp::identify::{Identify, Slip, Unknown};

@@ -1,4 +1,4 @@
-//! What is rounding beside the forces of an equilibrium is no force in a picture or a table of it.
+//! Forces that are rounding beside the others of an equilibrium are zero in pictures and tables.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::picture::{SpatialPage, View, draw_grasp};

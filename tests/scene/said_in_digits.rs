@@ -1,4 +1,4 @@
-//! Sentences of answers in JSON have as many digits as are asked for, and an outcome that says nothing comes with what happens from rest.
+//! Sentences of answers in JSON have the requested number of digits. An undecided outcome comes with the verdict from rest.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::Holding;

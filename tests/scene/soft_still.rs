@@ -1,4 +1,4 @@
-//! A soft fingertip on paper: one force and one cone, at its centre of pressure, and a dot for each of its points.
+//! A still with a soft fingertip: one force and one cone, at its centre of pressure, and a dot for each of its points.
 
 use grasp_lcp::picture::{SpatialPage, View, draw_grasp};
 use grasp_lcp::spatial::{Contact, ContactAnswer, Equilibrium, Grasp, Pressure, SoftFingertip, Wrench};

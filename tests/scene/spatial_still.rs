@@ -1,4 +1,4 @@
-//! A spatial grasp on paper: points lie where the projection says, everything is inside, nearer things hide farther ones, and names are text.
+//! A still of a spatial grasp: points are projected correctly, all marks lie inside, near things hide far ones, and names are text.
 
 use std::f64::consts::FRAC_PI_2;
 

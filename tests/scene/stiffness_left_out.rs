@@ -1,4 +1,4 @@
-//! Scenes that leave a stiffness out, or give one number for all directions: what is taken, and when it is told.
+//! Scenes without a stiffness, or with one number for all directions: the default, and when a warning reports it.
 
 use grasp_lcp::scene::{Fingertip, Scene, Space, Warning};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! Whether what a grasp holds depends on the stiffness along tangents.
+//! Whether a verdict depends on the tangential stiffness.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Turns that are none are refused with a message that says where, what, and what is allowed.
+//! Errors about malformed turns name the place, the fault and the allowed values.
 
 use grasp_lcp::load_path::Leg;
 use grasp_lcp::planar::Turn;

@@ -1,4 +1,4 @@
-//! Loads that turn in scenes: each way to say one, what is written of them, and the same answers as by calls.
+//! Loads that turn in scenes: each notation, its written form, and the same answers as by calls.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

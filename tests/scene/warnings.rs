@@ -1,4 +1,4 @@
-//! Words of warning: each for what is hardly meant, and none where it is meant.
+//! Warnings about implausible scenes, and none about plausible ones.
 
 use grasp_lcp::planar::Contact;
 use grasp_lcp::scene::{Scene, Setup, Warning};

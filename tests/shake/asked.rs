@@ -1,4 +1,4 @@
-//! What a cycle has to be, and what is asked beside it.
+//! Requirements on a load cycle, and further data of the question.
 
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
 use grasp_lcp::shake::Repeats;

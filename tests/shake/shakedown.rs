@@ -1,4 +1,5 @@
-//! The shakedown factor: by a closed form, by Melan's theorem where slips change no normal force, and never below what a path rests under.
+//! The shakedown factor: a closed form, Melan's theorem if slips change no normal force, and an upper bound of all loads under which a path comes to
+//! rest.
 
 use grasp_lcp::energy::QuadraticProgram;
 use grasp_lcp::load_path::{Change, ContactChange};

@@ -1,4 +1,4 @@
-//! A foot that a load drags to and fro between springs: what it does in every cycle, in closed form, with one coefficient of friction and with two.
+//! A foot that a load drags back and forth between springs: slip and heat per cycle in closed form, with one coefficient of friction and with two.
 //!
 //! The foot (10 N, spring of 1000 N/m) and a bonded spring of 1000 N/m carry a load that goes from 0 to 24 N and back. Of every cycle to come
 //!

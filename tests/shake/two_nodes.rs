@@ -1,4 +1,4 @@
-//! Two contacts whose normal forces slips change: what the grasp remembers decides between two limits.
+//! Two contacts whose slips change normal forces: the history decides between two limits.
 //!
 //! In the plane of both slips each contact has two lines, one for either direction of sliding, where they stand under the worst load of a cycle. Inside all
 //! four nothing slides. As loads grow the region loses a side: from there on, says Ahn, Bertocchi and Barber (Shakedown of coupled two-dimensional

@@ -1,4 +1,4 @@
-//! What contact forces could balance, whatever the fingers press.
+//! Loads that contact forces could balance, for any squeeze.
 
 mod closure;
 mod ferrari_canny;

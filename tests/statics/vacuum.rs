@@ -1,4 +1,4 @@
-//! Suction cups in static questions: their force is there beside those of the contacts, against sums over directions and balances by hand.
+//! Suction cups in static questions: the vacuum acts beside the contact forces. Against sums over directions and balances by hand.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Parts whose values are known by hand.
+//! Parts with values known by hand.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Pads that lie on slopes and over edges: what a face at an angle carries, and what is said of it.
+//! Pads on slopes and over edges: forces of inclined faces, and the errors and warnings.
 
 use grasp_lcp::spatial::Contact;
 use grasp_lcp::touch::{Pad, Part, Touch};

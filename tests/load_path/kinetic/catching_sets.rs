@@ -1,4 +1,4 @@
-//! Where a jump ends, against every combination of contact states in exact rational arithmetic.
+//! The end of a jump, against every combination of contact states in exact rational arithmetic.
 //!
 //! A jump must end in one of those that hold, with no more contacts sliding than any other one has; where something opens, which is no straight way, that is
 //! counted. Where a jump is not caught none of them holds, unless the library says that something does elsewhere.

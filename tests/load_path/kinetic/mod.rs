@@ -1,4 +1,4 @@
-//! Friction that is lower once contacts slide.
+//! Kinetic friction below static friction.
 
 mod catching_sets;
 mod closed_forms;

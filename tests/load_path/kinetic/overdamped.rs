@@ -1,4 +1,4 @@
-//! What a jump stands for: an object that moves through something viscous, followed in small steps of time.
+//! The physical meaning of a jump: an object that moves through a viscous medium, followed in small steps of time.
 //!
 //! ```text
 //! q' = W + Σ G_i F_i,      F_i by the law of each contact: at rest up to μ_s F_n, sliding with μ_k F_n until it comes to rest

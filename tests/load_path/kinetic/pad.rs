@@ -1,4 +1,4 @@
-//! A pad of many points: they slide one after the other, and each leaves to the others what it loses.
+//! A pad of many points, which slide one after the other. Each point hands the friction that it loses to the others.
 //!
 //! Points that are pressed with `p = 1 - ξ²` under a rigid block stretch by the same x. At `y = k x / μ_s` those beyond `ξ_s² = 1 - y` slide, and all together carry
 //!

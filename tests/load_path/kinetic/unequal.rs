@@ -1,4 +1,5 @@
-//! Contacts whose friction falls unequally as they begin to slide together: symmetric grasps, where several reach their edge at one load.
+//! Contacts that begin to slide together and lose different amounts of friction: symmetric grasps, in which several contacts reach their limit at one
+//! load.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
