@@ -8,7 +8,7 @@ use support::samples::{assert_met, config, runner, samples};
 use support::stacks::stack;
 use support::two_bodies::{Census, census};
 
-/// An equilibrium is told exactly where one exists. The same scenes every time, for what is counted below.
+/// The answer is an equilibrium if and only if one exists. The seed is fixed because the counts below depend on it.
 #[test]
 fn two_bodies_are_decided() {
     let mut runner = runner(config(1));

@@ -46,7 +46,7 @@ fn is_proof<const C: usize>(
     assert!(gained > 0.1 * size, "{gained}");
 }
 
-/// What a contact of a wall is on and what is below it, by its place: rows are half a metre high and bricks a metre long.
+/// The bricks above and below a contact of a wall, by its place: rows are half a metre high and bricks a metre long.
 fn sides(x: f64, height: f64, rows: usize) -> [Option<usize>; 2] {
     // The last of halves from the left, or from the ground, that a place is not before.
     let halves =

@@ -26,7 +26,7 @@ fn agree<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> Result<(), T
     Ok(())
 }
 
-/// With every contact told from its other side: a normal the other way, and both bodies exchanged.
+/// The stack with every contact named from its other side: a normal the other way, and both bodies exchanged.
 fn from_the_other_side(stack: &Stack<3, 2>) -> Stack<3, 2> {
     let turned = |touch: &Touch<2>| match touch.against {
         None => touch.clone(),

@@ -17,7 +17,7 @@ const SPRING: f64 = 1e3;
 const SOFTER_ALONG: f64 = 0.7;
 const BODIES: usize = 3;
 
-/// What a scene is made of.
+/// The data of a scene.
 struct Hanging {
     /// For each body three springs, each from a point to another, and a load: force and moment about the origin.
     springs: [[(Vector2<f64>, Vector2<f64>); 3]; BODIES],

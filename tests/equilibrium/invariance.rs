@@ -29,7 +29,7 @@ fn settings() -> Settings {
     Settings::default().on_the_polygon().with_cone(PolygonCone::new(3, Fit::Inscribed).expect("a polygon"))
 }
 
-/// What is compared: forces and displacements of the body at the contacts, coordinate axes.
+/// The compared quantities: forces and displacements of the body at the contacts, along coordinate axes.
 type Picture<const C: usize> = Vec<(SVector<f64, C>, SVector<f64, C>)>;
 
 fn picture<const C: usize>(e: &Equilibrium<C>) -> Picture<C> {

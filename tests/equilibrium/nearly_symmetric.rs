@@ -1,7 +1,7 @@
 //! Three fingers around a jar, symmetric except for small deviations as from simulators: a load beyond the limit is decided.
 //!
-//! The small motions of an object know no limit: along a taper it may go far enough to be wedged, and the smaller the taper the farther. So there
-//! is an equilibrium, far beyond small motions, or none, by the signs of what is uneven and hardly by its size.
+//! Small motions of the model have no limit: along a taper the object may move until it is wedged, the farther the smaller the taper. So an
+//! equilibrium far beyond small motions exists or not, depending on the signs of the deviations and hardly on their size.
 
 use std::f64::consts::TAU;
 

@@ -130,7 +130,7 @@ fn stiff_scene() -> impl Strategy<Value = Scene> {
     scene_of(stiff(), 0.0625)
 }
 
-/// What the scenes turned out to be, and how the library answered.
+/// Counts of kinds of scenes and of the library's answers.
 #[derive(Debug, Clone, Default)]
 struct Tally {
     /// Nothing borderline: no ties, no families, nothing that rounding could decide.
@@ -139,7 +139,7 @@ struct Tally {
     tied: usize,
     /// With whole families of equilibria.
     families: usize,
-    /// Where working precision cannot tell whether some condition holds.
+    /// Scenes in which working precision does not decide some condition.
     narrow: usize,
     without_equilibrium: usize,
     without_by_trying_all: usize,
@@ -238,7 +238,7 @@ impl Tally {
         }
     }
 
-    /// What all kinds of scenes have in common.
+    /// Asserts the counts that all kinds of scenes must reach.
     fn assert_varied(&self) {
         self.assert_often_enough(&[
             ("clear", self.clear, 45),

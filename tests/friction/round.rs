@@ -88,7 +88,7 @@ fn redundant_contacts_are_solved() {
     }
 }
 
-/// What polygons miss of the law shrinks with the square of the facets, and is what the round cone is for.
+/// The violation of the law by polygons decreases with the square of the number of facets. The round cone has none.
 #[test]
 fn polygons_miss_the_law() {
     let mut random = seeded(61);

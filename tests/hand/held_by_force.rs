@@ -9,7 +9,7 @@ use support::jaws::jaw;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// Soft tips, commanded to where the slide came to, carry what they do when the force holds them.
+/// Soft tips held by a force carry the same as soft tips commanded to the final position of the slide.
 #[test]
 fn a_position_at_the_place_of_the_slide_carries_the_same() -> Tested {
     let jaw = |x: f64| {
@@ -84,7 +84,7 @@ fn slides_come_behind_all_joints() -> Tested {
     Ok(())
 }
 
-/// What does not go together is refused by name.
+/// Errors name data that exclude each other.
 #[test]
 fn a_force_beside_a_position_is_refused() {
     use planar::hand::{Finger, Hand, Joint};

@@ -42,7 +42,7 @@ fn a_path_ends_where_the_lip_is_open_all_around() -> Tested {
     let beyond = path.beyond().expect("lost");
     assert!(matches!(&beyond, Beyond::WithoutVacuum { cups } if cups[0].label == "near"), "{beyond:?}");
 
-    // The equilibrium there still has it; and nothing goes on from there.
+    // The equilibrium at the end still has the vacuum, and no equilibrium continues it.
     assert!(path.state().is_some_and(|state| state.open_cups.is_empty()));
     path.continue_with(&[Leg::load_to(Wrench::ZERO)])?;
     assert!(path.next().is_none() && path.end().is_some());

@@ -114,7 +114,7 @@ fn a_load_that_turns_leaves_within_its_piece() -> Tested {
     Ok(())
 }
 
-/// The settings move the end, for answers too, and are looked at.
+/// The settings move the end of small motions, also of answers, and are checked.
 #[test]
 fn settings_say_what_is_small() -> Tested {
     let turned = 2.0 * SPRING * ARM * ARM * 0.3;

@@ -1,4 +1,4 @@
-//! Suction cups: what a vacuum does beside the load, against balances by hand and against the same grasp with the vacuum as a load of the caller's.
+//! Suction cups: effect of a vacuum beside the load, against balances by hand and against the same grasp with the vacuum as a part of the load.
 
 use grasp_lcp::hold::WayOut;
 use grasp_lcp::need::{Amount, Need, Needed};

@@ -79,7 +79,7 @@ fn a_squeeze_alone_goes_up_to_its_force() {
     assert!(improved.is_locally_best(), "{improved}");
 }
 
-/// What is best already is told to be.
+/// A grasp that is optimal already stays, and the answer says so.
 #[test]
 fn what_is_best_stays() {
     let grasp = Grasp::new([jaw(-0.03, 0.0), jaw(0.03, 0.0)]).expect("two jaws");

@@ -49,7 +49,7 @@ fn three_fingers_on_a_disc_keep_what_a_third_of_any_force_leaves() {
     assert!(improved.is_locally_best(), "{improved}");
 }
 
-/// The reserve is the least margin of what the grasp does under each load, on round cones, before as after.
+/// The reserve is the least margin in the equilibria under each load, on round cones, before and after the improvement.
 #[test]
 fn it_is_the_least_margin_of_the_grasp_under_its_loads() {
     use spatial::{Contact, Grasp, Loads, Wrench};

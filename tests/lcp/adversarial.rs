@@ -130,7 +130,7 @@ pub(crate) fn problem(random: &mut Random, family: Family) -> (DMatrix<f64>, DVe
     }
 }
 
-/// What came of the problems of a family.
+/// Counts of the answers to the problems of a family.
 #[derive(Debug, Default, Clone)]
 pub(crate) struct Tally {
     pub(crate) solved: usize,
@@ -184,7 +184,7 @@ pub(crate) fn judge(lcp: &Lcp, outcome: &Outcome, tally: &mut Tally) -> Result<(
                 tally.rounded += 1;
                 tally.unsolvable += usize::from(!exact.is_solvable());
                 tally.coarse += usize::from(solution.residuals.max() > 1e-14);
-                // What is solved but for rounding is solved for data that differ by it, and that is all that residuals can say.
+                // An answer with rounding errors solves a problem whose data differ by rounding. Residuals cannot prove more.
                 if violates(&exact, &z) {
                     return Err("a false solution".into());
                 }

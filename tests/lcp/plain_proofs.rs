@@ -54,7 +54,7 @@ fn a_corner_of_a_singular_piece_is_found() {
     assert!(solution.z[0] >= 469.0 && solution.z[3] == 0.0);
 }
 
-/// Entries from 1e-8 to 1e8 and zeros: what has a solution in rational arithmetic is solved, and `NoBasis` is said only of what is feasible.
+/// Entries from 1e-8 to 1e8 and zeros: problems with a solution in rational arithmetic are solved, and `NoBasis` occurs only for feasible problems.
 #[test]
 fn entries_far_apart_are_decided_as_rationals_decide() {
     let mut random = seeded(97);

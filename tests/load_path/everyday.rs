@@ -60,9 +60,9 @@ fn everyday() -> impl Strategy<Value = Everyday> {
     )
 }
 
-/// Of what is held, m.
+/// Radius of the object, m.
 const RADIUS: f64 = 0.035;
-/// What a finger presses with, N.
+/// Pressing force of a finger, N.
 const SQUEEZE: f64 = 5.0;
 
 impl Everyday {
@@ -123,8 +123,8 @@ fn away(state: &Equilibrium, from: &Equilibrium) -> [f64; 2] {
     [largest, (state.twist.to_vector() - from.twist.to_vector()).norm()]
 }
 
-/// Of a path that ends before it begins, and what is said to lie beyond: at a limit nothing holds just beyond. At a snap what holds there does not come back to the
-/// start as the load does.
+/// Checks a path that ends at its start: at a limit no equilibrium exists just beyond. At a snap the equilibrium beyond does not return to the start
+/// as the load does.
 fn check_end_at_rest(scene: &Everyday, grasp: &Grasp, beyond: &Beyond) {
     let start = grasp.solve(Wrench::ZERO).unwrap();
     let start = start.equilibrium().unwrap();

@@ -45,7 +45,7 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
         assert!((quotient - 2.0).abs() < 0.05, "{distance}: {quotient}");
     }
 
-    // What is there beyond: the thumb, which still pressed, lets go.
+    // In the equilibrium beyond, the thumb, which pressed until then, is open.
     assert!(last.contacts[0].normal_force() > 6e-4);
     let beyond = grasp.solve(Wrench::force([most * (1.0 + 1e-9), 0.0, 0.0]))?;
     let beyond = beyond.equilibrium().ok_or("three fingers")?;

@@ -8,7 +8,7 @@ use grasp_lcp::planar::{Contact, Equilibrium, Grasp, Leg, Wrench};
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// What the steps may err by.
+/// Error that steps may have.
 const ERROR: f64 = 1e-7;
 
 /// A pad of uneven springs on an uneven floor, which its weight presses on.

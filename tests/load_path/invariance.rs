@@ -23,8 +23,8 @@ fn told<const C: usize>(events: &[Event<C>], path: &LoadPath<'_, C>) -> String {
     format!("{all:?} {:?}", path.end())
 }
 
-/// Another way to write the scene down tells the same story: contact i of the scene is `contacts[i]` there (all of them), and
-/// directions are as the view sees them.
+/// Another description of the scene has the same events: contact i of the scene is `contacts[i]` there (all of them), and directions are transformed
+/// by the view.
 fn tells_the_same<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     other: &Scene<D, C>,

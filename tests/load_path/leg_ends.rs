@@ -98,7 +98,7 @@ fn sliding_at_the_end_of_a_leg() {
         ])
         .unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
-        // Back from the edge nothing ever slid; a rest on it tells nothing, and it slides from there.
+        // The foot returns from the edge without having slid. A rest at the edge is no event, and it slides from there.
         let mut path = body.up_to_the_edge(edge, 0.0);
         path.continue_with(&[Leg::load_by(Wrench::ZERO)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));

@@ -28,7 +28,7 @@ fn fingers(n: usize) -> impl Iterator<Item = planar::Contact> {
     (0..n).map(move |i| around::<2>(i, n, 1.0, [K, KT], MU).command([A, 0.0]))
 }
 
-/// The fingers' commands become a, those of what comes after them zero.
+/// The commands of the fingers become a, those of the other contacts zero.
 fn squeeze<const C: usize>(n: usize, rest: usize, a: f64) -> Vec<nalgebra::SVector<f64, C>> {
     let mut command = nalgebra::SVector::zeros();
     command[0] = a;
@@ -114,7 +114,7 @@ fn assert_mirrored<const C: usize>(n: usize, events: &[Event<C>]) {
     }
 }
 
-/// Who lets go first under a side load along x, and at which displacement: N_i = N + k x cos φ, T_i = kt x |sin φ|.
+/// The contacts that slide first under a side load along x, and the displacement at that load: N_i = N + k x cos φ, T_i = kt x |sin φ|.
 fn first_to_let_go(n: usize) -> (f64, Vec<usize>) {
     let at = |(c, s): (f64, f64)| {
         let x = MU * K * A / (KT * s.abs() - MU * K * c);

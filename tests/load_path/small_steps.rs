@@ -14,7 +14,7 @@ use support::samples::assert_met;
 
 /// Steps a leg.
 const STEPS: usize = 100;
-/// A step in which something changes is taken in halves, so many times: events are found to 1/25600 of a leg.
+/// Number of halvings of a step in which something changes: events are found to 1/25600 of a leg.
 const HALVINGS: usize = 8;
 /// Forces agree to this part of the largest one: the slip of a contact that changes within a step is off by that much.
 const FORCES: f64 = 5e-4;
@@ -49,7 +49,7 @@ fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> 
             };
             let exact = path.state_at(leg, to).unwrap();
             let states = scene.does(&exact);
-            // Where a contact stands on an edge and stays there several states say the same.
+            // For a contact that stays on an edge several states describe the same equilibrium.
             if next.does != states {
                 let tied = |other: &Step| other.does == states && next.apart(other) <= 1e-9;
                 next = scene.steps_to(leg, to, &next).into_iter().find(tied).unwrap_or(next);

@@ -9,7 +9,7 @@ pub(crate) fn completed<const C: usize>(end: Option<&PathEnd<C>>) -> bool {
     matches!(end, Some(PathEnd::Completed))
 }
 
-/// Leg, fraction, and what the contacts do.
+/// Leg, fraction, and the changes of the contacts.
 pub(crate) type Line = (usize, f64, Vec<(usize, &'static str)>);
 
 /// Leg, fraction and what changes, without directions.

@@ -29,7 +29,7 @@ const ALL: [(Quantity, Demand); 4] = [
     (Quantity::Load, Demand::Sticks),
 ];
 
-/// Jaws hold 2 μ N, wherever the load acts along them: so much load, so much squeeze.
+/// Jaws hold 2 μ N, wherever the load acts along them: this gives the load and the squeeze in closed form.
 #[test]
 fn jaws_need_what_the_closed_form_says() {
     let rows: Vec<Row> = (1..30)

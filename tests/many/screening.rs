@@ -20,7 +20,7 @@ use support::facts;
 use support::jaws::jaw;
 use support::samples::{assert_met, samples};
 
-/// What screening says, checked against the onset; factors to this part.
+/// Compares an answer of screening with the onset; factors agree to this relative accuracy.
 fn check<const C: usize, const N: usize>(
     contacts: &[Contact<C>; N],
     [base, direction]: [Wrench<C>; 2],

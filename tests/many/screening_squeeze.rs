@@ -21,7 +21,7 @@ use support::facts;
 use support::jaws::jaw;
 use support::samples::assert_met;
 
-/// What screening says, checked against the search. Contacts are those of a scene that is shaken by a part.
+/// Compares screening with the search. Contacts are those of a scene, perturbed by a relative amount.
 fn check<const C: usize, const N: usize>(
     contacts: impl Fn(f64) -> [Contact<C>; N],
     loads: &[Wrench<C>],

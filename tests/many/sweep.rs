@@ -58,7 +58,7 @@ fn a_sweep_that_is_stopped_answers_no_more() {
     );
     let answered = answers.iter().flatten().count();
     assert_eq!(answered, begun.into_inner());
-    // What other threads had begun is answered as well.
+    // Questions that other threads had begun are answered, too.
     assert!((20..1000).contains(&answered), "{answered}");
 }
 

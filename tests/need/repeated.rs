@@ -87,7 +87,7 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
         }
         compared += 1;
         assert!(does <= most.factor * (1.0 + 1e-9), "{does} {}", most.factor);
-        // What sticks rests, what rests stays, what stays is held.
+        // Sticking implies rest, rest implies that the object stays, and staying implies that it is held.
         let bound = |need: &Need<2>| Ok::<_, Error>(drawn.grasp.need(need)?.amount.bound());
         let sticks = bound(&need.clone().to_stick())?.unwrap_or(0.0);
         let stays = bound(&need.to_stay())?.unwrap_or(f64::INFINITY);

@@ -18,8 +18,8 @@ fn polygon(facets: usize, fit: Fit) -> Settings {
     Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit).unwrap())
 }
 
-/// Everything that touches sticks. These two rules look at the cone only to accept or to refuse what they propose; by others a
-/// smaller cone may come to rest on fewer contacts, which then stick for longer.
+/// Whether everything that touches sticks. Equilibria found by these two rules use the cone only for acceptance. By other rules a smaller cone may
+/// lead to fewer contacts at rest, which then stick longer.
 fn sticks(outcome: &Outcome) -> bool {
     let rule = outcome.equilibrium().map(|e| e.rule);
     matches!(rule, Some(FoundBy::EverythingSticks | FoundBy::EverythingTouchingSticks))

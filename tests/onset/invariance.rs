@@ -13,7 +13,7 @@ use support::random::{Spread, for_all};
 use support::scene::Scene;
 use support::transform::Transform;
 
-/// The same contacts leave; one that leaves on one side only must stand at the very edge of its cone on the other.
+/// The same contacts leave; a contact that leaves in one description only is on the edge of its cone in the other.
 fn same_leave<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     image: &Scene<D, C>,

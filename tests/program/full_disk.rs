@@ -33,7 +33,7 @@ fn started(arguments: &[String], stdout: Stdio) -> Child {
     program.spawn().expect("starts")
 }
 
-/// Its code and what it says beside its answer.
+/// The exit code, and the text on standard error.
 fn ended(program: Child) -> (Option<i32>, String) {
     let output = program.wait_with_output().expect("ends");
     (output.status.code(), text(&output.stderr))

@@ -207,7 +207,7 @@ fn a_finger_has_soft_tips() -> Tested {
     Ok(())
 }
 
-/// Of a motion that nothing resists the joints' part is told.
+/// The answer describes the joints' part of a motion without resistance.
 #[test]
 fn free_motions_tell_what_joints_do() -> Tested {
     let jaw = |side: f64| {

@@ -10,7 +10,7 @@ fn feet(half: f64) -> [Contact; 2] {
     [-half, half].map(|x| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 7e4).friction(0.5))
 }
 
-/// Everything that can be said: two layouts, a pull and a tilt, a sum that is known, friction of each foot, what is carried.
+/// A question with all fields: two layouts, a pull and a tilt, a known sum, friction of each foot, loads of supports.
 fn asked() -> Identify<2> {
     let carried = |contact| Unknown::carried().of_contacts([contact]);
     let unknowns = [Unknown::friction().named("rubber").starting_at(0.4), carried(0), carried(1)];

@@ -4,7 +4,7 @@ use grasp_lcp::scene::{Answer, Answers, Scene};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// Two jaws on the sides of a box, the left one free to move; the hold of both, and what is asked beside the load.
+/// Answer for two jaws on the sides of a box, the left one movable; `hold` has further fields of both contacts, `beside` of the question.
 fn answered(hold: &str, beside: &str) -> Result<Answers, Box<dyn std::error::Error>> {
     let scene: Scene = serde_json::from_str(&format!(
         r#"{{

@@ -48,7 +48,7 @@ fn in_space_too() {
     let door = scene(text);
     assert_eq!(scene(&serde_json::to_string(&door).expect("written")), door);
     let state = &answers(text)[0]["solve"];
-    // One object needs no bodies; the points of the hinge are told as those of one contact.
+    // A single object needs no bodies; the points of the hinge are reported as those of one contact.
     let told: Vec<_> = state["contacts"]
         .as_array()
         .expect("a list")
@@ -134,7 +134,7 @@ fn refused() {
     assert!(told.ends_with("plate, lever"), "{told}");
 }
 
-/// A beam on three props, of which one is a link: what it carries depends on its stiffness. A link that stands alone is as stiff as one likes.
+/// The force of a beam's link beside two props depends on its stiffness, and a warning says so. The force of a single link does not.
 #[test]
 fn a_stiffness_that_counts_is_told() {
     let beam = |prop: &str| {

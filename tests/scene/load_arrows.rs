@@ -44,7 +44,7 @@ fn arrows(shapes: &[Shape], width: f64) -> Vec<f64> {
 }
 
 fn says(shapes: &[Shape], words: &str) -> bool {
-    // What is not drawn to scale says so behind its size.
+    // The label of an arrow that is not to scale says so.
     shapes
         .iter()
         .any(|shape| shape.words == words || words.ends_with("not") && shape.words.starts_with(words))

@@ -44,7 +44,7 @@ fn neither_arrows_nor_tables_of_a_page_show_it() -> Result<(), Failure> {
     let (html, arrows) = drawn(&state)?;
     let forces = |html: &str| html.matches("\"layer\":\"forces\"").count();
     assert!(!html.contains("<td>0</td><td>0</td>") && forces(&html) == 3);
-    // A millionth of a millionth of what the others carry.
+    // A fraction of 1e-12 of the other forces.
     let last = &mut state.contacts[2];
     last.force *= 1e-12;
     last.force_world *= 1e-12;

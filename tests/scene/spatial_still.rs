@@ -266,7 +266,7 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
     for corner in [[f64::NAN, 0.0, 0.0], [0.0, f64::INFINITY, 0.0]] {
         says(page(&grasp, 0).fixture([corner]), None, fine, "outline");
     }
-    // Finite, but not all of what is made of it.
+    // Finite corners whose differences overflow.
     says(page(&grasp, 0).outline([[1e308, 0.0, 0.0], [-1e308, 0.0, 0.0]]), None, fine, "too large");
     let other = Grasp::new(grasp.contacts()[..2].to_vec())?;
     says(SpatialPage::new(&other, "x").frame("a", &state), None, fine, "3 contacts");

@@ -3,7 +3,7 @@
 use grasp_lcp::scene::{Fingertip, Scene, Space, Warning};
 use serde_json::{Value, json};
 
-/// Two feet on a table, pushed at a height: contacts, and what is asked.
+/// Two feet on a table that are pushed at a height, and the question.
 fn scene(stiffness: &[Value; 2], question: &Value) -> Scene {
     let foot = |x: f64, stiffness: &Value| {
         let mut foot = json!({ "point": [x, 0], "normal": [0, 1], "friction": 0.4 });

@@ -15,7 +15,7 @@ const FEW: usize = 1000;
 /// Where friction falls cycles may repeat after more of them than are followed.
 const FEW_THAT_JUMP: usize = 100;
 
-/// How many of each verdict there are: every one is what the cycles show, and all but a few are decided.
+/// Counts of the verdicts: each agrees with the followed cycles, and all but a few are decided.
 fn judge<const C: usize>(
     (many, few): (usize, usize),
     error: f64,

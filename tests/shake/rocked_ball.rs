@@ -1,8 +1,8 @@
 //! A roller that is rocked back and forth on a plane under a shear: it rests up to `Q* = 1 - 3 w / 2 + w³ / 2` of μ P, where w is the rocking over
 //! the half width of the contact.
 //!
-//! Springs under a parabola, as many as there are: what is held at rest comes to that limit as they are refined. A cycle shifts the pressure by w to
-//! either side; a spring that is out of touch forgets its shear, so that only those always pressed hold it.
+//! The contact is a row of springs under a parabola of pressure; the load held at rest converges to Q* as springs are refined. A cycle shifts the
+//! pressure by w to either side. A spring that opens loses its shear, so that only springs that always press hold it.
 
 use support::shaken::roller_rests_up_to;
 

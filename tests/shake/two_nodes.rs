@@ -165,7 +165,7 @@ fn what_it_remembers_decides_between_two_limits() -> Result<(), Error> {
         let found = found.expect("holds at rest");
         assert!(found.slips_change_normal_forces);
         assert!((found.factor - some).abs() <= 1e-8 * some, "{} {some}", found.factor);
-        // Only where both limits are apart, and no contact opens, there is something to tell.
+        // Only grasps with two distinct limits and without opening contacts are a test.
         let given = system.0.map(|node| [node.command, 0.0]);
         let pressed = |load: Vector3<f64>| system.forces(load, given).map(|force| force[0]);
         let opens = loads.iter().any(|load| {

@@ -51,8 +51,9 @@ fn a_block_goes_from_stop_to_stop() {
     goes_to_and_fro(&grasp, &load([0.0, 0.0, -100.0]), &load([80.0, 0.0, 0.0]));
 }
 
-/// A soft block that is rocked walks farther than its feet are apart in the first cycle. The walk told is that of all cycles to come: the two feet share 10 N
-/// and lean by 4 N m to and fro, and in each cycle the feet slide by twice what 3 N of friction lack for 3.5 N, over their stiffness.
+/// A soft block that is rocked walks farther than the distance of its feet in the first cycle; the reported walk is that of all later cycles. The two
+/// feet share 10 N and lean by 4 N m back and forth. In each cycle the feet slide by twice the friction that 3 N lack for 3.5 N, over their
+/// stiffness.
 #[test]
 fn a_walk_is_told_by_the_cycles_to_come() {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 0.4).friction(0.5);

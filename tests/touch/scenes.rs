@@ -121,7 +121,7 @@ fn a_held_force_and_profiles_are_read() {
     assert!((answer.verdict.lost.as_ref().expect("is lost").factor - 0.4).abs() < 1e-6);
 }
 
-/// Corners and faces in the scene itself: no file is read, and what is written has them again.
+/// Corners and faces are in the scene itself: no file is read, and the written scene contains them again.
 #[test]
 fn a_part_may_be_given_by_arrays() {
     let (corners, faces) = bracket();

@@ -49,7 +49,7 @@ pub(super) struct Scene {
     pub(super) load: [f64; 3],
 }
 
-/// What one part does: the force it exerts, and what must not be negative.
+/// One possible state of a part: the force that it exerts, and the quantities that must not be negative.
 struct Choice {
     forces: Vec<Affine>,
     conditions: Vec<Affine>,

@@ -78,7 +78,7 @@ fn jumps_end_where_rationals_say() {
         let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{looked}: {:?}", path.end()) };
         assert!((loss.fraction - 0.5).abs() < 1e-12);
         if loss.jumped.is_empty() {
-            // With friction of rest nothing goes on either.
+            // No rates continue it with static friction either.
             tally.at_the_edge += 1;
         } else {
             match path.beyond() {

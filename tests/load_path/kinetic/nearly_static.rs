@@ -4,7 +4,7 @@ use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd, Ramp};
 use support::kinetic::{Datum, Scene};
 use support::samples::{assert_met, samples, seeded};
 
-/// Who does what, in order.
+/// Contacts and kinds of their changes, in order.
 fn story(events: &[Event]) -> Vec<(usize, std::mem::Discriminant<Change>)> {
     events
         .iter()

@@ -33,7 +33,7 @@ fn contact<const C: usize>(random: &mut Random) -> grasp_lcp::grasp::Contact<C> 
 /// Of fingers that press with some newtons.
 const NOTHING: f64 = 1e-12;
 
-/// Whether every contact is in its cone of rest, and forces balance. Where nothing presses any more what is left of forces is rounding.
+/// Whether every contact is inside its static cone, and forces balance. If nothing presses any more, remaining forces are rounding.
 fn obeys<const C: usize>(grasp: &ask::Grasp<C>, state: &Equilibrium<C>) -> bool {
     let largest = state.largest_force();
     let inside = grasp.contacts().iter().zip(&state.contacts).all(|(contact, answer)| {
