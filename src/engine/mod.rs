@@ -1,4 +1,4 @@
-//! From a checked question to contact forces: what couples contacts, complementarity problems, searches, proofs, equilibria and load paths.
+//! From a checked question to contact forces: the coupling of the contacts, complementarity problems, searches, proofs, equilibria and load paths.
 
 pub mod equilibrium;
 pub mod forms;

@@ -92,8 +92,8 @@ pub struct Equilibrium<const C: usize> {
     pub open_cups: Vec<WholeContact>,
     /// The residuals of the conditions, recomputed from the question.
     pub residuals: Residuals,
-    /// The distance from the exact answer, see [`Grasp::accuracy`](crate::ask::Grasp::accuracy): only in the answer to the question `solve` of a
-    /// scene, else `None`.
+    /// Estimated errors of this answer, see [`Grasp::accuracy`](crate::ask::Grasp::accuracy): only in the answer to the question `solve` of a scene,
+    /// else `None`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub accuracy: Option<Accuracy>,
     /// The friction cone of the answer.
@@ -208,7 +208,7 @@ pub struct WorkDone {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Undecided {
-    /// The reason why the search could not decide.
+    /// The reason why the question is undecided.
     pub doubt: Doubt,
     /// Counts of the work of the search; not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]

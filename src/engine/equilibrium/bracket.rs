@@ -12,11 +12,10 @@ use crate::search::Settings;
 ///
 /// * A contact that sticks on a smaller cone sticks on a larger one with the same forces. If everything that touches sticks on the inscribed
 ///   polygon, the three answers are equal.
-/// * The onset of sliding is bracketed, from a base that the inscribed polygon answers by
-///   [`FoundBy::EverythingSticks`](super::FoundBy::EverythingSticks) or
-///   [`FoundBy::EverythingTouchingSticks`](super::FoundBy::EverythingTouchingSticks): until the first contact slides or opens, forces do not
-///   depend on the cone. The factor of [`Grasp::onset`](crate::ask::Grasp::onset) on the round cone then lies between those on the two polygons.
-///   From other bases it need not: there the inscribed polygon may have come to rest on fewer contacts.
+/// * The onset of sliding is bracketed, if the inscribed polygon answers the base by [`FoundBy::EverythingSticks`](super::FoundBy::EverythingSticks)
+///   or [`FoundBy::EverythingTouchingSticks`](super::FoundBy::EverythingTouchingSticks): until the first contact slides or opens, forces do not
+///   depend on the cone. The factor of [`Grasp::onset`](crate::ask::Grasp::onset) on the round cone then lies between those on the two polygons. From
+///   other bases it need not: the inscribed polygon may then rest on fewer contacts.
 /// * A load that [a motion separates](super::Proof::SeparatingMotion) from all forces of the circumscribed polygon is too large
 ///   for the round cone as well, with any stiffness.
 ///
@@ -32,7 +31,7 @@ pub struct Bracket<const C: usize> {
     pub round: Outcome<C>,
     /// The answer on the polygon with facets that touch the round cone.
     pub circumscribed: Outcome<C>,
-    /// Largest distances between them; `None` unless all three are equilibria.
+    /// Largest distances between the three answers; `None` unless all three are equilibria.
     pub spread: Option<Spread>,
 }
 

@@ -123,7 +123,7 @@ impl<const C: usize> Equilibrium<C> {
         mapped(&self.bodies, &|body| words.body_motion(body))
     }
 
-    /// A warning beside the answer, where a motion [is not small](Self::too_far).
+    /// A warning if a motion [is not small](Self::too_far); otherwise `None`.
     #[must_use]
     pub fn caution(&self) -> Option<String> {
         self.too_far.as_ref().map(|far| format!("{far}, beyond the small motions that this is good for"))
@@ -138,7 +138,7 @@ impl<const C: usize> Equilibrium<C> {
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// A warning beside the answer, where suction cups are [open all around](Self::open_cups).
+    /// A warning if suction cups are [open all around](Self::open_cups); otherwise `None`.
     #[must_use]
     pub fn vacuum_gone(&self) -> Option<String> {
         let is_gone = || format!("{}: this does not hold", vacuum_is_gone(&self.open_cups));

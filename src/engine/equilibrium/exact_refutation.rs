@@ -30,7 +30,7 @@ fn dot(a: &[Rational], b: &[Rational]) -> Rational {
 
 /// One contact in rational numbers.
 struct Exact {
-    /// The columns of the grasp map G of this contact.
+    /// The columns of the grasp map G.
     map: [[Rational; 6]; 3],
     stiffness: [Rational; 3],
     friction: Rational,
@@ -136,7 +136,7 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     forces
 }
 
-/// Whether the case is contradicted.
+/// Whether motion and forces contradict the case with these labels, in exact arithmetic.
 fn is_contradicted(
     problem: &Problem,
     contacts: &[Exact],

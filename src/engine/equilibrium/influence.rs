@@ -39,7 +39,7 @@ impl StickingResponse<'_> {
     }
 }
 
-/// A force at a point.
+/// The wrench of a force at a point.
 pub(crate) fn push(point: &[f64; 3], force: &[f64; 3]) -> Wrench<3> {
     Wrench::force_through(&SVector::from(*point), &SVector::from(*force))
 }

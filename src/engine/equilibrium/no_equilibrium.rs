@@ -27,24 +27,26 @@ pub struct NoEquilibrium<const C: usize> {
 pub enum Proof<const C: usize> {
     /// No contact resists this unit motion in any state, and the load works on it.
     FreeMotion {
-        /// The motion, in the direction in which the load drives it; lengths as for [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
+        /// The unit motion, signed so that the load does positive work on it; lengths as for
+        /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
         motion: Motion<C>,
-        /// Work of the load on it, `W·q` > 0, J.
+        /// Work of the load on the motion, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
     /// The load lies outside the friction wrench cone: no admissible contact force works against this unit motion, and
     /// the load drives it. Holds for any stiffness and any command.
     SeparatingMotion {
-        /// The motion, in the direction in which the load drives it; lengths as for [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
+        /// The unit motion, signed so that the load does positive work on it; lengths as for
+        /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
         motion: Motion<C>,
-        /// Work of the load on it, `W·q` > 0, J.
+        /// Work of the load on the motion, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
     /// Every combination of contact states was tried; each violates a condition clearly. In the plane and on polygons.
     EveryStateTried {
-        /// Number of combinations of contact states that were tried.
+        /// Number of combinations of contact states.
         combinations: usize,
     },
     /// On the round cone: contact states were divided into cases, open or closed, sticking or sliding, friction between two angles. In each case a

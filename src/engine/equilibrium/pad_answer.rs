@@ -23,19 +23,19 @@ pub struct PadAnswer<const C: usize> {
     /// Label of the contact, where a soft fingertip counts as one: as in a scene.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// Index of its first point in the list of contacts of the answer.
+    /// Index of the fingertip's first point in the list of contacts of the answer.
     pub first: usize,
-    /// Number of its points.
+    /// Number of points of the fingertip.
     pub points: usize,
-    /// Number of its sliding points.
+    /// Number of sliding points.
     pub sliding: usize,
-    /// Number of its open points.
+    /// Number of open points.
     pub open: usize,
     /// Force of the finger on the object in the contact frame, N, normal part first, and moment about the middle of the pad, N m. In space the moment
-    /// is along the axes of the contact frame, the torsion first, in the plane from x to y.
+    /// is along the axes of the contact frame, the torsion first; in the plane it is positive from x to y.
     pub wrench: Wrench<C>,
-    /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. A force of that size in any
-    /// direction along the surface is carried by the same normal forces, if each point takes as much of it as its own margin. Zero if the pad slides
+    /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. The same normal forces carry an
+    /// additional force of this size in any direction along the surface, if each point takes as much of it as its own margin. Zero if the pad slides
     /// everywhere or is open; infinite if friction is unlimited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
@@ -82,7 +82,7 @@ impl<const C: usize> PadAnswer<C> {
     }
 }
 
-/// A contact as users count them.
+/// A contact as users count them: a soft fingertip is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WholeAnswer<'a, const C: usize> {
     /// A contact that is a point itself.

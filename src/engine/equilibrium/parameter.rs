@@ -1,7 +1,7 @@
 //! Exact derivatives of forces and motion by one datum, while contacts keep their states.
 //!
-//! In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)` with K_i depending on stiffness, friction and state, so a small
-//! change of any datum p leads to one more solve on the same piece:
+//! In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. A small change of any datum p
+//! leads to one more solve with the same factors:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂p) v_i,      Σ G_i dF_i + dW = 0
@@ -36,14 +36,14 @@ pub enum Parameter {
     Stiffness {
         /// The contact, from 0.
         contact: usize,
-        /// The axis of its frame: 0 normal, then the tangents.
+        /// The axis of the contact's frame: 0 normal, then the tangents.
         axis: usize,
     },
     /// Finger command of a contact, m. (A clearance is a normal command of the opposite sign.)
     Command {
         /// The contact, from 0.
         contact: usize,
-        /// The axis of its frame: 0 normal, then the tangents.
+        /// The axis of the contact's frame: 0 normal, then the tangents.
         axis: usize,
     },
     /// Position of a contact, m, at a fixed frame. Commands and clearance stay along the axes of the frame. Not available for a grasp by a hand,
@@ -51,7 +51,7 @@ pub enum Parameter {
     Point {
         /// The contact, from 0.
         contact: usize,
-        /// The coordinate axis along which it moves, from 0.
+        /// The coordinate axis along which the point moves, from 0.
         axis: usize,
     },
     /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and slip keep their
@@ -174,7 +174,7 @@ impl StickingResponse<'_> {
         self.piece.free_motions().iter().all(stays_free).then_some(change)
     }
 
-    /// (∂K/∂μ) v of one contact.
+    /// The direct change of a contact's force with its coefficient of friction, (∂K/∂μ) v.
     fn by_friction(&self, contact: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let state = &self.states[contact];
         if !state.slides() {
@@ -183,7 +183,7 @@ impl StickingResponse<'_> {
         self.problem.local(contact).edge(state).pull * force[0]
     }
 
-    /// (∂K/∂k) v of one contact along one axis.
+    /// The direct change of a contact's force with its stiffness along one axis, (∂K/∂k) v.
     fn by_stiffness(&self, contact: usize, axis: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let local = self.problem.local(contact);
         let state = &self.states[contact];

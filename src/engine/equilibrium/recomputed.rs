@@ -161,7 +161,7 @@ impl Engine {
         (sum, size)
     }
 
-    /// Answers at the drives of a hand.
+    /// The solution at the drives of a hand, as if they were contacts.
     fn drives_told<'a>(&self, problem: &Problem, twist: &Vector, found: &'a Found) -> Vec<SiteAnswer<'a>> {
         if self.linkage().is_none() {
             return Vec::new();
@@ -178,7 +178,7 @@ impl Engine {
         found.forces.iter().enumerate().skip(self.len()).map(told).collect()
     }
 
-    /// The largest imbalance of torques at a joint, over the sum of the sizes of its terms.
+    /// The largest imbalance of torques at a joint, over the sum of the sizes of its terms, but at least over `force_size`.
     fn joints_out_of_balance(
         &self,
         load: &Wrench<3>,

@@ -1,4 +1,4 @@
-//! Residuals of an answer.
+//! Residuals of an answer: by how much it violates each condition.
 
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -6,9 +6,9 @@ use crate::serial::AsComputed;
 /// Relative residuals of an equilibrium; all are zero in exact arithmetic, and usually about 1e-16. No answer with a residual above 1e-10 (1e-12 on
 /// the round cone) is called an equilibrium.
 ///
-/// Recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are measured against the largest contact force
-/// or load of the scene; without any force, against 1e-25 of the least force that a spring could have. Displacements of a contact are measured
-/// against the sum of the sizes of its own displacements, products against the product of both. On a load path a slip counts since the state of the
+/// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
+/// contact force or load of the scene; without any force, by 1e-25 of the least force that a spring could have. Displacements of a contact are
+/// divided by the sum of the sizes of its own displacements, products by the product of both. On a load path a slip counts since the state of the
 /// contact was last decided.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

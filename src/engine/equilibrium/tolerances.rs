@@ -1,7 +1,7 @@
-//! The numbers that decide whether an equilibrium is accurate.
+//! The tolerance that decides whether an equilibrium is accurate.
 
 /// Largest residual of an equilibrium. Usual residuals are below 1e-15; only scenes whose numbers lie apart by more than the working precision
 /// come near this.
 ///
-/// Smaller, answers of such scenes are refused; larger, answers that are wrong in the digits that people read pass.
+/// Smaller, answers of such scenes are refused; larger, answers pass that are wrong in visible digits.
 pub(crate) const ACCURATE: f64 = 1e-10;

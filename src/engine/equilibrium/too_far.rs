@@ -93,7 +93,7 @@ pub(crate) struct CountedMotion {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum MotionOf {
-    /// The rotation of the body with this first coordinate.
+    /// The rotation of a body, given by the index of its first coordinate.
     Body(usize),
     Slip(usize),
     Opening(usize),
@@ -111,7 +111,7 @@ impl CountedMotion {
     }
 }
 
-/// The motion with the largest ratio to its limit.
+/// The motion that is farthest beyond its limit, or nearest to it.
 pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
 }
@@ -168,7 +168,7 @@ impl Engine {
         }
         let limit = small.slip * self.size_of_grasp();
         for (i, (contact, site)) in self.contacts().iter().zip(self.sites()).enumerate() {
-            // A slack cable is not an opening contact.
+            // A slack cable is open as well, but this is no motion that counts.
             if contact.link == Some(LinkKind::Cable) {
                 continue;
             }

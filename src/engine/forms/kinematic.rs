@@ -66,7 +66,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
             trial.felt(jumps[i].contact, &jumps[i].row, &moved[j])
         });
     }
-    // Qᵀ times rows and columns.
+    // The products of Qᵀ with rows and columns.
     let mut seen = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.seen(of_contact[0].contact);

@@ -44,12 +44,12 @@ pub enum Row {
     Balance {
         /// The component of the twist and of the equilibrium equation: translations first, then rotations.
         axis: usize,
-        /// Whether z is the positive part.
+        /// Whether z is the positive part of the component, not the negative one.
         positive: bool,
     },
 }
 
-/// Complementary pairs that a contact has in general, left out because its law does not need them.
+/// Complementary pairs that a contact has in general, left out because they are not needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LeftOut {
@@ -57,7 +57,7 @@ pub struct LeftOut {
     pub contact: usize,
     /// The number of complementary pairs of a kinematic form that are saved: 1 for the gap, 1 for each facet.
     pub rows: usize,
-    /// The reason why they are not needed.
+    /// The reason why the pairs are not needed.
     pub why: Why,
 }
 
@@ -89,9 +89,9 @@ pub struct Form {
     pub lcp: Lcp,
     /// The meaning of each row.
     pub rows: Vec<Row>,
-    /// Unit of each z, N or m according to its [`Row`].
+    /// Physical value of ẑ = 1 for each unknown z, N or m according to its [`Row`].
     pub z_unit: Vec<f64>,
-    /// Unit of each w, N or m according to its [`Row`].
+    /// Physical value of ŵ = 1 for each slack w, N or m according to its [`Row`].
     pub w_unit: Vec<f64>,
 }
 

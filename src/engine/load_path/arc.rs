@@ -28,23 +28,23 @@ pub(super) struct Arc<'s, 'g> {
     pub(super) states: &'s [State],
     /// The contacts that slide.
     pub(super) sliding: Vec<usize>,
-    /// u, the displacement that counts in arclength as much as the whole leg, m.
+    /// The displacement u that contributes as much to arclength as the whole leg, m.
     unit: f64,
     /// T of the contacts that do not slide. Motions that nothing resists get an artificial stiffness, which keeps them at rest or at the speed at
     /// which contacts without force push.
     fixed: PathStiffness,
-    /// b of the contacts that do not slide, without the rate of the load.
+    /// The part of b from contacts that do not slide, without the rate of the load.
     push: Vector,
     /// Whether commands change along the leg.
     pub(super) driven: bool,
 }
 
-/// A direction of the path.
+/// A direction of the path in twist and load factor.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
-    /// q', the rate of the twist by arclength.
+    /// Rate of the twist, q' = dq/ds per unit of arclength.
     pub(super) twist: Vector,
-    /// λ', the rate of the load factor by arclength.
+    /// Rate of the load factor, λ', per unit of arclength.
     pub(super) factor: f64,
 }
 
@@ -100,12 +100,12 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// b of the contacts that do not slide, at a factor.
+    /// The part of b at a factor from the load and from contacts that do not slide.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.push
     }
 
-    /// `|b|` of the contacts that do not slide, N.
+    /// Norm of the part of b from the load and from contacts that do not slide, N.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
@@ -130,7 +130,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.factored(stiffness, &push, across)
     }
 
-    /// T and b at a factor.
+    /// The tangent stiffness T and the right side b at a factor.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
@@ -225,7 +225,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let begun: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // Most Newton corrections onto the cones. A step violates the cones by its error, and the first correction leaves the square of it.
+            // Maximum number of Newton corrections onto the cones. A step violates the cones by its error, and the first correction leaves the square
+            // of it.
             for _ in 0..6 {
                 let load = self.segment.course.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
@@ -254,8 +255,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If the forces were larger at first than at the end by more than this factor, the state still carries their rounding and is corrected
-            // again.
+            // A state whose forces have shrunk by more than this factor during the correction still carries the rounding of the larger ones, and is
+            // corrected again.
             if begun <= 4.0 * carried {
                 balanced = Some((PieceState { forces, twist: twist.clone() }, factor));
                 if is_on_them {

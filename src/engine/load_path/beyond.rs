@@ -36,7 +36,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
-    /// The equilibrium continues with these contacts sliding or open. Only after an onset: a path is followed as far as it continues.
+    /// The equilibrium continues with these contacts sliding or open. Only after an onset: a load path is itself followed as far as it continues.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves this, or in the plane and on polygons a trial of every combination of contact
     /// states. On the round cone it may be proved only at a distance beyond the end. The distance is at most a hundredth of the whole load, or of all
@@ -53,7 +53,7 @@ pub enum Beyond<const C: usize> {
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
     WithoutVacuum {
-        /// The suction cups that have lost their vacuum.
+        /// The cups whose vacuum is gone.
         cups: Vec<WholeContact>,
     },
     /// The answer could not be decided.
@@ -76,7 +76,7 @@ pub struct Continuation<const C: usize> {
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the factor.
     pub twist_rate: Motion<C>,
-    /// The rule that found the solution.
+    /// The rule that found the solution of the rates.
     pub rule: FoundBy,
 }
 
@@ -203,8 +203,8 @@ fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> 
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The step of the load factor of which distances beyond the end are parts: [`whole_way`], or the whole leg if there is no load yet. A zero step
-/// would put all of them at the end itself.
+/// The unit of distances beyond the end: the load step [`whole_way`], or the whole leg if there is no load yet. With a zero unit all of them would
+/// lie at the end itself.
 fn way_beyond(here: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(here, rates);
     if way > ZERO_SLACK { way } else { 1.0 }

@@ -42,7 +42,7 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_body_load_by(body, change)
     }
 
-    /// A leg at whose end the load on one of several bodies is `load`, beside the load of the leg and the permanent load of the body.
+    /// A leg at whose end the load on one of several bodies is `load`. It acts beside the load of the leg and the permanent load of the body.
     #[must_use]
     pub fn body_load_to(body: impl Into<String>, load: Wrench<C>) -> Self {
         Self::STAY.and_body_load_to(body, load)

@@ -28,9 +28,9 @@ use nalgebra::SVector;
 
 /// The free motion up to the gap that closes first.
 struct FreeWay {
-    /// Length, as a multiple of the motion.
+    /// Length of the motion, as a multiple of its direction.
     length: f64,
-    /// Sites whose gaps close at the end.
+    /// Sites whose gaps close at the end of the motion.
     closing: Vec<usize>,
     /// Whether each site stays in place during the motion, although it may be on an edge.
     still: Vec<bool>,
@@ -47,7 +47,7 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // The resistance refers to a unit normal stretch, and the normal velocity reduces it. It counts as complete if slip and friction
+            // The resistance refers to a unit normal stretch, and the normal velocity reduces it. Friction resists fully if slip and friction
             // directions differ by less than √(2·1e-10) rad.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
@@ -97,7 +97,7 @@ impl<'g> Pieces<'g> {
         is_small.then_some(FreeWay { length, closing, still })
     }
 
-    /// Lets contacts on an edge yield along the motion, and returns the changes of state.
+    /// Makes contacts on an edge slide or open along the motion, and returns the changes of state.
     fn yield_along(
         &mut self,
         motion: &Vector,

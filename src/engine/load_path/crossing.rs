@@ -56,7 +56,7 @@ impl Pieces<'_> {
             // The condition is zero at the start already, and violated right behind it.
             low.1 = 0.0;
         }
-        // Most evaluations: bisection alone would need 50.
+        // Maximum number of evaluations: bisection alone would need 50.
         for trial in 0..80 {
             // A secant step, and every third time bisection, so that the bracket shrinks for certain.
             let part = low.1 / (low.1 - high.1);

@@ -49,7 +49,7 @@ pub(crate) struct CycleRecord {
     /// The smallest gap of each site that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// Successive states of all sites, each with its leg.
+    /// Successive states of all sites, each list with the leg on which it occurs.
     states: Vec<(usize, Vec<State>)>,
 }
 
@@ -129,7 +129,7 @@ impl<'g> Cycles<'g> {
         self.path.journey.settings.most_steps = most_steps;
     }
 
-    /// How the path has ended, if not by completing a cycle.
+    /// The end of the path, unless it has completed all legs so far.
     pub(crate) fn end(&self) -> Option<&PathEnd<3>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }

@@ -1,4 +1,4 @@
-//! Changes of the drives of a hand.
+//! Changes of state of the drives of a hand.
 
 use crate::grasp::PartLabel;
 
@@ -8,10 +8,10 @@ use crate::grasp::PartLabel;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PartChange {
-    /// The joint or tendon.
+    /// The joint or tendon whose drive changes.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub part: PartLabel,
-    /// The behaviour of its drive from here on.
+    /// The behaviour of the drive from this event on.
     pub what: DriveChange,
 }
 

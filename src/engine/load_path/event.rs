@@ -87,13 +87,13 @@ pub enum Change<const C: usize> {
     Sticks,
     /// A sliding contact reverses its direction.
     Reverses {
-        /// Its new direction, as for [`Self::Slides`].
+        /// The new direction, as for [`Self::Slides`].
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
     /// A sliding contact turns to another facet or corner of its cone (space, on a polygon; on the round cone it turns continuously).
     Turns {
-        /// Its new direction, as for [`Self::Slides`].
+        /// The new direction, as for [`Self::Slides`].
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
@@ -132,7 +132,7 @@ pub enum PathEnd<const C: usize> {
 }
 
 impl<const C: usize> PathEnd<C> {
-    /// Where equilibrium was lost, if it was.
+    /// The loss of equilibrium, if the path ended in one.
     #[must_use]
     pub fn loss(&self) -> Option<&Loss<C>> {
         if let Self::Lost(loss) = self { Some(loss) } else { None }
@@ -174,9 +174,9 @@ pub struct Loss<const C: usize> {
     pub load: Wrench<C>,
     /// The reason for the end of the equilibrium.
     pub kind: LossKind,
-    /// The contacts that are on the edge of their cone there.
+    /// The contacts that are on the edge of their cone at the loss.
     pub contacts: Vec<ContactLabel>,
-    /// The joints and tendons of a hand whose drives have reached their limit there.
+    /// The joints and tendons of a hand whose drives have reached their limit at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
     /// The unit motion with which the object leaves: every contact on an edge slides along its friction force, or opens. `None` if these states do

@@ -67,7 +67,7 @@ impl<'g> Pieces<'g> {
     pub(super) fn runs_out(&self, standing: &PathState) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
-        // A force below this part of the largest has vanished in this way.
+        // A force below this part of the largest counts as vanished.
         standing.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 

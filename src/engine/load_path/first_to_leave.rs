@@ -198,10 +198,10 @@ fn first_exit(
         }
     }
     first.filter(|First { exit, .. }| {
-        // The next contact must follow by more than this part of the way to the first.
+        // The next contact must reach its edge later by more than this part of the step to the first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
-        // Largest growth of forces up to the onset, relative to the base: beyond it, the rates may be rounding.
+        // Forces may grow by at most this factor from the base to the onset: beyond it, the rates may be rounding.
         alone && exit.step * fastest <= 1e6 * largest
     })
 }

@@ -46,11 +46,11 @@ impl Rule {
     }
 }
 
-/// A factor at which a step may end.
+/// The load factor at which a step is to end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepGoal {
     factor: f64,
-    /// Distance within which the tangent leads to the goal, as a part of the leg.
+    /// Distance to the goal, as a part of the leg, from which a step is extended along the tangent.
     near: f64,
 }
 
@@ -86,7 +86,7 @@ pub(super) struct Flow<'s, 'g> {
 #[derive(Debug, Clone)]
 pub(super) struct Reached {
     pub(super) to: f64,
-    /// State with rates for one unit of arclength.
+    /// The state there, with rates per unit of arclength.
     pub(super) here: PathPoint,
     pub(super) energy: LegEnergy,
     /// Estimated relative error: of forces over the largest of them, of the twist over the largest displacement; the larger of both.
@@ -143,7 +143,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         Direction { twist: self.here.twist_rate.clone(), factor: self.here.factor_rate }
     }
 
-    /// The fastest of the [`Self::relaxations`].
+    /// The largest rate among the [`Self::relaxations`].
     pub(super) fn fastest_relaxation(&self) -> f64 {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
@@ -226,7 +226,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.segment.grasp.size()
     }
 
-    /// The change of the twist among the variables.
+    /// Picks the change of the twist from the variables.
     fn moved(&self, y: &[f64]) -> Vector {
         let first = self.begin.len() * (2);
         Vector::from_fn(self.size(), |k| y[first + k])
@@ -275,7 +275,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// `Σ F·a'` after these changes of the variables.
+    /// Power of the fingers, `Σ F·a'` per unit of the factor, after these changes of the variables.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.moved(y), y[load]);

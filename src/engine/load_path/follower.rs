@@ -38,7 +38,7 @@ pub(crate) struct StandAtEdge<'g> {
 /// A method of following a program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place on the present leg
 /// and the slip so far; the path stores the legs.
 pub(crate) trait Follower<'g>: Debug {
-    /// The type of reports on the way.
+    /// The type of the reports, events or steps.
     type Report;
 
     /// Starts the present leg of the program.

@@ -22,7 +22,7 @@ use crate::search::{Settings, settle};
 #[derive(Debug)]
 pub(crate) struct Following<'g, F> {
     pub(super) journey: Journey<'g>,
-    /// `None` if there is no equilibrium to start from.
+    /// The follower; `None` if there is no equilibrium to start from.
     pub(super) follower: Option<F>,
     end: Option<PathEnd<3>>,
 }

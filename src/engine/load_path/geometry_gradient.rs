@@ -51,7 +51,7 @@ impl Engine {
                     gradient.point[contact][axis] = value;
                 }
                 if self.space() == Space::Planar && axis == 0 {
-                    // No tangents turn about a normal of the plane.
+                    // In the plane no tangents can turn about a normal.
                     for gradient in &mut gradients {
                         gradient.normal[contact][axis] = 0.0;
                     }

@@ -255,7 +255,7 @@ impl Leg<3> {
     }
 }
 
-/// The change of the load along a leg.
+/// How the load changes along a leg: in a straight line, or along a turn.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LegLoad<const C: usize> {
     Straight(LegGoal<Wrench<C>>),

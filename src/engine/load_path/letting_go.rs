@@ -7,8 +7,8 @@
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
 //! ```
 //!
-//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is applied as well, and
-//! the leg begins anew from there. Either the leg reaches its end, or equilibrium is lost on it, with a complete [`Loss`]. The external force
+//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is applied as well. The
+//! leg then begins anew from there. Either the leg reaches its end, or equilibrium is lost on it, with a complete [`Loss`]. The external force
 //! represents the damping of a motion that does not overshoot.
 
 use nalgebra::{Matrix, SVector};
@@ -32,7 +32,7 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 
 /// A jump in progress.
 pub(super) struct JumpInProgress<'g> {
-    /// The leg along which the external force is removed.
+    /// The leg along which the external force that replaces lost friction is removed.
     pub(super) leg: Pieces<'g>,
     /// Slips before the jump, and all states so far of all sites in it.
     fallen: Fallen,
@@ -249,7 +249,7 @@ impl<'g> Pieces<'g> {
     }
 }
 
-/// Whether an equilibrium exists at the load of a jump that found none, with the friction that remains.
+/// Whether any equilibrium exists at the load at which a jump found none, with the friction that remains.
 pub(super) fn beyond_a_jump(fallen: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(fallen, settings).0 {
         Settled::Found(..) => Beyond::Snap,

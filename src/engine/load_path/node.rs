@@ -23,7 +23,7 @@ use crate::search::{
 
 /// The result of the problem in rates at a node.
 struct Decided<'g> {
-    /// The factor at which the rates were taken.
+    /// The load factor at which the rates were evaluated.
     ahead: f64,
     rates: Problem<'g>,
     settled: Settled,
@@ -35,14 +35,14 @@ struct Decided<'g> {
 pub(super) struct Node {
     /// States; contacts that slide on the round cone have the direction of their friction force.
     pub(super) states: Vec<State>,
-    /// Directions in which contacts slide, coordinate axes.
+    /// Unit directions in which contacts slide, along the coordinate axes.
     pub(super) directions: Vec<Option<SVector<f64, 3>>>,
     pub(super) stands: Vec<ActiveSet>,
     /// Whether a contact with infinite friction carries a tangential force: this force is lost at once when the normal force vanishes.
     pub(super) holds: Vec<bool>,
     /// Whether a contact starts to slide from the apex of its cone: it has a direction, but no friction force yet.
     pub(super) sets_out: bool,
-    /// Contacts whose slip has ended here.
+    /// Contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
     /// The factor whose rates decide: the present one, or a little ahead while the load turns.
@@ -229,8 +229,8 @@ impl Node {
             let is = is.unwrap_or(Mode::Open);
             self.sets_out |= is.slide().is_some() && matches!(rates.laws[i], Law::Cone { .. });
             if was.is_open() && !is.is_open() {
-                // The contact closes at the present place of its finger: its friction starts from zero, and its slip has followed the surfaces up to
-                // here.
+                // The contact closes at the present place of its finger, and its friction starts from zero: the displacement of the surfaces so far
+                // becomes slip memory.
                 segment.remember_slip(i, factor, &self.at.twist, &SVector::zeros());
             }
             if let Mode::Round(slide) = &is {
@@ -256,7 +256,7 @@ fn slide_where_they_graze(rates: &Problem, found: &mut Found) {
     }
 }
 
-/// The directions in which contacts slide.
+/// The unit directions in which contacts slide, along the coordinate axes; `None` for contacts that do not.
 pub(super) fn directions(problem: &Problem, found: &Found) -> Vec<Option<SVector<f64, 3>>> {
     let direction =
         |state| if let ContactState::Sliding { direction } = state { Some(direction) } else { None };

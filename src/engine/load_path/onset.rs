@@ -39,7 +39,7 @@ pub enum Onset<const C: usize> {
 }
 
 impl<const C: usize> Onset<C> {
-    /// The event, if there is one.
+    /// The onset, if a contact stops sticking.
     #[must_use]
     pub fn event(&self) -> Option<&OnsetEvent<C>> {
         match self {
@@ -72,11 +72,11 @@ pub struct OnsetEvent<const C: usize> {
     pub load: Wrench<C>,
     /// The contacts that stop sticking, all at this factor. Contacts that have closed before are not among them.
     pub leaving: Vec<Leaving<C>>,
-    /// Drives of a hand that give way there: joints and tendons at their limit, tendons that slacken.
+    /// Drives of a hand that yield at the onset: joints and tendons at their limit, tendons that slacken.
     pub drives: Vec<PartChange>,
     /// The friction cone for which the event was computed.
     pub cone: Cone,
-    /// State from which questions about the event start.
+    /// The engine's state at the onset, from which further questions about it start.
     pub(super) local: StickingState,
 }
 
@@ -129,7 +129,7 @@ impl OnsetEvent<3> {
 }
 
 impl Leaving<3> {
-    /// The departure of a site, which has no name yet.
+    /// The departure of a site, whose name is filled in later.
     pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
@@ -162,7 +162,7 @@ pub struct Leaving<const C: usize> {
     /// The contact that stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// How it stops sticking.
+    /// How the contact stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub how: Departure<C>,
 }

@@ -17,24 +17,24 @@ pub struct OnsetGradient<const C: usize> {
     /// The contact or drive that stops sticking. If several do so together, the onset is the least of their factors. Its one-sided derivative along a
     /// change of the data is then the least of their derivatives.
     pub leaving: Leaver,
-    /// With respect to every contact's coefficient of friction.
+    /// Derivatives with respect to every contact's coefficient of friction.
     pub friction: Vec<f64>,
-    /// With respect to every contact's series stiffness, axis by axis, m/N.
+    /// Derivatives with respect to every contact's series stiffness, axis by axis, m/N.
     pub stiffness: Vec<SVector<f64, C>>,
-    /// With respect to every contact's command in its contact frame, axis by axis, 1/m.
+    /// Derivatives with respect to every contact's command in its contact frame, axis by axis, 1/m.
     pub command: Vec<SVector<f64, C>>,
-    /// With respect to the commands of the joints of a hand, then of its tendons, 1/rad or 1/m.
+    /// Derivatives with respect to the commands of the joints of a hand, then of its tendons, 1/rad or 1/m.
     pub joint_command: Vec<f64>,
-    /// With respect to the stiffnesses of the own springs of joints, then of tendons, rad/(N m) or m/N.
+    /// Derivatives with respect to the stiffnesses of the own springs of joints, then of tendons, rad/(N m) or m/N.
     pub joint_stiffness: Vec<f64>,
-    /// With respect to the limits of joints, then of tendons, 1/(N m) or 1/N.
+    /// Derivatives with respect to the limits of joints, then of tendons, 1/(N m) or 1/N.
     pub joint_limit: Vec<f64>,
-    /// With respect to the components of the base load, or of the constant part of a load that turns, 1/N and 1/(N m). Times the factor, it is the
-    /// derivative by the load direction; times cos θ and sin θ, that by the parts that turn. Not a number if a component works on a motion that
-    /// nothing resists: under such a load there is no equilibrium.
+    /// Derivatives with respect to the components of the base load, or of the constant part of a load that turns, 1/N and 1/(N m). Times the factor,
+    /// they are derivatives by the load direction; times cos θ and sin θ, those by the parts that turn. Not a number if a component works on a motion
+    /// that nothing resists: under such a load there is no equilibrium.
     pub base_load: Vec<f64>,
-    /// With respect to a factor on the whole load (base and direction, or all parts of a load that turns), at the value 1 of this factor. Without a
-    /// base load, and with constant commands, it is minus the onset.
+    /// Derivative with respect to a factor on the whole load (base and direction, or all parts of a load that turns), at the value 1 of this factor.
+    /// Without a base load, and with constant commands, it is minus the onset.
     pub load_scale: f64,
 }
 

@@ -33,7 +33,7 @@ pub(super) struct OnsetMemory {
     pub(super) leaving: Vec<Leaving<3>>,
     /// The sites that stop sticking.
     pub(super) sites: Vec<usize>,
-    /// Lists of joint coordinates.
+    /// Lists for coordinates of joints, reused.
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<3>>>,
     /// The equilibrium at the base, if the last question had to search for it.

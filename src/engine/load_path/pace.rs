@@ -5,7 +5,8 @@ use crate::prelude::*;
 
 /// Order of the error of a step in its length.
 const ERROR_ORDER: f64 = 8.0;
-/// The next step aims at a sixth of the allowed error: fewer steps are refused, and errors of many steps add up.
+/// Factor on the step length that the error estimate allows, which leaves a sixth of the error. Fewer steps are refused, and errors of many steps add
+/// up.
 const CAUTION: f64 = 0.8;
 /// Least ratio of successive step lengths, since the estimate holds for small changes.
 const LEAST_RATIO: f64 = 0.2;
@@ -17,7 +18,7 @@ pub(super) struct Pace {
     pub(super) length: Option<f64>,
     /// The displacement that contributes as much to arclength as the whole leg, m; `None` before the first step from a node.
     pub(super) unit: Option<f64>,
-    /// Refusals in a row.
+    /// Number of successive steps that were refused.
     refused: u8,
     /// Whether steps are implicit, because directions turn much faster than the object moves.
     pub(super) stiff: bool,
@@ -36,7 +37,7 @@ impl Pace {
             unit: None,
             refused: 0,
             stiff: false,
-            // Number of explicit steps after an event, and after implicit ones have failed, before implicit ones are tried.
+            // Number of explicit steps after an event before implicit ones are tried.
             patience: 8,
             steps: 0,
             loosened: 0,
@@ -56,7 +57,7 @@ impl Pace {
             // The allowed error grows by this factor, at most twice, since rounding may be the reason for refusals. The path reports the error
             // actually made.
             (self.loosened, self.looser) = (self.loosened + 1, self.looser * 30.0);
-            // First step after such a change, as a part of the rest of the leg.
+            // First step after the allowed error has grown, as a part of the rest of the leg.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
         }
         may
@@ -83,7 +84,7 @@ impl Pace {
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
-        // After this many refusals in a row of implicit steps, explicit ones are tried.
+        // After this many refusals in a row of implicit steps, explicit ones are tried for a while.
         if self.stiff && self.refused >= 4 {
             (self.stiff, self.patience) = (false, 64);
         }

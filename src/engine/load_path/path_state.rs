@@ -176,7 +176,7 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// If steps become too short to advance, puts contacts near an edge onto it, so that all events within the error of steps happen at one place.
+    /// Puts contacts near an edge onto it if steps become too short to advance. All events within the error of steps then happen at one place.
     /// Returns the largest distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While the load
     /// turns, contacts that merely slide need no decision, since the rates ahead have decided about them.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, here: &PathPoint) -> Option<f64> {

@@ -153,7 +153,7 @@ impl PathStiffness {
 }
 
 impl PathFactors {
-    /// The solution for a right-hand side.
+    /// The solution for a right-hand side `balance`, with `last` in the row of the border.
     pub(super) fn solve(&self, balance: &Vector, last: f64) -> (Vector, f64) {
         match self {
             Self::Whole(bordered) => bordered.solve(balance, last),

@@ -57,7 +57,7 @@ pub(crate) struct Pieces<'g> {
     pub(super) first: Option<Box<Event<3>>>,
     /// The problem at the end of a jump that found no equilibrium.
     pub(super) fallen: Option<Problem<'g>>,
-    /// Where motions cease to be small, if they do.
+    /// The place where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
     /// The largest ratio of a motion to its limit, at the ends of pieces.
     pub(super) farthest: f64,
@@ -173,7 +173,7 @@ impl<'g> Pieces<'g> {
     /// Starts at the equilibrium of the problem, if there is one.
     pub(super) fn at_start(journey: &Journey<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = journey.start(problem)?;
-        // At rest, load and commands do not change.
+        // The path has not begun to move: load and commands do not change.
         let change = journey.grasp.offset_changes(None, None);
         let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
         let (grasp, answer_for, problem) = (journey.grasp, journey.answer_for(), problem.clone());

@@ -28,17 +28,17 @@ use crate::prelude::*;
 struct Turning {
     contact: usize,
     tangent: Tangent,
-    /// Size |F_t| of the friction force, N.
+    /// Size of the friction force, |F_t|, N.
     size: f64,
-    /// d, the direction in which the friction force turns; zero if there is no friction force.
+    /// The direction d in which the friction force can turn; zero for a contact without friction force.
     across: SVector<f64, 3>,
-    /// v, by which the rate of force changes as the friction force turns, N for one radian and one unit of arclength.
+    /// The change v of the force's rate as the force turns, N for one radian and one unit of arclength.
     change: SVector<f64, 3>,
-    /// G v, the same change as a force on the coordinates.
+    /// The wrench G v.
     push: Vector,
-    /// c = Cᵀ d, N/m.
+    /// The row c = Cᵀ d, N/m.
     felt: SVector<f64, 3>,
-    /// G c, the row that maps the motion to the turn of the friction force.
+    /// The wrench G c.
     pull: Vector,
 }
 
@@ -46,18 +46,19 @@ struct Turning {
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
     contacts: Vec<Turning>,
-    /// T and b of the balance `T δq - b δλ`.
+    /// The tangent stiffness T.
     stiffness: PathStiffness,
+    /// The right side b.
     load: Vector,
     way: Direction,
 }
 
-/// The factors of 1 - hJ.
+/// The factors of the matrix 1 - hJ.
 pub(super) struct Damped {
     length: f64,
-    /// Of `[T' | -b']` with the row of the path below.
+    /// The factors of `[T' | -b']` with the transverse row below.
     bordered: PathFactors,
-    /// e_i of each contact whose friction force turns, N.
+    /// The numbers e of the contacts, N.
     sizes: Vec<f64>,
 }
 

@@ -64,8 +64,9 @@ impl Engine {
 }
 
 impl Response {
-    /// The smallest commands (least squares over all contacts and axes, m) that move the object by a twist about the origin, in the order of
-    /// the columns, to be added to the present ones: `da = (dq/da)⁺ dq`. `None` if the fingers cannot produce it in the present states.
+    /// The smallest commands that move the object by a twist about the origin, to be added to the present commands: `da = (dq/da)⁺ dq`, m. They are a
+    /// least squares solution over all contacts and axes, in the order of the columns. `None` if the fingers cannot produce the twist in the present
+    /// states.
     #[must_use]
     pub fn smallest_command<const C: usize>(&self, wanted: &Twist<C>) -> Option<DVector<f64>> {
         let wanted = wanted.components();

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! as if its mass matrix were the identity in inside coordinates: unit mass at the root mean square distance of contacts. Links, and contacts that
-//! neither open nor slide, only allow motions on which they do no work.
+//! neither open nor slide, allow no displacement at their points.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -40,7 +40,7 @@ impl<'g> Pieces<'g> {
         // A step within its own uncertainty may be zero: two continuations between which rounding chooses could alternate for ever.
         let uncertain = standing.iter().flat_map(|(_, exits)| exits).any(|exit| step <= exit.uncertainty);
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
-        // Most successive steps within their uncertainty that still count as events of one node: more of them mean that rounding makes the path
+        // Maximum number of successive steps within their uncertainty that still count as events of one node: more mean that rounding makes the path
         // cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&standing) {

@@ -28,16 +28,16 @@ pub(super) struct Stretch<'g> {
     pub(super) problem: Problem<'g>,
     pub(super) change: Vec<SVector<f64, 3>>,
     pub(super) course: Trajectory<Vector>,
-    /// Trajectory of the load of the question.
+    /// Trajectory of the load in the coordinates of the question.
     pub(super) load: Trajectory<Wrench<3>>,
     /// Loads of single bodies along the leg.
     pub(super) bodies: BodyLoads,
     /// Torques that hold joints along the leg.
     pub(super) torques: HeldTorques,
     pub(super) states: Vec<State>,
-    /// State at `from`, with rates.
+    /// State at the fraction `from`, with rates.
     pub(super) here: PathPoint,
-    /// State at `to`.
+    /// State at the fraction `to`.
     pub(super) there: PieceState,
     /// The integration step, if a contact slides on the round cone.
     pub(super) bend: Option<Bend>,
@@ -56,7 +56,7 @@ pub(super) struct Fallen {
     pub(super) states: Vec<Vec<State>>,
 }
 
-/// The step by which a piece was integrated.
+/// The integration step that made a curved piece.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bend {
     /// The displacement that contributes as much to arclength as the whole leg, m.
@@ -175,7 +175,7 @@ impl<'g> Stretch<'g> {
     fn part_of_a_step(&self, bend: &Bend, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
         let (mut from, mut here, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = bend.length;
-        // Most parts into which a step is divided if it cannot be repeated at once; each is half as long as the one before.
+        // Maximum number of parts into which a step is divided if it cannot be repeated at once; each is half as long as the one before.
         for _ in 0..60 {
             let flow = Flow::new(segment, &states, from, &here, bend.unit);
             if let Some(reached) = flow.reach_factor(fraction, length, bend.rule) {

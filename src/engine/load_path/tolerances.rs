@@ -1,4 +1,4 @@
-//! The numbers below which a load path takes a value for zero, for rounding or for the same.
+//! Tolerances of load paths: below them a value counts as zero, as rounding or as equal to another.
 //!
 //! All of them are pure numbers, or angles in rad. They are parts of the leg, of the largest force, or of the motion that is compared.
 
@@ -18,7 +18,7 @@ pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
 /// Margins below this part of their size count as zero where events accumulate towards a point, and steps become too short to advance.
 ///
-/// Smaller, a path ends where events gather; larger, it skips events that lie apart.
+/// Smaller, a path ends where events accumulate; larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
 
 /// A rigid motion below this part of the load, in inside coordinates, counts as zero: contact forces balance the load, up to their rounding.

@@ -9,12 +9,12 @@ use crate::numerics::Harmonic;
 pub(super) enum Trajectory<X> {
     Straight {
         from: X,
-        /// Rate for one unit of the factor.
+        /// Rate of the load for one unit of the factor.
         rate: X,
     },
     Turn {
         load: Harmonic<X>,
-        /// Angle for one unit of the factor, rad.
+        /// Angle of the load for one unit of the factor, rad.
         angle: f64,
     },
 }
@@ -28,7 +28,7 @@ impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Trajec
         }
     }
 
-    /// Its rate there, for one unit of the factor.
+    /// The rate of the load at a factor, per unit of the factor.
     pub(super) fn rate_at(&self, factor: f64) -> X {
         match self {
             Self::Straight { rate, .. } => rate.clone(),

@@ -85,7 +85,7 @@ struct FewRows {
     form: Form,
     /// The largest force of the trial state, in units of the rows.
     largest: f64,
-    /// Whether there are many coordinates.
+    /// Whether there are so many coordinates that a band is used.
     many: bool,
 }
 

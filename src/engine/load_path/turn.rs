@@ -46,7 +46,7 @@ impl<const C: usize> From<&Self> for Turn<C> {
 }
 
 impl<const C: usize> Turn<C> {
-    /// A turn from its three parts, N and N m; one full turn.
+    /// A load that turns by one full turn, from its three parts in N and N m.
     #[must_use]
     pub fn new(constant: Wrench<C>, cosine: Wrench<C>, sine: Wrench<C>) -> Self {
         Self { load: Harmonic { constant, cosine, sine }, angle: TAU, tilts_bodies_about: None }
@@ -241,16 +241,16 @@ pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vec
     }
 }
 
-/// A contact or a drive of a hand that comes to the edge of its cone or limit without crossing it.
+/// A contact or a drive of a hand that reaches the edge of its cone or its limit without crossing it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct EdgeTouch {
-    /// The contact or drive that touches its edge.
+    /// The contact or drive that reaches its edge or limit.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
-    /// The angle of the turn at which the edge is touched, rad.
+    /// The angle of the load at which the edge or limit is reached, rad.
     #[cfg_attr(feature = "serde", serde(rename = "angle_rad", with = "AsComputed::<f64>"))]
     pub angle: f64,
 }

@@ -104,7 +104,7 @@ impl<'g> Pieces<'g> {
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            // Most times that a step is shortened because a condition may fail within it.
+            // Maximum number of times that a step is shortened because a condition may fail within it.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(here, (part * end.length, 0), end.rule)?;
@@ -119,7 +119,7 @@ impl<'g> Pieces<'g> {
         here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether the path has advanced since events were last gathered at one place.
+    /// Whether the path has advanced since events that accumulate were last moved to one place.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
@@ -149,8 +149,9 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether the object moves on while no force changes: the load factor approaches its limit and never reaches it. Rounding turns a friction force
-    /// the more the faster it relaxes, which sticking contacts balance: the tolerance grows with the rate.
+    /// Whether the object moves on while all forces stay constant: the load factor then approaches a limit that it never reaches. Rounding turns a
+    /// friction force the more the faster it relaxes. So its tolerance grows with that rate, and sticking contacts, which balance all others, have
+    /// the largest.
     fn slides_away(&self, here: &PathPoint) -> bool {
         if here.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -163,8 +164,8 @@ impl<'g> Pieces<'g> {
         here.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
-    /// Length of a step along the tangent, if one is short enough for that. From an apex it gives a friction force its direction; close to an apex it
-    /// covers the rest.
+    /// Length of a step along the tangent, if one is to be made: from an apex, where a friction force has no direction yet, or up to the place where
+    /// a normal force that has all but vanished is zero.
     fn straight_length(&self, here: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / here.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {
@@ -180,7 +181,8 @@ impl<'g> Pieces<'g> {
         let force_way = here.sizes[0] / here.rate_sizes[0];
         // Forces that would double within this part of the rest of the leg are rounding of vanishing forces.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
-        // First step from an apex, as a part of the way on which forces change by their own size: directions turn by the square of it.
+        // First step from an apex, as a part of the length on which forces change by their own size. Friction directions turn by about the square of
+        // this part meanwhile.
         self.node.sets_out.then_some(1e-6 * way)
     }
 

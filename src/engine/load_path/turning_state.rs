@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// All quantities as harmonics of the load's angle, counted from a place on the path, while contacts keep their states.
 #[derive(Debug)]
 pub(super) struct TurningState {
-    /// Force and stretch of every contact.
+    /// Harmonics of force and stretch of every contact.
     pub(super) waves: Vec<[Wave; 2]>,
     pub(super) twist: Harmonic<Vector>,
     pub(super) load: Harmonic<Vector>,
@@ -35,7 +35,7 @@ impl TurningState {
             let mut exits = Vec::new();
             for exit in local.turning_exits(state, [force, stretch], rest * self.angle) {
                 match exit {
-                    // From an angle to the factor of the leg.
+                    // Converts an angle to a factor of the leg.
                     TurningExit::Leaves(exit) => exits.push(Exit {
                         step: exit.step / self.angle,
                         uncertainty: exit.uncertainty / self.angle,

@@ -6,10 +6,10 @@ use super::trajectory::Trajectory;
 use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::prelude::*;
 
-/// The subject of a condition.
+/// The subject of a watched condition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
-    /// The state of this contact.
+    /// The state of this contact holds.
     Contact(usize),
     /// The rate of the load factor is positive.
     Growth,
@@ -66,7 +66,7 @@ pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
 
-/// The conditions in these states.
+/// The conditions that hold along an arc in these states, evaluated at a point of it.
 pub(super) fn watch(
     segment: &Segment<'_>,
     states: &[State],
@@ -89,7 +89,7 @@ pub(super) fn watch(
     ];
     // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate of zero may grow.
     let straight = matches!(segment.course, Trajectory::Straight { .. });
-    // The rest of a leg counts as at least a hundredth of it. The change of a value over the rest is compared with rounding.
+    // The change of a value over the rest of the leg is compared with rounding; the rest counts as at least a hundredth of the leg.
     let per_length = here.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&here.lines[contact], segment.problem.local(contact));
@@ -118,7 +118,7 @@ pub(super) fn watch(
                 push(line.force[0], Some([line.rate[0], line.rate_size]), line.force_size);
             }
             Mode::Sticking => {}
-            // Near zero normal force only rounding decides whether the contact sticks: it is not asked.
+            // Near zero normal force only rounding decides whether the contact sticks, so that this condition counts as satisfied.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);

@@ -15,7 +15,7 @@ use crate::words::{Words, opens};
 pub struct WholeChange<const C: usize> {
     /// The contact that changes.
     pub contact: ContactLabel,
-    /// Its behaviour from here on.
+    /// The behaviour of the contact from here on.
     pub what: PadChange<C>,
 }
 
@@ -24,25 +24,25 @@ pub struct WholeChange<const C: usize> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum PadChange<const C: usize> {
-    /// A contact that is a single point changes.
+    /// A point contact changes its state.
     Point(Change<C>),
-    /// The first points slide.
+    /// The first points of a fingertip slide.
     BeginsToSlide,
-    /// The last points that touch slide.
+    /// The last closed points of a fingertip slide.
     SlidesEverywhere,
-    /// Some points stick again, others slide on.
+    /// Some points of a fingertip stick again, others slide on.
     SticksInPart,
-    /// No point slides any more.
+    /// No point of a fingertip slides any more.
     SticksAgain,
-    /// All points that slide slide back.
+    /// All sliding points of a fingertip reverse their direction.
     SlidesBack,
-    /// The first points open.
+    /// The first points of a fingertip open.
     BeginsToOpen,
-    /// The last points open.
+    /// The last points of a fingertip open.
     Opens,
-    /// The first points touch.
+    /// The first points of a fingertip touch.
     Touches,
-    /// The last points touch.
+    /// The last points of a fingertip touch.
     TouchesEverywhere,
     /// The contact is kept closed and would have to pull.
     WouldPull,
@@ -197,7 +197,7 @@ impl PadAtEvent {
     }
 }
 
-/// The state of a point.
+/// The state of a point of a fingertip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum PointState {
     Open,

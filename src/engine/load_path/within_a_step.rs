@@ -1,4 +1,4 @@
-//! Whether a contact reaches its edge within a step along an arc and is away from it again at the end.
+//! Detects contacts that violate a condition within a step along an arc although it holds again at the end.
 //!
 //! Forces of sticking contacts, and gaps, are linear in twist and load factor. Within a step they follow the cubic through the values and rates at
 //! both ends, up to an error `s²(1 - s)² g` at the part s of the step. A margin `μ F_n - |F_t|` is concave. Hence on a piece of the cubic it is at
@@ -24,12 +24,12 @@ struct Bounded {
     cone: Option<Coulomb>,
     /// g of the error `s²(1 - s)² g`, in the unit of the margin.
     bend: f64,
-    /// A margin down to minus this counts as zero.
+    /// A margin above minus this number counts as satisfied.
     nothing: f64,
 }
 
-/// The part of a step after which a sticking or open contact violates its condition, although it may hold again at the end. The part is shorter if
-/// the step is too long for a decision. `None` if all conditions hold within the step. Rates at both ends are per unit of arclength.
+/// The part of a step after which a sticking or open contact violates its condition, although it may hold again at the end. One half if the step is
+/// too long for a decision; `None` if all conditions hold within the step. Rates at both ends are per unit of arclength.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
@@ -93,7 +93,7 @@ impl Bounded {
     /// The part of the step at which the margin is violated; one half if that is undecided. `None` if the margin holds.
     fn dip(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
-        // Most pieces that are examined before a step is refused as too long.
+        // Maximum number of pieces that are examined before a step is refused as too long.
         for _ in 0..200 {
             let (from, to, points) = pieces.pop()?;
             let least = least(&points, &|point| self.margin(point));

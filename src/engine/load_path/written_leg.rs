@@ -112,7 +112,7 @@ impl<const C: usize> WrittenLeg<C> {
 }
 
 impl<const C: usize> Leg<C> {
-    /// Refuses lists that are not as long as there are contacts, drives (joints, then tendons) and joints.
+    /// Refuses lists whose length is not the number of contacts, of drives (joints, then tendons) or of joints.
     pub(crate) fn check_lengths(&self, [contacts, drives, joints]: [usize; 3]) -> Result<(), Error> {
         if let LegGoal::By(rows) | LegGoal::To(rows) = &self.commands {
             check_rows(rows.len(), "commands of a leg", contacts)?;

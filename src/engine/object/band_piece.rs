@@ -136,7 +136,7 @@ impl BandPiece {
         moved(self.factors.null_vectors(), &motion)
     }
 
-    /// `T⁻¹` times a load.
+    /// The twist `T⁻¹ W` under a load W at zero offsets.
     pub(super) fn solve(&self, load: &Vector) -> Vector {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
@@ -172,7 +172,7 @@ impl BandPiece {
         let length = |x: &[f64]| summed(x, &|x| x * x).sqrt();
         let mut growth = 1.0_f64;
         let mut q = vec![0.0; self.numbers.len()];
-        // Steps of the power method, which estimates the norm from below.
+        // Number of steps of the power method, which estimates the norm from below.
         for _ in 0..4 {
             let before = length(&x);
             q.fill(0.0);
@@ -186,7 +186,7 @@ impl BandPiece {
             self.factors.solve_transposed(&mut q);
             self.springs.stretch(left, &mut q, |spring, stretch| x[spring] = stretch / after);
         }
-        // Factor by which the estimate may be too small.
+        // The estimate may be too small by this factor.
         2.0 * growth
     }
 
@@ -206,7 +206,7 @@ impl BandPiece {
 }
 
 impl SpringLists {
-    /// Calls `visit(spring, felt, range of its row)` for every spring.
+    /// Calls `visit(spring, felt, range of its row)` for every spring; `felt` lists the coordinates with entries.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {
@@ -218,7 +218,7 @@ impl SpringLists {
         }
     }
 
-    /// Calls `visit(k, felt, range of its row)` for every spring k of a contact.
+    /// Calls `visit(k, felt, range of its row)` for every spring k of a contact; `felt` lists the coordinates with entries.
     fn of(&self, contact: usize, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let felt = &self.felt[self.first[contact]..self.first[contact + 1]];
         for k in 0..self.counts[contact] {

@@ -6,8 +6,8 @@
 //! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = right_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
 //! ```
 //!
-//! w is zero along a spring that resists; its other components are gaps and slips. Solving for the residuals gives the error itself, not only a
-//! bound. On the round cone it is of first order, which suffices where Newton's method has converged.
+//! At the solution w is zero along a spring that resists; its other components are gaps and slips. Solving for the residuals gives the error itself,
+//! not only a bound. On the round cone it is of first order, which suffices where Newton's method has converged.
 
 use nalgebra::SVector;
 
@@ -23,7 +23,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
-    /// The missing part of the twist, without free motions.
+    /// The error of the twist, without free motions.
     pub(crate) twist: Vector,
     /// Uncertainty of the forces, N: the last correction if refinement did not converge, plus rounding of the stiffest springs in twice the working
     /// precision. Large where the piece is singular at working precision.

@@ -18,9 +18,9 @@ use crate::prelude::*;
 /// the facet (1, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Facet {
-    /// (κ, c), c of length one.
+    /// The row (κ, c), with c of length one.
     pub(crate) row: SVector<f64, 3>,
-    /// Length of `row`, with which units of the facet become those of a row of length one.
+    /// Length of `row`: the factor from an entry that belongs to the row scaled to length one to the entry of this row.
     pub(crate) unit: f64,
 }
 
@@ -32,7 +32,7 @@ impl Facet {
         Self { row, unit: row.norm() }
     }
 
-    /// The direction (0, c) of slip across the facet.
+    /// The column (0, c): the change of x by slip across this facet.
     pub(crate) fn column(&self) -> SVector<f64, 3> {
         tangential(&self.row)
     }
@@ -57,7 +57,7 @@ impl EnergyContact {
     }
 }
 
-/// The shared data of a scene's contacts in energy coordinates.
+/// Data that the contacts of a scene share in energy coordinates: their facets, and the scale of their maps.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EnergyCoordinates {
     facets: Vec<Facet>,
@@ -166,8 +166,8 @@ impl Slipping {
         }
     }
 
-    /// The z with `row_a·z = d_a` on its facets and `z_n = n`. With d = 0 it is the point x on the edge
-    /// with `x_n = n`.
+    /// The vector z with `z_n = n` and `row_a·z = d_a` on the facets of this state. For d = 0, z is the point x on the edge of the cone with `x_n =
+    /// n`.
     pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, 3> {
         let mut z = SVector::zeros();
         for a in 0..self.count {

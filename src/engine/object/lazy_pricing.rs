@@ -21,7 +21,7 @@ use crate::prelude::*;
 /// A point of a path, or its direction.
 #[derive(Debug, Clone)]
 pub(crate) struct Point {
-    /// Motion of the object in energy coordinates.
+    /// Motion y of the object in energy coordinates.
     pub(crate) y: Vector,
     /// The parameter that drives the path, scaled so that its unit weighs as much as a unit of y.
     pub(crate) s: f64,
@@ -38,7 +38,7 @@ impl Point {
         (self.y.norm_squared() + self.s * self.s).sqrt()
     }
 
-    /// `self + times direction`.
+    /// The point `self + times · direction`.
     pub(crate) fn plus(&self, times: f64, direction: &Self) -> Self {
         Self { y: &self.y + &direction.y * times, s: self.s + direction.s * times }
     }

@@ -1,4 +1,4 @@
-//! A load on the object to twice the working precision.
+//! A load on the object in twice the working precision.
 
 use crate::numerics::Vector;
 

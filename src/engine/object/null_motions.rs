@@ -18,7 +18,7 @@ use crate::prelude::*;
 /// Null vectors of T, by their meaning (see the top of this file).
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
-    /// Orthonormal, like the other lists.
+    /// Motions that stretch no spring; orthonormal, like the other lists.
     pub(super) free: Vec<Vector>,
     pub(super) neutral: Vec<Vector>,
     pub(super) unbalanced: Vec<Vector>,
@@ -76,7 +76,7 @@ impl NullMotions {
     }
 }
 
-/// Groups null vectors of T, or of its transpose, given in units of the columns of the first side.
+/// Groups null vectors of T, or of its transpose, by whether they stretch springs. The vectors are given in units of the columns of `side`.
 fn apart(
     band: &BandPiece,
     [side, other]: [&Side; 2],

@@ -34,7 +34,7 @@ impl Precise {
         (self.high[k], self.low[k]) = (x.high, x.low);
     }
 
-    /// High and low parts in place; `None` with more coordinates than those of one object.
+    /// High and low parts as arrays of fixed size; `None` with more coordinates than those of one object.
     #[inline(always)]
     fn arrays(&self) -> Option<Twice<'_>> {
         Some([self.high.array()?, self.low.array()?])

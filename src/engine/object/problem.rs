@@ -55,7 +55,7 @@ pub(crate) struct Lists {
 }
 
 impl Engine {
-    /// The problem at rest of this grasp.
+    /// The problem at rest of this grasp, with these offsets and this load.
     pub(crate) fn problem(
         &self,
         polygon: Arc<Polygon>,
@@ -130,7 +130,7 @@ impl<'g> Problem<'g> {
         rates
     }
 
-    /// The load to twice the working precision.
+    /// The load in twice the working precision.
     pub(crate) fn load(&self) -> Load {
         Load { wrench: self.wrench.clone(), rest: self.wrench_rest.clone() }
     }
@@ -141,7 +141,7 @@ impl<'g> Problem<'g> {
         size_of(self.sites)
     }
 
-    /// Plane or space.
+    /// Whether the problem is planar or spatial.
     pub(crate) fn space(&self) -> Space {
         self.sites.first().map_or(Space::Spatial, |site| site.space)
     }

@@ -25,7 +25,7 @@ pub(crate) fn largest_force(
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
     let largest = forces.fold(load, f64::max);
-    // The minimum over contacts is at most its first term, which mostly suffices to show that the minimum does not matter.
+    // The minimum over contacts is at most its first term. If that term is too small to matter, the minimum is not computed.
     let least_of = |count: usize| {
         let norm = twist.norm();
         let spans = sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm));

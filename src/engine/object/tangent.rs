@@ -94,7 +94,7 @@ pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> Sprin
 /// Adds `G_i C_i G_iᵀ` of one contact to T.
 fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     let pushed: [Vector; 3] = core::array::from_fn(|a| &site.map * springs.column(a).into_owned());
-    // A contact of one finger does not feel the joints of the others, and a drive feels only its own joint.
+    // The map of a contact has no entries for joints of other fingers, and that of a drive only for its own joint.
     for columns in site.support.ranges() {
         for j in columns {
             let column = t.column_slice_mut(j);
@@ -117,7 +117,7 @@ pub(crate) fn balance(
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
-    // Steps of refinement: where one is not enough, the second should be.
+    // Maximum number of refinement steps: if one is not enough, the second should be.
     for _ in 0..4 {
         let Imbalance { left, size } = Imbalance::of(sites, &state.forces, wrench, wrench.norm());
         if left.norm() <= part * size {

@@ -1,6 +1,6 @@
 //! Approximate states of many contacts by Tresca friction: each contact has a given friction limit, independent of its normal force.
 //!
-//! Where the limits r_i of friction do not depend on normal forces, all forces come from a convex energy,
+//! If the limits r_i of friction do not depend on normal forces, all forces come from a convex energy,
 //!
 //! ```text
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
@@ -183,7 +183,7 @@ impl GivenLimits {
     /// Newton's method from a motion to the minimum of energy with the given limits.
     fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
         let mut here = self.answers(q);
-        // Most Newton steps for the same limits.
+        // Maximum number of Newton steps for the same limits.
         for _ in 0..10 {
             if norm(&here.left) <= enough {
                 break;

@@ -13,7 +13,7 @@
 //! h  <=  Σ c_i x_i + Σ r_i·v_i  +  |(Σ c_i G_i n + Σ G_i r_i)·δ|  +  Σ c_i (|G_i n·δ| - x_i)₊
 //! ```
 //!
-//! Where this bound is below `W·v`, no equilibrium exists. Opposed contacts cancel in the sum; h then grows only once one of them opens.
+//! If this bound is below `W·v`, no equilibrium exists. The terms of opposed contacts cancel in the sum; h then grows only once one of them opens.
 
 use crate::contact::Resistance;
 use crate::grasp::Space;
@@ -21,15 +21,15 @@ use crate::numerics::{Vector, increasing, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, turns the object by at
-/// most ρ over the inside unit of length, and moves each further coordinate by at most ρ. Infinite where no equilibrium exists at all; `None` where
-/// nothing is proved even at q*.
+/// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, and turns the object by at
+/// most ρ over the inside unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if nothing
+/// is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // Contacts that may open: the ρ from which they do, and the additional growth of the bound from there.
+    // For each contact that may open: the ρ at which it opens, and the increase of the bound's slope from there.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);

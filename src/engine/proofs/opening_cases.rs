@@ -25,7 +25,7 @@ use crate::prelude::*;
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
-    // Most contacts that may open: all 2ⁿ choices of open ones are tried.
+    // Maximum number of contacts that may open: all 2ⁿ choices of open ones are tried.
     whole
         && free.len() <= 8
         && (0..1_usize << free.len()).all(|choice| {

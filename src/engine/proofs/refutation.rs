@@ -24,7 +24,7 @@ use crate::prelude::*;
 pub(crate) enum ProofStep {
     /// The state of a contact lies in one of two halves.
     Divided { contact: usize, halves: [Label; 2] },
-    /// The case is contradicted.
+    /// The present case is contradicted by a virtual motion and virtual forces.
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 

@@ -1,7 +1,7 @@
 //! A separating motion in many coordinates: the part of the load that no admissible contact forces balance.
 //!
-//! The sum of contact forces that comes nearest to balancing a load leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian finds it: each
-//! contact responds to a motion by a force in its cone, shifted by a multiplier λ_i, its force in the last round,
+//! Some sum of admissible contact forces comes nearest to balancing the load, and leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian
+//! finds it. Each contact responds to a motion by a force in its cone, shifted by a multiplier λ_i, its force in the last round,
 //!
 //! ```text
 //! f_i = P_i(λ_i - ρ G_iᵀv),      v - Σ G_i f_i = W,      λ_i <- f_i,
@@ -146,7 +146,7 @@ impl PushedBack {
         let mut load = vec![0.0; count];
         let size = problem.wrench.norm();
         problem.wrench.iter().zip(&numbers).for_each(|(w, k)| load[*k] = w / size);
-        // ρ in the first round.
+        // The penalty ρ of the first round.
         Some(Self { contacts, numbers, load, band, stiffness: 1e1 })
     }
 
@@ -154,7 +154,7 @@ impl PushedBack {
     /// residual load.
     fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
         let mut missing = self.missing(v);
-        // Most Newton steps of a round.
+        // Maximum number of Newton steps in a round.
         for _ in 0..12 {
             if norm(&missing) <= enough {
                 break;
@@ -186,7 +186,7 @@ impl PushedBack {
         Some(norm(&left))
     }
 
-    /// `W + Σ G f - v`.
+    /// The imbalance `W + Σ G f - v`.
     fn missing(&self, v: &[f64]) -> Vec<f64> {
         let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).collect();
         for contact in &self.contacts {

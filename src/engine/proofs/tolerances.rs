@@ -1,4 +1,4 @@
-//! The numbers that proofs of no equilibrium share: when a contradiction counts, and what is rounding.
+//! Tolerances of the proofs that no equilibrium exists: when a contradiction counts, and what is rounding.
 
 /// A contradiction counts if an equilibrium that escapes it through rounding exceeds the data by at least this factor.
 ///

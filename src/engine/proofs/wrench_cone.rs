@@ -70,8 +70,8 @@ pub(crate) fn nearest_forces(
     let mut nearest = NearestPoint::new(target.as_slice());
     // Generators of round cones that have joined; their tags follow those of the straight ones.
     let mut joined: Vec<Generator> = Vec::new();
-    // Most generators that join: two hundred, and four more for each coordinate. Straight cones rarely need more to carry a load. Near the boundary
-    // of round cones each new generator reduces the distance only by a factor.
+    // Maximum number of generators that join: two hundred, and four more for each coordinate. Straight cones rarely need more to carry a load. Near
+    // the boundary of round cones each new generator reduces the distance only by a factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, against) = loop {
@@ -114,7 +114,7 @@ struct LoadAndCones<'p, 'g> {
 }
 
 impl<'p, 'g> LoadAndCones<'p, 'g> {
-    /// `None` without a load, or where a law is not a cone.
+    /// The load of a problem and its cones; `None` without a load, or if a law is not a cone.
     fn of(problem: &'p Problem<'g>) -> Option<Self> {
         let load = problem.wrench.norm();
         let straight = (load > 0.0).then(|| straight_generators(problem)).flatten()?;
@@ -182,8 +182,8 @@ pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<I
 
 /// Whether a unit motion proves that a load which grows at this rate cannot be balanced any more.
 ///
-/// It is a proof, for any forces in any state, if no admissible contact force works against the motion, the load does not work
-/// against it, and the rate of the load works along it.
+/// It is a proof, for any forces in any state, under three conditions: no admissible contact force works against the motion, the load does not work
+/// against it, and the load's rate works along it.
 pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &Vector) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));

@@ -18,17 +18,17 @@ pub enum FoundBy {
     /// Everything that touches sticks: contacts that would pull are open, and all others satisfy every condition while they stick. No complementarity
     /// problem was made.
     EverythingTouchingSticks,
-    /// Lemke's method on the kinematic form: the end of a path of jumps from the trial state.
+    /// Lemke's method on the kinematic form, whose path of jumps starts at the trial state.
     KinematicForm,
     /// Newton's method for the motion of the object, of which each contact force is a function. On the round cone with few contacts it starts near
     /// the equilibrium to which the stuck grasp relaxes, and so finds that one of several; otherwise it starts at the trial state.
     Newton,
-    /// Lemke's method on the force form: the end of a path of forces from zero.
+    /// Lemke's method on the force form, whose path of forces starts from zero.
     ForceForm,
     /// The first combination of contact states that satisfies every condition; on the round cone, the first case of contact states and directions of
     /// friction from which Newton's method converges. [`Grasp::equilibria`](crate::ask::Grasp::equilibria) finds some of its equilibria in this way.
     Enumeration,
-    /// Following a load path: the states come from the path's history.
+    /// A load path was followed: the states come from its history.
     LoadPath,
 }
 
@@ -131,7 +131,7 @@ pub(crate) enum Settled {
     FreeMotion(Vector),
     /// No admissible forces balance the load: this motion separates it from the friction wrench cone.
     Separating(Vector),
-    /// Each combination of contact states fails clearly; their number.
+    /// The number of combinations of contact states, each of which fails clearly.
     NoneOf(usize),
     /// On the round cone, each case contradicts itself. An equilibrium that escapes this proof through rounding would exceed the data by the factor
     /// `escape`.
@@ -139,7 +139,7 @@ pub(crate) enum Settled {
         cases: usize,
         escape: f64,
     },
-    /// Nothing found, nothing proved.
+    /// No equilibrium was found, and no proof that there is none.
     Undecided(Doubt),
 }
 
@@ -147,9 +147,9 @@ pub(crate) enum Settled {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Effort {
     pub(crate) pivots: usize,
-    /// Rows of the largest complementarity problem.
+    /// Number of rows of the largest complementarity problem.
     pub(crate) rows: usize,
     pub(crate) combinations: usize,
-    /// Facets of a contact's polygonal cone.
+    /// Number of facets of a contact's polygonal cone.
     pub(crate) facets: usize,
 }

@@ -11,7 +11,7 @@ use crate::numerics::{Vector, chosen, least_distance};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Verdict on a proposal.
+/// Result of checking proposed contact states.
 #[derive(Debug, Clone)]
 pub(crate) enum Judged {
     Holds(Found),
@@ -146,7 +146,7 @@ fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector)
     if size > 0.0 { left / size } else { 0.0 }
 }
 
-/// Values and sizes of all inequalities.
+/// Values of all inequalities, and the sizes of their terms.
 fn slacks(problem: &Problem, states: &[State], at: &PieceState) -> (Vec<f64>, Vec<f64>) {
     let (mut values, mut sizes) = (Vec::new(), Vec::new());
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {

@@ -59,7 +59,7 @@ pub(super) enum Attempt {
     Found(Found),
     /// A proof that no equilibrium exists.
     Proof(Settled),
-    /// Neither; the next rung follows.
+    /// Neither an equilibrium nor a proof; the next rung is tried.
     Nothing,
 }
 

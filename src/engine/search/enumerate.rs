@@ -22,7 +22,7 @@ pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<
         if visit(states) {
             return;
         }
-        // Next combination: the first contact with a state left advances, all before it start anew.
+        // Next combination: the first contact that has a state left takes it, and all contacts before it return to their first state.
         let Some(next) = (0..at.len()).find(|&i| at[i] + 1 < choices[i].len()) else { return };
         at[next] += 1;
         at[..next].fill(0);

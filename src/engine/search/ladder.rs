@@ -117,12 +117,12 @@ fn has_many_contacts(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.len() >= MANY_CONTACTS
 }
 
-/// Whether contacts are on an edge, in rates.
+/// Whether the problem is one of rates with contacts on the edge of their cone.
 fn is_on_an_edge(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.locals().any(|local| local.is_on_an_edge())
 }
 
-/// Whether contacts or coordinates are many.
+/// Whether there are many contacts or many coordinates.
 fn is_large(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || scene.trial.is_banded()
 }

@@ -61,7 +61,7 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // Most contacts in the pivoting set, neighbours included, of a path from these nearer states.
+        // Maximum number of contacts in the pivoting set, neighbours included, of a path from these nearer states.
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }
@@ -78,7 +78,7 @@ fn pivoted(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let mut moved = Moved::default();
-    // Rounds in which further contacts may join: a disturbance spreads from contact to contact, and fades.
+    // Maximum number of rounds in which contacts join: a disturbance spreads from contact to contact, and fades.
     for _ in 0..32 {
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
@@ -121,7 +121,7 @@ fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
 /// Makes further contacts stick until the tangent stiffness is regular. For each motion in which it is singular, the contact that moves most sticks,
 /// among those that do not stick yet. `None` if it is still singular after all rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
-    // Most rounds of sticking further contacts before the states are given up.
+    // Maximum number of rounds in which further contacts are made to stick.
     for _ in 0..8 {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
         if loose.is_empty() {

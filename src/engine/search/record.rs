@@ -25,7 +25,7 @@ pub enum RungResult {
 /// One search, with the result of each rung tried alone.
 #[derive(Debug, Clone)]
 pub struct RecordedSearch {
-    /// The number of the rung that decided; `None` where the search stayed undecided.
+    /// The index of the rung that decided; `None` if the search stayed undecided.
     pub decided: Option<usize>,
     /// The result of each rung, and its time, s.
     pub rungs: Vec<(RungResult, f64)>,
@@ -35,7 +35,7 @@ std::thread_local! {
     static RECORD: RefCell<Option<Vec<RecordedSearch>>> = const { RefCell::new(None) };
 }
 
-/// The names of the rungs, from below.
+/// The names of the rungs, in the order in which they are tried.
 #[must_use]
 pub fn names() -> Vec<&'static str> {
     mapped(&LADDER, &|rung| rung.name)

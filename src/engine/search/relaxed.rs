@@ -30,13 +30,13 @@ pub(super) type Tag = (usize, usize);
 
 /// The equation `e + P (f - e) = f⁰`.
 pub(super) struct BalanceEquation {
-    /// P, column by column.
+    /// The projector P, column by column.
     projector: Vec<f64>,
-    /// f⁰ over its length.
+    /// The elastic trial state f⁰, scaled to length one.
     target: Vec<f64>,
-    /// The length |f⁰| of the elastic trial forces, √J.
+    /// The length of f⁰, √J.
     unit: f64,
-    /// K^{1/2} of each contact.
+    /// The square roots of stiffness, K^{1/2}, of each contact.
     roots: Vec<SVector<f64, 3>>,
 }
 
@@ -44,7 +44,7 @@ pub(super) struct BalanceEquation {
 pub(super) enum Relaxed {
     /// Stretches (m) and forces (N) of the contacts, as far as the relaxation determines them.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
-    /// Every solution would be larger than the data by at least this factor.
+    /// Every equilibrium of the case would exceed the data by at least this factor.
     Contradicted { escape: f64 },
 }
 
@@ -97,7 +97,7 @@ impl BalanceEquation {
         }
     }
 
-    /// Computes the product `P y`.
+    /// The projection `P y`.
     fn projected(&self, y: &[f64], projected: &mut Vec<f64>) {
         let size = y.len();
         projected.clear();
@@ -130,10 +130,10 @@ impl BalanceEquation {
         // Generators that have joined since the distance last shrunk; they are not tried again before it shrinks.
         let mut tried: Vec<Tag> = Vec::new();
         let mut least = f64::INFINITY;
-        // Most generators that join, for each row of the equation.
+        // Maximum number of generators that join, for each row of the equation.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            // A distance below this part of the trial state is zero.
+            // A distance below this part of the trial state counts as zero.
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
@@ -143,7 +143,7 @@ impl BalanceEquation {
                 tried.clear();
             }
             self.projected(nearest.residual(), &mut projected);
-            // Least work of a generator along the residual, as a part of the residual, with which it joins.
+            // A generator joins if its work along the residual exceeds this part of the residual.
             let (mut best, mut most) = (None, SOLVED_ROUNDING * distance);
             let mut hardest = LEAST_WORK * distance;
             for (tag, work) in Self::works(nearest.residual(), &projected, hulls) {

@@ -23,7 +23,7 @@ pub(super) struct RoundPieces {
     twist: PreciseTwist,
 }
 
-/// Size of the change by a step.
+/// How much a Newton step changed forces and twist.
 struct Progress {
     /// Forces and twist changed by their last digit at most.
     sharp: bool,
@@ -66,7 +66,7 @@ impl RoundPieces {
     pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
-        // Most Newton steps.
+        // Maximum number of Newton steps.
         let most_steps = 20;
         for step in 1..=most_steps {
             let Progress { sharp, near, settled } = self.step(problem, &piece);
@@ -112,8 +112,8 @@ impl RoundPieces {
         let (moved, size) = (missing.twist.norm(), twist.norm());
         // A step that changes the twist and each force by less than this part of itself is the last.
         let last = 1e-14;
-        // Where only rounding determines the direction of a small force, no step is sharp. A step that changes forces by less than this part of
-        // them, or by rounding of the largest, leaves an error of this part squared.
+        // If only rounding determines the direction of a small force, no step is `sharp`. A step that changes forces by less than this part of them,
+        // or by rounding of the largest, leaves an error of this part squared.
         let little = 1e-8;
         let (mut sharp, mut near, mut settled) = (moved <= last * size, moved <= little * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {

@@ -34,10 +34,10 @@ pub struct Settings {
     /// allows 4 000 cases for up to 12 contacts. A smaller number is faster on scenes without an equilibrium; 0 omits the search, and with it proofs
     /// by trying all states. A larger number gives proofs for more contacts.
     pub most_states: usize,
-    /// On a load path on the round cone, the largest estimated error of one step along a sliding arc: of forces relative to
-    /// the largest force, of slips relative to the largest displacement. The default is 1e-9. Step lengths scale with its eighth root: 1e-13 takes
-    /// about three times as many. Where rounding allows only a larger error,
-    /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) reports it. Straight parts of a path need no steps.
+    /// On a load path on the round cone, the largest estimated error of one step along a sliding arc: of forces relative to the largest force, of
+    /// slips relative to the largest displacement. The default is 1e-9. Step lengths scale with the eighth root of the error: 1e-13 takes about three
+    /// times as many steps. If rounding allows only a larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) reports it.
+    /// Straight parts of a path need no steps.
     pub step_error: f64,
     /// On a load path, most steps along sliding arcs of the round cone within one leg, refused ones included. It also limits the jumps from static to
     /// kinetic friction (default 20 000). A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
@@ -75,7 +75,7 @@ impl Settings {
         self
     }
 
-    /// These settings with answers for the polygonal cone itself instead of the round one.
+    /// These settings, with answers for the polygonal cone instead of the round one.
     #[must_use]
     pub fn on_the_polygon(mut self) -> Self {
         self.round = false;

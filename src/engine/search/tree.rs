@@ -19,7 +19,7 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::ProofStep;
 
-/// The end of the search.
+/// The result of branch and bound.
 #[derive(Debug, Clone)]
 pub(super) enum Tree {
     Found(Found),

@@ -75,9 +75,9 @@ impl Active {
 /// The linear response of a contact in a given state to u and z₀.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reaction {
-    /// The projection P in `x = P u - k z₀`.
+    /// The projection P, see the top of this file.
     pub(super) hold: SMatrix<f64, 3, 3>,
-    /// The rows of Z in `z_A = -(Z u + ζ z₀)`.
+    /// The rows of Z, see the top of this file.
     pub(super) multipliers: [SVector<f64, 3>; 3],
     /// ζ and k, the response to z₀.
     pub(super) cover: Jumps,
@@ -167,7 +167,7 @@ impl ContactForm {
 #[derive(Debug, Clone)]
 pub(super) struct StateBasis {
     pub(super) active: Vec<Active>,
-    /// Valid only for contacts with active pairs.
+    /// Linear responses, valid only for contacts with active pairs.
     reactions: Vec<Reaction>,
     sticking: Reaction,
 }
@@ -206,7 +206,7 @@ impl StateBasis {
         Some(())
     }
 
-    /// All sums, computed afresh.
+    /// All sums of equilibrium, computed from all contacts.
     pub(super) fn sums(&self, form: &ContactForm) -> Sums<3> {
         Sums::over(form.size, form.len(), form.coordinates.rank, &|sums, contact| {
             form.accumulate(sums, contact, self.jumped(contact), 1.0);

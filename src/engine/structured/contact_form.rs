@@ -7,8 +7,8 @@
 //! ```
 //!
 //! The contacts are coupled only by y, the motion of the object, with as many entries as the object has degrees of freedom. Rows and columns are
-//! those of `forms/kinematic`, scaled: columns and the rows of gaps have length one. A facet has the row (κ, c), divided by the length of its
-//! tangential part, and the column (0, c). The covering variable z₀ is the parameter of the path, stored as `Point::s`.
+//! those of `forms/kinematic`, scaled: columns and the rows of gaps have length one. A facet has the row (κ, c), scaled so that c has length one, and
+//! the column (0, c). The covering variable z₀ is the parameter of the path, stored as `Point::s`.
 
 use nalgebra::SVector;
 
@@ -22,8 +22,7 @@ pub(super) struct PairedContact {
     pub(super) contact: EnergyContact,
     /// x⁰_i, the elastic trial state of the contact.
     pub(super) trial: SVector<f64, 3>,
-    /// The index of its first pair in the whole problem. Pair 0 of a contact that may open is its
-    /// gap.
+    /// The index of the contact's first pair in the whole problem. Pair 0 of a contact that may open is its gap.
     pub(super) first: usize,
 }
 
@@ -47,7 +46,7 @@ pub(crate) struct ContactForm {
     pub(super) size: Size,
     /// The number of pairs of all contacts.
     pub(super) pairs: usize,
-    /// The largest norm |Q_i| of the map of a contact.
+    /// The largest norm of a Q_i.
     pub(super) widest: f64,
     /// The covering vector d, entry by entry in the units of the rows. An empty list stands for ones, if rows have length one.
     covering: Vec<f64>,
@@ -87,7 +86,7 @@ impl ContactForm {
         self.coordinates.pairs(&local.contact)
     }
 
-    /// The column of a pair.
+    /// The column of a pair: the change of x by a unit jump.
     pub(super) fn column(&self, local: &PairedContact, pair: usize) -> SVector<f64, 3> {
         let is_gap = local.contact.gap && pair == 0;
         if is_gap { normal() } else { self.pairs_of(local)[pair].column() }

@@ -19,7 +19,7 @@ use crate::numerics::{Bordered, Vector};
 use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
 use crate::prelude::*;
 
-/// How a path ends.
+/// How a path of Lemke's method ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PivotEnd {
     /// z₀ has left the basis, which is complementary: it gives every contact a state.
@@ -27,7 +27,7 @@ pub(crate) enum PivotEnd {
     /// The entering variable grows without bound. On this form a ray proves nothing.
     Ray,
     PivotLimit,
-    /// The basis has become singular.
+    /// The basis became singular.
     Breakdown,
 }
 

@@ -1,4 +1,4 @@
-//! The numbers below which pivoting on contact states takes a value for zero, a tie or rounding.
+//! Tolerances of pivoting on contact states: below them a value counts as zero, as a tie or as rounding.
 //!
 //! All of them are pure numbers, parts of the terms or forces that they are compared with.
 

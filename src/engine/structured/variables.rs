@@ -140,7 +140,7 @@ impl ContactForm {
 }
 
 impl PairedContact {
-    /// Size of the terms of the contact's variables.
+    /// Size of the terms that add up to the contact's variables.
     fn level(&self, stretch: &SVector<f64, 3>, z0: f64) -> f64 {
         self.trial.amax() + stretch.amax() + z0.abs()
     }

@@ -11,7 +11,7 @@ use crate::numerics::Vector;
 pub(super) struct StepPace {
     /// Rate of the twist per unit of the fraction, from the last step.
     pub(super) rate: Option<Vector>,
-    /// Speeds of the object so far.
+    /// Record of the speeds of the object along the leg.
     pub(super) speeds: Speeds,
     /// Largest change of a force in the last step, over the change that sticking springs would feel.
     pub(super) changed: f64,
@@ -21,7 +21,7 @@ pub(super) struct StepPace {
     pub(super) longest: f64,
     /// Whether the last step was refused: the step length then does not grow after the next one.
     pub(super) refused: bool,
-    /// Number of steps tried so far, refused ones included.
+    /// Number of steps tried on the leg.
     pub(super) tried: usize,
 }
 

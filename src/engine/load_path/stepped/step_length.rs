@@ -45,13 +45,13 @@ impl<'g> Steps<'g> {
             };
         };
         let part = self.part_of_what_is_allowed(&twice);
-        // Largest ratio of successive step lengths.
+        // Largest ratio of successive step lengths; none grows right after a refusal.
         let fastest = if self.pace.refused { 1.0 } else { 2.0 };
         self.pace.refused = part > 1.0;
         // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of this one.
         self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
-            // Steps so short are refused only because rounding forbids so small an error.
+            // A step that is refused at this length fails because rounding forbids so small an error.
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(journey, Doubt::Inaccurate))
             } else {

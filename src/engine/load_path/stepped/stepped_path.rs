@@ -25,13 +25,13 @@ use crate::serial::AsComputed;
 /// The method of following behind [`SteppedPath`].
 #[derive(Debug)]
 pub(crate) struct Steps<'g> {
-    /// The problem of a step.
+    /// The problem whose solution is the end of a step.
     pub(super) along: StepProblem<'g>,
-    /// The present state.
+    /// The state at the present place.
     pub(super) standing: SteppedState,
     /// The states at the ends of the last step tried.
     pub(super) places: Places,
-    /// Control of the steps of the leg.
+    /// Step control along the leg.
     pub(super) pace: StepPace,
     /// The allowed error of the forces, over the largest force.
     pub(super) error: f64,

@@ -43,7 +43,8 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // A force turns no farther than its slip. The factor is the ratio of deviations at a bend somewhere in a half.
+            // A bend somewhere in a half deviates by up to twice the deviation in the middle of the step. The friction force turns no farther than
+            // its slip.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
