@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! T y  + c₀ z₀ = …      balance
-//! gᵀy  + γ  z₀ = …      condition of the pair outside the basis
+//! gᵀy  + γ  z₀ = …      the pair outside the basis
 //! ```
 //!
 //! T alone may become singular on a path, but the bordered matrix of an exact basis is regular.

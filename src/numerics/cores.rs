@@ -1,4 +1,4 @@
-//! Parallel work on all cores (feature `parallel`); no other module uses threads. The work is passed as a function pointer, so that the code for
+//! Parallel work on all cores (feature `parallel`); no other module uses threads. The work is passed as a trait object, so that the code for
 //! threads is compiled only once.
 
 use std::sync::{Mutex, PoisonError};

@@ -11,7 +11,7 @@ use crate::numerics::{cleared_for, mapped};
 use crate::prelude::*;
 
 impl Engine {
-    /// [`Grasp::with_commands`](crate::ask::Grasp::with_commands).
+    /// Implements [`Grasp::with_commands`](crate::ask::Grasp::with_commands).
     pub(crate) fn with_commands(&self, commands: &[SVector<f64, 3>]) -> Result<Self, Error> {
         self.check_commands(commands, "commands", Field::Command)?;
         let mut grasp = self.clone();
@@ -21,7 +21,7 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// [`Grasp::with_joint_commands`](crate::ask::Grasp::with_joint_commands).
+    /// Implements [`Grasp::with_joint_commands`](crate::ask::Grasp::with_joint_commands).
     pub(crate) fn with_joint_commands(&self, commands: &[f64]) -> Result<Self, Error> {
         self.check_joint_commands(commands, "joint commands")?;
         let mut grasp = self.clone();
@@ -31,7 +31,7 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// [`Grasp::with_joint_torques`](crate::ask::Grasp::with_joint_torques).
+    /// Implements [`Grasp::with_joint_torques`](crate::ask::Grasp::with_joint_torques).
     pub(crate) fn with_joint_torques(&self, torques: &[f64]) -> Result<Self, Error> {
         let what = "torques on joints";
         let expected = self.linkage().map_or(0, |linkage| linkage.joints.len());
@@ -70,7 +70,7 @@ impl Engine {
         grasp
     }
 
-    /// [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
+    /// Implements [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
     pub(crate) fn squeezed(&self, factor: f64) -> Result<Self, Error> {
         if !is_moderate(factor) {
             return Err(Error::Argument { what: "factor of the squeeze", value: factor, allowed: MODERATE });
@@ -155,7 +155,7 @@ impl Engine {
         }
     }
 
-    /// [`Grasp::joint_commands`](crate::ask::Grasp::joint_commands).
+    /// Implements [`Grasp::joint_commands`](crate::ask::Grasp::joint_commands).
     pub(crate) fn joint_commands(&self) -> &[f64] {
         self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
     }

@@ -39,7 +39,7 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    /// [`Grasp::new`](crate::ask::Grasp::new).
+    /// Implements [`Grasp::new`](crate::ask::Grasp::new).
     pub(crate) fn new(contacts: Vec<Contact<3>>) -> Result<Self, Error> {
         refuse_sides(&contacts)?;
         let space = space_of(&contacts);
@@ -93,12 +93,12 @@ impl Engine {
         by_force || by_load || self.vacuum().is_some() || self.offsets().iter().any(|offset| offset[0] > 0.0)
     }
 
-    /// [`Grasp::links`](crate::ask::Grasp::links).
+    /// Implements [`Grasp::links`](crate::ask::Grasp::links).
     pub(crate) fn links(&self) -> &[[SVector<f64, 3>; 2]] {
         self.linkage().map_or(&[], |linkage| &linkage.bones)
     }
 
-    /// [`Grasp::joint_centres`](crate::ask::Grasp::joint_centres).
+    /// Implements [`Grasp::joint_centres`](crate::ask::Grasp::joint_centres).
     pub(crate) fn joint_centres(&self) -> &[Option<SVector<f64, 3>>] {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
@@ -142,12 +142,12 @@ impl Engine {
         self.size
     }
 
-    /// [`Grasp::len`](crate::ask::Grasp::len).
+    /// Implements [`Grasp::len`](crate::ask::Grasp::len).
     pub(crate) fn len(&self) -> usize {
         self.contacts.len()
     }
 
-    /// [`Grasp::contacts`](crate::ask::Grasp::contacts).
+    /// Implements [`Grasp::contacts`](crate::ask::Grasp::contacts).
     pub(crate) fn contacts(&self) -> &[Contact<3>] {
         &self.contacts
     }
@@ -162,7 +162,7 @@ impl Engine {
         &self.sites[contact].frame
     }
 
-    /// [`Grasp::with_friction`](crate::ask::Grasp::with_friction).
+    /// Implements [`Grasp::with_friction`](crate::ask::Grasp::with_friction).
     pub(crate) fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Result<Self, Error> {
         let mut contacts = self.contacts.clone();
         for (i, contact) in contacts.iter_mut().enumerate() {
@@ -180,7 +180,7 @@ impl Engine {
         self.with_data(contacts, &|_| 1.0)
     }
 
-    /// [`Grasp::label_of`](crate::ask::Grasp::label_of).
+    /// Implements [`Grasp::label_of`](crate::ask::Grasp::label_of).
     pub(crate) fn label_of(&self, part: HandPart) -> String {
         self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part).text())
     }

@@ -80,7 +80,7 @@ impl Engine {
         Some(self.with_bodies(bodies.growing_together(loads)))
     }
 
-    /// [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
+    /// Implements [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
     pub(crate) fn growing_together(
         &self,
         one: &Wrench<3>,
