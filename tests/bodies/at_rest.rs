@@ -1,4 +1,4 @@
-//! What is lost already at rest, where no proof was found for it: told as the part of it that is held.
+//! If bodies are lost already at rest and no proof of this was found, the verdict says which part of the loads and commands can be held.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::{Holding, Verdict};

@@ -1,4 +1,5 @@
-//! Walls that cannot stand are told so soon, by a motion that no friction works against: judged by own sums over all bodies.
+//! A wall that cannot stand is refuted by a motion on which the weights do work and no contact force within its cone does negative work. Work is
+//! summed here over all bodies.
 
 use grasp_lcp::equilibrium::{Outcome, Proof};
 use grasp_lcp::grasp::{Bodies, Contact, Wrench};

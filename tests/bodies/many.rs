@@ -1,4 +1,4 @@
-//! Many bodies: what gives way first is known, and what is above or beside each cut is in balance by own sums.
+//! In piles of many bodies the first to slide is known. The bodies above or beside each cut are in balance, with sums of forces computed here.
 
 use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::spatial;

@@ -1,4 +1,4 @@
-//! A motion in words says where its axis is: against motions that are made from a known axis.
+//! Sentences about a motion give the right axis. The motions are made here from known axes.
 
 use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};

@@ -1,5 +1,5 @@
-//! On the round cone there is an answer: an equilibrium that holds, or a proof whose every case can be checked, however far beyond the
-//! onset. Where the proof says that there is none, Newton's method from many places finds none either.
+//! On the round cone every question is decided, however far beyond the onset: by an equilibrium, or by a proof whose cases can all be checked. If the
+//! proof says that no equilibrium exists, Newton's method from many starting points finds none either.
 
 use std::f64::consts::TAU;
 use std::ops::AddAssign;

@@ -1,4 +1,5 @@
-//! A contact that is held by a force carries it wherever the object goes, as a position would that is moved to just there.
+//! A contact that is pressed with a constant force carries this force wherever the object moves. A position command to the same place gives the same
+//! forces.
 
 use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::grasp::{Contact, HandPart, JointKind};

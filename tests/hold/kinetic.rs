@@ -1,4 +1,4 @@
-//! Friction that is lower once contacts slide, in a sentence, in a scene, as an amount, and where it is refused.
+//! Kinetic friction below static friction is respected in verdicts, scenes and needed amounts. Questions that cannot handle it refuse it.
 
 use grasp_lcp::hold::{Holding, WayOut};
 use grasp_lcp::need::Need;

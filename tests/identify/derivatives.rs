@@ -1,4 +1,4 @@
-//! What gross slip gains by a number that grows, of random grasps in the plane and in space: differences of what the grasp itself answers.
+//! Derivatives of the gross-slip load with respect to the unknowns agree with differences of verdicts, for random grasps in the plane and in space.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::{Settings, planar, spatial};

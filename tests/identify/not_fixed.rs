@@ -1,4 +1,4 @@
-//! What slips do not fix is said plainly, and has no numbers.
+//! An unknown that the slips do not determine gets a plain sentence and no value.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! Errors beside formulas of statistics, and slips that lie far off.
+//! Standard errors agree with formulas of statistics, and outliers have little influence.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::need::{Amount, Need};

@@ -1,4 +1,4 @@
-//! Optima that are known in closed form, in the plane.
+//! Optimal finger places and squeezes in the plane agree with closed forms.
 
 use grasp_lcp::improve::{Improve, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Wrench};

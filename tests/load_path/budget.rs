@@ -1,4 +1,4 @@
-//! A path takes no more steps than its caller allows, and says where it stands.
+//! A path takes no more steps than the caller allows, and reports the state reached.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,5 @@
-//! Everyday load paths in space: three to six fingers in a ring, on two faces or over a ball. A weight grows, or a push, or a twist.
-//! Those that end undecided are counted; what is said of the others at rest is checked against equilibria just beyond.
+//! Few everyday load paths in space end undecided. Three to six fingers hold an object in a ring, on two faces or over a ball. A weight, a push or a
+//! torque grows. What the other paths report about rest is checked against equilibria just beyond their end.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;

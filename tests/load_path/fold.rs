@@ -1,5 +1,5 @@
-//! The end of a path at a fold: a contact that slides on while its force fades can turn its friction ever faster, until the load
-//! cannot grow any more, although another equilibrium with nearly the same forces waits beyond.
+//! A path can end at a fold. While the force of a sliding contact decreases, its friction turns faster and faster, until the load cannot grow any
+//! more. Another equilibrium with nearly the same forces may exist beyond.
 
 use std::error::Error;
 

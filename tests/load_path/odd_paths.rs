@@ -1,5 +1,5 @@
-//! Odd programs: fingers at unequal heights, uneven stiffness and friction, a weight held before, forces with moments, fingers let go of and pressed on
-//! again. Each is followed to an end that says what it is, and each fraction that it has passed is told.
+//! Irregular programs end with a stated cause, and every fraction on the way has a state. They have fingers at unequal heights, uneven stiffness and
+//! friction, a weight from the start, forces with moments, and fingers that are released and pressed again.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::load_path::PathEnd;

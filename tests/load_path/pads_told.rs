@@ -1,4 +1,4 @@
-//! Events of soft fingertips, against what their points do a little before and a little after.
+//! Events of a soft fingertip agree with the states of its points shortly before and after.
 
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
 use grasp_lcp::load_path::{Leg, PadChange};

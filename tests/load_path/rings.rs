@@ -1,6 +1,6 @@
-//! Rings of 2 to 64 identical contacts, in the plane and in space: what symmetry makes happen at one load is one event, with all
-//! contacts concerned, and no path goes round in circles. By hand where all do the same; where a side load lets them go group by
-//! group, against their mirror images.
+//! On rings of 2 to 64 identical contacts, in the plane and in space, symmetric changes at one load are one event with all contacts concerned, and no
+//! path cycles. If all contacts behave alike, events are computed by hand. If a side load makes groups slide one after the other, paths are compared
+//! with their mirror images.
 
 use std::f64::consts::{FRAC_PI_8, TAU};
 

@@ -1,4 +1,4 @@
-//! What tests of load paths that can be written down share: closeness, and the story a path tells.
+//! Shared by tests of load paths: comparison of numbers, and lists of the events of a path.
 #![allow(dead_code)]
 
 use grasp_lcp::load_path::{Change, Event, PathEnd};

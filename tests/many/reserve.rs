@@ -1,4 +1,4 @@
-//! The load that a grasp keeps sticking under with a reserve is never less safe than it says: as often as that, or less, a sample slides below it.
+//! A reserve in standard deviations is safe: at the load with this reserve, samples slide no more often than it states.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 use std::f64::consts::TAU;

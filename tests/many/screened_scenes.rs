@@ -1,4 +1,4 @@
-//! Scenes that screening is asked about.
+//! Shared by tests of screening: random scenes, and comparison of answers.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;

@@ -1,5 +1,5 @@
-//! Sweeps can be watched and stopped, one bad question does not spoil the others, and samples of an uncertain grasp are distributed as they
-//! should be, the same ones for any number of threads.
+//! Sweeps can be watched and stopped, and one bad question does not affect the others. Samples of an uncertain grasp have the right distribution, and
+//! are the same for any number of threads.
 
 use std::ops::ControlFlow;
 use std::sync::Mutex;

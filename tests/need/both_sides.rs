@@ -1,4 +1,4 @@
-//! A billionth more does, a billionth less does not, on random grasps.
+//! On random grasps a needed amount is sharp: a billionth more suffices, and a billionth less does not.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,4 +1,5 @@
-//! Loads that are put on again and again: by the closed form of the block that walks, below the shakedown factor, and refused where they come in no order.
+//! Needed amounts for repeated loads agree with the closed form of the walking block and stay below the shakedown factor. Loads without an order are
+//! refused.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Derivatives by positions and normals where they are known in closed form, and where there are none.
+//! Derivatives with respect to positions and normals agree with closed forms, and are absent where none exist.
 
 use grasp_lcp::load_path::Parameter;
 use grasp_lcp::{Error, planar, spatial};

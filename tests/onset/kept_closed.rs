@@ -1,4 +1,4 @@
-//! A contact that is kept closed never opens: where it would have to pull and may not, that is said, and a guide that may pull goes on.
+//! A contact that is kept closed never opens. If it would have to pull and may not, the answer reports this. A guide that may pull continues to act.
 
 use grasp_lcp::load_path::{Departure, Onset};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

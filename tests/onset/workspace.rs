@@ -1,5 +1,5 @@
-//! A workspace tells the onsets that `Grasp::onset` tells, to the last bit, whatever it was asked before, and allocates nothing for them
-//! where one contact leaves before all others.
+//! A workspace returns the onsets of `Grasp::onset` to the last bit, whatever it was asked before. If a single contact slides first, it allocates no
+//! memory.
 
 use allocation_counter::measure;
 use grasp_lcp::ask::Grasp;

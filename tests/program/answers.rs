@@ -1,4 +1,4 @@
-//! What the commands answer is what the library answers, and what they draw is there.
+//! Commands give the answers of the library, and write the requested pictures.
 
 use grasp_lcp::planar;
 use serde_json::Value;

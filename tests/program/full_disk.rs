@@ -1,4 +1,4 @@
-//! Where nobody reads on the program ends quietly, where a disk is full with one line and a code; it never panics.
+//! If the reader of the output is gone, the program ends quietly. If a disk is full, it ends with one line and an exit code. It never panics.
 
 use std::fs::File;
 use std::io::{Read, Write};

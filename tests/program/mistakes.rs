@@ -1,4 +1,4 @@
-//! Typical mistakes, each with its message: those of a table (`mistakes/table.txt`), and what is answered with a warning.
+//! Typical mistakes have the messages of a table (`mistakes/table.txt`), and doubtful scenes are answered with a warning.
 
 use crate::{is_a_scene, run, run_on, scene, text};
 

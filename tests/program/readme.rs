@@ -1,4 +1,4 @@
-//! What the README says that the program prints.
+//! The program prints the output that the README shows.
 
 use super::{ROOT, dialogues, folder, is_a_scene, run, scene};
 

@@ -1,4 +1,4 @@
-//! The table of ordinary values: every row has a range that is sane and a source that is listed, and is printed.
+//! Every row of the table of ordinary values has a sane range and a listed source, and is printed.
 
 use crate::{ROOT, run, text};
 

@@ -1,4 +1,4 @@
-//! What a person reads is words: no insides of the machine, no minus before zero, no "not a number", in any command and any figure.
+//! Output for people contains no names of types, no minus before zero and no "NaN", in any command and any figure.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! A wrong value, wherever it stands in a scene, is reported under the path of its own field.
+//! A wrong value anywhere in a scene is reported under the path of its own field.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The scene format: what is written reads back as the same grasp, the same questions and the same answers, to the bit.
+//! A scene that is written and read back gives the same grasp, questions and answers, to the last bit.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Outcome;

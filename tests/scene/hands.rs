@@ -1,4 +1,4 @@
-//! Hands in scenes: what is written reads back, is answered as the same hand built by calls, and says what is wrong with it.
+//! Hands in scenes read back as they were written, give the answers of the same hand built in Rust, and report their faults.
 
 use grasp_lcp::Limit;
 use grasp_lcp::equilibrium::Outcome;

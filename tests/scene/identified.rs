@@ -1,4 +1,4 @@
-//! Slips that a scene tells of: its answer is that of the grasp, and comes back as it was written.
+//! A scene can list observed slips. Its answer is that of the grasp, and reads back as it was written.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Turn, Wrench};

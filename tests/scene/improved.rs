@@ -1,4 +1,4 @@
-//! Fingers that are improved in a scene: the answer comes back as it was written, also where nothing ever slides.
+//! A scene can ask for better finger places. The answer reads back as it was written, even if nothing ever slides.
 
 use grasp_lcp::scene::{Answer, Answers, Scene};
 

@@ -1,4 +1,5 @@
-//! Links of a scene: read, written, refused, told of as one thing each; what is taken for a stiffness is said where an answer depends on it.
+//! Links of a scene are read, written and refused correctly, and each is reported as one link. If an answer depends on an assumed stiffness, it says
+//! so.
 
 use grasp_lcp::scene::{Scene, Space, Warning};
 use serde_json::Value;

@@ -1,4 +1,4 @@
-//! A load is always seen: however small or large it is, wherever it acts, whether it is a moment alone, and from wherever it is looked at.
+//! A load is always visible in pictures: at any size and place, from any viewpoint, and if it is only a moment.
 
 use grasp_lcp::picture::{PlanarPicture, SpatialPage, View, draw_grasp};
 use grasp_lcp::{planar, spatial};

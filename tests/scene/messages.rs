@@ -1,4 +1,4 @@
-//! Malformed scenes are refused with a message that says where, what, and what is allowed.
+//! Malformed scenes are refused with a message that gives the place, the fault and what is allowed.
 
 use std::path::{Path, PathBuf};
 

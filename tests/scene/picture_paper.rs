@@ -1,4 +1,4 @@
-//! What is written is inside of the paper, and no number has the sign of nothing.
+//! All text and lines are on the paper, and zero has no sign.
 
 use grasp_lcp::picture::{
     Chart, Polar, SpatialPage, SphereGrid, SphereMap, Stroke, View, chart_of_turn, draw_grasp,

@@ -1,4 +1,4 @@
-//! What is rounding beside the forces of an equilibrium is no force in a picture or a table of it.
+//! A force that is only rounding, compared with the other forces of an equilibrium, is not shown in pictures or tables.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::picture::{SpatialPage, View, draw_grasp};

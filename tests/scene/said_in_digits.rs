@@ -1,4 +1,4 @@
-//! Sentences of answers in JSON have as many digits as are asked for, and an outcome that says nothing comes with what happens from rest.
+//! Sentences of answers in JSON have the requested number of digits, and an undecided outcome includes what happens if the load is applied from rest.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::Holding;

@@ -1,4 +1,4 @@
-//! A spatial grasp on paper: points lie where the projection says, everything is inside, nearer things hide farther ones, and names are text.
+//! In pictures of spatial grasps points are at their projections, everything is inside, and nearer things hide farther ones. Names are text only.
 
 use std::f64::consts::FRAC_PI_2;
 

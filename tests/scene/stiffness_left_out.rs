@@ -1,4 +1,4 @@
-//! Scenes that leave a stiffness out, or give one number for all directions: what is taken, and when it is told.
+//! If a scene leaves a stiffness out, or gives one number for all directions, the default is used and reported where the answer depends on it.
 
 use grasp_lcp::scene::{Fingertip, Scene, Space, Warning};
 use serde_json::{Value, json};

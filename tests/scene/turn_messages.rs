@@ -1,4 +1,4 @@
-//! Turns that are none are refused with a message that says where, what, and what is allowed.
+//! Invalid turns are refused with a message that gives the place, the fault and what is allowed.
 
 use grasp_lcp::load_path::Leg;
 use grasp_lcp::planar::Turn;

@@ -1,4 +1,4 @@
-//! Words of warning: each for what is hardly meant, and none where it is meant.
+//! A scene that is probably a mistake has a warning, and a normal scene has none.
 
 use grasp_lcp::planar::Contact;
 use grasp_lcp::scene::{Scene, Setup, Warning};

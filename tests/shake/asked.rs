@@ -1,4 +1,4 @@
-//! What a cycle has to be, and what is asked beside it.
+//! A repeated load must be a closed cycle. The limit on followed cycles is respected, and a loss at rest or a stop ahead is reported.
 
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
 use grasp_lcp::shake::Repeats;

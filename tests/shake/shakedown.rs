@@ -1,4 +1,5 @@
-//! The shakedown factor: by a closed form, by Melan's theorem where slips change no normal force, and never below what a path rests under.
+//! The shakedown factor agrees with a closed form, and with Melan's theorem if slip does not change normal forces. It is never below a factor at
+//! which a path with closed contacts comes to rest.
 
 use grasp_lcp::energy::QuadraticProgram;
 use grasp_lcp::load_path::{Change, ContactChange};

@@ -1,4 +1,4 @@
-//! Suction cups in static questions: their force is there beside those of the contacts, against sums over directions and balances by hand.
+//! In static questions the vacuum of suction cups acts besides the contact forces. Answers agree with sums over directions and balances by hand.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Contacts whose friction falls unequally as they begin to slide together: symmetric grasps, where several reach their edge at one load.
+//! Jumps are followed if several contacts start to slide at one load and their friction falls by different amounts. The scenes are symmetric grasps.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
