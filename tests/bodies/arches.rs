@@ -1,4 +1,4 @@
-//! Round arches stand if their stones are thick enough to contain a line of thrust.
+//! A round arch has an equilibrium exactly if it is thick enough for a line of thrust to fit inside its stones.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;

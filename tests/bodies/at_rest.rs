@@ -1,4 +1,4 @@
-//! Loads that are lost at rest without a proof: the answer states the fraction of them that is held.
+//! If bodies are lost already at rest and no proof of this was found, the verdict says which part of the loads and commands can be held.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::{Holding, Verdict};

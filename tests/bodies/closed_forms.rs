@@ -1,4 +1,4 @@
-//! Limit loads of bodies that touch each other, against textbooks and calculations by hand.
+//! Loads at which bodies in contact lose their equilibrium agree with textbook formulas and hand calculations.
 
 use super::faces::{assert_close, face, lost_at};
 use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};

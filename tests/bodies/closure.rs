@@ -1,4 +1,4 @@
-//! Force closure of several bodies, against a second-order cone program on the wrenches of all of them.
+//! Force closure of several bodies agrees with a second-order cone program on the wrenches of all of them.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Bodies, Body, Contact};

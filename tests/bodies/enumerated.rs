@@ -1,4 +1,5 @@
-//! Two planar bodies against every combination of contact states; close cases are decided in exact rational arithmetic.
+//! Answers for two planar bodies agree with the enumeration of all combinations of contact states. Close cases are decided in exact rational
+//! arithmetic.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;

@@ -1,4 +1,5 @@
-//! Everyday piles of boxes on a table, with and without fingers: all are decided, and equilibria satisfy the contact law by independent sums.
+//! Everyday piles of boxes on a table, with and without fingers, are all decided. Reported equilibria satisfy the contact law and balance, recomputed
+//! from the data.
 
 use support::piles::boxes;
 use support::samples::{assert_met, samples, seeded};

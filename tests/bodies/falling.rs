@@ -1,4 +1,5 @@
-//! Walls that cannot stand are recognised early, by a motion against which no friction does work. Independent sums over all bodies check it.
+//! A wall that cannot stand is refuted by a motion on which the weights do work and no contact force within its cone does negative work. Work is
+//! summed here over all bodies.
 
 use grasp_lcp::equilibrium::{Outcome, Proof};
 use grasp_lcp::grasp::{Bodies, Contact, Wrench};

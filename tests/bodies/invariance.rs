@@ -1,4 +1,5 @@
-//! Answers do not depend on the order of bodies, on which of them is the object, on which side of a contact is named first, or on the origin.
+//! Answers do not depend on the order of bodies, on which of them is the object, on which side of a contact is named first, or on the place of the
+//! origin.
 
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
 use grasp_lcp::grasp::Wrench;

@@ -1,4 +1,4 @@
-//! Every equilibrium of several bodies satisfies balance of each body and the law of each contact.
+//! Every equilibrium of several bodies satisfies the balance of each body and the law of each contact.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;

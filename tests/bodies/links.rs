@@ -1,4 +1,4 @@
-//! Hinges, slides, rigid joints, springs and cables carry the forces of statics, and leave their own motions free.
+//! Hinges, slides, rigid joints, springs and cables transmit the forces that statics gives, and leave the right motions free.
 
 use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::grasp::LinkKind;

@@ -1,4 +1,4 @@
-//! Loads on several bodies: on one body, on all in proportion to mass, and weights under gravity.
+//! Loads may act on one body, on all bodies in proportion to their masses, or as weights under gravity.
 
 use grasp_lcp::planar::{Bodies, Body, Contact, Leg, PathEnd, Turn, Wrench};
 

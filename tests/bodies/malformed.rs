@@ -1,4 +1,4 @@
-//! Errors about bodies that are not well posed name the body.
+//! Ill-posed systems of bodies are refused with an error that names the body or contact.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! Many bodies: the first part to slide is known, and independent sums check the balance of all bodies above or beside each cut.
+//! In piles of many bodies the first to slide is known. The bodies above or beside each cut are in balance, with sums of forces computed here.
 
 use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::spatial;

@@ -1,4 +1,4 @@
-//! Load programs in which each body has a load of its own.
+//! Load programs may change the load of each body separately.
 
 use grasp_lcp::Error;
 use grasp_lcp::equilibrium::Equilibrium;

@@ -1,4 +1,4 @@
-//! Wedges of textbooks and benchmarks: pushed up, drawn out, driven into a gap.
+//! Wedges from textbooks and benchmarks: pushed up a slope, drawn out, and driven into a gap.
 
 use super::faces::{assert_close, face, lost_at};
 use grasp_lcp::planar::{Bodies, Body, ContactAnswer, Link, Wrench};

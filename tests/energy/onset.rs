@@ -1,6 +1,6 @@
-//! The load at which a friction constraint of the paper's program first binds is the onset of sliding, on random ramps of
-//! loads and commands. The onset is found by a walk along sticking states, the binding load by Lemke's method with the load as
-//! parameter on the program's optimality conditions.
+//! On random ramps of loads and commands, the onset of sliding is the load at which a friction constraint of the paper's program first binds. The
+//! onset comes from a walk along sticking states. The binding load comes from Lemke's method on the program's optimality conditions, with the load as
+//! parameter.
 
 use std::cell::Cell;
 

@@ -1,4 +1,4 @@
-//! Questions about an equilibrium or onset of another grasp, with more or fewer contacts, do not panic; missing contacts are ignored.
+//! An equilibrium or onset of another grasp, with more or fewer contacts, causes no panic. Contacts that only one of the grasps has count as zero.
 
 use std::error::Error;
 

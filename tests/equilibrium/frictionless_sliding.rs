@@ -1,5 +1,4 @@
-//! Frictionless sliding, the other case in which the least energy decides: the paper's program and complementarity agree,
-//! contacts that open included.
+//! The paper's program and complementarity agree for frictionless sliding too, even if contacts open.
 
 use std::cell::Cell;
 

@@ -1,9 +1,8 @@
-//! Transformations that leave an equilibrium unchanged: order of contacts, coordinates, units, and changes without effect.
+//! An equilibrium does not depend on the order of the contacts, on coordinates or units, or on changes that have no effect on forces.
 //!
-//! Where there is one equilibrium only, or where everything sticks (which is the one returned first), the grasp seen
-//! from another side must give the same forces and displacements. Splitting a contact into two of half the stiffness
-//! shares its force; more friction at a contact that sticks, or a contact far out of reach, is not felt. No expected
-//! numbers are needed: each scene is compared with its own image.
+//! If the equilibrium is unique, or everything sticks (this equilibrium is returned first), the grasp in another frame has the same forces and
+//! displacements. If a contact is split into two of half the stiffness, each carries half the force. More friction at a sticking contact, or a
+//! contact far out of reach, changes nothing. Each scene is compared with its own image, so no expected numbers are needed.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;

@@ -1,4 +1,4 @@
-//! The description of a motion in words states its axis, against motions made from a known axis.
+//! Sentences about a motion give the right axis. The motions are made here from known axes.
 
 use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};

@@ -1,4 +1,5 @@
-//! Of several equilibria on the round cone, the answer is one near the elastic trial state, and none with motions too large for double precision.
+//! If several equilibria exist on the round cone, the solver finds one near the elastic trial state, and none at displacements so large that all
+//! digits are lost.
 
 use std::f64::consts::TAU;
 

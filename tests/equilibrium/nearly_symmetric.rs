@@ -1,7 +1,8 @@
-//! Three fingers around a jar, symmetric except for small deviations as from simulators: a load beyond the limit is decided.
+//! A load beyond the limit is decided for three fingers around a jar that deviate slightly from symmetry, like data from simulators.
 //!
-//! Small motions of the model have no limit: along a taper the object may move until it is wedged, the farther the smaller the taper. So an
-//! equilibrium far beyond small motions exists or not, depending on the signs of the deviations and hardly on their size.
+//! The theory of small motions does not bound displacements. Along a slight taper the object may move until it is wedged, and the slighter the taper,
+//! the farther. So there is either an equilibrium far beyond small motions or none. This depends on the signs of the deviations and hardly on their
+//! size.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! The totals of a soft fingertip in an answer, summed again from its points.
+//! What an answer reports for a soft fingertip agrees with sums over its points.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium, WholeAnswer};

@@ -1,10 +1,9 @@
-//! Every equilibrium satisfies the conditions of the problem, and where everything sticks it is the minimum of energy.
+//! Every equilibrium satisfies the conditions of the problem. If everything sticks, it is the minimum of energy.
 //!
-//! The conditions `0 <= g ⟂ F_n >= 0`, the friction law, the springs and equilibrium are recomputed here from the data of
-//! the scene (`support::scene`); the library's own residuals are not looked at. The scenes are random planar and spatial
-//! grasps, each contact with its own friction (zero, tiny, ordinary, huge, infinite) and stiffnesses from 1 to 1e6, and
-//! symmetric grasps, in which several contacts reach the edge of their cone at once. Sticking grasps are compared
-//! with the linear least-squares problem they solve (`support::sticking`).
+//! The conditions `0 <= g ⟂ F_n >= 0`, the friction law, the springs and the balance are recomputed here from the data of the scene
+//! (`support::scene`), without the library's residuals. The scenes are random grasps in the plane and in space. Each contact has its own friction
+//! (zero, tiny, ordinary, huge, infinite) and stiffnesses from 1 to 1e6. In symmetric grasps several contacts reach the edge of their cone at once.
+//! Sticking grasps are compared with the linear least-squares problem that they solve (`support::sticking`).
 
 use std::cell::{Cell, RefCell};
 use std::f64::consts::PI;

@@ -1,4 +1,4 @@
-//! Rectangular pads: stiffness and limits of a uniform pressure over a rectangle, integrated by hand, against grasps with the pad's points.
+//! Stiffness and edges of a rectangular pad under uniform pressure, integrated by hand, agree with the behaviour of grasps by its points.
 
 use grasp_lcp::Error;
 use grasp_lcp::spatial::{Contact, Departure, Grasp, Ramp, SoftFingertip, Wrench};

@@ -1,4 +1,4 @@
-//! Large rotations are reported as beyond small motions, against the closed form of a beam on two bonded springs.
+//! Answers with large rotations are labelled as beyond small motions. The rotation is the closed form of a beam on two bonded springs.
 
 use grasp_lcp::{planar, spatial};
 

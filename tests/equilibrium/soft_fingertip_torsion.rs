@@ -1,4 +1,4 @@
-//! A pinch with soft fingertips under torsion, against closed forms of its rotation, its first slip, the spread of slip and the limit.
+//! A pinch with soft fingertips under torsion agrees with closed forms: its rotation, the first slip of points, the spread of slip, and the limit.
 
 use std::f64::consts::{FRAC_PI_6, PI};
 

@@ -1,4 +1,4 @@
-//! Of several equilibria at rest, the one to which viscous slip leads from the state in which everything sticks.
+//! If several equilibria exist, the one returned is reached from the sticking state under viscous slip.
 
 use std::f64::consts::TAU;
 

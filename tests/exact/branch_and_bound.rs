@@ -1,5 +1,5 @@
-//! Every answer on the round cone is an equilibrium, or a proof whose cases are checked, however far beyond the onset. Where a proof excludes
-//! equilibria, Newton's method from many starts finds none.
+//! On the round cone every question is decided, however far beyond the onset: by an equilibrium, or by a proof whose cases can all be checked. If the
+//! proof says that no equilibrium exists, Newton's method from many starting points finds none either.
 
 use std::f64::consts::TAU;
 use std::ops::AddAssign;

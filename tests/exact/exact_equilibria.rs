@@ -1,12 +1,11 @@
-//! Planar grasps of two to four contacts: the library agrees with exact arithmetic.
+//! The library agrees with exact arithmetic on planar grasps of two to four contacts.
 //!
-//! `support::exact` lists every equilibrium of a scene in rational arithmetic. Whenever the list is not empty the library
-//! must return an equilibrium, and it must be in the list; it may say "no equilibrium" only when the list is empty.
-//! Where all equilibria are isolated and none is a borderline case, the library's own list has the same length.
+//! `support::exact` lists every equilibrium of a scene in rational arithmetic. If the list is not empty, the library must return an equilibrium of
+//! this list. It may answer "no equilibrium" only if the list is empty. If all equilibria are isolated and none is a borderline case, the library's
+//! own list has the same length.
 //!
-//! The scenes are random. A lattice of small integers makes exact ties frequent; stiffness ratios to 1e6 with strong
-//! friction (μ to 2) are where the kinematic form alone fails; loads that balance a random motion make sure that there
-//! is something to find.
+//! The scenes are random. A lattice of small integers makes exact ties frequent. The kinematic form alone fails for stiffness ratios up to 1e6 with
+//! strong friction (μ up to 2). Loads that balance a random motion guarantee an equilibrium.
 
 use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::planar::{ContactState, Equilibrium, Outcome, Proof};

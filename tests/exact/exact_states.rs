@@ -1,7 +1,7 @@
-//! Forces, displacements, states and error estimates against the same contact states solved in exact arithmetic.
+//! Forces, displacements, states and error estimates agree with the same contact states solved in exact arithmetic.
 //!
-//! Stiffnesses differ by up to 1e14, between contacts and between the axes of one. `support::truth` takes every number of a scene as exact and solves
-//! for the states that the library returned, so that only the library's rounding makes a difference.
+//! Stiffnesses differ by factors of up to 1e14, between contacts and between the axes of one. `support::truth` takes every number of a scene as exact
+//! and solves for the states that the library returned. Any difference is the rounding of the library.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{Accuracy, ContactState, Equilibrium};

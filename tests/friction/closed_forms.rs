@@ -1,4 +1,4 @@
-//! Bodies on legs, whose motion has a closed form.
+//! Frictional contact problems of bodies on legs agree with closed forms.
 
 use grasp_lcp::friction::{ContactMode, SpatialContacts};
 use grasp_lcp::lcp::Outcome;

@@ -1,4 +1,4 @@
-//! The order of contacts, the frames of their tangents and the units do not change the answer.
+//! Solutions do not depend on the order of contacts, on the frame of their tangents, or on units.
 
 use grasp_lcp::friction::SpatialContacts;
 use grasp_lcp::lcp::Outcome;

@@ -1,4 +1,4 @@
-//! Many contacts: towers of blocks with known forces, and problems with redundant contacts.
+//! Problems with many contacts are solved: towers of blocks with known forces, and problems with redundant contacts.
 
 use grasp_lcp::friction::{ContactMode, FrictionProblem, Settings, SolveProgress, SpatialContacts};
 use grasp_lcp::lcp::{BreakdownCause, Outcome};

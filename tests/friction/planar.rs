@@ -1,4 +1,4 @@
-//! In the plane there is a solution if and only if one of all combinations of states in rational arithmetic is one.
+//! In the plane a solution is returned exactly if one exists. Enumeration of all combinations of states in rational arithmetic confirms this.
 
 use grasp_lcp::friction::PlanarContacts;
 use grasp_lcp::lcp::Outcome;

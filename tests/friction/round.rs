@@ -1,4 +1,4 @@
-//! On the round cone the law holds to 1e-12: random, redundant and nonsymmetric problems, where polygons miss it.
+//! On the round cone the contact law holds to 1e-12 for random, redundant and nonsymmetric problems. Solutions on polygons do not satisfy it.
 
 use grasp_lcp::friction::{ContactMode, SpatialContacts};
 use grasp_lcp::lcp::Outcome;

@@ -1,4 +1,4 @@
-//! Problems in the three matrix formats of Siconos files.
+//! Problems can be read in the three forms of files that Siconos writes.
 
 use grasp_lcp::friction::{Error, ReadProblem};
 use nalgebra::{DMatrix, DVector};

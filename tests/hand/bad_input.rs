@@ -1,4 +1,4 @@
-//! Errors about malformed hands name joint, field, value and allowed values.
+//! Malformed hands return an error with the joint, the field, the value and the allowed range.
 
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;

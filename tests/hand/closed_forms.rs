@@ -1,4 +1,4 @@
-//! Hands whose answers are known in closed form.
+//! Answers for hands agree with closed forms.
 
 use grasp_lcp::Limit;
 use grasp_lcp::nalgebra::DMatrix;

@@ -1,4 +1,5 @@
-//! A contact held by a constant force carries that force wherever the object moves, like a position command adjusted to its displacement.
+//! A contact that is pressed with a constant force carries this force wherever the object moves. A position command to the same place gives the same
+//! forces.
 
 use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::grasp::{Contact, HandPart, JointKind};

@@ -1,4 +1,4 @@
-//! Load paths of hands: their events against small steps at rest from state to state, in the plane and in space.
+//! Events on load paths of hands agree with a sequence of equilibria in small load steps, in the plane and in space.
 
 use grasp_lcp::Limit;
 use grasp_lcp::{planar, spatial};

@@ -1,4 +1,4 @@
-//! The elastic stiffness of the stability analysis predicts equilibria: `elastic · (change of twist) = change of load`.
+//! The stiffness that stability reports is the tangent stiffness of the equilibrium: `elastic · (change of twist) = change of load`.
 
 use grasp_lcp::nalgebra::{DMatrix, SVector};
 use grasp_lcp::planar::Contact;

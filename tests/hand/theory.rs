@@ -1,4 +1,4 @@
-//! Theorems about coupled compliance, and their limits.
+//! Theorems on coupled compliance hold for hands, and counterexamples show where they end.
 
 use grasp_lcp::PolygonCone;
 use grasp_lcp::equilibrium::FoundBy;

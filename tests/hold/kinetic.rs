@@ -1,4 +1,4 @@
-//! Kinetic friction below static friction: the sentence, scenes, needed amounts, and the questions that refuse it.
+//! Kinetic friction below static friction is respected in verdicts, scenes and needed amounts. Questions that cannot handle it refuse it.
 
 use grasp_lcp::hold::{Holding, WayOut};
 use grasp_lcp::need::Need;

@@ -1,4 +1,4 @@
-//! Does it hold: verdicts on loads that are applied from rest.
+//! Verdicts: does the grasp hold a load that is applied from rest, and what does the answer say?
 
 mod everyday;
 mod kinetic;

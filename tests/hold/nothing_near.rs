@@ -1,4 +1,5 @@
-//! Attacks on the proof that no equilibrium exists near a loss: within its radius, contact forces of any history are sought.
+//! Attempts to refute the proof that no equilibrium exists near the lost state: at motions within its radius, contact forces of any slip history are
+//! sought that balance the load.
 
 use grasp_lcp::Settings;
 use grasp_lcp::planar::{Contact, Grasp, Pressure, SoftFingertip, Wrench};

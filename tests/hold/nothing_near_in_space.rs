@@ -1,5 +1,5 @@
-//! The proof that nothing holds near a loss, attacked in space: from random motions within its radius, Newton's method searches for contact forces of
-//! any history that balance the load.
+//! Attempts to refute, in space, the proof that no equilibrium exists near the lost state. From random motions within its radius, Newton's method
+//! seeks a motion at which contact forces of any slip history balance the load.
 
 use grasp_lcp::Settings;
 use grasp_lcp::spatial::{Contact, Grasp, SoftFingertip, Wrench};

@@ -1,4 +1,4 @@
-//! Load of a body on a moving arm, against the sum over particles, each with its own acceleration.
+//! The load of a payload on a moving arm agrees with the sum over its particles, each with its own acceleration.
 
 use grasp_lcp::nalgebra::{Matrix3, Vector3};
 use grasp_lcp::{Error, planar, spatial};

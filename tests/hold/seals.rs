@@ -1,6 +1,8 @@
-//! A suction cup that is open all around holds nothing, whatever is asked: three cups in a row, whose forces are known from statics.
+//! A suction cup whose lip is open all around holds nothing, for every kind of question. The scene has three cups in a row, whose forces follow from
+//! statics.
 //!
-//! W hangs at b beyond the middle. The cups carry V − W (1/3 + x b/2a²) at x = −a, 0, a, so that the near one opens at W = V / (1/3 + b/2a).
+//! The weight W hangs at distance b from the middle. With the vacuum force V, the cups carry V − W (1/3 + x b/2a²) at x = −a, 0, a. The nearest cup
+//! opens at W = V / (1/3 + b/2a).
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::{Holding, WayOut};

@@ -1,4 +1,4 @@
-//! The verdict on a load under which the object slides to a stop.
+//! If the object slides to a stop under the load, the verdict reports this.
 
 use grasp_lcp::Error;
 use grasp_lcp::hold::{Holding, Verdict, WayOut};

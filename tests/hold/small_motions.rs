@@ -1,4 +1,4 @@
-//! A verdict ends where motions cease to be small: closed forms for a rotation, a slip and an opening, also under loads that turn.
+//! A verdict ends where motions are no longer small. The limits of rotation, slip and gap agree with closed forms, also for loads that turn.
 
 use grasp_lcp::equilibrium::TooFar;
 use grasp_lcp::planar::{Contact, Grasp, Leg, SoftFingertip, Turn, Wrench};

@@ -1,4 +1,5 @@
-//! A contact that touches without force and that the load does not push neither sticks nor slides. Rounding of its force does not change the verdict.
+//! A contact without force that the load does not press is reported as touching, neither as sticking nor as sliding. So the verdict does not depend
+//! on rounding.
 
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::hold::Holding;

@@ -1,4 +1,5 @@
-//! Random grasps: with a verdict that holds all motions are small, and the first line is the same in other units and orders.
+//! In random grasps an object that is reported as held has moved little. The first line of a verdict does not depend on units or on the order of
+//! contacts.
 
 use core::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! The first sentence of a verdict.
+//! The first sentence of a verdict is right.
 
 use grasp_lcp::equilibrium::TooFar;
 use grasp_lcp::hold::{Holding, WayOut};

@@ -1,4 +1,4 @@
-//! Slips without scatter, at loads known by hand: every unknown is recovered to the last digits.
+//! From slips without scatter, at loads computed by hand, identification returns every unknown to the last digits.
 
 use grasp_lcp::identify::{Ending, Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Turn, Wrench};

@@ -1,4 +1,4 @@
-//! Confidence intervals contain the true value in 95 of 100 cases, within the chance of few draws.
+//! 95 % confidence intervals contain the true value in 95 % of the draws, within the statistical error of so few draws.
 
 use support::Failure;
 use support::identified::{first_slips, pinch, pinch_in_series, three_feet, three_feet_by_direction};

@@ -1,4 +1,4 @@
-//! Derivatives of gross slip by the unknowns, for random grasps in the plane and in space, against differences of exact answers.
+//! Derivatives of the gross-slip load with respect to the unknowns agree with differences of verdicts, for random grasps in the plane and in space.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::{Settings, planar, spatial};

@@ -1,4 +1,5 @@
-//! Three and more unknowns on which different slips depend: the search finds the best assignment from any other one.
+//! If there are three or more unknowns, and slips of several kinds depend on different ones, identification finds the assignment that fits. The start
+//! does not matter.
 
 use grasp_lcp::identify::{Estimate, Identified, Identify, Slip, Unknown};
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};

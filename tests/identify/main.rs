@@ -1,4 +1,4 @@
-//! Parameters from observed slips: values known by hand, their errors, and combinations that slips do not determine.
+//! Identification of unknown data of a grasp from observed slips: values known by hand, their errors, and what the slips leave open.
 
 mod closed_forms;
 mod coverage;

@@ -1,4 +1,4 @@
-//! Loads of the supports from the measured pushes of one layout of a weighed block.
+//! From the measured pushes of one log, identification finds the part of the block's known weight that each support carries.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::spatial::Wrench;

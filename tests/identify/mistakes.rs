@@ -1,4 +1,4 @@
-//! Errors name numbers that are out of range, and answers state the reason of a search that fails.
+//! Invalid data are refused with an error that names them, and a search without a valid result says so.
 
 use grasp_lcp::identify::{Ending, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! Unknowns that slips do not determine have no number, and the answer says so.
+//! An unknown that the slips do not determine gets a plain sentence and no value.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

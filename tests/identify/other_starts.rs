@@ -1,4 +1,4 @@
-//! Slips that the model does not predict at the starting values: the search tries other values. Weights act on the object at rest.
+//! If the given data predict no slip at the observed loads, identification tries other starting values. Weights already act at rest in such scenes.
 
 use grasp_lcp::Settings;
 use grasp_lcp::identify::{Ending, Identify, Slip, Unknown};

@@ -1,4 +1,4 @@
-//! Standard errors against formulas of statistics, and slips that are outliers.
+//! Standard errors agree with formulas of statistics, and outliers have little influence.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::need::{Amount, Need};

@@ -1,4 +1,4 @@
-//! Errors about malformed questions name the field.
+//! Invalid questions are refused with an error that names contact, field and value.
 
 use grasp_lcp::Error;
 use grasp_lcp::improve::{Improve, Surface};

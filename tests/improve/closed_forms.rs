@@ -1,4 +1,4 @@
-//! Optima in the plane with closed forms.
+//! Optimal finger places and squeezes in the plane agree with closed forms.
 
 use grasp_lcp::improve::{Improve, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Wrench};

@@ -1,4 +1,4 @@
-//! Optima in space with closed forms.
+//! Optimal finger places in space agree with closed forms.
 
 use grasp_lcp::improve::{Improve, Surface};
 use grasp_lcp::spatial::{Contact, Grasp, Loads, Wrench};

@@ -1,5 +1,5 @@
-//! Where multipliers prove a local optimum to first order, no small move of places along their surfaces or of squeezes gains anything to first order.
-//! The grasp itself computes the gain, on curved surfaces, for both goals.
+//! If an answer is proved to be a local optimum to first order, no small move of places along their surfaces and no small change of squeezes improves
+//! the goal to first order. The grasp itself is evaluated on curved surfaces, for both goals.
 
 use std::f64::consts::TAU;
 

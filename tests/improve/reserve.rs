@@ -1,4 +1,4 @@
-//! Largest friction in reserve under loads that act in full: optima in closed form, and margins computed by the grasp.
+//! The largest friction margin under loads that act in full agrees with closed forms, and with the margins of the equilibria of the improved grasp.
 
 use grasp_lcp::improve::{Binds, Improve, ImproveGoal, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Wrench};

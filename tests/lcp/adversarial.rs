@@ -1,7 +1,7 @@
-//! No false proof, no false solution and no endless path, against rational arithmetic on the doubles given, in families that are meant to mislead.
+//! Families of misleading problems cause no false proof, no false solution and no endless path. Rational arithmetic on the given doubles decides.
 //!
-//! `LCP_PROBLEMS=1000000 LCP_SEED=1 cargo test --release --test lcp adversarial -- --nocapture` tries so many, and prints what came of each
-//! family.
+//! `LCP_PROBLEMS=1000000 LCP_SEED=1 cargo test --release --test lcp adversarial -- --nocapture` sets the number of problems and the seed, and prints
+//! the outcomes of each family.
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,

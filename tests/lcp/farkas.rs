@@ -1,4 +1,4 @@
-//! Farkas vectors are checked without rounding, against rational arithmetic on the given doubles.
+//! The check of Farkas vectors has no rounding errors: it agrees with rational arithmetic on the given doubles.
 #![allow(clippy::doc_markdown)]
 
 use crate::common::{Random, assert_met, samples, seeded};

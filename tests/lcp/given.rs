@@ -1,4 +1,4 @@
-//! Problems from rows, triplets, text and JSON are exact to the bit; an error names the faulty place.
+//! Rows, triplets, text and JSON give exactly the stated problem, bit for bit, or an error with its place.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::doc_markdown)]
 
 use crate::common::{Random, seeded};

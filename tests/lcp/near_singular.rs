@@ -1,8 +1,8 @@
-//! Blocks that are singular except for rounding must not pass for solutions.
+//! Blocks that are singular except for rounding must not be accepted as solutions.
 //!
-//! The kinematic form of a grasp that nothing can hold has no solution, but its complementary blocks include singular ones whose computed
-//! determinants are 1e-16 instead of zero. A z of 1e13 in such a basis satisfies every row to a small fraction of its terms. It may even solve the
-//! problem as given, so that a solution is compared with rational arithmetic.
+//! The kinematic form of a grasp that cannot be held has no solution. Among its complementary blocks are singular ones with computed determinants of
+//! 1e-16 instead of zero. A z of 1e13 in such a basis satisfies every row to a small fraction of its terms. It may even solve the given data exactly.
+//! So whatever the solver reports as solved is checked in rational arithmetic.
 
 use grasp_lcp::lcp::{Basis, Lcp, Outcome, Series, Settings};
 use grasp_lcp::{PolygonCone, planar};

@@ -1,4 +1,5 @@
-//! Proofs for few rows and small entries, and problems whose entries differ by sixteen orders of magnitude.
+//! Proofs of infeasibility have few rows and short numbers. Problems with entries sixteen orders of magnitude apart are decided as in rational
+//! arithmetic.
 
 use grasp_lcp::lcp::{Lcp, Outcome};
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! Linear programming proves infeasibility after a ray, and only on request.
+//! If Lemke's ray proves nothing, linear programming finds a proof of infeasibility. Without this option the answer stays a ray.
 
 use grasp_lcp::lcp::{Lcp, Outcome, Settings};
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! Errors about inconsistent settings name the setting.
+//! Invalid settings are refused with an error that names them, for every problem.
 
 use grasp_lcp::lcp::{Basis, BreakdownCause, Lcp, Outcome, Settings, Workspace};
 use nalgebra::{DMatrix, DVector};

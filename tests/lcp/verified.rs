@@ -1,4 +1,4 @@
-//! Verified bounds are true in rational arithmetic, and nearly all solutions are verified.
+//! Whatever is verified is true in rational arithmetic, and nearly everything true is verified.
 
 use crate::adversarial::{FAMILIES, Family, problem};
 use crate::common::{Exact, samples, seeded};

@@ -1,6 +1,6 @@
-//! Paths with contacts on the edges of their cones, at which earlier versions stopped. Each continues, or ends with its reason.
+//! A path on which a contact reaches the edge of its cone continues, or ends with a stated cause. The scenes come from users.
 //!
-//! The second opinion is the path in steps, which knows no events.
+//! The reference is the path in steps, which does not compute events.
 
 use grasp_lcp::load_path::{Change, LossKind, PathEnd};
 use grasp_lcp::planar::Wrench as PlanarWrench;

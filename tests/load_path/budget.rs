@@ -1,4 +1,4 @@
-//! A path takes at most the allowed number of steps, and reports the place where it stopped.
+//! A path takes no more steps than the caller allows, and reports the state reached.
 
 use std::f64::consts::TAU;
 

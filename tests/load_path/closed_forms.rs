@@ -1,7 +1,6 @@
-//! Planar load paths with closed forms: wedges about their locking angle, a lost continuation, the order of loading, no friction and infinite
-//! friction.
+//! Planar load paths agree with closed forms: wedges near their locking angle, a lost continuation, the order of loading, zero and infinite friction.
 //!
-//! Each test derives its numbers by hand in the comment above it, from the springs, Coulomb's law and equilibrium alone.
+//! The comment above each test derives its numbers by hand from springs, Coulomb's law and balance alone.
 
 use crate::story::{assert_close, assert_story, completed, story};
 use grasp_lcp::load_path::LossKind;

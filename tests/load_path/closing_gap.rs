@@ -1,6 +1,7 @@
-//! After a loss the object moves until a gap closes, and the path continues from there: against calculations by hand and the balance of work.
+//! If the object starts to slide without resistance, it moves until a gap closes, and the path continues from there. Closed forms and the balance of
+//! work confirm this.
 //!
-//! A block of weight W slides on feet (tangential stiffness K in all, friction μ) towards a stop that is a gap g away:
+//! A block of weight W slides on feet (total tangential stiffness K, friction μ) towards a stop at the distance g. P is the pull:
 //!
 //! ```text
 //! lost for good without a stop at μ W,   springs have taken up μ W / K then   so it slides g - μ W / K

@@ -1,5 +1,5 @@
-//! Cutting the legs of a load program changes nothing: events, loads, states and end are the same, also if a cut lies at an event. Random paths in
-//! the plane and in space.
+//! A load program with its legs cut in pieces gives the same events at the same loads, the same states and the same end. The pieces may be followed
+//! in one go or one after the other, and cuts may lie on events. Random paths in the plane and in space confirm this.
 
 use grasp_lcp::load_path::{Event, LoadPath, PathEnd};
 use proptest::prelude::*;

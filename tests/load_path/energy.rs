@@ -1,5 +1,5 @@
-//! Energy balance on every leg: work of load and fingers = stored + dissipated. The tests integrate works and heat from sampled states of random
-//! paths.
+//! On every leg of every load path the energies balance: work of load and fingers = stored + dissipated. Work and heat are integrated here from
+//! sampled states of random paths in the plane and in space.
 
 use proptest::prelude::*;
 use support::programs::Scene;

@@ -1,5 +1,5 @@
-//! Everyday load paths in space: three to six fingers in a ring, on two faces or over a ball, under a growing weight, push or twist. Undecided ends
-//! are counted; statements about the other ends are checked against equilibria just beyond.
+//! Few everyday load paths in space end undecided. Three to six fingers hold an object in a ring, on two faces or over a ball. A weight, a push or a
+//! torque grows. What the other paths report about rest is checked against equilibria just beyond their end.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;

@@ -1,5 +1,5 @@
-//! A path that ends at a fold: the friction of a sliding contact turns ever faster as its normal force vanishes, until the load reaches a maximum.
-//! Another equilibrium with nearly the same forces exists beyond.
+//! A path can end at a fold. While the force of a sliding contact decreases, its friction turns faster and faster, until the load cannot grow any
+//! more. Another equilibrium with nearly the same forces may exist beyond.
 
 use std::error::Error;
 

@@ -1,4 +1,4 @@
-//! A program followed from event to event and in steps is at the same place after each leg, whether legs are followed one by one or together.
+//! A program followed from event to event and one followed in steps reach the same state, leg by leg or at once.
 
 use std::mem::discriminant;
 

@@ -1,5 +1,5 @@
-//! Motions that become free in the middle of a path: the event names them, and forces stay those of statics. The path does not move along them until
-//! a load does work on them, and then gives way in that direction. Planar and in space, by hand.
+//! If a motion loses all resistance in the middle of a path, the event names it, and the forces still follow statics. The path continues without this
+//! motion while no load works on it, and is lost along it as soon as one does. Closed forms in the plane and in space confirm this.
 
 use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::{LossKind, PathEnd};

@@ -1,5 +1,5 @@
-//! Load paths in space with closed forms: Masing's rule in torsion, fingers that drag a body back and forth, a table that lifts its feet and tips,
-//! and weights in a grip. Friction forces lie on corners of the polygon, which touch the round cone.
+//! Load paths in space agree with closed forms: Masing's rule in torsion, fingers that drag a body to and fro, a table that lifts its feet and tips,
+//! and weights in a grip. Friction forces lie on corners of the polygon, which are also on the round cone.
 
 use std::f64::consts::TAU;
 

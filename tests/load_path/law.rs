@@ -1,5 +1,6 @@
-//! The contact law holds at every sampled fraction of every load path, and slip dissipates energy. Grasps and programs are random; [`common_path`]
-//! states the law from points, normals and springs. All kinds of events must occur often, and no path may end undecided.
+//! On every load path the contact law holds at every sampled fraction, and slip dissipates energy. Random grasps and programs in the plane and in
+//! space are checked; [`common_path`] writes the law out from points, normals and springs. All kinds of events must occur often, and no path may end
+//! undecided.
 
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
 use grasp_lcp::load_path::{Event, LoadPath};

@@ -1,9 +1,9 @@
-//! Legs that end exactly on an event. A contact on the edge of its cone is no event yet. If the next leg crosses the edge, the event is reported
-//! once, at the beginning of that leg; if it turns back, there is none. Planar, by hand.
+//! If a leg ends exactly where a contact reaches an edge, no event is reported yet. The event comes at the beginning of the next leg if that crosses
+//! the edge, once, and not at all if it turns back. The paths are planar and computed by hand.
 //!
-//! One foot (k, kt, μ, pressed with N₀ = k a) under a body on two bonded springs, together kb both ways; nothing turns. A shear P
-//! moves it by x = P/(kt + kb) as long as the foot sticks, which it does until kt x = μN, and a lift Λ by y = Λ/(k + kb), so that
-//! N = N₀ - kΛ/(k + kb) (the springs count from the rest position under N₀).
+//! One foot (k, kt, μ, pressed with N₀ = k a) stands under a body on two bonded springs, of total stiffness kb in both directions. The body does not
+//! turn. A shear force P moves it by x = P/(kt + kb) while the foot sticks, up to kt x = μN. A lift Λ moves it by y = Λ/(k + kb), so that N = N₀ -
+//! kΛ/(k + kb) (springs measured from rest under N₀).
 
 use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::PathEnd;

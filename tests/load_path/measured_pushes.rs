@@ -1,4 +1,4 @@
-//! Measured pushes of a block on three supports: the friction found from each of 400 pushes agrees with that of another method.
+//! From each of 400 measured pushes of a block on three supports the path finds the coefficient of friction that another method found.
 
 use support::Failure;
 use support::measured_pushes::{blocks, limit, normal_forces, pushes, supports};

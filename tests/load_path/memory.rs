@@ -1,5 +1,5 @@
-//! The role of slip memory: a path without new sticking ends at the equilibrium of `solve`, and a path without events is reversible. Random paths in
-//! the plane.
+//! A path without sticking again ends at the equilibrium of the one-shot law, and a path without events can be reversed. Random paths in the plane
+//! confirm this.
 
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::Wrench;

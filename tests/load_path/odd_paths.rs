@@ -1,5 +1,5 @@
-//! Irregular programs: fingers at unequal heights, uneven stiffness and friction, a weight held before, forces with moments, fingers released and
-//! pressed again. Each path ends with a reason, and has a state at each fraction that it has passed.
+//! Irregular programs end with a stated cause, and every fraction on the way has a state. They have fingers at unequal heights, uneven stiffness and
+//! friction, a weight from the start, forces with moments, and fingers that are released and pressed again.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::load_path::PathEnd;

@@ -1,4 +1,4 @@
-//! Steps along sliding arcs grow again after short ones, so that a path does not exhaust the steps of a leg.
+//! After short steps the steps along sliding arcs grow again, so that a path does not use up the steps of its leg.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Events of soft fingertips, against the states of their points shortly before and after.
+//! Events of a soft fingertip agree with the states of its points shortly before and after.
 
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
 use grasp_lcp::load_path::{Leg, PadChange};

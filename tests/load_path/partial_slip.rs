@@ -1,12 +1,11 @@
-//! Partial slip under a fixed normal load: load paths of a pad of many springs against the law of Cattaneo and Mindlin.
+//! Load paths of a pad of many springs follow the law of Cattaneo and Mindlin for partial slip under a fixed normal load.
 //!
-//! Every number is independent of the crate: the discrete pad is a sum of elastic–plastic springs that can be written
-//! down (virgin curve, and Masing's rule for the way back), and the continuum law is an integral done by hand with a
-//! proven bound on what N springs can differ from it.
+//! Every number is independent of the crate. The discrete pad is a sum of elastic–plastic springs in closed form (first loading curve, and Masing's
+//! rule for unloading). The continuum law is an integral by hand, with a proven bound on the difference of N springs from it.
 //!
-//! The pad: N contacts at one height y = 0 under a rigid block, ξ_i = (2i + 1 - N)/N, commanded to press with
-//! N_i = k a_i = (2/N) p₀ (1 - ξ_i²), a parabola of half width 1. All friction acts along y = 0, so a shear load Q there
-//! neither tilts nor lifts the block: the pressures stay, F_i = -kt x until kt x = μ N_i. With c = 2/N kt' per contact
+//! The pad: N contacts at one height y = 0 under a rigid block, ξ_i = (2i + 1 - N)/N, commanded to press with N_i = k a_i = (2/N) p₀ (1 - ξ_i²), a
+//! parabola of half width 1. All friction acts along y = 0, so a shear load Q there neither tilts nor lifts the block. The pressures stay, and F_i =
+//! -kt x until kt x = μ N_i. With c = 2/N kt' per contact
 //!
 //! ```text
 //! Q_N(x) = Σ_i min(c x, μ N_i)                                         exact for the pad
@@ -15,8 +14,8 @@
 //!
 //! the second being Mindlin's law of two spheres, with its stick zone (1 - Q/μP)^{1/3} (Mindlin 1949).
 //!
-//! Midpoint rule: f = min(kt' x, μ p) has ∫|f''| <= 4 μp₀ and two kinks of at most 2 μp₀, each of which costs at most h²/8
-//! times its jump, the rest h²/24 ∫|f''|; with h = 2/N: |Q_N - Q| <= h² μp₀ (1/6 + 1/2) = 2 μP / N².
+//! Midpoint rule: f = min(kt' x, μ p) has ∫|f''| <= 4 μp₀ and two kinks of at most 2 μp₀. Each kink costs at most h²/8 times its jump, the rest h²/24
+//! ∫|f''|. With h = 2/N: |Q_N - Q| <= h² μp₀ (1/6 + 1/2) = 2 μP / N².
 
 use grasp_lcp::planar::{Change, Contact, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use support::assert_close;

@@ -1,5 +1,6 @@
-//! Rings of 2 to 64 identical contacts, in the plane and in space: simultaneous changes by symmetry are one event with all contacts, and no path
-//! cycles. By hand if all contacts behave alike; against mirror images if a side load makes groups slide one after the other.
+//! On rings of 2 to 64 identical contacts, in the plane and in space, symmetric changes at one load are one event with all contacts concerned, and no
+//! path cycles. If all contacts behave alike, events are computed by hand. If a side load makes groups slide one after the other, paths are compared
+//! with their mirror images.
 
 use std::f64::consts::{FRAC_PI_8, TAU};
 

@@ -1,5 +1,5 @@
-//! Load paths on the round cone for random grasps and programs: the contact law at sampled fractions, slips along the friction force, energies, legs
-//! cut in two, other frames, and small steps of a method without arcs and events.
+//! Load paths on the round cone satisfy the contact law at every sampled fraction, slip along the friction force, and balance energies. Legs cut in
+//! two, other frames, and a method of small steps without arcs and events give the same results. Grasps and programs are random, in space.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};

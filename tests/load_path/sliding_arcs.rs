@@ -1,4 +1,4 @@
-//! Load paths on the round cone whose sliding direction turns, against curves with closed forms.
+//! Load paths on the round cone with turning sliding directions agree with curves in closed form.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,8 +1,8 @@
-//! Small implicit steps find every event at the same place, and no equilibrium near a loss.
+//! Every event of a path lies where small implicit steps find it. If a path is lost, the steps find no equilibrium nearby.
 //!
-//! The steps ([`support::programs::steps`]) share nothing with the crate but the state at the start: at the end of each the
-//! contact law with the slip so far is solved by trying all combinations of states. At every step that has no event in it or
-//! in the one before, both must agree on what each contact does and on the forces.
+//! The steps ([`support::programs::steps`]) take only the initial state from the crate. At the end of each step they solve the contact law with the
+//! previous slip by trying all combinations of states. At every step without an event in it or in the previous step, contact states and forces must
+//! agree.
 
 use grasp_lcp::load_path::PathEnd;
 use proptest::prelude::*;

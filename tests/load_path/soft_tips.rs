@@ -1,5 +1,5 @@
-//! Pinches of soft fingertips under shear and twist are lost where friction is exhausted. The path from event to event and the path in steps report
-//! the loss alike.
+//! A pinch of soft fingertips under shear and torsion is lost at the limit load of friction. The path from event to event and the path in steps
+//! report the same kind of loss.
 
 use grasp_lcp::load_path::{LossKind, PathEnd};
 use grasp_lcp::spatial::{Leg, SoftFingertip, Wrench};

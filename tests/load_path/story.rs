@@ -1,4 +1,4 @@
-//! Shared by tests of load paths with closed forms: comparison of numbers, and the list of events of a path.
+//! Shared by tests of load paths: comparison of numbers, and lists of the events of a path.
 #![allow(dead_code)]
 
 use grasp_lcp::load_path::{Change, Event, PathEnd};

@@ -1,4 +1,5 @@
-//! Loads that turn, against closed forms, mirror images and chords: where contacts slide, stick and slide back, and the slip after each turn.
+//! For loads that turn, events and states agree with closed forms, mirror images and chords: where contacts slide, stick and slide back, and what
+//! each turn leaves behind.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -1,4 +1,4 @@
-//! Needed amounts in a batch against `Grasp::need`, one grasp at a time, and against closed forms.
+//! Needed amounts in a batch agree with `Grasp::need` of each grasp, and with closed forms.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;

@@ -1,4 +1,4 @@
-//! The load with a reserve is on the safe side: the fraction of samples that slide below it is at most the stated one.
+//! A reserve in standard deviations is safe: at the load with this reserve, samples slide no more often than it states.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 use std::f64::consts::TAU;

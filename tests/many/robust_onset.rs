@@ -1,4 +1,4 @@
-//! Onsets of grasps with uncertain data, to first order: against samples, which use no gradients, and in closed form.
+//! First-order mean and standard deviation of the onset of an uncertain grasp agree with samples, which use no gradients, and with closed forms.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Scenes for tests of screening.
+//! Shared by tests of screening: random scenes, and comparison of answers.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;

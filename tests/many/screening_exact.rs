@@ -1,8 +1,8 @@
-//! Error of the factor of screening, against exact rational arithmetic.
+//! The factor of screening agrees with exact rational arithmetic for planar scenes.
 //!
-//! Every number of a planar scene whose normals are Pythagorean is rational. Forces at factor zero and their rates are solved for
-//! exactly, with every contact sticking, and so is the first facet that is reached. The factor may be off by the rounding of the forces over the rate at which the
-//! facet's slack closes, no more, over twelve decades of stiffness.
+//! With Pythagorean normals every number of a planar scene is rational. Forces at factor zero, their rates and the first facet reached are computed
+//! exactly while every contact sticks. The error of the factor is at most the rounding of the forces divided by the rate of the slack of this facet,
+//! over twelve decades of stiffness.
 
 use std::cell::Cell;
 

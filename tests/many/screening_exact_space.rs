@@ -1,8 +1,8 @@
-//! Screening of three contacts in space, against exact rational arithmetic: distance of contacts from the edges of their cones at the factor.
+//! At the factor of screening, contacts in exact rational arithmetic are on or inside their cones, for three contacts in space.
 //!
-//! Numbers of a scene are rational where normals are. Forces at factor zero and their rates are solved for exactly, with every contact sticking. At the
-//! factor of screening no contact is outside of its cone, and one is on the edge, but for the rounding of forces: for even triangles and slim ones, and
-//! over twelve decades of stiffness, where some grasps go by the edges of their triangle and some by motions.
+//! With rational normals the numbers of a scene are rational. Forces at factor zero and their rates are computed exactly while every contact sticks.
+//! At the factor, up to rounding of the forces, no contact is outside its cone and one is on the edge. Triangles of contacts are even or slim, with
+//! stiffnesses over twelve decades. Some grasps are computed from the edges of their triangle, others from motions.
 
 use std::cell::Cell;
 

@@ -1,6 +1,6 @@
-//! Gradients of screening against those of `Grasp::sensitivity`, which solves again for every single datum.
+//! Gradients of screening agree to nine digits with `Grasp::sensitivity`, which solves once more for every datum.
 //!
-//! In the plane and in space, two to five contacts of every kind, about a place off the origin, with a base load and without: every field agrees to nine digits.
+//! Grasps are planar and spatial, with two to five contacts of every kind, with and without a base load, and with a reference point off the origin.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};

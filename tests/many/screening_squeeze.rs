@@ -1,8 +1,8 @@
-//! Least squeezes of screening against `Grasp::least_squeeze`, which uses cutting planes, and against closed forms.
+//! Screening for the least squeeze agrees with `Grasp::least_squeeze`, which finds it by cutting planes, and with closed forms.
 //!
-//! Scenes of two to five contacts in the plane and in space, of every kind of contact, with and without clearances, under one to four loads. Wherever
-//! screening gives a factor it is that of the search, and wherever it gives none the search says why; every lane of a batch answers as the grasp on its
-//! own, to the last bit.
+//! Scenes have two to five contacts of every kind, in the plane and in space, with and without clearances, under one to four loads. If screening
+//! gives a factor, it is that of the search. If it gives none, the search states why. Every lane of a batch gives the answer of the single grasp to
+//! the last bit.
 
 use std::cell::RefCell;
 

@@ -1,4 +1,4 @@
-//! Monitoring of measured forces, against onsets and least squeezes of the grasp whose springs produce the forces.
+//! A watch over measured forces agrees with the onset and the least squeeze of the grasp whose springs produced the forces.
 
 use allocation_counter::measure;
 use grasp_lcp::ask::Grasp;

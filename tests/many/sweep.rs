@@ -1,5 +1,5 @@
-//! Sweeps report progress and can be stopped, an error affects one question only, and samples of an uncertain grasp have the right distribution for
-//! any number of threads.
+//! Sweeps can be watched and stopped, and one bad question does not affect the others. Samples of an uncertain grasp have the right distribution, and
+//! are the same for any number of threads.
 
 use std::ops::ControlFlow;
 use std::sync::Mutex;

@@ -1,4 +1,4 @@
-//! Verdicts in a batch against `Grasp::hold`, one grasp at a time: the same outcome in every column, whether a row is screened or followed.
+//! Every verdict in a batch has the same outcome in every column as `Grasp::hold` of the single grasp, whichever method computes the row.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;

@@ -1,4 +1,4 @@
-//! On random grasps an amount larger by a billionth suffices, and one smaller by a billionth does not.
+//! On random grasps a needed amount is sharp: a billionth more suffices, and a billionth less does not.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

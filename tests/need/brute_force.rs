@@ -1,4 +1,4 @@
-//! Needed amounts against brute force: `hold` tests amounts around each answer one by one, on random scenes.
+//! Needed amounts agree with verdicts of `hold` on amounts around each answer, on random scenes.
 
 use support::amounts::{self, Quantity, Scene, checked};
 use support::samples::{samples, seeded};

@@ -1,4 +1,4 @@
-//! Needed amounts known by hand.
+//! Needed amounts agree with hand calculations.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Turn, Wrench};

@@ -1,4 +1,4 @@
-//! Needed amounts: closed forms, and tests on both sides of each amount.
+//! The amount that is needed: closed forms, and verdicts on both sides of the answer.
 
 mod both_sides;
 mod brute_force;

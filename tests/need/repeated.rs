@@ -1,4 +1,5 @@
-//! Amounts for loads that repeat: the closed form of the walking block, the bound by the shakedown factor, and errors where loads have no order.
+//! Needed amounts for repeated loads agree with the closed form of the walking block and stay below the shakedown factor. Loads without an order are
+//! refused.
 
 use std::f64::consts::PI;
 

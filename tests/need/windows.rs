@@ -1,4 +1,5 @@
-//! Sufficient squeezes that form an interval: a motor reaches its limit while another finger still pushes the object away. Known by hand.
+//! If squeezes suffice only within certain intervals, the answer gives these intervals. The limits are known by hand: a motor reaches its force limit
+//! while another finger still pushes the object away.
 
 use grasp_lcp::need::{Amount, AmountWindow, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

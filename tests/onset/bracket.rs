@@ -1,4 +1,5 @@
-//! The onset lies between those of the inscribed and the circumscribed polygon, and the spread of their answers is that of a sliding foot by hand.
+//! The onsets on the inscribed and on the circumscribed polygon bracket the onset on the round cone. The width of the bracket for a sliding foot
+//! agrees with a hand calculation.
 
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};

@@ -1,4 +1,4 @@
-//! Derivatives by positions and normals: closed forms, and cases without a derivative.
+//! Derivatives with respect to positions and normals agree with closed forms, and are absent where none exist.
 
 use grasp_lcp::load_path::Parameter;
 use grasp_lcp::{Error, planar, spatial};

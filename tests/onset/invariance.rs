@@ -1,6 +1,6 @@
-//! Transformations that leave the onset of sliding unchanged: coordinates, units, and a contact split in two.
+//! The onset of sliding does not depend on coordinates, on units, or on a contact split in two.
 //!
-//! No expected numbers are needed: each ramp is compared with its own image. Factor and leaving contacts must be the same.
+//! Each ramp is compared with its own image, so no expected numbers are needed. The factor and the sliding contacts must be the same.
 
 use std::f64::consts::TAU;
 

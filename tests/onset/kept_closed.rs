@@ -1,4 +1,4 @@
-//! A contact that is kept closed never opens. If it would have to pull and may not, the answer says so; a guide may pull.
+//! A contact that is kept closed never opens. If it would have to pull and may not, the answer reports this. A guide that may pull continues to act.
 
 use grasp_lcp::load_path::{Departure, Onset};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

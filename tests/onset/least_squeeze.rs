@@ -1,4 +1,4 @@
-//! The least squeeze and the weakest direction against dense sampling from both sides.
+//! The least squeeze and the weakest direction are right: dense samples on both sides confirm them.
 
 use grasp_lcp::equilibrium::{FoundBy, Outcome};
 use grasp_lcp::load_path::{Leaver, Ramp};

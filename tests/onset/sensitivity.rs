@@ -1,5 +1,5 @@
-//! Exact derivatives of equilibria and onsets against central differences of the solver. The step of 1e-5 leaves an error of about 1e-10. The
-//! derivatives come from one linear solve, so that differences are independent.
+//! Derivatives of equilibria and onsets agree with central differences of the solver. Steps of 1e-5 have an error of about 1e-10. The check is
+//! independent, because derivatives come from one linear solve on the final linear piece.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Equilibrium;

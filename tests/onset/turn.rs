@@ -1,4 +1,4 @@
-//! Contacts while a load turns: edges touched, gaps closed, turns that end, and malformed turns.
+//! While a load turns, the onset reports contacts that touch their edge, gaps that close, and turns that end early. Invalid turns are refused.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

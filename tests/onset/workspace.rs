@@ -1,5 +1,5 @@
-//! A workspace returns the onsets of `Grasp::onset` to the last bit, after any other question. It allocates nothing if one contact leaves before all
-//! others.
+//! A workspace returns the onsets of `Grasp::onset` to the last bit, whatever it was asked before. If a single contact slides first, it allocates no
+//! memory.
 
 use allocation_counter::measure;
 use grasp_lcp::ask::Grasp;

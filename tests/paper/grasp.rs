@@ -1,4 +1,4 @@
-//! The paper's two grasps: its tables to the digits printed, and the exact onset of the second.
+//! The library reproduces the tables of the paper's two grasps to the printed digits, and the exact onset of the second.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::FoundBy;

@@ -1,4 +1,4 @@
-//! Load paths whose events have closed forms.
+//! Every event of these load paths has a closed form.
 
 use grasp_lcp::planar::{Change, Contact, ContactState, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use support::assert_close;

@@ -1,5 +1,5 @@
-//! The paper's matrices for its two-finger example, entry by entry: as printed, with the last diagonal entry of H corrected
-//! and A filled in.
+//! The paper's matrices for its two-finger example are reproduced entry by entry. The last diagonal entry of H, misprinted in the paper, is
+//! corrected, and the missing A is added.
 
 use grasp_lcp::energy::{Equality, Inequality};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! The commands print the answers of the library, and write the pictures.
+//! Commands give the answers of the library, and write the requested pictures.
 
 use grasp_lcp::planar;
 use serde_json::Value;

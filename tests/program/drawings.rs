@@ -1,4 +1,4 @@
-//! `draw` has a picture for every question of a scene; names do not overlap, and all marks lie on the sheet.
+//! `draw` makes a picture for every question of a scene. Names do not overlap, and nothing leaves the sheet.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The guide quotes the answers to its twelve everyday questions and to those about several bodies. Each everyday scene has at most twelve lines.
+//! The guide's twelve everyday questions are answered as it says, each on a scene of at most twelve lines. So are its questions about several bodies.
 
 use std::collections::HashSet;
 

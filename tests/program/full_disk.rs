@@ -1,4 +1,4 @@
-//! The program ends quietly if its output is closed, and with one line and a code if a disk is full; it never panics.
+//! If the reader of the output is gone, the program ends quietly. If a disk is full, it ends with one line and an exit code. It never panics.
 
 use std::fs::File;
 use std::io::{Read, Write};

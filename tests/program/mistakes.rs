@@ -1,4 +1,4 @@
-//! Typical mistakes with their messages (`mistakes/table.txt`), and inputs that are answered with a warning.
+//! Typical mistakes have the messages of a table (`mistakes/table.txt`), and doubtful scenes are answered with a warning.
 
 use crate::{is_a_scene, run, run_on, scene, text};
 

@@ -1,4 +1,4 @@
-//! Names are untrusted text: control characters in them are escaped wherever they are printed, so that no name clears a screen or imitates an answer.
+//! Control characters in names are written as escapes wherever a name is printed. So no name can clear a screen or look like an answer.
 
 use crate::{folder, run, text};
 

@@ -1,4 +1,4 @@
-//! Scenes written by `new`: they can be asked at once, and they explain themselves.
+//! The scenes of `new` are answered immediately, and every field is explained.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! Bodies with masses under the scene's gravity: the command line tilts and accelerates them, and counts no weight twice.
+//! For bodies with masses, the command line turns or accelerates the scene's gravity, and counts no weight twice.
 
 use crate::{run_on, text};
 

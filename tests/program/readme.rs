@@ -1,4 +1,4 @@
-//! Quotations of the program's output in the README.
+//! The program prints the output that the README shows.
 
 use super::{ROOT, dialogues, folder, is_a_scene, run, scene};
 

@@ -1,4 +1,4 @@
-//! The schemas that the program prints admit what it reads and writes, and refuse nothing that it reads.
+//! The printed schemas admit everything that the program reads and writes, and the program refuses what the schemas refuse.
 
 use std::collections::BTreeSet;
 

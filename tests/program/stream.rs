@@ -1,4 +1,4 @@
-//! The stream in pipes that split it: every answer identifies its line.
+//! Answers of the stream can be assigned to their lines, even if pipes split the stream between several programs.
 
 use std::collections::BTreeMap;
 

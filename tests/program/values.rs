@@ -1,4 +1,4 @@
-//! The table of ordinary values: every row has a plausible range and a listed source, and is printed.
+//! Every row of the table of ordinary values has a sane range and a listed source, and is printed.
 
 use crate::{ROOT, run, text};
 

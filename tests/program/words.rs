@@ -1,4 +1,4 @@
-//! The output is plain language: no internals, no minus sign before zero, no NaN, in any command and any figure.
+//! Output for people contains no names of types, no minus before zero and no "NaN", in any command and any figure.
 
 use std::path::{Path, PathBuf};
 

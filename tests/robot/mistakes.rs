@@ -1,4 +1,4 @@
-//! Errors about malformed description files, and about missing names.
+//! Invalid robot files, and names that a robot file does not have, are refused.
 
 use grasp_lcp::Error;
 use grasp_lcp::robot::Robot;

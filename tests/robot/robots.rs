@@ -1,4 +1,4 @@
-//! Description files of robots, as texts.
+//! Shared by tests: robot files as texts.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! Scenes of several bodies: read, written, refused, and the same as in Rust.
+//! Scenes of several bodies are read and written, agree with bodies built in Rust, and are refused if they make no sense.
 
 use grasp_lcp::hold::WayOut;
 use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};

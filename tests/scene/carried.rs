@@ -1,4 +1,4 @@
-//! A body on a moving arm in a scene, against the load that the library computes.
+//! The load of a body that an arm carries, written in a scene, is the load that the library computes.
 
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::{planar, spatial};

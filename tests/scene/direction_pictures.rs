@@ -1,4 +1,4 @@
-//! Polar pictures and maps of the sphere: areas are correct, and numbers that cannot be drawn are errors.
+//! Polar pictures and maps of the sphere show true areas, and return an error if something cannot be drawn.
 
 use grasp_lcp::picture::{Polar, SphereGrid, SphereMap, Stroke};
 

@@ -1,4 +1,4 @@
-//! An error about a value in a scene names the path of its field.
+//! A wrong value anywhere in a scene is reported under the path of its own field.
 
 use std::path::Path;
 

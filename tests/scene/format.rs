@@ -1,4 +1,4 @@
-//! The scene format: after writing and reading, grasp, questions and answers are the same to the bit.
+//! A scene that is written and read back gives the same grasp, questions and answers, to the last bit.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Outcome;

@@ -1,4 +1,4 @@
-//! Charts of friction used show every contact, a soft fingertip as one curve, or name the contacts that they leave out.
+//! Charts of the friction used show every contact, or name those left out. A soft fingertip is one contact.
 
 use grasp_lcp::picture::{chart_of_load, chart_of_program, chart_of_turn};
 use grasp_lcp::planar::{Contact, Grasp, Leg, Pressure, Ramp, SoftFingertip, Turn, Wrench};

@@ -1,4 +1,4 @@
-//! Hands in scenes: they survive writing and reading, are answered like hands built by calls, and errors name their parts.
+//! Hands in scenes read back as they were written, give the answers of the same hand built in Rust, and report their faults.
 
 use grasp_lcp::Limit;
 use grasp_lcp::equilibrium::Outcome;

@@ -1,4 +1,4 @@
-//! Slips in a scene: the answer is that of the grasp, and survives writing and reading.
+//! A scene can list observed slips. Its answer is that of the grasp, and reads back as it was written.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Turn, Wrench};

@@ -1,4 +1,4 @@
-//! Improved fingers in a scene: the answer survives writing and reading, also if nothing ever slides.
+//! A scene can ask for better finger places. The answer reads back as it was written, even if nothing ever slides.
 
 use grasp_lcp::scene::{Answer, Answers, Scene};
 

@@ -1,4 +1,4 @@
-//! The stream: answers in order and the same for any number of threads, an error for each bad line, bounded memory.
+//! The stream answers lines in order, the same for any number of threads. A bad line affects no other line, and memory is bounded.
 
 use std::io::{self, Read, Write};
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -1,4 +1,5 @@
-//! Links in scenes: read, written, refused, and reported as one contact each. A default stiffness is reported if an answer depends on it.
+//! Links of a scene are read, written and refused correctly, and each is reported as one link. If an answer depends on an assumed stiffness, it says
+//! so.
 
 use grasp_lcp::scene::{Scene, Space, Warning};
 use serde_json::Value;

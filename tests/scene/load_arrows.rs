@@ -1,4 +1,4 @@
-//! A load is always visible: for any size, place and direction of view, also a moment alone.
+//! A load is always visible in pictures: at any size and place, from any viewpoint, and if it is only a moment.
 
 use grasp_lcp::picture::{PlanarPicture, SpatialPage, View, draw_grasp};
 use grasp_lcp::{planar, spatial};

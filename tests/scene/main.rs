@@ -1,4 +1,4 @@
-//! Scenes and pictures.
+//! Reading, writing and drawing of scenes.
 
 mod bodies;
 mod carried;

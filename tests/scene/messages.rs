@@ -1,4 +1,4 @@
-//! Errors about malformed scenes name the place, the fault and the allowed values.
+//! Malformed scenes are refused with a message that gives the place, the fault and what is allowed.
 
 use std::path::{Path, PathBuf};
 

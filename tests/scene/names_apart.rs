@@ -1,4 +1,4 @@
-//! Names in pictures do not overlap and lie on the sheet; a soft fingertip has one name.
+//! No name in a picture covers another or leaves the sheet, and a soft fingertip has one name.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Bodies with masses under the scene's gravity: tilting and acceleration act on their weights, which no load counts twice.
+//! Bodies with masses can be tilted and accelerated under the scene's gravity, and no weight is counted twice.
 
 use grasp_lcp::scene::Scene;
 

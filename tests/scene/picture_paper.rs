@@ -1,4 +1,4 @@
-//! All text lies on the paper, and zero has no minus sign.
+//! All text and lines are on the paper, and zero has no sign.
 
 use grasp_lcp::picture::{
     Chart, Polar, SpatialPage, SphereGrid, SphereMap, Stroke, View, chart_of_turn, draw_grasp,

@@ -1,4 +1,4 @@
-//! A page with a planar grasp is self-contained, states its answer first, escapes names, and draws all pictures at one scale.
+//! A page of a planar grasp needs no other file, shows its answer first, and has all pictures at one scale. Names cannot break its markup.
 
 use grasp_lcp::picture::PlanarPage;
 use grasp_lcp::planar::{Equilibrium, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! A still of a planar grasp: the load lies on its line of action, its moment turns the right way, and forces stay inside the object.
+//! In pictures of planar grasps the load is on its line of action, its moment turns the right way, and forces stay inside the object.
 
 use grasp_lcp::picture::draw_grasp;
 use grasp_lcp::planar::{Contact, Equilibrium, Grasp, Wrench};

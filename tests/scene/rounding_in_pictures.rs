@@ -1,4 +1,4 @@
-//! Forces that are rounding beside the others of an equilibrium are zero in pictures and tables.
+//! A force that is only rounding, compared with the other forces of an equilibrium, is not shown in pictures or tables.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::picture::{SpatialPage, View, draw_grasp};

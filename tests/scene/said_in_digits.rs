@@ -1,4 +1,4 @@
-//! Sentences of answers in JSON have the requested number of digits. An undecided outcome comes with the verdict from rest.
+//! Sentences of answers in JSON have the requested number of digits, and an undecided outcome includes what happens if the load is applied from rest.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::Holding;

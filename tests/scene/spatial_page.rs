@@ -1,4 +1,4 @@
-//! A page with a spatial grasp is self-contained, escapes names, and has the numbers of the answer to the last bit.
+//! A page of a spatial grasp needs no other file, and shows the numbers of the answer to the last bit. Names cannot break its markup.
 
 use grasp_lcp::picture::{SpatialPage, View};
 use grasp_lcp::spatial::{Bodies, Body, Contact, ContactAnswer, Equilibrium, Grasp, SoftFingertip, Wrench};

@@ -1,4 +1,4 @@
-//! A still of a spatial grasp: points are projected correctly, all marks lie inside, near things hide far ones, and names are text.
+//! In pictures of spatial grasps points are at their projections, everything is inside, and nearer things hide farther ones. Names are text only.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,4 +1,4 @@
-//! Scenes without a stiffness, or with one number for all directions: the default, and when a warning reports it.
+//! If a scene leaves a stiffness out, or gives one number for all directions, the default is used and reported where the answer depends on it.
 
 use grasp_lcp::scene::{Fingertip, Scene, Space, Warning};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! Whether a verdict depends on the tangential stiffness.
+//! Some loads that a grasp holds depend on the tangential stiffness, others do not.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Errors about malformed turns name the place, the fault and the allowed values.
+//! Invalid turns are refused with a message that gives the place, the fault and what is allowed.
 
 use grasp_lcp::load_path::Leg;
 use grasp_lcp::planar::Turn;

@@ -1,4 +1,4 @@
-//! Loads that turn in scenes: each notation, its written form, and the same answers as by calls.
+//! Loads that turn can be written in scenes in every documented way, read back as they were written, and have the same answers as in Rust.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

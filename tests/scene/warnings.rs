@@ -1,4 +1,4 @@
-//! Warnings about implausible scenes, and none about plausible ones.
+//! A scene that is probably a mistake has a warning, and a normal scene has none.
 
 use grasp_lcp::planar::Contact;
 use grasp_lcp::scene::{Scene, Setup, Warning};

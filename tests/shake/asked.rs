@@ -1,4 +1,4 @@
-//! Requirements on a load cycle, and further data of the question.
+//! A repeated load must be a closed cycle. The limit on followed cycles is respected, and a loss at rest or a stop ahead is reported.
 
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
 use grasp_lcp::shake::Repeats;

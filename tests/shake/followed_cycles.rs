@@ -1,4 +1,4 @@
-//! Verdicts for any number of cycles, against thirty cycles followed one after the other.
+//! Verdicts for all time agree with thirty cycles that are followed one after the other.
 
 use grasp_lcp::Error;
 use grasp_lcp::shake::Repeats;

@@ -1,4 +1,4 @@
-//! Loads that repeat: closed forms, and cycles followed one by one.
+//! Loads that repeat: closed forms, and comparison with cycles that are followed.
 
 mod asked;
 mod followed_cycles;

@@ -1,5 +1,5 @@
-//! The shakedown factor: a closed form, Melan's theorem if slips change no normal force, and an upper bound of all loads under which a path comes to
-//! rest.
+//! The shakedown factor agrees with a closed form, and with Melan's theorem if slip does not change normal forces. It is never below a factor at
+//! which a path with closed contacts comes to rest.
 
 use grasp_lcp::energy::QuadraticProgram;
 use grasp_lcp::load_path::{Change, ContactChange};

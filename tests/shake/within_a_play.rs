@@ -1,7 +1,7 @@
-//! A block that is shaken between two stops slides from one to the other and back in every cycle, by hand.
+//! A block that is shaken between two stops slides from one to the other and back in every cycle. Its slip agrees with a closed form.
 //!
-//! Feet of stiffness K in all and friction μ carry the weight W, stops of stiffness K stand g off on both sides, and a pull goes to P and to -P. From one
-//! extreme to the other the feet stretch by 2 μ W / K before they slide, and each stop gives by (P - μ W) / K, so that they slide
+//! Feet (total stiffness K, friction μ) carry the weight W. Stops of stiffness K are at the distance g on both sides, and a pull goes to P and to -P.
+//! From one extreme to the other the feet stretch by 2 μ W / K before they slide, and each stop is compressed by (P - μ W) / K, so that they slide
 //!
 //! ```text
 //! 2 (g + (P - μ W) / K) - 2 μ W / K      on each way

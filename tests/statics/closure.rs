@@ -1,4 +1,4 @@
-//! Force closure against a theorem in the plane and a second-order cone program in space; form closure against closed forms.
+//! Force closure agrees with a theorem in the plane and with a second-order cone program in space. Form closure agrees with closed forms.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::nalgebra::{DMatrix, SVector};

@@ -1,4 +1,4 @@
-//! Limit analysis against a second-order cone program, with forces and motions that prove both bounds.
+//! Limit loads agree with a second-order cone program, and the returned forces and motions prove both bounds.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};

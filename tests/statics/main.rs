@@ -1,4 +1,4 @@
-//! Loads that contact forces could balance, for any squeeze.
+//! Statics: which loads contact forces could balance, whatever the fingers press.
 
 mod closure;
 mod ferrari_canny;

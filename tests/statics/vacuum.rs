@@ -1,4 +1,4 @@
-//! Suction cups in static questions: the vacuum acts beside the contact forces. Against sums over directions and balances by hand.
+//! In static questions the vacuum of suction cups acts besides the contact forces. Answers agree with sums over directions and balances by hand.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Scenes with a part as a mesh, and pads that touch it.
+//! Scenes may have a part as a mesh and pads that touch it.
 
 use std::fs;
 use std::path::{Path, PathBuf};

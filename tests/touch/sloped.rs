@@ -1,4 +1,4 @@
-//! Pads on slopes and over edges: forces of inclined faces, and the errors and warnings.
+//! A face at an angle carries the part of the squeeze that its slope and friction allow, and edges are reported.
 
 use grasp_lcp::spatial::Contact;
 use grasp_lcp::touch::{Pad, Part, Touch};

@@ -1,4 +1,4 @@
-//! Planar hands against exhaustive enumeration in rational numbers.
+//! The library agrees with exhaustive enumeration in rational arithmetic on planar hands.
 
 mod affine;
 mod census;

@@ -1,4 +1,4 @@
-//! A contact that closes while it slides has kinetic friction from the beginning, so that nothing jumps.
+//! A contact that closes while it slides has no static friction to lose. It slides with the kinetic coefficient at once, without a jump.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};

@@ -1,4 +1,4 @@
-//! Kinetic friction below static friction.
+//! Friction that falls from a static to a kinetic value when a contact slides.
 
 mod catching_sets;
 mod closed_forms;

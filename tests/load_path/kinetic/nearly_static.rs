@@ -1,4 +1,4 @@
-//! As kinetic friction approaches static friction, paths and events converge in proportion to those without kinetic friction.
+//! If the kinetic coefficient approaches the static one, paths and events converge, in proportion, to those with one coefficient.
 
 use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd, Ramp};
 use support::kinetic::{Datum, Scene};

@@ -1,10 +1,10 @@
-//! The physical meaning of a jump: an object that moves through a viscous medium, followed in small steps of time.
+//! A jump of slip ends where an object in a viscous medium comes to rest. The motion is integrated in small time steps:
 //!
 //! ```text
 //! q' = W + Σ G_i F_i,      F_i by the law of each contact: at rest up to μ_s F_n, sliding with μ_k F_n until it comes to rest
 //! ```
 //!
-//! From the library this test uses only the state at the first slip. The path of the object depends on the medium, its place of rest mostly does not.
+//! Only the state at the first slip comes from the library. The path of the object depends on the medium; its place of rest mostly does not.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Wrench;

@@ -1,4 +1,5 @@
-//! Programs of several legs: at every event and at the end, sticking contacts are within static friction, and sliding contacts have kinetic friction.
+//! In programs of several legs to and fro, at every event and at the end, sticking contacts are within static friction and sliding contacts have
+//! kinetic friction.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};

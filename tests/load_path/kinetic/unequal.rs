@@ -1,5 +1,4 @@
-//! Contacts that begin to slide together and lose different amounts of friction: symmetric grasps, in which several contacts reach their limit at one
-//! load.
+//! Jumps are followed if several contacts start to slide at one load and their friction falls by different amounts. The scenes are symmetric grasps.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
