@@ -7,7 +7,7 @@ use crate::contact::ZERO_SLACK;
 use crate::grasp::{Motion, Wrench};
 use crate::prelude::*;
 
-/// The matrix A of a contact: its force by 1 N along each coordinate axis, column by column.
+/// The matrix A of a contact: column k is its force under a force of 1 N along coordinate axis k.
 pub(crate) struct Influence {
     pub(crate) of: SMatrix<f64, 3, 3>,
     /// Sum of the force sizes under the three loads, which scales rounding.
@@ -15,7 +15,7 @@ pub(crate) struct Influence {
 }
 
 impl Influence {
-    /// `Aᵀ row`: the change of the condition `row·F` by 1 N along each coordinate axis; zero if it is within rounding.
+    /// `Aᵀ row`: the contribution to `row·F` of 1 N along each coordinate axis; zero if within rounding.
     pub(crate) fn felt(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
         let felt = self.of.tr_mul(row);
         if felt.norm() > ZERO_SLACK * row.norm() * self.size { felt } else { SVector::zeros() }

@@ -214,8 +214,8 @@ impl Engine {
         (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
-    /// Imbalance of forces and moments on the object, over their sizes. `spring_force` is the least force that a spring could have from the
-    /// displacements of its contact, or the size of the terms of the forces.
+    /// Imbalance of forces and moments on the object, relative to the sizes of their terms. To these sizes `spring_force` is added: the least force
+    /// that a spring could have from the displacements of its contact, or more.
     fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
         let (space, axes) = (self.space(), self.space().axes());
         let mut sum = load.coordinates(space);

@@ -46,7 +46,7 @@ pub enum Beyond<const C: usize> {
     /// cannot decide which.
     Snap,
     /// This equilibrium ends here: the rates have no solution. Whether others exist beyond is not known, and no proof was found that there are none.
-    /// There are more combinations of contact states than [`Settings::most_states`], or more than 32 contacts on the round cone.
+    /// The cause is too many contacts: more than 32 on the round cone, or else more combinations of states than [`Settings::most_states`].
     Ends {
         /// The reason why the rates have no solution; its work is that of the load direction, J for one unit of the factor.
         reason: NoEquilibrium<C>,
@@ -58,7 +58,7 @@ pub enum Beyond<const C: usize> {
     },
     /// The answer could not be decided.
     Undecided {
-        /// The reason why the continuation could not be decided.
+        /// The reason why the answer is undecided.
         doubt: Doubt,
     },
 }
@@ -250,7 +250,7 @@ fn search_beyond(here: &Problem, rates: &Problem) -> Beyond<3> {
             let (value, size) = values[at];
             at += 1;
             // A condition counts as zero if it would break within this part of the load change that makes up the whole load: the load factor is not
-            // known better.
+            // known more accurately.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

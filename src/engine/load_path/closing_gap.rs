@@ -9,7 +9,7 @@
 //! ```
 //!
 //! From there the path continues at the same load. If friction falls as contacts begin to slide, the force that they lose is removed first
-//! ([`super::letting_go`]), and the gap closes on that leg. A motion that is too long for small motions is not made.
+//! ([`super::letting_go`]), and the gap closes on that leg. A motion too large for linear kinematics is not made.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;

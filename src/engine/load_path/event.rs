@@ -46,7 +46,7 @@ pub struct Event<const C: usize> {
     /// along.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub other_continuations: Option<usize>,
-    /// The equilibrium there, with contact states before the event (at the very start of a path those after the event).
+    /// The equilibrium at the event, with contact states before it (at the very start of a path those after it).
     pub state: Equilibrium<C>,
     /// The jump at this load: a contact begins to slide with less friction than at rest, or the object moves freely until a gap closes. `None`
     /// without a jump.
@@ -126,7 +126,7 @@ pub enum PathEnd<const C: usize> {
         leg: usize,
         /// Fraction of the leg already followed, from 0 to 1.
         fraction: f64,
-        /// The reason why the path could not be followed farther.
+        /// The reason why the path could not be followed beyond.
         doubt: Doubt,
     },
 }
@@ -187,7 +187,7 @@ pub struct Loss<const C: usize> {
     /// equilibrium exists. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// The virtual motion that contacts can resist least there, in inside coordinates: it may prove the loss.
+    /// The virtual motion that contacts can resist least at the loss, in inside coordinates: it may prove the loss.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
     /// The motion with which the object leaves, in inside coordinates.
@@ -196,7 +196,7 @@ pub struct Loss<const C: usize> {
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion that contacts can resist least there, in inside coordinates: it may prove the loss.
+    /// The virtual motion that contacts can resist least at the loss, in inside coordinates: it may prove the loss.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }
@@ -233,7 +233,7 @@ pub enum LossKind {
     Asymptote,
     /// From here on nothing resists the motion, and the change of the load does work on it.
     GivesWay,
-    /// Motions cease to be [small](crate::Settings::small_motions) there: the theory of small motions does not say what follows.
+    /// Motions cease to be [small](crate::Settings::small_motions) at this load. What follows is beyond the theory of small motions.
     TooFar,
     /// A contact with infinite friction loses its normal force while it still carries a tangential one; or the whole lip of a suction cup is open,
     /// and its vacuum is gone.

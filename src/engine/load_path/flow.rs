@@ -86,7 +86,7 @@ pub(super) struct Flow<'s, 'g> {
 #[derive(Debug, Clone)]
 pub(super) struct Reached {
     pub(super) to: f64,
-    /// The state there, with rates per unit of arclength.
+    /// The state at the end of the step, with rates per unit of arclength.
     pub(super) here: PathPoint,
     pub(super) energy: LegEnergy,
     /// Estimated relative error: of forces over the largest of them, of the twist over the largest displacement; the larger of both.

@@ -51,8 +51,8 @@ impl<'g> JumpInProgress<'g> {
 
     /// Follows the leg to its end; the forces that further contacts lose are removed as well.
     pub(super) fn go(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        // Limit on how often a force is removed anew, sixteen times for each site. Each time energy is lost; more often only rounding can make
-        // contacts stick and slide again.
+        // Limit on how often a force is removed anew, sixteen times for each site. Each repetition loses energy: only through rounding can contacts
+        // stick and slide again more often.
         let mut left = 16 * self.fallen.slid.len();
         loop {
             let begin = match self.go_to_the_next_node(journey) {

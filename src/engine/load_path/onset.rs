@@ -129,7 +129,7 @@ impl OnsetEvent<3> {
 }
 
 impl Leaving<3> {
-    /// The departure of a site, whose name is filled in later.
+    /// The departure of a site, whose label is filled in later.
     pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }

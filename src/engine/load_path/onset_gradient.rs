@@ -34,7 +34,7 @@ pub struct OnsetGradient<const C: usize> {
     /// that nothing resists: under such a load there is no equilibrium.
     pub base_load: Vec<f64>,
     /// Derivative with respect to a factor on the whole load (base and direction, or all parts of a load that turns), at the value 1 of this factor.
-    /// Without a base load, and with constant commands, it is minus the onset.
+    /// Without a base load, and with constant commands, it is minus the load factor of the onset.
     pub load_scale: f64,
 }
 

@@ -5,8 +5,8 @@ use crate::prelude::*;
 
 /// Order of the error of a step in its length.
 const ERROR_ORDER: f64 = 8.0;
-/// Factor on the step length that the error estimate allows, which leaves a sixth of the error. Fewer steps are refused, and errors of many steps add
-/// up.
+/// Factor on the step length that the error estimate allows. It reduces the error to a sixth, so that few steps are refused, and leaves a reserve for
+/// errors that add up.
 const CAUTION: f64 = 0.8;
 /// Least ratio of successive step lengths, since the estimate holds for small changes.
 const LEAST_RATIO: f64 = 0.2;

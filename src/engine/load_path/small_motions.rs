@@ -104,8 +104,8 @@ impl<'g> Stretch<'g> {
         }
         let (mut low, mut high) = ((self.from, excess(&start)), (self.to, excess(&at_the_end)));
         let (mut which, mut side) = (at_the_end, 0.0_f64);
-        // Regula falsi with the Illinois rule, which needs some eight trials; on an arc each trial repeats the step. It aims at a rounding beyond the
-        // limit.
+        // Regula falsi with the Illinois rule, which needs some eight trials; on an arc each trial repeats the step. Its target lies beyond the limit
+        // by one rounding.
         for _ in 0..64 {
             let secant = low.0 + (high.0 - low.0) * ((ROUNDED_SUM - low.1) / (high.1 - low.1));
             let trial = if secant > low.0 && secant < high.0 { secant } else { 0.5 * (low.0 + high.0) };

@@ -232,7 +232,7 @@ impl OrthogonalPiece {
     }
 }
 
-/// The smallest forces (least squares, contact frames) that balance a load on the contacts in `carries`:
+/// The forces of least norm on the contacts in `carries` that balance a load, in the contact frames.
 pub(crate) fn least_forces(sites: &[Site], carries: &[bool], wrench: &Vector) -> Vec<SVector<f64, 3>> {
     let axes: Vec<(usize, usize)> = (0..sites.len())
         .filter(|&i| carries[i])

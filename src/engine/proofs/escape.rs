@@ -5,9 +5,9 @@
 
 use super::tolerances::{ESCAPE, LEAST_WORK};
 
-/// Whether a contradiction by y counts on the line between two loads, from very near its start on. y does the work `here` on the first load and
-/// `past` on the second. `against` is the most work of a generator against y, `data` the size of the data. At the part t of the line the work is
-/// `here + t (past - here)`: from some t on an escape exceeds the data by [`ESCAPE`].
+/// Whether y contradicts all loads on the line between two loads, except very near its start. y does the work `here` on the first load and `past` on
+/// the second. `against` is the most work of a generator against y, `data` the size of the data. At the part t of the line the work is `here + t
+/// (past - here)`: from some t on an escape exceeds the data by [`ESCAPE`].
 pub(crate) fn counts_from_here_on(here: f64, past: f64, against: f64, data: f64) -> bool {
     // Largest such t. Loads before it lie within the rounding of the load at which the path ended.
     ESCAPE * data * against.max(LEAST_WORK) - here <= 1e-6 * (past - here)

@@ -99,7 +99,6 @@ impl ContactForm {
     }
 
     /// Sets the covering vector to reproducible generic numbers between 1/8 and 8, different for every attempt. Attempt 0 has all ones.
-    /// 8. Attempt 0 has all ones.
     pub(super) fn scatter(&mut self, attempt: usize) {
         let mut covering = core::mem::take(&mut self.covering);
         covering.clear();
