@@ -52,7 +52,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::improve`] of a planar or spatial setup with three components a vector.
+    /// [`Self::improve`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn with_surfaces(&self, asked: &Improve<3>) -> Result<Improve<3>, Error> {
         let (mut question, mut first) = (asked.clone(), 0);
         for entry in self.entries() {
@@ -64,7 +64,7 @@ impl Setup<3> {
         Ok(question)
     }
 
-    /// [`Self::check`] of a planar or spatial setup with three components a vector.
+    /// [`Self::check`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn check_question(&self, question: &Question<3>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
@@ -145,7 +145,7 @@ impl Setup<3> {
         Ok(SceneNames(labels))
     }
 
-    /// [`Self::answers_in`] of a planar or spatial setup with three components a vector.
+    /// [`Self::answers_in`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn answered(&self, words: Words) -> Result<Vec<Answer<3>>, Error> {
         let (grasp, labels) = (self.grasp_checked()?, self.labels()?);
         tried(&self.questions, &|question| self.answer(&grasp, &labels, question, words.in_space(self.space)))

@@ -71,7 +71,7 @@ def takes_array_program(native: bool | None, soft: Any, is_far: Callable[[], boo
 
 
 def spread(xp: Any, soft: Any, data: Sequence[Any], words: tuple[str, ...]) -> tuple[list[Any], tuple[str, ...]]:
-    """Data and words of ``hold`` with the points of pads in place of contacts. Differentiating through it gives derivatives by whole contacts."""
+    """Data and words of ``hold`` with the points of pads in place of contacts. Derivatives through it are with respect to the data of whole contacts."""
     text = text_of_pads(soft, len(words))
     if text is None:
         return list(data), words
