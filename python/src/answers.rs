@@ -20,7 +20,7 @@ use crate::pictures::Drawn;
 pub(crate) enum Reply {
     /// A value of the crate, from a grasp without joints.
     Unwritten(LazyAnswer),
-    /// JSON, in which scenes answer for hands with joints and for several bodies.
+    /// JSON of the scene format, for hands with joints and for several bodies.
     Written(String),
 }
 

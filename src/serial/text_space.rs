@@ -1,6 +1,6 @@
 //! Whether the text that is read or written belongs to a planar or a spatial scene.
 //!
-//! Text forms are compiled only for three components a vector. In the text of a planar scene a row nevertheless has two numbers, and a moment is one
+//! Text forms are compiled only for vectors of three components. In the text of a planar scene a row nevertheless has two numbers, and a moment is one
 //! number: a thread-local variable says which space the text belongs to.
 
 use std::cell::Cell;

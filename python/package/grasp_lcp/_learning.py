@@ -39,7 +39,7 @@ def _asked(data: Sequence[Array], hold: Hold) -> Onsets:
 
 
 def factors_and_gradients(data: Sequence[Array], hold: Hold) -> list[Array]:
-    """Factors, and their derivatives by each array of ``data``. In rows without a factor derivatives are zero, so that sums stay finite."""
+    """Factors, and their derivatives with respect to each array of ``data``. They are zero in rows without a factor, so that sums stay finite."""
     points, normals, friction, stiffness, command, base, direction = data
     direction, base = _shared(direction, base)
     found = onset_gradients(

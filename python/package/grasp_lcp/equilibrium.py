@@ -205,7 +205,7 @@ class Equilibrium(View):
 
     @cached_property
     def body_loads(self) -> dict[str, Array]:
-        """Loads that a load program has put on single bodies, by name of the body, N and N m, shape (d,)."""
+        """Loads that a load program applies to single bodies, by name of the body, N and N m, shape (d,)."""
         return {str(tree["body"]): load_of(tree["load"]) for tree in self._tree.get("body_loads", ())}
 
     @cached_property

@@ -46,8 +46,8 @@ def onset_factor(
     Shapes are as in :func:`grasp_lcp.onsets`. The crate takes grasps of two to five contacts and computes in double precision. The array program
     takes two or more, computes in the precision of ``points``, and has forward and second derivatives, too. In rows
     without a factor the result is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` removes such rows from a sum. If a motion of
-    the object is free, as for two hard fingers in space, the derivatives by points, normals and loads are NaN. At a kink, where several contacts
-    stop sticking together, the derivatives are those of the first of these contacts.
+    the object is free, as for two hard fingers in space, the derivatives with respect to points, normals and loads are NaN. At a kink,
+    where several contacts stop sticking together, the derivatives are those of the first of these contacts.
 
     :param points: contact points, m, shape (..., n, 2) or (..., n, 3).
     :param normals: directions into the object, of any length, of the shape of ``points``.
@@ -56,8 +56,8 @@ def onset_factor(
     :param series_stiffness: N/m: one number, or (..., 2) normal and tangential.
     :param pressed_with: squeeze forces along the normals, N. Commands change with normals and stiffness so that these forces are constant.
     :param command_world: commands along the coordinate axes, m, in addition to those of ``pressed_with``. They are constant when normals change.
-    :param soft: pads in place of the points, as in :func:`grasp_lcp.onsets`, by the array program. Derivatives are by the data of whole contacts; a
-        pad turns with the tangents that follow from its normal.
+    :param soft: pads in place of the points, as in :func:`grasp_lcp.onsets`, by the array program. Derivatives are with respect to the data of
+        whole contacts; a pad turns with the tangents that follow from its normal.
     :param native: ``True`` for the array program, ``False`` for the crate; unless given, the array program for tensors on an accelerator.
     :param with_status: return a pair, factors and the :class:`grasp_lcp.OnsetStatus` of each row.
     """
@@ -201,7 +201,7 @@ class _ArrayProgram(Function):
 
 
 def _slopes(kind: Any, *saved: Tensor) -> list[Tensor]:
-    """The derivatives of the factor by each tensor."""
+    """The derivatives of the factor with respect to each tensor."""
     *data, factor, contact = saved
     found = FirstExit(factor.reshape(-1), None, contact.reshape(-1))
     slopes = gradients(torch, torch.finfo(factor.dtype).eps, kind, _rows(data), found)

@@ -149,7 +149,7 @@ def hold_batch(
     settings: Settings | None = None,
     beyond: bool = False,
 ) -> Verdicts:
-    """Whether each of many grasps holds a load that is put on from rest; see :meth:`Grasp.hold`.
+    """Whether each of many grasps holds a load that is applied from rest; see :meth:`Grasp.hold`.
 
     Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows in which everything sticks take a few microseconds;
     the load of any other row is followed as by :meth:`Grasp.hold`, in some 50 µs to a few milliseconds. The verdict of each row is that of

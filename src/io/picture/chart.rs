@@ -62,7 +62,7 @@ impl Chart {
         self
     }
 
-    /// Labels a point (x, y) with a few letters on a plaque, such as numbers that count events.
+    /// Labels a point (x, y) with a few letters on a plaque, such as the number of an event.
     #[must_use]
     pub fn label(mut self, point: (f64, f64), words: impl Into<String>) -> Self {
         self.labels.push((point, words.into()));

@@ -42,7 +42,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// The question with the surfaces that the contacts of the scene may move along.
+    /// [`Self::improve`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn with_surfaces(&self, grasp: &Grasp<3>, asked: &Improve<3>) -> Improve<3> {
         let mut question = asked.clone();
         for (entry, contact) in self.entries().zip(grasp.engine.wholes().iter()) {
@@ -53,7 +53,7 @@ impl Setup<3> {
         question
     }
 
-    /// [`Self::check`] of a planar or spatial setup with three components a vector.
+    /// [`Self::check`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn check_question(&self, question: &Question<3>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
@@ -114,7 +114,7 @@ impl Setup<3> {
         [self.entries().count(), joints + self.tendons.len(), joints]
     }
 
-    /// [`Self::answers_in`] of a planar or spatial setup with three components a vector.
+    /// [`Self::answers_in`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn answered(&self, words: Words) -> Result<Vec<Answer<3>>, Error> {
         let grasp = self.grasp_checked()?;
         tried(&self.questions, &|question| self.answer(&grasp, question, words.in_space(self.space)))

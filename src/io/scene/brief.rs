@@ -40,7 +40,7 @@ pub struct Brief {
     pub question: &'static str,
     /// The name of the outcome in the format.
     pub outcome: &'static str,
-    /// The load factor at first slip, or at the loss of a load that is put on. For `need` the amount, for `identify` the first unknown.
+    /// The load factor at first slip, or at the loss of a load that grows from rest. For `need` the amount, for `identify` the first unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// The angle at first slip under a turning load, rad.
@@ -80,7 +80,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::brief_answers`] of a planar or spatial setup with three components a vector.
+    /// [`Self::brief_answers`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn answered_briefly(&self) -> Result<Vec<Brief>, Error> {
         let grasp = self.grasp_checked()?;
         tried(&self.questions, &|question| self.brief_answer(&grasp, question))

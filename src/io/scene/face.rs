@@ -1,4 +1,4 @@
-//! Conversion of setups, questions and answers between two and three components a vector; texts are read and written with three.
+//! Conversion of planar setups, questions and answers between vectors of two and three components; texts are read and written with three.
 
 use super::answer::Answer;
 use super::body::BodySetup;

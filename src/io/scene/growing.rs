@@ -37,7 +37,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::grasp_of`] of a planar or spatial setup with three components a vector.
+    /// [`Self::grasp_of`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn grasp_asked(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Grasp<3>, Error> {
         self.check_growing(question)?;
         if let Some(tilted) = self.tilted_grasp(question)? {

@@ -29,7 +29,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::stiffness_left_out`] of a planar or spatial setup with three components a vector.
+    /// [`Self::stiffness_left_out`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn springs_left_out(&self) -> Result<Option<Warning>, Error> {
         let (mut contacts, mut names) = (Vec::new(), Vec::new());
         for (i, entry) in self.entries().enumerate() {

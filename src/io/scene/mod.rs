@@ -172,7 +172,7 @@
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; with hundreds of contacts in steps, where `in_steps` is the error that a leg may add to forces |
-//! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly put on and taken off, or a repeated cycle of legs |
+//! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly applied and removed, or a repeated cycle of legs |
 //! | `identify` | `unknowns`, `slips` (with a `group` where they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`Identify`](crate::identify::Identify) |
 //! | `shakedown` | `base` (a wrench), `loads` | the multiple of the loads up to which the grasp could come to rest, in any order of them |
 //!
@@ -296,7 +296,7 @@
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //! | `shake` | the sentence `says`, and as `repeats` one of `rests`, `dies_out`, `alternates`, `walks`, `lost`, `no_rest`, `undecided` | [`ShakeAnswer`] |
 //! | `identify` | the sentence `says`, and as `ending` one of `converged`, `not_converged`, `not_predicted` | [`IdentifyAnswer`] |
-//! | `shakedown` | the sentence `says`, `rests` where the order does not decide, and `factor`, `slips`, `binding` where anything is known | [`ShakedownAnswer`] |
+//! | `shakedown` | the sentence `says`, `rests` if the order does not matter, and `factor`, `slips`, `binding` if known | [`ShakedownAnswer`] |
 //!
 //! The names in the text are those of the fields and variants of these types, in lower case with underscores. The types contain the answers of a
 //! [`Grasp`](crate::ask::Grasp), and results that it computes on request only. Contacts are named by their index in the scene and, for a soft

@@ -43,7 +43,7 @@ use crate::serial::{AsGiven, in_text_of, object, space_of_text};
 #[serde(remote = "Self", deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Setup<const C: usize> {
-    /// The plane or space; a setup of the plane may have three components a vector.
+    /// The plane or space; the vectors of a planar setup may have three components.
     #[serde(skip, default = "space_of_text::<C>")]
     pub(crate) space: Space,
     /// Contacts whose fingers have no joints. Together with those of fingers there must be at least one, else [`Setup::grasp`] is an error.
@@ -237,13 +237,13 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// Number of point contacts of the grasp: soft fingertips and links count with all their points.
+    /// [`Self::points`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn all_points(&self) -> Result<usize, Error> {
         let points = self.entries().map(Fingertip::count).sum::<Result<usize, _>>()?;
         Ok(points + self.points_of_links()?.len())
     }
 
-    /// [`Self::grasp`] of a planar or spatial setup with three components a vector.
+    /// [`Self::grasp`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn grasp_checked(&self) -> Result<Grasp<3>, Error> {
         let grasp = if !self.bodies.is_empty() {
             self.several_bodies()?.grasp()
@@ -260,7 +260,7 @@ impl Setup<3> {
         Ok(grasp.map_err(|error| self.in_the_scene(error))?.with(&self.settings))
     }
 
-    /// [`Self::hand`] of a planar or spatial setup with three components a vector.
+    /// [`Self::hand`] of a setup whose vectors have three components, even if it is planar.
     fn whole_hand(&self) -> Result<Hand<3>, Error> {
         let mut fingers = Vec::new();
         for (index, entry) in self.contacts.iter().enumerate() {

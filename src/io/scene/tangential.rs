@@ -19,7 +19,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::depends_on_tangential_stiffness`] of a planar or spatial setup with three components a vector.
+    /// [`Self::depends_on_tangential_stiffness`] of a setup whose vectors have three components, even if it is planar.
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
         let (softer, stiffer) = (self.with_tangential(0.1)?, self.with_tangential(10.0)?);
         let trial = |trial: usize| if trial == 1 { softer.clone() } else { stiffer.clone() };

@@ -302,7 +302,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::warnings`] of a planar or spatial setup with three components a vector.
+    /// [`Self::warnings`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn all_warnings(&self) -> Result<Vec<Warning>, Error> {
         let grasp = self.grasp_checked()?;
         let mut warnings = self.odd_contacts(&grasp)?;

@@ -119,7 +119,7 @@ impl Serialize for Answers {
     }
 }
 
-/// Planar or spatial answers with three components a vector; they are written as [`Answers`] are.
+/// Answers whose vectors have three components, even if they are planar. They are written like [`Answers`].
 #[cfg(feature = "json")]
 pub(crate) struct AnswersInside(pub(crate) numerics::Space, pub(crate) Vec<Answer<3>>);
 

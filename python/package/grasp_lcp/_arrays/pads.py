@@ -50,7 +50,7 @@ class Pads:
         return arms
 
     def gathered(self, slopes: Sequence[Any], normals: Any, arms: Any) -> list[Any]:
-        """Derivatives by the data of contacts, from those by the data of points, which move when contact frames tilt. For numpy arrays only."""
+        """Derivatives with respect to data of contacts, from those of points, which move if contact frames tilt. For numpy arrays only."""
         points, tilts, friction, stiffness, command, *loads = slopes
         n = normals[..., self.owner, :]
         if n.shape[-1] == 2:
@@ -71,7 +71,7 @@ def takes_array_program(native: bool | None, soft: Any, is_far: Callable[[], boo
 
 
 def spread(xp: Any, soft: Any, data: Sequence[Any], words: tuple[str, ...]) -> tuple[list[Any], tuple[str, ...]]:
-    """Data and words of ``hold`` with the points of pads in place of contacts. Differentiating through it gives derivatives by whole contacts."""
+    """Data and words of ``hold`` with the points of pads in place of contacts. Its derivatives are with respect to data of whole contacts."""
     text = text_of_pads(soft, len(words))
     if text is None:
         return list(data), words

@@ -49,7 +49,7 @@ def onsets(xp: Any, epsilon: float, kind: Kind, data: list[Any], among: Among) -
 
 
 def gradients(xp: Any, epsilon: float, kind: Kind, data: list[Any], found: FirstExit) -> list[Any]:
-    """Derivatives by each array of ``data``, zero in scenes without a finite factor.
+    """Derivatives with respect to each array of ``data``, zero in scenes without a finite factor.
 
     One refinement makes them as accurate as the factor unless stiffnesses differ by more than a million within a grasp.
     """

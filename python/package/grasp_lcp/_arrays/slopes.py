@@ -1,4 +1,4 @@
-"""Derivatives of the factor by all data, in closed form, by one adjoint solve; see ``screening/gradient.rs``.
+"""Derivatives of the factor with respect to all data, in closed form from one adjoint solve; see ``screening/gradient.rs``.
 
 At the factor the margin m of the contact that stops sticking vanishes, so that ``dτ = -dm / m'``. All derivatives follow from the forces F and the
 motion (u, ω) at the onset, and from the forces P and the motion (v, ω̄) with ∂m/∂F of that contact as the only command. They are written in array
@@ -15,7 +15,7 @@ from .sites import Row, Vector, cross, dot, kept, moment, sum_of_sizes, turned, 
 
 
 def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]:
-    """Derivatives by points, unit normals, friction, stiffness, commands along the coordinate axes and base load.
+    """Derivatives with respect to points, unit normals, friction, stiffness, commands along the coordinate axes and base load.
 
     They are zero in scenes where no contact leaves, and NaN by points, normals and loads where a motion of the object is free.
     """
@@ -90,7 +90,7 @@ def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]
 
 
 def _tilt(normal: Vector, moments: list[Row]) -> Vector:
-    """The derivative by a normal, from the derivative by a rotation of its contact frame."""
+    """The derivative with respect to a normal, from that with respect to a rotation of its contact frame."""
     if len(normal) == 2:
         return (-moments[0] * normal[1], moments[0] * normal[0])
     return cross(moments, normal)

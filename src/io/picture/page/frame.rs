@@ -54,7 +54,7 @@ impl<const C: usize> Frame<C> {
 }
 
 impl Frame<2> {
-    /// The answer with three components a vector, as far as tables show it.
+    /// The answer with vectors of three components, as far as tables show it.
     pub(super) fn widened(&self) -> Frame<3> {
         let shown = match &self.shown {
             Ok(state) => Ok(state.entered()),

@@ -223,7 +223,7 @@ fn sample(cloud: &Cloud, random: &mut Random) -> [usize; 3] {
     }
 }
 
-/// The relative difference between the multiple that was screened and that of `Grasp::onset`.
+/// Relative difference between the load factor of screening and that of `Grasp::onset`.
 fn check(cloud: &Cloud, found: &Found) -> Result<f64, Box<dyn std::error::Error>> {
     let grasp = Grasp::new(found.fingers.map(|i| finger(&cloud[i])))?;
     let mut least = f64::INFINITY;

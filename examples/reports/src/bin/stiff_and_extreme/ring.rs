@@ -14,7 +14,7 @@ pub(crate) const FRICTION: f64 = 0.8;
 pub(crate) const SQUEEZE: f64 = 5.0;
 /// Force that pulls a finger along the surface if it is to slide, N.
 pub(crate) const PULL: f64 = 20.0;
-/// Tilts of the normals, rad: with the first fingers press almost towards the centre, with the second stiff fingers push each other aside.
+/// Tilts of the normals, rad. With `LEVEL` fingers press almost towards the centre; with `TILTED` stiff fingers push each other aside.
 pub(crate) const LEVEL: f64 = 0.1;
 pub(crate) const TILTED: f64 = 0.25;
 

@@ -13,7 +13,7 @@ pub(crate) const SLIDING: &str = "stiffness ratio, sliding";
 pub(crate) const FEW: &str = "one contact against three others";
 /// Friction of the contact that is to slide.
 const SLIPPERY: f64 = 0.02;
-/// Friction of contacts that are to stick.
+/// Coefficient of friction of contacts that should stick.
 const ROUGH: f64 = 2.0;
 
 /// The springs whose stiffnesses have the given ratio.
