@@ -5,7 +5,7 @@
 use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Turn, WeakestDirection, Wrench};
 
 fn main() -> Result<(), grasp_lcp::Error> {
-    // Each finger presses with 1 N, so that a factor of the squeeze counts newtons.
+    // The thumb presses with 1 N, so that the factor of the squeeze is its force in newtons.
     let finger = |x: f64, y: f64, side: f64, share: f64| {
         Contact::new([x, y], [-side, 0.0]).series_stiffness(2e3, 1.5e3).friction(0.5).pressed_with(share)
     };
@@ -26,7 +26,7 @@ fn main() -> Result<(), grasp_lcp::Error> {
         }
     }
 
-    // With 20 N, which force beside the weight slides first?
+    // If the thumb presses with 20 N, which is the least force, in addition to the weight, that makes a finger slide?
     let strong =
         Grasp::new(grasp.contacts().iter().cloned().zip([10.0, 10.0, 20.0]).map(|(c, n)| c.pressed_with(n)))?;
     let base = Wrench::force_at(weight, centre);

@@ -1,4 +1,4 @@
-//! A gripper feels its contact forces a thousand times a second and presses harder before anything slips.
+//! A gripper measures its contact forces a thousand times a second, and presses harder before a finger slips.
 //!
 //! `cargo run --release -p grasp-lcp --example raise_the_squeeze`
 
@@ -9,12 +9,12 @@ use grasp_lcp::spatial::{Contact, Fingers, Grasp, Wrench};
 
 const MASS: f64 = 0.3; // kg
 const TICK: f64 = 1e-3; // s
-/// Time that the watch looks ahead, s: the fingers take some milliseconds to press harder.
+/// Time by which the watch anticipates the load, s, since the fingers need some milliseconds to press harder.
 const AHEAD: f64 = 0.03;
-/// Largest growth of the squeeze in a tick, over the first squeeze.
+/// Largest increase of the squeeze in a tick, relative to the initial squeeze.
 const FASTEST: f64 = 0.01;
 
-/// Three fingers round a bottle, which press with 6 N times the squeeze.
+/// Three fingers round a bottle. Each presses with 6 N times `squeeze`.
 fn fingers(squeeze: f64) -> [Contact; 3] {
     [0.0, 1.0, 2.0].map(|third: f64| {
         let (sin, cos) = (third * TAU / 3.0).sin_cos();
@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             for ((force, contact), frame) in forces.iter_mut().zip(&state.contacts).zip(world.frames()) {
                 *force = (frame * contact.force).into();
             }
-            // The watch: the planned change of load, and a tenth of the load in reserve.
+            // The load to come: the planned change of the load, plus a tenth of the load as a reserve.
             let to_come = load(time + AHEAD) - load(time) + 0.1 * load(time);
             let seen = watch.watch(&forces, &to_come)?;
             least = least.min(seen.margin());

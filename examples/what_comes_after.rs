@@ -1,4 +1,4 @@
-//! What happens when a load grows beyond the onset of sliding and goes back?
+//! What happens when a load grows beyond the onset of sliding and is then removed?
 //!
 //! `cargo run --profile quick -p grasp-lcp --example what_comes_after`
 
@@ -28,7 +28,7 @@ fn main() -> Result<(), grasp_lcp::Error> {
     if let Some(end) = path.end() {
         println!("{end}");
     }
-    // Friction remembers: without load the jar is not back at its start.
+    // Slips remain: after the load is removed, the jar is not at its initial place.
     if let Some(state) = path.state() {
         println!("{state}");
     }

@@ -1,4 +1,4 @@
-//! Which of many grasps holds the most? Onsets of a hundred thousand pairs of fingers round an ellipse.
+//! Which of many grasps holds the largest weight? Onsets of sliding of a hundred thousand pairs of fingers round an ellipse.
 //!
 //! `cargo run --release -p grasp-lcp --example which_of_many`
 

@@ -52,9 +52,9 @@ pub enum Error {
         contact: ContactLabel,
         /// The quantity that is out of range.
         field: Field,
-        /// What was given: the offending component, or the length of an offending vector.
+        /// The value that was given: the component at fault, or the length of the vector at fault.
         value: f64,
-        /// What is allowed.
+        /// The allowed values.
         allowed: &'static str,
     },
     /// The curve or surface along which a contact may be moved is degenerate, or the contact does not lie on it.
@@ -64,9 +64,9 @@ pub enum Error {
         contact: ContactLabel,
         /// The quantity of the surface that is out of range.
         field: &'static str,
-        /// What was given.
+        /// The value that was given.
         value: f64,
-        /// What is allowed.
+        /// The allowed values.
         allowed: &'static str,
     },
     /// A component of a wrench is not finite, or absurdly large.
@@ -76,7 +76,7 @@ pub enum Error {
         what: &'static str,
         /// Index of the component: forces first, then moments, then the torques on the joints of a hand.
         component: usize,
-        /// What was given.
+        /// The value that was given.
         value: f64,
     },
     /// A list that goes with the contacts has another length than the list of contacts.
@@ -84,7 +84,7 @@ pub enum Error {
     Size {
         /// Which list, such as "commands" or "command changes".
         what: &'static str,
-        /// Its length.
+        /// The length that was given.
         given: usize,
         /// The number of contacts.
         expected: usize,
@@ -92,7 +92,7 @@ pub enum Error {
     /// A polygonal friction cone has too few facets to be a polygon, or needlessly many.
     #[error("friction cone: {given} facets, must be from 3 to {most}")]
     Facets {
-        /// What was given.
+        /// The number of facets that was given.
         given: usize,
         /// The largest number of facets that is accepted.
         most: usize,
@@ -102,9 +102,9 @@ pub enum Error {
     Fingertip {
         /// The quantity at fault: a radius or a width (m), or a number of annuli, strips or points.
         what: &'static str,
-        /// What was given.
+        /// The value that was given.
         value: f64,
-        /// What is allowed.
+        /// The allowed values.
         allowed: &'static str,
     },
     /// A mesh file is missing, cannot be read, or encloses no volume.
@@ -135,9 +135,9 @@ pub enum Error {
     Argument {
         /// Which number, such as "angle of the turn".
         what: &'static str,
-        /// What was given.
+        /// The value that was given.
         value: f64,
-        /// What is allowed.
+        /// The allowed values.
         allowed: &'static str,
     },
     /// A number of an observed slip, or of an unknown parameter to be identified, is out of range.
@@ -147,15 +147,15 @@ pub enum Error {
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
-        /// What was given.
+        /// The value that was given.
         value: f64,
-        /// What is allowed.
+        /// The allowed values.
         allowed: &'static str,
     },
     /// The library panicked on this question: a fault of the library, not of the question. In a batch the other questions are still answered.
     #[error("internal: this question made the library fail, which is a fault of the library ({fault})")]
     Internal {
-        /// The panic message.
+        /// The message of the panic.
         fault: String,
     },
     /// Commands or held torques change on a leg whose load turns. They must stay constant, since only then do the angles of events have closed
@@ -196,7 +196,7 @@ pub enum Error {
     /// A field of a question is missing, or does not belong to this question.
     #[error("{question}: {field} {fault}")]
     Question {
-        /// The question.
+        /// Name of the question.
         question: &'static str,
         /// The field at fault.
         field: &'static str,
@@ -224,13 +224,13 @@ pub enum Error {
     Link {
         /// Kind of the link.
         kind: &'static str,
-        /// Its name.
+        /// Name of the link.
         name: String,
         /// The quantity that is out of range.
         field: &'static str,
-        /// What was given.
+        /// The value that was given.
         value: f64,
-        /// What is allowed.
+        /// The allowed values.
         allowed: &'static str,
     },
     /// One number of one joint, tendon or finger is out of range.
@@ -240,9 +240,9 @@ pub enum Error {
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
-        /// What was given.
+        /// The value that was given.
         value: f64,
-        /// What is allowed.
+        /// The allowed values.
         allowed: &'static str,
     },
     /// A matrix of a hand is not symmetric, or has a negative eigenvalue.
@@ -250,11 +250,11 @@ pub enum Error {
         "{what}: {field} {fault} {value}, must be symmetric, with no eigenvalue below zero (a compliance: all above)"
     )]
     Matrix {
-        /// The finger.
+        /// The finger, by number.
         what: String,
-        /// The matrix.
+        /// Name of the matrix.
         field: &'static str,
-        /// The fault.
+        /// The fault in words, followed by the value in the message.
         fault: &'static str,
         /// Size of the fault: the largest difference across the diagonal, or the least eigenvalue.
         value: f64,
@@ -262,11 +262,11 @@ pub enum Error {
     /// A matrix of a hand has the wrong shape.
     #[error("{what}: {} x {} given, must be {} x {}", given.0, given.1, expected.0, expected.1)]
     Shape {
-        /// The matrix.
+        /// The matrix, with the finger or contact to which it belongs.
         what: String,
-        /// Its rows and columns.
+        /// Rows and columns that were given.
         given: (usize, usize),
-        /// Its required rows and columns.
+        /// Required rows and columns.
         expected: (usize, usize),
     },
     /// The question supports only one object held by contacts with springs of their own. It was asked of a hand with joints or of several
@@ -300,9 +300,9 @@ pub enum Error {
     /// A list of joint commands has another length than there are joints and tendons.
     #[error("{what}: {given} given, must be {expected}, one a joint and one a tendon")]
     JointCommands {
-        /// The list.
+        /// Name of the list.
         what: &'static str,
-        /// Its length.
+        /// The length that was given.
         given: usize,
         /// Number of joints and tendons.
         expected: usize,
@@ -310,7 +310,7 @@ pub enum Error {
     /// Listing all equilibria would need too many combinations of contact states.
     #[error("{contacts} contacts have {combinations:e} combinations of states, at most {most} are tried")]
     TooManyStates {
-        /// Number of contacts.
+        /// Number of contacts of the grasp.
         contacts: usize,
         /// Number of combinations of their states.
         combinations: f64,
@@ -327,7 +327,7 @@ pub enum Field {
     Point,
     /// The normal into the object.
     Normal,
-    /// The first tangent.
+    /// Direction of the first tangent.
     Tangent,
     /// Stiffness of the object at the contact, N/m.
     BodyStiffness,
@@ -335,7 +335,7 @@ pub enum Field {
     FingerStiffness,
     /// Stiffness of both in series, N/m.
     SeriesStiffness,
-    /// Coefficient of friction.
+    /// Coefficient of friction at rest.
     Friction,
     /// Coefficient of friction of a contact that slides.
     KineticFriction,

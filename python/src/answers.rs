@@ -1,10 +1,11 @@
-//! Answers of the crate, kept as values; JSON is written only when Python reads it.
+//! Answers of the crate that are kept as Rust values; their JSON is written only when Python reads it.
 
 use std::sync::Arc;
 
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Onset, TurnOnset};
+use grasp_lcp::scene::Setup;
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray2};
 use pyo3::prelude::*;
@@ -19,18 +20,18 @@ use crate::pictures::Drawn;
 pub(crate) enum Reply {
     /// A value of the crate, from a grasp without joints.
     Unwritten(LazyAnswer),
-    /// JSON written by the scene room, which answers for hands and several bodies.
+    /// JSON of the scene format, for hands with joints and for several bodies.
     Written(String),
 }
 
-/// An answer of the crate, not yet written.
+/// An answer as a Rust value, not yet written as JSON.
 pub(crate) enum Raw<const C: usize> {
     Solved(Outcome<C>, Wrench<C>),
     Onset(Onset<C>),
     Turn(TurnOnset<C>),
 }
 
-/// Access of Python to an answer: outcome and factor are read directly, all other data from its JSON.
+/// Access of Python to an answer: outcome, factor and columns are read directly, all other data from its JSON.
 trait Tells: Send + Sync {
     fn outcome(&self) -> &'static str;
     fn factor(&self) -> Option<f64>;
@@ -167,11 +168,11 @@ where
     }
 
     fn json(&self) -> PyResult<String> {
-        let (grasp, setup) = (self.kept.without_joints("answers").map_err(refused)?, &self.kept.setup);
+        let grasp = self.kept.without_joints("answers").map_err(refused)?;
         match &self.raw {
-            Raw::Solved(outcome, load) => json(&setup.tell_outcome(grasp, load, outcome).map_err(refused)?),
-            Raw::Onset(onset) => json(&setup.tell_onset(grasp, onset).map_err(refused)?),
-            Raw::Turn(turn) => json(&setup.tell_onset_of_turn(grasp, turn).map_err(refused)?),
+            Raw::Solved(outcome, load) => json(&Setup::tell_outcome(grasp, load, outcome).map_err(refused)?),
+            Raw::Onset(onset) => json(&Setup::tell_onset(grasp, onset)),
+            Raw::Turn(turn) => json(&Setup::tell_onset_of_turn(grasp, turn)),
         }
     }
 

@@ -1,4 +1,4 @@
-//! Contacts of many grasps as arrays: one array for each datum, of shape (grasps, contacts) or (grasps, contacts, axes).
+//! Contacts of many grasps as arrays: one array for each quantity, of shape (grasps, contacts) or (grasps, contacts, axes).
 
 use grasp_lcp::grasp::{Contact, Hold, SoftFingertip};
 use grasp_lcp::scene::Tip;
@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 
 use crate::errors::{of_json, wrong};
 
-/// Arrays from Python. All have the same number B of grasps and n of contacts; broadcast axes have strides of zero. Absent data are `None`.
+/// Arrays from Python, all for the same number B of grasps and n of contacts; broadcast axes have strides of zero. Absent quantities are `None`.
 #[derive(FromPyObject)]
 pub(crate) struct GivenColumns<'py> {
     #[pyo3(item)]
@@ -43,7 +43,7 @@ pub(crate) struct GivenColumns<'py> {
     hold: Option<PyReadonlyArray1<'py, u8>>,
 }
 
-/// Views of the arrays in place, for threads that do not hold the interpreter's lock.
+/// Views of the arrays, without copies, for threads that do not hold the interpreter's lock.
 pub(crate) struct Columns<'a> {
     points: ArrayView3<'a, f64>,
     normals: ArrayView3<'a, f64>,
@@ -114,7 +114,7 @@ impl Columns<'_> {
         Ok(Pads(pads))
     }
 
-    /// Appends the points of all contacts of a row to a list. A contact that is malformed stays one point, which the grasp then refuses.
+    /// Appends the points of all contacts of a row to a list. A malformed contact is appended as one point, which the grasp then refuses.
     pub(crate) fn fill<const C: usize>(&self, pads: &Pads<C>, row: usize, points: &mut Vec<Contact<C>>) {
         for (i, pad) in pads.0.iter().enumerate() {
             let contact = self.contact(row, i);

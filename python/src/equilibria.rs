@@ -15,7 +15,7 @@ use pyo3::types::PyDict;
 use crate::columns::{Columns, GivenColumns};
 use crate::errors::{has_nan, wrong};
 
-/// Grasps in one task of a thread. A task takes 0.1 ms or more, so that the cost of scheduling is negligible.
+/// Number of grasps in one task of a thread. Such a task takes 0.1 ms or more, so that the cost of scheduling is negligible.
 const CHUNK: usize = 64;
 
 /// Outcome of a row, numbered as in `grasp_lcp.SolveStatus`.
@@ -29,23 +29,23 @@ enum Status {
     Malformed,
 }
 
-/// Flat arrays of answers for some rows, load by load within each row. Numbers are NaN without an equilibrium.
+/// Answers for some rows (grasps) as flat arrays: row by row, and load by load within each row. Without an equilibrium numbers are NaN.
 #[derive(Default)]
 struct Found {
     status: Vec<u8>,
     twist: Vec<f64>,
     residual: Vec<f64>,
-    /// One entry a contact: its state, its gap (m), and its friction in reserve (N).
+    /// One entry for each contact: its state, its gap (m), and its margin μ F_n - |F_t| (N).
     states: Vec<u8>,
     gap: Vec<f64>,
     margin: Vec<f64>,
-    /// One entry an axis of each contact: forces (N) and slips (m).
+    /// One entry for each axis of each contact: forces (N) and slips (m).
     force: Vec<f64>,
     force_world: Vec<f64>,
     slip: Vec<f64>,
 }
 
-/// Equilibria of B grasps under P loads, as flat arrays by name. Each grasp has its own load if `own`, else all loads.
+/// Equilibria of B grasps under P loads, as flat arrays by name. With `own`, grasp k has load k alone; otherwise each grasp has all loads.
 #[pyfunction]
 pub(crate) fn equilibria_of_rows<'py>(
     py: Python<'py>,

@@ -7,7 +7,7 @@ use grasp_lcp::{Error, Field};
 use pyo3::PyErr;
 use pyo3::exceptions::PyValueError;
 
-/// A `ValueError` with the argument, the index in it, the value, and the allowed values.
+/// The error of the crate as a `ValueError` that names the argument, the index in it, the value, and the allowed values.
 pub(crate) fn refused(error: Error) -> PyErr {
     PyValueError::new_err(match error {
         Error::Contact { contact, field, value, allowed } => {
@@ -48,7 +48,7 @@ pub(crate) fn has_nan(error: &Error) -> bool {
     matches!(error, Error::Contact { value, .. } | Error::Wrench { value, .. } if value.is_nan())
 }
 
-/// A number in a message; very large and very small ones have an exponent.
+/// A number in a message, with an exponent if it is very large or very small.
 pub(crate) fn shown(value: f64) -> String {
     let plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
     if plain { value.to_string() } else { format!("{value:e}") }
@@ -92,7 +92,7 @@ fn named(what: &'static str) -> &'static str {
     }
 }
 
-/// The message of serde for a part of a scene, without line and column: they refer to a text that the package made, not the caller.
+/// A `ValueError` with the message of serde, without line and column: they would refer to text that the package has written, not the caller.
 pub(crate) fn of_json(argument: &str, error: &serde_json::Error) -> PyErr {
     let message = error.to_string();
     let message = message.split(" at line ").next().unwrap_or(&message);

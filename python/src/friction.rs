@@ -1,4 +1,4 @@
-//! Frictional contact problems without a grasp.
+//! Frictional contact problems (W, q, μ) that belong to no grasp.
 
 use grasp_lcp::friction::{Error, FrictionProblem, Solution};
 use grasp_lcp::lcp::Outcome;
@@ -9,7 +9,7 @@ use crate::answers::json;
 use crate::errors::wrong;
 use crate::lcp::{misfit, of_list, of_rows};
 
-/// Solves `u = W r + q` with Coulomb's law, for contacts of two or three components. Returns the outcome in JSON, and in one line of words.
+/// Solves `u = W r + q` with Coulomb's law, for contacts of two or three components. Returns the outcome as JSON and as a sentence.
 #[pyfunction]
 pub(crate) fn solve_friction(
     py: Python<'_>,

@@ -13,7 +13,8 @@ use crate::errors::wrong;
 use crate::onsets::ended;
 use crate::rows::{Rows, Status, status_of};
 
-/// Rows of numbers in the layout of `ScreenedGradients`, with the factor in place of its code, and the status of each row.
+/// Gradients in the layout of `ScreenedGradients`, one row for each grasp and load, and the status of each row. A row begins with the factor instead
+/// of its code.
 struct Slopes {
     numbers: Vec<f64>,
     status: Vec<u8>,
@@ -21,7 +22,7 @@ struct Slopes {
 
 type Arrays<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>);
 
-/// Gradients of B grasps of two to five contacts under P loads. Each grasp has its own load if `own`, else all loads.
+/// Gradients of B grasps of two to five contacts under P loads. With `own`, grasp k has load k alone; otherwise each grasp has all loads.
 #[pyfunction]
 pub(crate) fn onset_gradients_of_rows<'py>(
     py: Python<'py>,
@@ -48,7 +49,7 @@ pub(crate) fn onset_gradients_of_rows<'py>(
 }
 
 impl<const C: usize> Rows<'_, C> {
-    /// Gradients by the number of contacts; `None` where screening has none.
+    /// Gradients for the grasps' number of contacts; `None` unless it is 2 to 5.
     fn of_size(&self) -> Option<Slopes> {
         Some(match self.columns.contacts() {
             2 => self.slopes::<2>(),
@@ -92,7 +93,7 @@ impl<const C: usize> Rows<'_, C> {
                     }
                     Err(status) => slopes.status[place] = *status as u8,
                 },
-                // Malformed contacts, or springs that screening does not support; a fault of the load comes first.
+                // Screening refuses malformed contacts and some springs. A fault of the load takes precedence over a fault of the contacts.
                 (Err(_), _) => {
                     let status =
                         Grasp::<C>::new(contacts).map_or_else(|error| status_of(&error), |_| Status::Unclear);

@@ -22,10 +22,10 @@ use crate::pictures::Drawn;
 use crate::quality::Quality;
 use crate::watch::{Watch, Watchable};
 
-/// Points of all contacts, and edges of the part, m.
+/// Points of all contacts, and edges of the grasped part's mesh, m.
 pub(crate) type Places = (Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>);
 
-/// Questions that a grasp answers, in the plane or in space.
+/// The questions that Python asks of a grasp, in the plane or in space.
 pub(crate) trait Held: Send + Sync {
     fn json(&self) -> PyResult<String>;
     fn axes(&self) -> usize;
@@ -39,9 +39,9 @@ pub(crate) trait Held: Send + Sync {
     fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>>;
     /// Mass, kg, and centre of mass, m, of the part of the scene, as far as they are known.
     fn part(&self) -> (Option<f64>, Option<[f64; 3]>);
-    /// Points of all contacts, and edges of the part, m.
+    /// Points of all contacts, and edges of the grasped part's mesh, m.
     fn places(&self) -> PyResult<Places>;
-    /// The grasp in an equilibrium that JSON describes, or at rest, as SVG or as a page. `None` for hands, several bodies, and pages in the plane.
+    /// The grasp as SVG or HTML page, in the equilibrium `state` (JSON), or at rest without it. `None` for hands, several bodies, and pages in the plane.
     fn drawn(&self, state: Option<&str>, title: &str, page: bool) -> PyResult<Option<String>>;
 }
 
@@ -73,7 +73,7 @@ impl<const C: usize> Kept<C> {
     }
 }
 
-/// Conversions of a setup to a scene of its kind, and of answers from it.
+/// Converts a setup to a planar or spatial scene, and takes answers from the enum of both kinds.
 pub(crate) trait InSpace: Sized {
     type Answer;
     fn in_space(self) -> Space;
@@ -100,12 +100,12 @@ impl InSpace for Setup<3> {
     }
 }
 
-/// Refuses a question that counts the weight of bodies twice. It accepts text that is not JSON, which the parser refuses later.
+/// Refuses a question that contains the weight of bodies a second time. Text that is not JSON passes, since the parser refuses it later.
 fn once<const C: usize>(setup: &Setup<C>, question: &str, path: &str) -> PyResult<()> {
     setup.refuse_weight_twice(&serde_json::from_str(question).unwrap_or_default(), path).map_err(wrong)
 }
 
-/// Asks one question through the scene room, which supports joints and several bodies. Returns the answer in JSON.
+/// Asks one question by means of a scene, which supports joints and several bodies. Returns the answer in JSON.
 fn asked<const C: usize>(setup: &Setup<C>, question: Question<C>) -> PyResult<String>
 where
     Setup<C>: InSpace<Answer = Answer<C>>,
@@ -197,8 +197,7 @@ where
         let load = wrench("load", load)?;
         let grasp = self.without_joints("equilibria").map_err(refused)?;
         let all = py.detach(|| grasp.with(&self.setup.settings).equilibria(load)).map_err(refused)?;
-        let told: Result<Vec<_>, _> = all.iter().map(|state| self.setup.tell_equilibrium(state)).collect();
-        json(&told.map_err(refused)?)
+        json(&all.iter().map(|state| Setup::tell_equilibrium(grasp, state)).collect::<Vec<_>>())
     }
 
     fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>> {
@@ -233,13 +232,13 @@ pub(crate) struct Grasp {
     held: Arc<dyn Asked>,
 }
 
-/// All questions of a grasp.
+/// The questions about equilibria and those about closure, limits and squeeze.
 pub(crate) trait Asked: Held + Quality {}
 impl<T: Held + Quality> Asked for T {}
 
 #[pymethods]
 impl Grasp {
-    /// The grasp of the contacts in the first row of the columns.
+    /// A grasp from its contacts: the first row of the arrays of contact data.
     #[staticmethod]
     fn of_columns(
         columns: GivenColumns<'_>,
@@ -256,7 +255,7 @@ impl Grasp {
         })
     }
 
-    /// The grasp of a scene. Questions of the scene are ignored. Errors in a text that Python did not read, but made, have no line and column.
+    /// The grasp of a scene, whose questions are ignored. If the package itself has `made` the text, errors have no line and column.
     #[staticmethod]
     #[pyo3(signature = (text, made=false))]
     fn of_json(text: &str, made: bool) -> PyResult<Self> {
@@ -382,7 +381,7 @@ fn alone<const C: usize>(mut setup: Setup<C>) -> Setup<C> {
     setup
 }
 
-/// A scene; errors in a text that Python `made` have no line and column.
+/// Reads a scene. If the package itself has `made` the text, errors have no line and column.
 fn read(text: &str, made: bool) -> PyResult<Scene> {
     Scene::from_json(text.as_bytes()).map_err(|mut fault| {
         fault.at = fault.at.filter(|_| !made);

@@ -1,4 +1,4 @@
-//! Data of a grasp that are kept between questions.
+//! The data of a grasp that are kept from question to question.
 
 use std::sync::Arc;
 

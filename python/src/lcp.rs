@@ -1,4 +1,4 @@
-//! Complementarity problems without a grasp.
+//! Linear complementarity problems that belong to no grasp.
 
 use grasp_lcp::lcp::{Lcp, LcpError};
 use grasp_lcp::nalgebra::{DMatrix, DVector};
@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use crate::answers::json;
 use crate::errors::wrong;
 
-/// Solves `0 <= z ⟂ M z + q >= 0`. Returns the outcome in JSON, and in one line of words.
+/// Solves `0 <= z ⟂ M z + q >= 0`. Returns the outcome as JSON and as a sentence.
 #[pyfunction]
 pub(crate) fn solve_lcp(
     py: Python<'_>,
@@ -29,7 +29,7 @@ pub(crate) fn of_list(list: ArrayView1<'_, f64>) -> DVector<f64> {
     DVector::from_fn(list.len(), |i, _| list[i])
 }
 
-/// A `ValueError` that names the argument `M` or `q`, as the formula and the crate do.
+/// The error as a `ValueError` that names the argument `M` or `q`.
 pub(crate) fn misfit(error: LcpError) -> PyErr {
     match error {
         LcpError::NotSquare { rows, columns } => {

@@ -1,6 +1,6 @@
-//! The native module `_grasp_lcp` of the Python package `grasp_lcp`. The package adds names, types and docs.
+//! The native module `_grasp_lcp` of the Python package `grasp_lcp`. The package wraps it in documented, typed classes and functions.
 //!
-//! Numbers are passed as arrays, answers as JSON in the format of [`grasp_lcp::scene`]. The package decides which parts of an answer it reads.
+//! Numbers are passed as arrays, answers as JSON in the format of [`grasp_lcp::scene`], of which the package reads what it needs.
 //! This crate contains no mechanics. Malformed input is a `ValueError` or a `TypeError` that names the argument.
 
 use pyo3::prelude::*;
@@ -30,7 +30,7 @@ mod _grasp_lcp {
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-    /// The page of all fields of a scene.
+    /// The page of all fields of a scene, in Markdown.
     #[pymodule_export]
     const FIELDS: &str = include_str!("../../examples/scenes/FIELDS.md");
 

@@ -8,13 +8,13 @@ use pyo3::types::{PyMapping, PyString};
 
 use crate::errors::{of_json, wrong};
 
-/// The most numbers that a load has: force and moment in space.
+/// Largest number of components of a load: force and moment in space.
 const MOST: usize = 6;
 
 /// Reads a load: `C` components of a force (N), or all components with the moment about the origin (N m), or a mapping as in scenes.
 pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Wrench<C>> {
     if given.cast::<PyMapping>().is_ok() {
-        // Arrays in the mapping are converted by Python, which names their keys.
+        // Python converts the arrays of the mapping, so that its errors name the key.
         let columns = given.py().import("grasp_lcp._columns")?;
         let text: String = columns.call_method1("load_text", (argument, given))?.extract()?;
         let read = |error| of_json(argument, &error);
@@ -34,7 +34,7 @@ pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -
     Ok(Wrench::from_components(&numbers[..count]))
 }
 
-/// The numbers of a load, force and moment, of `axes` 2 or 3.
+/// The components of a load, force and then moment, in the plane (`axes` 2) or in space (3).
 #[pyfunction]
 pub(crate) fn load_numbers(argument: &str, given: &Bound<'_, PyAny>, axes: usize) -> PyResult<Vec<f64>> {
     Ok(if axes == 2 {

@@ -12,7 +12,7 @@ use crate::columns::GivenColumns;
 use crate::errors::wrong;
 use crate::rows::{Rows, Status, status_of};
 
-/// Flat arrays of answers for some rows, load by load within each row.
+/// Answers for some rows (grasps) as flat arrays: row by row, and load by load within each row.
 struct Found {
     factor: Vec<f64>,
     status: Vec<u8>,
@@ -21,7 +21,8 @@ struct Found {
 
 type Arrays<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<bool>>);
 
-/// Factors, statuses and leaving contacts of B grasps under P loads. Each grasp has its own load if `own`, else all loads.
+/// First-slip factors, statuses, and flags of the contacts that stop sticking, for B grasps under P loads. With `own`, grasp k has load k alone;
+/// otherwise each grasp has all loads.
 #[pyfunction]
 pub(crate) fn onsets_of_rows<'py>(
     py: Python<'py>,
@@ -102,7 +103,8 @@ impl<const C: usize> Rows<'_, C> {
             }
         }
         for row in left {
-            // Malformed contacts, or numbers of points and springs that screening does not support: the full method answers or names the fault.
+            // Screening refuses malformed contacts, and numbers of points or springs that it does not support. The full method answers these rows or
+            // finds the fault.
             self.ask_whole(row, &mut found, (row - first) * each, |_| true);
         }
         if self.complete {
@@ -116,7 +118,7 @@ impl<const C: usize> Rows<'_, C> {
         found
     }
 
-    /// Answers the loads of one row by the full method where `wanted` accepts the present status. The answers begin at `place`.
+    /// Answers the loads of one row by the full method if `wanted` accepts their present status. The answers of the row begin at index `place`.
     fn ask_whole(&self, row: usize, found: &mut Found, place: usize, wanted: impl Fn(u8) -> bool) {
         let mut points = Vec::new();
         self.fill(row, &mut points);
@@ -159,7 +161,7 @@ impl Found {
         }
     }
 
-    /// An answer of the full method, for contacts of so many points each.
+    /// Sets an answer of the full method; `counts` has the number of points of each contact.
     fn set_whole<const C: usize>(&mut self, place: usize, onset: &Onset<C>, counts: &[usize]) {
         let (status, factor) = match onset {
             Onset::At(event) => {

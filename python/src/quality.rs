@@ -180,7 +180,7 @@ fn text(value: &Value) -> PyResult<String> {
     serde_json::to_string(value).map_err(wrong)
 }
 
-/// A number, or the word of the scene format for a number that JSON cannot express.
+/// A number, or the scene format's word for a number that JSON cannot express, such as "infinite".
 fn number(x: f64) -> Value {
     match x {
         _ if x.is_finite() => x.into(),

@@ -1,4 +1,4 @@
-//! Rows of grasps with their loads, shared by batches of onsets and of gradients.
+//! Many grasps with their loads, one grasp a row: the input of batches of onsets, gradients and verdicts.
 
 use std::ops::Range;
 
@@ -12,7 +12,7 @@ use pyo3::PyResult;
 use crate::columns::{Columns, Pads};
 use crate::errors::has_nan;
 
-/// Contact points in one task of a thread. This number stays in the cache of a core from reading to screening.
+/// Number of contact points in one task of a thread. They stay in the cache of a core from reading to screening.
 const POINTS: usize = 6144;
 
 /// Outcome of a row, numbered as in `grasp_lcp.OnsetStatus`.
@@ -30,15 +30,15 @@ pub(crate) enum Status {
     Malformed,
 }
 
-/// Rows of grasps with their loads.
+/// Grasps, one a row, with their loads.
 pub(crate) struct Rows<'a, const C: usize> {
     pub(crate) columns: &'a Columns<'a>,
     pub(crate) pads: Pads<C>,
     pub(crate) loads: Vec<[Wrench<C>; 2]>,
     pub(crate) pulls: Vec<Result<Pull<C>, Status>>,
-    /// Whether row k has load k alone, in place of all loads.
+    /// Whether row k has load k alone; otherwise each row has all loads.
     pub(crate) own: bool,
-    /// Whether the full method answers rows that screening leaves open.
+    /// Whether the full method answers rows that screening does not decide.
     pub(crate) complete: bool,
 }
 
@@ -63,7 +63,7 @@ impl<'a, const C: usize> Rows<'a, C> {
         Ok(Self { columns, pads: columns.pads()?, loads, pulls, own, complete })
     }
 
-    /// The points of all contacts of a row, in memory that is reused.
+    /// Writes the points of all contacts of a row into a list, whose memory is reused.
     pub(crate) fn fill(&self, row: usize, points: &mut Vec<Contact<C>>) {
         points.clear();
         self.columns.fill(&self.pads, row, points);

@@ -14,12 +14,12 @@ use crate::columns::GivenColumns;
 use crate::errors::{has_nan, of_json, wrong};
 use crate::rows::Rows;
 
-/// The number in `grasp_lcp.VerdictStatus` of a row that is malformed; one less marks a NaN.
+/// The number in `grasp_lcp.VerdictStatus` of a malformed row. The number before it marks a row with a NaN.
 const MALFORMED: u8 = 8;
-/// The number where there is no motion or no doubt.
+/// The number for "no motion" and "no doubt".
 const NONE: u8 = 255;
 
-/// Columns of the verdicts on B grasps under P loads, row by row. Each grasp has its own load if `own`, else all loads.
+/// Verdicts on B grasps under P loads as flat arrays by name, row by row. With `own`, grasp k has load k alone; otherwise each grasp has all loads.
 #[pyfunction]
 pub(crate) fn verdicts_of_rows<'py>(
     py: Python<'py>,
@@ -75,7 +75,7 @@ pub(crate) fn verdicts_of_rows<'py>(
 type Loads<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray2<'py, f64>);
 type Amounts<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>);
 
-/// Amounts and their statuses of B grasps under P loads, row by row. Each grasp has its own load if `own`, else all loads.
+/// Amounts that B grasps need under P loads, and their statuses, row by row. With `own`, grasp k has load k alone; otherwise each grasp has all loads.
 #[pyfunction]
 pub(crate) fn amounts_of_rows<'py>(
     py: Python<'py>,
@@ -126,12 +126,12 @@ fn read(settings: Option<&str>) -> PyResult<Settings> {
 }
 
 impl<const C: usize> Rows<'_, C> {
-    /// The number of grasps times that of the loads of each.
+    /// The number of questions: grasps times loads of each grasp.
     fn count(&self) -> usize {
         if self.own { self.columns.rows() } else { self.columns.rows() * self.loads.len() }
     }
 
-    /// The contacts and the loads of a row, for batches of the crate.
+    /// A function for batches of the crate: it writes the contacts of question `number`, and returns its base load and its load.
     fn each(&self) -> impl Fn(usize, &mut Vec<Contact<C>>) -> [Wrench<C>; 2] + Sync {
         let each = if self.own { 1 } else { self.loads.len() };
         move |number, points| {
@@ -141,7 +141,7 @@ impl<const C: usize> Rows<'_, C> {
     }
 }
 
-/// The number in `grasp_lcp.VerdictStatus`.
+/// The number of a verdict in `grasp_lcp.VerdictStatus`.
 fn number_of_how(how: How) -> u8 {
     match how {
         How::Sticks => 0,
@@ -154,7 +154,7 @@ fn number_of_how(how: How) -> u8 {
     }
 }
 
-/// The number in `grasp_lcp.LossMotion`.
+/// The number of a motion in `grasp_lcp.LossMotion`.
 fn number_of_motion(motion: LossVerb) -> u8 {
     match motion {
         LossVerb::Drops => 0,
@@ -168,7 +168,7 @@ fn number_of_motion(motion: LossVerb) -> u8 {
     }
 }
 
-/// The number in `grasp_lcp.Doubt`.
+/// The number of a doubt in `grasp_lcp.Doubt`.
 fn number_of_doubt(doubt: Doubt) -> u8 {
     match doubt {
         Doubt::RayWithoutProof => 0,

@@ -1,4 +1,4 @@
-//! A watch over measured contact forces of one grasp, for a control loop.
+//! Watches measured contact forces of one grasp in a control loop: margin, next slip, and the squeeze that would suffice.
 
 use grasp_lcp::Error;
 use grasp_lcp::grasp::Contact;
@@ -11,10 +11,10 @@ use crate::errors::{refused, shown, wrong};
 use crate::loads::wrench;
 use crate::onsets::ended;
 
-/// Margin (N) and its contact; status, factor and contacts of the first slip; the least increase of the squeeze that suffices.
+/// Least margin (N) and its contact; status, load factor and contacts of the first slip; the least factor of extra squeeze that suffices.
 type WatchRow = (f64, usize, u8, f64, Vec<usize>, Option<f64>);
 
-/// A watch for any number of fingers and axes.
+/// A watch over a grasp, whatever its number of contacts and axes.
 trait Watches: Send + Sync {
     fn look(&self, forces: &ArrayView2<'_, f64>, to_come: &Bound<'_, PyAny>) -> PyResult<Watched>;
 }
@@ -51,7 +51,7 @@ impl Watch {
     }
 }
 
-/// Contacts of the plane or of space, of which two to five can be watched.
+/// Planar or spatial contacts; a grasp of two to five of them can be watched.
 pub(crate) trait Watchable: Sized {
     fn watch(contacts: &[Self]) -> PyResult<Watch>;
 }

@@ -15,7 +15,7 @@ pub enum Error {
     Friction {
         /// The contact, counted from 0.
         contact: usize,
-        /// Its friction coefficient.
+        /// The friction coefficient that was given.
         value: f64,
     },
     /// A word of a file is not of the required kind.

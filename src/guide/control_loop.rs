@@ -1,8 +1,8 @@
 //! A watch in a control loop, with an operating system and without one.
 //!
 //! [`Fingers::watch`](crate::screening::Fingers::watch) takes contact forces that were measured just now and the load to come. It returns the margin
-//! of the forces, the load at which the first contact slides, and the extra squeeze that prevents it. It allocates nothing and takes the same steps
-//! for all numbers.
+//! of the forces, the load at which the first contact slides, and the extra squeeze that prevents it. It allocates nothing, and the number of
+//! its operations does not depend on the data.
 //!
 //! # One tick
 //!
@@ -10,13 +10,13 @@
 //! use grasp_lcp::Error;
 //! use grasp_lcp::spatial::{Fingers, Wrench};
 //!
-//! /// So much the squeeze may grow in a tick, in parts of the first one.
+//! /// Largest growth of the squeeze in one tick, as a fraction of the first squeeze.
 //! const FASTEST: f64 = 0.01;
 //!
-//! /// Forces in N along the coordinate axes, as sensors of the fingers feel them; the load that the next 30 ms bring on top of the present one.
+//! /// `forces` are measured at the fingers, N, along the coordinate axes; `to_come` is the load that the next 30 ms add to the present one.
 //! fn tick(fingers: &Fingers<3>, forces: &[[f64; 3]; 3], to_come: &Wrench, squeeze: &mut f64) -> Result<(), Error> {
 //!     let seen = fingers.watch(forces, to_come)?;
-//!     // No factor: already one slides, or no squeeze holds. Then press as fast as the motors can.
+//!     // Without a factor a contact slides already, or no squeeze holds: press as fast as the motors can.
 //!     *squeeze += seen.extra_squeeze().factor().unwrap_or(FASTEST).min(FASTEST);
 //!     Ok(())
 //! }
@@ -50,10 +50,10 @@
 //! The whole library is then `no_std`: equilibria, paths, verdicts and complementarity problems as well, on one core. These need an allocator;
 //! `onset` and `watch` of `Fingers` allocate nothing. The [root](crate#without-the-standard-library) lists the parts that need std.
 //!
-//! A program that uses `Fingers` alone links their kernels alone, of the plane or of space. A [`Grasp`](crate::ask::Grasp) links all of its
-//! questions.
+//! A program that uses `Fingers` alone contains only their kernels, of the plane or of space. A program that uses a [`Grasp`](crate::ask::Grasp)
+//! contains all questions.
 //!
-//! A Cortex-M4 has no hardware for double precision, so that a tick takes as long as its emulation in software. A Cortex-M7 may have it. Times must
+//! A Cortex-M4 has no hardware for double precision, so that software emulates it and decides the time of a tick. A Cortex-M7 may have it. Times must
 //! be measured on the controller; this guide promises none.
 //!
 //! `tests/without_std` in the repository is such a program. It is compiled for `thumbv7em-none-eabihf`, and run on a desktop, where its answers agree

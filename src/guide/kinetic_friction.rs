@@ -19,8 +19,8 @@
 //! SLIPS OUT at 13 N of 14 N beside the load at rest, caught at 7.5 N after slipping 0.6 mm at plastic foot, after which it takes 12 N: the object moves along +x, plastic foot and rubber foot slide (gross slip)
 //! ```
 //!
-//! If nothing catches the object, the sentence has *falls at the first slip*. The load after that (12 N here) is the load that kinetic friction holds
-//! from the start.
+//! If no other contact takes over the force, the sentence says *falls at the first slip*. The load after *it takes* (12 N here) is the load that the
+//! grasp holds with kinetic friction from the start.
 //!
 //! # Contents of the answer
 //!
@@ -41,7 +41,7 @@
 //!
 //! # Limitations
 //!
-//! * **No overshoot.** The object comes to rest where forces balance, as in oil. A slider on a spring falls from `μ_s N` to `μ_k N` and then slides
+//! * **No overshoot.** The object comes to rest where forces balance, as if it moved in oil. A slider on a spring falls from `μ_s N` to `μ_k N` and then slides
 //!   steadily. Without damping it falls twice as far, to `(2 μ_k - μ_s) N`, sticks, and repeats this: stick-slip. In such a jump the change of force
 //!   at other contacts is up to about twice the computed one, and some that would catch the object do not. `2 μ_k - μ_s` in place of `μ_k` shows this
 //!   effect; for one spring it is exact.

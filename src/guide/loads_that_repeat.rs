@@ -19,8 +19,8 @@
 //! WALKS: the object moves 0.01 mm along +x in every cycle, left foot and right foot slide. Good for slow shaking: inertia acts only as far as the loads contain it
 //! ```
 //!
-//! A pull of 3.5 N acts on a block of 10 N with a friction of 0.5: applied once, 5 N would be held. But the block leans on one foot and then on the
-//! other, with 3 N and 7 N. The other foot takes over the force that the foot with the smaller load cannot hold. In every cycle the block walks by
+//! A pull of 3.5 N acts on a block of 10 N with a friction of 0.5: applied once, 5 N would be held. But rocking moves weight from one foot to the
+//! other: one presses with 3 N, the other with 7 N. The loaded foot takes over the friction that the unloaded foot cannot hold. In every cycle the block walks by
 //! `2 (Q - μ (P - 2 m)) / k = 2 (3.5 - 0.5 (10 - 4)) / 10⁵` metres. Up to 3 N it rests.
 //!
 //! # A hammer jerks along its handle. Does it creep out of the hand?
@@ -57,7 +57,7 @@
 //!
 //! `grasp-lcp draw fixture.json` draws the slip of each contact over the cycles, and the final loop of friction against slip, whose area is the heat.
 //!
-//! # How hard must it press to be shaken for ever?
+//! # How hard must it press to survive any number of cycles?
 //!
 //! [`Need::to_rest`](crate::need::Need::to_rest) seeks the least squeeze or friction, or the greatest load, with which the object comes to rest; on
 //! the command line `--repeats`, in a scene `"demand": "rests"`. With `--may-slide` in addition (`"stays"`) the object only must not walk. The

@@ -2,20 +2,20 @@
 //!
 //! # Which answers depend on it
 //!
-//! Where fingers press with given forces (`pressed_with`, `force`, suction), only **ratios** of stiffnesses decide how contacts share a load. All springs ten times
-//! as stiff leave every force, first slip and loss where they were, and divide displacements by ten.
+//! Where fingers press with given forces (`pressed_with`, `force`, suction), only **ratios** of stiffnesses decide how contacts share a load. If all springs
+//! become ten times as stiff, forces, first slip and loss stay the same, and displacements are a tenth.
 //!
 //! | answer | depends on |
 //! |---|---|
-//! | load that is lost, of fingers that press with forces that stay | friction and forces; on ratios of stiffness only where normal forces shift under the load |
-//! | first slip | ratios: of contacts beside each other, and of tangential to normal |
-//! | motions, and so whether a load goes too far | their size |
-//! | squeeze by `command`, a displacement | their size: force = stiffness × displacement |
+//! | load at which the grasp is lost, if pressing forces stay constant | friction and forces; on ratios of stiffness only if the load changes normal forces |
+//! | first slip | ratios between contacts, and of tangential to normal stiffness |
+//! | motions, and so whether a load moves the object too far | absolute stiffness |
+//! | squeeze by `command`, a displacement | absolute stiffness: force = stiffness × displacement |
 //!
 //! ```
 //! use grasp_lcp::planar::{Contact, Grasp, Wrench};
 //!
-//! // Two jaws, a load off their middle; all springs ten times as stiff, then the left jaw alone.
+//! // Two jaws and a load off their middle; then all springs are ten times as stiff, and then only those of the left jaw.
 //! let grasp = |left: f64, right: f64| {
 //!     let jaw = |x: f64, k: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2e5 * k, 7e4 * k).friction(0.5).pressed_with(20.0);
 //!     Grasp::new([jaw(-0.04, left), jaw(0.04, right)])
@@ -26,7 +26,7 @@
 //! assert!((onset(&soft)? / onset(&stiff)? - 1.0).abs() < 1e-12);
 //! let sinks = |grasp: &Grasp| Ok::<_, grasp_lcp::Error>(grasp.solve(load)?.equilibrium().expect("it holds").twist.translation()[1]);
 //! assert!((sinks(&soft)? / sinks(&stiff)? - 10.0).abs() < 1e-9);
-//! // A pinch of two points carries each moment by one force a side, whatever the springs are; with a third jaw they count.
+//! // The forces of two points follow from statics, for any springs; with a third jaw they depend on ratios of stiffness.
 //! assert!((onset(&uneven)? / onset(&soft)? - 1.0).abs() < 1e-12);
 //! let three = |k: f64| {
 //!     let below = Contact::new([0.0, -0.03], [0.0, 1.0]).series_stiffness(2e5 * k, 7e4 * k).friction(0.5);
@@ -36,11 +36,11 @@
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```
 //!
-//! A scene without a stiffness is answered with 1e4 N/m in all directions, and a warning names each question whose answer changes when that does.
+//! A contact without a stiffness has 1e4 N/m in all directions. A warning names each question whose answer depends on this default.
 //!
 //! # Which stiffness to enter
 //!
-//! `stiffness` (or `series_stiffness`) is `[normal, tangential]` of all that gives way between the object and what holds it, in series: the softest counts.
+//! `stiffness` (or `series_stiffness`) is `[normal, tangential]` of all elastic parts between the object and its fixture, in series: the softest part dominates.
 //! `grasp-lcp values` prints ordinary values with their sources.
 //!
 //! | what holds | enter | how it presses |
@@ -49,14 +49,14 @@
 //! | steel jaw, locator, vice | 1e7 to 1e8 N/m, tangential 0.7 to 0.9 of it | a screw that is tightened once: `pressed_with`; one that follows: `force` |
 //! | gripper with a servo that holds its position | finger (3 E I/L³) and pad in series, with the drive's stiffness where that is known | `pressed_with` |
 //! | gripper with an air cylinder or a motor that stalls | pad and finger | `force`, or a joint with a `limit` |
-//! | bolt or tie rod, section A, length L | a `spring` or `cable` link with E A/L; M10 of 50 mm: 2.4e8 N/m | `tension`, as it is once installed |
+//! | bolt or tie rod, section A, length L | a `spring` or `cable` link with E A/L; M10 of 50 mm: 2.4e8 N/m | `tension`, the tension after installation |
 //! | strap, rope | a `cable` link; force over elongation of its data sheet, times its length | `tension` |
 //! | suction cup | force over stroke of the bellows; some 8e3 N/m, tangential half | `suction` |
 //! | contact of a simulator | its pads, as above, and the simulator's normal forces | `pressed_with` |
 //!
-//! MuJoCo's `solref` is no stiffness in N/m: with a time constant and a damping ratio it prescribes accelerations, so that a contact's force for a penetration scales with
-//! the mass behind it (MuJoCo's documentation, chapter Computation). Drake's hydroelastic modulus is a pressure, Pa: times the area and over the thickness of the layer
-//! it is a stiffness. `python/examples` has both simulators.
+//! MuJoCo's `solref` is not a stiffness in N/m: its time constant and damping ratio prescribe accelerations. The force for a given penetration is therefore proportional to
+//! the mass behind the contact (MuJoCo's documentation, chapter Computation). Drake's hydroelastic modulus is a pressure, Pa: multiplied by the area and divided by the
+//! thickness of the layer it is a stiffness. `python/examples` has both simulators.
 //!
 //! # Where a pad's sides lie
 //!
@@ -86,9 +86,9 @@
 //!
 //! # What strips cost
 //!
-//! Half of each side is cut into `strips`, two points each: `[1, 1]`, if left out, are 16 points, `[2, 2]` are 64. Tilting and twisting stiffness, first opening and first
-//! sliding are those of the uniform pad for any number; only the last part of sliding is coarser. Time grows faster than the points. The report `pad_strips` prints error and
-//! time of a gripper that twists and pulls its pads at once.
+//! Each half of a side is divided into `strips` of two points each: the default `[1, 1]` gives 16 points, `[2, 2]` gives 64. For any number of strips, tilting and twisting
+//! stiffness, first opening and first sliding are those of the uniform pad. Only the transition from first to gross sliding is coarser. Computing time grows faster than the
+//! number of points. The report `pad_strips` prints error and time for a gripper whose pads are twisted and pulled at once.
 //!
 //! # Joints, meshes, simulators
 //!

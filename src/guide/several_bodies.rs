@@ -22,8 +22,8 @@
 //! HOLDS, everything sticks: 283.495 N (1.13398 times this load) until the first slip (fixed jaw), 300 N (1.2 times) until it is lost
 //! ```
 //!
-//! The part is lost at 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own. It runs on its guide as the screw pushes it and turns a little
-//! under the pull, so that the jaws share the pull unequally and the fixed jaw slips first. The table below the answer has the force and moment of
+//! The part is lost at 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own. The screw pushes it along its guide, and it turns a little
+//! under the pull. So the jaws share the pull unequally, and the fixed jaw slips first. The table below the answer has the force and moment of
 //! the guide, a link: 119 N and 2.1 N m.
 //!
 //! # What do tongs carry?
@@ -43,7 +43,7 @@
 //! NEEDS a coefficient of friction of 0.6 so that it holds and nothing slides, 0.666667 if friction is 10 % less. With less: SLIPS OUT at once, under any part of 200 N: block moves along −y. Nothing holds all of it within 0.0333333 mm and 0.00763944° of there
 //! ```
 //!
-//! Ropes at 45° pull the levers up with W/2 each, and together with the same force. About the pin the arms are 0.2 m and 0.15 m above it, 0.15 m and
+//! Ropes at 45° pull each lever upwards with W/2, and inwards with the same force. About the pin the arms are 0.2 m and 0.15 m above it, 0.15 m and
 //! 0.3 m below. Each jaw then presses with 0.25/0.3 W and has to carry W/2, for any W: `μ = 0.6`. Ropes are links that go slack where they would have
 //! to push.
 //!
@@ -101,10 +101,10 @@
 //! contact pressed as needed. If not, it returns a motion of the bodies that nothing opposes: a body on a table may go up. Springs and weights do not
 //! matter for it.
 //!
-//! # Loads of their own
+//! # Loads on several bodies
 //!
-//! A question loads one body, or all of them in proportion to their mass. With `together_with` further bodies have loads that grow in the same
-//! proportion, in `hold`, `need`, `solve` and `onset`. On the command line:
+//! A question loads one body, or all of them in proportion to their mass. With `together_with`, in `hold`, `need`, `solve` and `onset`, loads on
+//! further bodies grow in the same proportion. On the command line:
 //!
 //! ```text
 //! $ grasp-lcp hold wedge.json --force -2000,0 --at 0.5,0.05 --together-with machine=0,-500@0.12,0.3
@@ -118,7 +118,7 @@
 //! ```
 //! use grasp_lcp::planar::{Bodies, Body, Contact, Leg, Wrench};
 //!
-//! // A wedge of 8° under a block at a wall that does not rub. The block is laid on, the wedge pressed in, and let go: it stays.
+//! // A wedge of 8° under a block beside a frictionless wall. The block is put on, the wedge is pressed in and released: it stays.
 //! let face = |a: [f64; 2], b: [f64; 2], mu: f64| {
 //!     let along = [b[0] - a[0], b[1] - a[1]];
 //!     [0.1, 0.9].map(|s| {

@@ -34,8 +34,8 @@
 //! let outcome = grasp.solve(&load)?;
 //! assert_eq!(outcome.equilibrium().map(|e| e.rule), Some(FoundBy::EverythingSticks));
 //!
-//! // Which one comes about depends on what was before: first pressed down and then pulled, the body stays on the floor;
-//! // first pulled and then pressed down, it hangs free.
+//! // The history decides which one occurs: pressed down and then pulled, the body stays on the floor; pulled and then
+//! // pressed down, it hangs free.
 //! let (down, along) = (Wrench::force([0.0, -1.0]), Wrench::force([2.5, 0.0]));
 //! for (first, state) in [(down, ContactState::Sticking), (along, ContactState::Separated)] {
 //!     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(first), Leg::load_to(load)])?;
@@ -58,15 +58,15 @@
 //! * the end of a path of Lemke's method;
 //! * the first of all combinations of contact states.
 //!
-//! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) names the rung. The order is the same for every number of threads, but it is a
-//! convention, not physics. Relaxation makes it one that hardly jumps: under loads, squeezes or coefficients that are nearly equal it ends in nearly equal
-//! states, as long as its own is stable.
+//! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) names the step that found the equilibrium. The order is the same for every number of
+//! threads, but it is a convention, not physics. Relaxation makes the result continuous: for nearly equal loads, squeezes or coefficients it ends in nearly
+//! equal states, as long as the relaxed state is stable.
 //!
 //! # Which one is real
 //!
 //! * Among few contacts [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists all of them. If there is only one, it is the real one. (On the
 //!   round cone the list has those to which a polygon leads.)
-//! * [`Grasp::follow`](crate::ask::Grasp::follow) has the physics: it starts where the history is known and continues without jumps.
+//! * [`Grasp::follow`](crate::ask::Grasp::follow) computes the equilibrium that occurs: it starts where the history is known and follows the load.
 //!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) says where even the path leaves a choice.
 //! * [`Energy::stability`](crate::ask::Energy::stability) says whether an equilibrium without sliding survives a small push.
 //! * A grasp that must hold after any history must hold in each of them.

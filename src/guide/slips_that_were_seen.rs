@@ -30,8 +30,8 @@
 //! friction 0.3036 ± 0.0021 (95 %: 0.2982 to 0.3092), load of a 3.30 N ± 0.31 N (95 %: 2.25 N to 4.85 N), load of b 7.66 N ± 0.41 N (95 %: 6.51 N to 9.01 N), load of c 3.91 N ± 0.13 N (95 %: 3.50 N to 4.36 N) from 50 slips in 8 groups, which scatter by 7.2 %
 //! ```
 //!
-//! The estimates are the same; their uncertainty now follows from the scatter between the groups. Few groups determine it poorly, and intervals are
-//! Student's with the remaining degrees of freedom. Without the column each slip is its own group.
+//! The estimates are the same; their uncertainty now follows from the scatter between the groups. Few groups determine the uncertainty poorly.
+//! Intervals are those of Student's distribution with the remaining degrees of freedom. Without the column each slip is its own group.
 //!
 //! # What can be estimated
 //!
@@ -45,13 +45,13 @@
 //! Gross slip is easy to observe, and usually depends on friction and normal forces alone. First slip also depends on stiffness: use `slip` in the
 //! table, or `--first`. Several unknowns need loads with several directions or moments: slips that always occur in the same way determine one number.
 //!
-//! Between two jaws the weaker one lets go, so that such slips determine one friction and not whose it is: *one of the two is 0.423 ± 0.004, which one is not fixed*. The
-//! answer then has the estimates of each assignment, and loads nearer to one jaw tell them apart.
+//! Of two jaws the one with less friction slips. Such slips determine its coefficient, but not which jaw it is: *one of the two is 0.423 ± 0.004, which one is not fixed*. The
+//! answer then has the estimates of each assignment. Slips under loads nearer to one jaw decide between the assignments.
 //!
 //! # Contents of the answer
 //!
 //! * `±` is the standard error, followed by the interval that contains the true value in 95 of 100 cases. If the scatter of the loads is not given it
-//!   is estimated, and the interval is Student's.
+//!   is estimated, and the interval is that of Student's distribution.
 //! * An unknown that the slips do not determine has no number. The answer names the product, sum or ratio that they do determine.
 //! * A slip that is off by more than two standard deviations has a smaller weight, so that a single wrong entry does little harm; the answer counts
 //!   such slips.
@@ -71,7 +71,7 @@
 //! let asked = Identify::new([Unknown::friction()], slips);
 //! let found = gripper.identify(&asked)?;
 //!
-//! // The grasp with the friction that was found, and how much less that may be.
+//! // The grasp with the estimated friction; the needed squeeze allows for the lower end of its interval.
 //! let known = asked.grasp_with(&gripper, &found)?;
 //! let weight = Wrench::force([0.0, -5.0]);
 //! let needed = known.need(&Need::squeeze(weight).if_lower_by(found.friction_less(), found.squeeze_less()))?;

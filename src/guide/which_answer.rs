@@ -10,22 +10,22 @@
 //! | `NoEquilibrium` | a [proof](crate::equilibrium::Proof) that quasi-static equilibrium is impossible | the grasp gives way; the motion in the proof shows how |
 //! | `Undecided` | neither was found, with the [reason](crate::equilibrium::Doubt) | neither "holds" nor "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
 //!
-//! `Undecided` has three causes. Many contacts may be at the limit of friction. The load may be, to the last digit, on the boundary of the loads that
-//! the grasp can hold. The numbers of a scene may be so different in size that forces cannot be represented.
+//! `Undecided` has three causes. Many contacts are at the limit of friction. The load is, to the last digit, on the boundary of the loads that the
+//! grasp can hold. The numbers of a scene differ so much in size that forces cannot be represented.
 //!
 //! # The quality of an equilibrium
 //!
 //! * [`residuals`](crate::equilibrium::Equilibrium::residuals): violations of equilibrium, springs, cones and gaps, recomputed from contacts,
 //!   commands and load; about 1e-16. They show that the answer solves the question, not that the question is known accurately.
-//! * [`accuracy`](crate::ask::Grasp::accuracy): the estimated distance to the exact solution for these states, N and m (measured against exact
-//!   arithmetic, the distance is at most ten times that), and the condition: the relative change of the forces divided by that of the data. Data from
-//!   a sensor known to 1 % and a condition of 50 leave no digit of a force, however small the residual.
+//! * [`accuracy`](crate::ask::Grasp::accuracy): the estimated distance to the exact solution for these states, N and m. In comparisons with exact
+//!   arithmetic the true distance is at most ten times the estimate. The condition is the relative change of the forces divided by that of the
+//!   data. If a sensor is known to 1 % and the condition is 50, no digit of a force is reliable, however small the residual.
 //! * [`distinct`](crate::ask::Grasp::distinct): whether the state of a contact is distinct from its neighbour. Exactly at the onset of sliding,
 //!   sticking and sliding have the same forces. The state then depends on rounding, and the flag says so.
 //! * [`margin`](crate::equilibrium::ContactAnswer::margin): friction in reserve, N. If friction is known to 10 %, a contact with a margin below 10 %
 //!   of `μ F_n` may slide; [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) answers for samples of friction, stiffness and squeeze.
-//! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions that nothing resists. The forces are right, and the twist is one of
-//!   many.
+//! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions that nothing resists. The forces are determined, the twist is
+//!   one of many.
 //! * [`rule`](crate::equilibrium::Equilibrium::rule): the method that found the equilibrium. With any other rule than
 //!   [`EverythingSticks`](crate::equilibrium::FoundBy::EverythingSticks) it may be one of several: see
 //!   [`several_equilibria`](super::several_equilibria).

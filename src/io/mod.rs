@@ -1,4 +1,4 @@
-//! Scenes and answers as text, and pictures of them.
+//! Scenes and answers as JSON or another text, and pictures of them.
 
 #[cfg(feature = "plot")]
 pub mod picture;

@@ -8,8 +8,8 @@ use serde_json::Value;
 use crate::scene::{Answers, Scene};
 use crate::stream::Reply;
 
-/// What a JSON Schema (draft 2020-12) is of. It knows fields, lengths of rows and ranges of numbers; what fits together, such as how many
-/// commands a leg needs, only the reader of a [`Scene`] knows.
+/// A kind of text that has a JSON Schema (draft 2020-12). The schema states fields, lengths of rows and ranges of numbers. Whether lists match,
+/// such as the commands of a leg with the contacts, is checked only where a [`Scene`] is read.
 ///
 /// An editor completes and checks a scene that names the file of its schema: `"$schema": "scene.schema.json"`.
 ///
@@ -24,16 +24,16 @@ use crate::stream::Reply;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Schema {
-    /// Of a [`Scene`].
+    /// The schema of a [`Scene`].
     Scene,
-    /// Of the [`Answers`] to a scene, a list.
+    /// The schema of the [`Answers`] to a scene, which are a list.
     Answers,
-    /// Of a line with which the [stream](crate::stream) answers.
+    /// The schema of one line of output of the [stream](crate::stream).
     Reply,
 }
 
 impl Schema {
-    /// The schema itself.
+    /// The schema as JSON.
     #[must_use]
     pub fn to_json(self) -> Value {
         let settings = SchemaSettings::draft2020_12().with_transform(RecursiveTransform(plain));
@@ -46,7 +46,7 @@ impl Schema {
     }
 }
 
-/// Descriptions come from the documentation: without its links, and of several paragraphs the first.
+/// Shortens a description, which schemars takes from the doc comment, to its first paragraph, and removes links.
 fn plain(schema: &mut Parts) {
     if let Some(Value::String(text)) = schema.get_mut("description") {
         let first = text.split("\n\n").next().unwrap_or_default().replace('\n', " ");
@@ -54,7 +54,7 @@ fn plain(schema: &mut Parts) {
     }
 }
 
-/// `[text](address)` and `[text]` become the text.
+/// Removes the brackets and the address of links to names in backquotes; the name stays.
 fn without_links(text: &str) -> String {
     let mut plain = String::with_capacity(text.len());
     let mut rest = text;

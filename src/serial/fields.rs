@@ -10,7 +10,7 @@ use super::numbers::{Computed, Given, Kind, Number};
 use super::rows::AxisRow;
 use crate::numerics::{mapped, moved};
 
-/// A value made of numbers of kind `K`.
+/// A value that consists of numbers of kind `K`: a number, a row of numbers, or a list or option of these.
 pub(crate) trait Numeric<K>: Sized {
     type Written: Serialize + DeserializeOwned;
     fn write(&self) -> Self::Written;
@@ -57,12 +57,12 @@ impl<K, T: Numeric<K>> Numeric<K> for Vec<T> {
     }
 }
 
-/// The text form of a field of type `T`, made of numbers of kind `K`.
+/// The text form of a field of type `T` that consists of numbers of kind `K`.
 pub(crate) struct As<K, T>(PhantomData<(K, T)>);
 
-/// The text form of fields of questions.
+/// The text form of a field of a question: finite numbers of moderate size.
 pub(crate) type AsGiven<T> = As<Given, T>;
-/// The text form of fields of answers.
+/// The text form of a field of an answer: any numbers, also infinite ones and NaN.
 pub(crate) type AsComputed<T> = As<Computed, T>;
 
 impl<K, T: Numeric<K>> As<K, T> {

@@ -1,6 +1,6 @@
 //! Text forms of numbers: words for those that are not finite, rows with one number per axis, and fields made of them (feature `serde`).
 //!
-//! An answer derives its text form from its declaration, in which `#[serde(with = "AsComputed::<T>")]` marks a field that is made of numbers.
+//! Answers derive their text form with serde; `#[serde(with = "AsComputed::<T>")]` marks a field that consists of numbers.
 
 mod fields;
 mod numbers;

@@ -1,6 +1,6 @@
-//! Numbers, with words for those that JSON cannot express.
+//! Numbers as text, with words for values that JSON cannot express.
 //!
-//! A format without infinity writes one as `null`, without a warning. Words avoid that: a rigid spring is "rigid", friction without limit is
+//! serde_json writes an infinite number as `null`, without a warning. Words avoid that: a rigid spring is "rigid", friction without limit is
 //! "infinite". An answer that is not finite is "infinite", "-infinite" or "not a number".
 
 use std::fmt;
@@ -53,7 +53,7 @@ impl Kind for Computed {
         &[("infinite", f64::INFINITY), ("-infinite", f64::NEG_INFINITY), ("not a number", f64::NAN)];
 }
 
-/// The word for a number that is not finite; the kind's own word if it has one.
+/// The word for a number that is not finite: that of the kind `K` if it has one, otherwise that of answers.
 fn word<K: Kind>(x: f64) -> &'static str {
     let stands_for =
         |(_, value): &&(&str, f64)| value.total_cmp(&x).is_eq() || (value.is_nan() && x.is_nan());

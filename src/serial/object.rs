@@ -6,8 +6,8 @@ use std::marker::PhantomData;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
-/// Reads an object as `W` and makes a `T` of it. A fault is reported before the object is left, so that a format with lines and columns adds
-/// those of the object's end. Reported later, it would get those of the text behind the object.
+/// Reads an object as `W` and converts it to a `T`. An error of the conversion is reported before the reader leaves the object, so that a format with
+/// lines and columns adds the position of the object's end. An error that is reported later would get a position after the object.
 pub(crate) fn read<'de, W, T, D>(
     deserializer: D,
     what: &'static str,
@@ -34,7 +34,7 @@ where
     type Value = T;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        // An example already shows that an object is expected; a name alone does not.
+        // Text with an example, in { }, already shows that an object is expected; a mere name does not.
         let brackets = if self.what.contains('{') { "" } else { ", an object in { }" };
         write!(f, "{}{brackets}", self.what)
     }

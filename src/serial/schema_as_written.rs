@@ -1,6 +1,6 @@
 //! The JSON Schema of types that are read through another one (feature `schema`).
 
-/// The schema of a type is that of its written form.
+/// Gives a type the schema of the type `$written`, through which serde reads it.
 macro_rules! schema_as_written {
     ($name:literal, $type:ty, $written:ty $(, $dimension:ident)*) => {
         impl<$(const $dimension: usize),*> schemars::JsonSchema for $type {

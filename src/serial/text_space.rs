@@ -1,7 +1,7 @@
-//! The space of a text that is read or written.
+//! Whether the text that is read or written belongs to a planar or a spatial scene.
 //!
-//! Scenes and answers have their text forms for contacts of three axes alone, so that these are compiled once. In the text of a planar scene a row
-//! has two numbers, and a moment is one number.
+//! Text forms are compiled only for vectors of three components. In the text of a planar scene a row nevertheless has two numbers, and a moment is one
+//! number: a thread-local variable says which space the text belongs to.
 
 use std::cell::Cell;
 
@@ -11,19 +11,19 @@ thread_local! {
     static SPACE: Cell<Option<Space>> = const { Cell::new(None) };
 }
 
-/// The space of rows and wrenches with `C` axes in the text that this thread reads or writes.
+/// The space of rows and wrenches with `C` axes in the text that this thread reads or writes; with three axes the text decides.
 pub(crate) fn space_of_text<const C: usize>() -> Space {
     let own = Space::of::<C>();
     if own == Space::Spatial { SPACE.get().unwrap_or(own) } else { own }
 }
 
-/// Reads or writes a text of a space.
+/// Calls `act`, which reads or writes a text of this space.
 pub(crate) fn in_text_of<T>(space: Space, act: impl FnOnce() -> T) -> T {
     let _text = TextOf { outer: SPACE.replace(Some(space)) };
     act()
 }
 
-/// A text that is read or written, until it is dropped.
+/// While this value lives, its text is read or written; dropping it restores the space of the surrounding text.
 struct TextOf {
     outer: Option<Space>,
 }

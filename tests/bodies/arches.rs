@@ -1,4 +1,4 @@
-//! Round arches stand from that thickness on for which a line of thrust stays within their stones.
+//! A round arch has an equilibrium exactly if it is thick enough for a line of thrust to fit inside its stones.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;

@@ -1,4 +1,4 @@
-//! What is lost already at rest, where no proof was found for it: told as the part of it that is held.
+//! If bodies are lost already at rest and no proof of this was found, the verdict says which part of the loads and commands can be held.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::{Holding, Verdict};
@@ -8,7 +8,7 @@ use proptest::strategy::ValueTree;
 use support::samples::{assert_met, config, runner, samples};
 use support::stacks::{Stack, stack};
 
-/// With so many times its loads, and its finger pressed so many times as far.
+/// The stack with its loads and the command of its finger multiplied by `part`.
 fn times(stack: &Stack<3, 2>, part: f64) -> Stack<3, 2> {
     let mut less = stack.clone();
     less.loads.iter_mut().for_each(|load| *load *= part);

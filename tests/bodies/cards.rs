@@ -1,4 +1,5 @@
-//! Houses of cards stand from the least friction on with which forces inside all cones balance the weights, and below it there is a proof.
+//! A house of cards stands exactly if friction suffices for contact forces inside all cones to balance the weights. With less friction there is a
+//! proof that it falls.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::need::Need;

@@ -1,4 +1,4 @@
-//! Loads at which bodies that touch each other give way, from textbooks and by hand.
+//! Loads at which bodies in contact lose their equilibrium agree with textbook formulas and hand calculations.
 
 use super::faces::{assert_close, face, lost_at};
 use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};

@@ -1,4 +1,4 @@
-//! Force closure of several bodies, against a second-order cone program on the wrenches of all of them.
+//! Force closure of several bodies agrees with a second-order cone program on the wrenches of all of them.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Bodies, Body, Contact};
@@ -45,7 +45,7 @@ fn map<const C: usize>(count: usize, touch: &Touch<C>, frame: &nalgebra::SMatrix
     map
 }
 
-/// Checks what an answer says of itself by own sums; whether it is closed, if that is told.
+/// Checks the proof in an answer by independent sums. Whether the bodies are closed, if the answer is decided.
 fn is_closed<const C: usize>(grasp: &Grasp<C>, count: usize, touches: &[Touch<C>]) -> Option<bool> {
     let maps: Vec<_> =
         touches.iter().zip(grasp.frames()).map(|(touch, frame)| map(count, touch, frame)).collect();
@@ -140,8 +140,8 @@ fn rows_in_space() {
     rows_are_told::<3>(45, 60);
 }
 
-/// What nothing resists is told of the bodies that do it: a wedge of 10° that friction does not hold, and the block that comes down on it; and a part between two others that has
-/// no contact at all.
+/// The motion without resistance names the bodies that move: a wedge of 10° that friction does not hold and the block above it, and a part between
+/// two others that has no contact at all.
 #[test]
 fn what_moves_is_named() {
     let face = |y: f64, normal: [f64; 2], on: &str, mu: f64| {

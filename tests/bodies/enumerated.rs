@@ -1,4 +1,5 @@
-//! Two planar bodies against every combination of contact states, those that come near in exact rational arithmetic.
+//! Answers for two planar bodies agree with the enumeration of all combinations of contact states. Close cases are decided in exact rational
+//! arithmetic.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
@@ -8,7 +9,7 @@ use support::samples::{assert_met, config, runner, samples};
 use support::stacks::stack;
 use support::two_bodies::{Census, census};
 
-/// An equilibrium is told exactly where one exists. The same scenes every time, for what is counted below.
+/// The answer is an equilibrium if and only if one exists. The seed is fixed because the counts below depend on it.
 #[test]
 fn two_bodies_are_decided() {
     let mut runner = runner(config(1));

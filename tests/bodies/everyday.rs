@@ -1,4 +1,5 @@
-//! Everyday piles of boxes on a table, with fingers and without: none is undecided, and what holds keeps to the law by own sums.
+//! Everyday piles of boxes on a table, with and without fingers, are all decided. Reported equilibria satisfy the contact law and balance, recomputed
+//! from the data.
 
 use support::piles::boxes;
 use support::samples::{assert_met, samples, seeded};

@@ -1,4 +1,4 @@
-//! Flat faces that touch, and the load at which bodies give way.
+//! Shared by tests: flat faces in contact, and the load factor at which equilibrium is lost.
 
 use grasp_lcp::planar::{Bodies, Contact, Wrench};
 

@@ -1,4 +1,5 @@
-//! Walls that cannot stand are told so soon, by a motion that no friction works against: judged by own sums over all bodies.
+//! A wall that cannot stand is refuted by a motion on which the weights do work and no contact force within its cone does negative work. Work is
+//! summed here over all bodies.
 
 use grasp_lcp::equilibrium::{Outcome, Proof};
 use grasp_lcp::grasp::{Bodies, Contact, Wrench};
@@ -46,7 +47,7 @@ fn is_proof<const C: usize>(
     assert!(gained > 0.1 * size, "{gained}");
 }
 
-/// What a contact of a wall is on and what is below it, by its place: rows are half a metre high and bricks a metre long.
+/// The bricks above and below a contact of a wall, by its place: rows are half a metre high and bricks a metre long.
 fn sides(x: f64, height: f64, rows: usize) -> [Option<usize>; 2] {
     // The last of halves from the left, or from the ground, that a place is not before.
     let halves =

@@ -1,4 +1,4 @@
-//! Loads of several bodies that grow together, each in its own direction.
+//! Loads on several bodies can grow together, each in its own direction.
 
 use grasp_lcp::Error;
 use grasp_lcp::load_path::Onset;

@@ -1,4 +1,5 @@
-//! What may not matter: the order of bodies, which of them is called the object, which side of a contact is named first, and where the origin is.
+//! Answers do not depend on the order of bodies, on which of them is the object, on which side of a contact is named first, or on the place of the
+//! origin.
 
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
 use grasp_lcp::grasp::Wrench;
@@ -26,7 +27,7 @@ fn agree<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> Result<(), T
     Ok(())
 }
 
-/// With every contact told from its other side: a normal the other way, and both bodies exchanged.
+/// The stack with every contact named from its other side: a normal the other way, and both bodies exchanged.
 fn from_the_other_side(stack: &Stack<3, 2>) -> Stack<3, 2> {
     let turned = |touch: &Touch<2>| match touch.against {
         None => touch.clone(),

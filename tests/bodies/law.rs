@@ -1,4 +1,4 @@
-//! Every equilibrium of several bodies satisfies balance of each body and the law of each contact.
+//! Every equilibrium of several bodies satisfies the balance of each body and the law of each contact.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use support::samples::config;
 use support::stacks::{Stack, stack};
 
-/// What a stack answers, and the load that was asked.
+/// The answer for a stack, and its load.
 fn asked<const D: usize, const C: usize>(
     stack: &Stack<D, C>,
     loaded: usize,
@@ -28,7 +28,7 @@ fn asked<const D: usize, const C: usize>(
     Ok((grasp, push))
 }
 
-/// Held, too, as far as it goes; it is always told what becomes of the load.
+/// Checks the law for an equilibrium and for the last state before a loss; every verdict is decided.
 fn satisfies<const D: usize, const C: usize>(
     stack: &Stack<D, C>,
     loaded: usize,
@@ -42,7 +42,7 @@ fn satisfies<const D: usize, const C: usize>(
         && lost.factor > 0.0
     {
         prop_assert_eq!(state.bodies.len(), stack.loads.len());
-        // What slid on the way has a memory, so that balance and cones are judged alone.
+        // Contacts that slid on the way have slip memory, so that only balance and cones are checked.
         let at = push * lost.factor;
         let mut sums = stack.loads.clone();
         sums[loaded] += at;

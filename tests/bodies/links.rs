@@ -1,4 +1,4 @@
-//! Hinges, slides, rigid joints, springs and cables carry what statics says, and leave free what they are to leave free.
+//! Hinges, slides, rigid joints, springs and cables transmit the forces that statics gives, and leave the right motions free.
 
 use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::grasp::LinkKind;
@@ -14,7 +14,7 @@ fn size(force: &[f64]) -> f64 {
     force.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// What the whole link of this name carries, N, as answers tell it.
+/// Resultant of the link of this name, N, from the answer.
 fn carried<const C: usize>(state: &grasp_lcp::equilibrium::Equilibrium<C>, name: &str) -> f64 {
     let link = state.whole_contacts().find(|whole| whole.text() == name).expect("is there");
     size(link.force().as_slice())
@@ -162,7 +162,7 @@ fn a_door() {
     assert!(verdict.to_string().contains("turns about hinge"), "{verdict}");
 }
 
-/// What each link in space leaves free, and what it carries.
+/// Free motions and forces of each kind of link in space.
 #[test]
 fn what_links_leave_free() {
     use spatial::{Grasp, Link, Wrench};
@@ -256,7 +256,7 @@ fn refused() {
     }
 }
 
-/// Three belts of unlike stiffness over a block on two feet: each pulls as it is told, whatever the others do to it, and the feet carry their sum.
+/// Three belts of unlike stiffness over a block on two feet: each has its given tension, whatever the others do to it, and the feet carry their sum.
 #[test]
 fn belts_pull_as_they_are_installed() {
     use planar::{Bodies, Body, Contact, Link, Wrench};

@@ -1,4 +1,4 @@
-//! Loads on several bodies: on one, on all by their mass, weights under gravity.
+//! Loads may act on one body, on all bodies in proportion to their masses, or as weights under gravity.
 
 use grasp_lcp::planar::{Bodies, Body, Contact, Leg, PathEnd, Turn, Wrench};
 
@@ -34,7 +34,7 @@ fn shared_by_mass() {
     for (a, b) in shared.contacts.iter().zip(&each.contacts) {
         assert!((a.force - b.force).norm() < 1e-13 * 30.0, "{a} or {b}");
     }
-    // By hand: the upper box alone stands on the upper face.
+    // By hand: only the upper box presses on the upper face.
     let [left, right] = [2, 3].map(|i| shared.contacts[i].force_world[1]);
     assert!((left - 9.81 * 0.6).abs() < 1e-12 && (right - 9.81 * 0.4).abs() < 1e-12);
     assert!(shared.residuals.worst() < 1e-14, "{}", shared.residuals.worst());

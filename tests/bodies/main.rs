@@ -1,4 +1,4 @@
-//! Several bodies that touch each other.
+//! Several bodies in contact with each other.
 
 mod arches;
 mod at_rest;

@@ -1,4 +1,4 @@
-//! Bodies that are not well posed are refused by name.
+//! Ill-posed systems of bodies are refused with an error that names the body or contact.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! Many bodies: what gives way first is known, and what is above or beside each cut is in balance by own sums.
+//! In piles of many bodies the first to slide is known. The bodies above or beside each cut are in balance, with sums of forces computed here.
 
 use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::spatial;
@@ -10,7 +10,7 @@ fn nearest(x: f64, apart: f64) -> usize {
     (0..1000_u32).find(|k| x < (f64::from(*k) + 0.5) * apart).map_or(0, |k| k as usize)
 }
 
-/// The sums of forces of contacts at each place, as far as it is told apart; all contacts keep to their cones.
+/// Sums of contact forces, grouped by place; checks that all contacts satisfy their cones.
 fn sums(grasp: &Grasp, (load, mu): (&Wrench, f64), place: impl Fn([f64; 2]) -> usize) -> Vec<[f64; 2]> {
     let outcome = grasp.solve(load).expect("well posed");
     let equilibrium = outcome.equilibrium().expect("stands");
@@ -35,7 +35,7 @@ fn the_top_brick_of_a_wall_slides_first() {
         let limit = 0.6 * 2.0 * 9.81 / 5.0;
         assert_eq!(verdict.holds(), Some(true), "{rows}: {verdict}");
         assert!((verdict.held_to - limit).abs() < 1e-12 * limit, "{rows}: {} of {limit}", verdict.held_to);
-        // What is above a cut stands on the contacts there and on half bricks of ground at its ends.
+        // The part above a cut rests on the contacts there and on half bricks of ground at its ends.
         let on_ground = |[x, y]: [f64; 2]| {
             let shift = 0.5 * ((nearest(y, 0.5) + 1) % 2) as f64;
             y < 0.1 || x < shift || x > shift + rows as f64
@@ -53,7 +53,7 @@ fn the_top_brick_of_a_wall_slides_first() {
     }
 }
 
-/// The same in space, on four points of each half: what is above a cut is carried there, by friction on the round cone.
+/// The same in space, on four points of each half: forces at each cut balance the part above it, with friction on the round cone.
 #[test]
 fn the_top_brick_of_a_wall_in_space_slides_first() {
     for rows in [3, 5] {

@@ -1,4 +1,4 @@
-//! Pointed arches, and friction: by the line of thrust, and by what is published.
+//! Pointed arches stand as long as a line of thrust fits inside and friction suffices. The friction that a round arch needs is the published value.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;

@@ -1,4 +1,4 @@
-//! Programs along which each body's load goes its own way.
+//! Load programs may change the load of each body separately.
 
 use grasp_lcp::Error;
 use grasp_lcp::equilibrium::Equilibrium;

@@ -1,9 +1,9 @@
-//! Forces between elastic bodies go to those between rigid ones as surfaces stiffen, where these are unique: the (W, q, μ) of the same scene, built
-//! here from its numbers alone.
+//! As surfaces stiffen, forces between elastic bodies converge to those between rigid bodies if these are unique. The rigid problem (W, q, μ) is
+//! built here from the data of the scene.
 //!
-//! Three bodies hang on springs, which turn forces into motions, and touch each other and the ground. With K the stiffness of the springs and G the
-//! contact forces' wrenches, `W = Gᵀ K⁻¹ G` and `q = Gᵀ K⁻¹ f`. Elastic surfaces add their compliances to the diagonal of W. Three points of contact
-//! for nine coordinates leave W regular, and little friction leaves one solution.
+//! Three bodies on springs touch each other and the ground. With K the stiffness of the springs and G the contact forces' wrenches, `W = Gᵀ K⁻¹ G`
+//! and `q = Gᵀ K⁻¹ f`. Elastic surfaces add their compliances to the diagonal of W. Three contact points for nine coordinates keep W regular, and
+//! weak friction keeps the solution unique.
 
 use grasp_lcp::friction::PlanarContacts;
 use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
@@ -17,7 +17,7 @@ const SPRING: f64 = 1e3;
 const SOFTER_ALONG: f64 = 0.7;
 const BODIES: usize = 3;
 
-/// What a scene is made of.
+/// The data of a scene.
 struct Hanging {
     /// For each body three springs, each from a point to another, and a load: force and moment about the origin.
     springs: [[(Vector2<f64>, Vector2<f64>); 3]; BODIES],

@@ -1,4 +1,4 @@
-//! Wedges of textbooks and benchmarks: pushed up, drawn out, driven into a gap.
+//! Wedges from textbooks and benchmarks: pushed up a slope, drawn out, and driven into a gap.
 
 use super::faces::{assert_close, face, lost_at};
 use grasp_lcp::planar::{Bodies, Body, ContactAnswer, Link, Wrench};
@@ -43,9 +43,9 @@ fn a_wedge_is_drawn_out() {
     assert!((drawn - 105.838).abs() < 5e-4);
 }
 
-/// A wedge that 1760 N push along into the gap between a slope of 0.115 with μ = 0.2 and a guide without friction: it presses on the slope with
-/// `1760 √(1 + 0.115²) / (0.115 + 0.2)` = 5624.1 N, spread as it likes. The numbers are those of FrontISTR's work item 859; its push is not stated
-/// in what is known of it here, and is the one that makes this sum.
+/// A wedge that 1760 N push into the gap between a slope of 0.115 with μ = 0.2 and a guide without friction. It presses on the slope with
+/// `1760 √(1 + 0.115²) / (0.115 + 0.2)` = 5624.1 N, in any distribution. The numbers are those of FrontISTR's work item 859. Its push is not stated
+/// in the source used here; 1760 N is the push that gives this sum.
 #[test]
 fn a_wedge_is_driven_into_a_gap() {
     let (rise, mu, push) = (0.115, 0.2, 1760.0);

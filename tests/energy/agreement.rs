@@ -1,10 +1,9 @@
-//! While everything sticks the minimum of the paper's program is the equilibrium: to 1e-12 whatever the stiffness ratios, by
-//! three roads that share no solver.
+//! While everything sticks, the minimum of the paper's program is the equilibrium to 1e-12, for all stiffness ratios. Three ways of solution without
+//! a common solver confirm this:
 //!
-//! * the minimum on orthogonal factors, against complementarity and against the orthogonal decomposition of
-//!   `support::sticking`;
+//! * the minimum from orthogonal factors, against complementarity and against the orthogonal decomposition of `support::sticking`;
 //! * the program as printed, in all displacements, by Lemke's method on its optimality conditions;
-//! * the program as printed and the reduced one by an interior-point method of another library.
+//! * the program as printed and the reduced one, by an interior-point method of another library.
 
 use std::cell::Cell;
 

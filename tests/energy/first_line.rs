@@ -1,4 +1,4 @@
-//! The first line of a comparison with the minimum of energy, beside a minimum by hand.
+//! The first line of a comparison with the energy minimum is right. The minimum was computed by hand.
 
 use grasp_lcp::energy::ComparisonVerdict;
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,5 +1,5 @@
-//! When the minimum power principle is Coulomb's law: with the normal forces of the answer, and so without knowing them where
-//! these do not change with the motion.
+//! The minimum power principle gives Coulomb friction if it is used with the normal forces of the equilibrium. Only if these do not depend on the
+//! motion can they be known beforehand.
 
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::planar::Equilibrium;

@@ -1,4 +1,4 @@
-//! The quadratic program of the paper beside complementarity, and stability.
+//! The paper's quadratic program compared with complementarity, and stability of equilibria.
 
 mod agreement;
 mod first_line;

@@ -1,6 +1,6 @@
-//! The load at which a friction constraint of the paper's program first binds is the onset of sliding, on random ramps of
-//! loads and commands. The onset is found by a walk along sticking states, the binding load by Lemke's method with the load as
-//! parameter on the program's optimality conditions.
+//! On random ramps of loads and commands, the onset of sliding is the load at which a friction constraint of the paper's program first binds. The
+//! onset comes from a walk along sticking states. The binding load comes from Lemke's method on the program's optimality conditions, with the load as
+//! parameter.
 
 use std::cell::Cell;
 
@@ -48,8 +48,8 @@ fn same_onset<const D: usize, const C: usize>(
         scene.load += SVector::<f64, D>::from_fn(|k, _| 0.013 * size * (1.7 * (k + 1) as f64).sin());
         let grasp = scene.grasp();
         let ramp = change.ramp(&scene);
-        // Where a contact carries nothing the object may stand in many places, and a contact with friction that hangs open is
-        // held by the program's sticking row: the question is about ramps that start from sticking.
+        // The test is about ramps that start from sticking. A contact without force leaves the place of the object open, and the program's sticking
+        // row holds an open contact with friction.
         let base = grasp.with(&settings).solve(scene.wrench()).unwrap();
         let sticks = base.equilibrium().is_some_and(|e| {
             let most = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);

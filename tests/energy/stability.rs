@@ -1,5 +1,4 @@
-//! Second derivatives of the energy against finite differences of the exact one; a grasp that tips over when squeezed too
-//! hard.
+//! Second derivatives of the energy agree with finite differences of the exact energy. A grasp that is squeezed too hard tips over.
 
 use grasp_lcp::energy::StabilityVerdict;
 use grasp_lcp::equilibrium::ContactState;

@@ -1,6 +1,6 @@
-//! Bad contacts: one valid grasp, then one broken number at a time.
+//! Invalid contacts: in a valid grasp one number at a time is replaced by a bad one.
 //!
-//! Every fault must come back as a typed error that names the contact, the field and the value, and the beginning of what would have been allowed.
+//! Each fault returns a typed error with the contact, the field, the value, and the beginning of the allowed range.
 
 use crate::valid::{NOT_FINITE, NOT_MODERATE, equal_or_both_nan, planar_contacts, spatial_contacts};
 use grasp_lcp::ask::Grasp;

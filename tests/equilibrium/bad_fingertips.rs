@@ -1,4 +1,4 @@
-//! Malformed soft fingertips come back as typed errors, and broken contacts as they were given.
+//! Malformed soft fingertips are refused with typed errors, and errors in contacts report the values that the caller gave.
 
 use crate::pinch::{KN, KT, R, finger};
 use grasp_lcp::spatial::{Contact, Pressure, SoftFingertip};

@@ -1,6 +1,6 @@
-//! Bad questions to a valid grasp: loads, commands and settings that are broken, one at a time.
+//! Invalid questions to a valid grasp: one bad number at a time in loads, commands and settings.
 //!
-//! Every fault must come back as a typed error that names the place and the value.
+//! Each fault returns a typed error with the place and the value.
 
 use crate::valid::{NOT_MODERATE, equal_or_both_nan, planar_contacts, spatial_contacts};
 use grasp_lcp::ask::Grasp;

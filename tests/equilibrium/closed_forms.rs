@@ -1,5 +1,4 @@
-//! Scenes whose answer can be written down. Each test derives its numbers by hand in the comment above it and asks the
-//! crate for the same.
+//! Equilibria of simple scenes agree with closed forms. The comment above each test derives the numbers by hand.
 
 use grasp_lcp::{Settings, grasp, planar, spatial};
 use support::jaws::jaw;

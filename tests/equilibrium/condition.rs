@@ -1,4 +1,4 @@
-//! The condition of an answer against what really happens when the data change a little.
+//! The reported condition of an answer agrees with its actual change under small changes of the data.
 
 use grasp_lcp::equilibrium::Equilibrium;
 use nalgebra::SVector;

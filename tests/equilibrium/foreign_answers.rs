@@ -1,4 +1,4 @@
-//! An equilibrium or an onset of another grasp, with more or fewer contacts, is no panic: what it does not have counts for nothing.
+//! An equilibrium or onset of another grasp, with more or fewer contacts, causes no panic. Contacts that only one of the grasps has count as zero.
 
 use std::error::Error;
 

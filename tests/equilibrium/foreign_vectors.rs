@@ -1,4 +1,4 @@
-//! Points and vectors of other libraries are taken as they are, and answers go back.
+//! Points and vectors of other libraries are accepted directly, and answers convert back to them.
 
 use glam::{DVec2, DVec3};
 use grasp_lcp::Error;

@@ -1,4 +1,5 @@
-//! The same question in other coordinates has the same answer in other coordinates, and a twist's rigid motion is that of a screw.
+//! If scene and question are given in other coordinates, the answer is the same in these coordinates. The rigid motion of a twist is the screw
+//! motion.
 
 use std::f64::consts::PI;
 

@@ -1,5 +1,4 @@
-//! Frictionless sliding, the other case in which the least energy decides: the paper's program and complementarity agree,
-//! contacts that open included.
+//! The paper's program and complementarity agree for frictionless sliding too, even if contacts open.
 
 use std::cell::Cell;
 
@@ -93,9 +92,9 @@ fn spatial_grasps() {
     agree_without_friction::<6, 3>(6..10, 1.0);
 }
 
-/// An object between two frictionless fingers on a foot with friction, pulled sideways by w half way between them. Moments
-/// about the fingers' line: the foot carries w/2 by friction, the fingers the rest. One lets go at w/2 = 2 k a = 0.4 N, the foot
-/// slides at w/2 = μ 1 N: the agreement goes on past the opening and ends at w = 1 N.
+/// An object between two frictionless fingers on a foot with friction, pulled sideways by w half way between them. Moments about the fingers' line:
+/// the foot carries w/2 by friction, the fingers the rest. One opens at w/2 = 2 k a = 0.4 N, the foot slides at w/2 = μ 1 N. The agreement continues
+/// past the opening and ends at w = 1 N.
 #[test]
 fn a_frictionless_finger_that_opens_does_not_end_the_agreement() {
     let finger =

@@ -1,9 +1,8 @@
-//! What must not change an equilibrium: the order of the contacts, the coordinates, the units, and what is not felt.
+//! An equilibrium does not depend on the order of the contacts, on coordinates or units, or on changes that have no effect on forces.
 //!
-//! Where there is one equilibrium only, or where everything sticks (which is the one returned first), the grasp seen
-//! from another side must give the same forces and displacements. Splitting a contact into two of half the stiffness
-//! shares its force; more friction at a contact that sticks, or a contact far out of reach, is not felt. No expected
-//! numbers are needed: each scene is compared with its own image.
+//! If the equilibrium is unique, or everything sticks (this equilibrium is returned first), the grasp in another frame has the same forces and
+//! displacements. If a contact is split into two of half the stiffness, each carries half the force. More friction at a sticking contact, or a
+//! contact far out of reach, changes nothing. Each scene is compared with its own image, so no expected numbers are needed.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;
@@ -29,7 +28,7 @@ fn settings() -> Settings {
     Settings::default().on_the_polygon().with_cone(PolygonCone::new(3, Fit::Inscribed).expect("a polygon"))
 }
 
-/// What is compared: forces and displacements of the body at the contacts, coordinate axes.
+/// The compared quantities: forces and displacements of the body at the contacts, along coordinate axes.
 type Picture<const C: usize> = Vec<(SVector<f64, C>, SVector<f64, C>)>;
 
 fn picture<const C: usize>(e: &Equilibrium<C>) -> Picture<C> {

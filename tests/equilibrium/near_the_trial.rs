@@ -1,4 +1,5 @@
-//! Of several equilibria on the round cone that one is found which lies near the elastic trial state, and none that lies beyond all digits.
+//! If several equilibria exist on the round cone, the solver finds one near the elastic trial state, and none at displacements so large that all
+//! digits are lost.
 
 use std::f64::consts::TAU;
 

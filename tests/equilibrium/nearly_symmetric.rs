@@ -1,7 +1,8 @@
-//! Three fingers around a jar that are symmetric but for a little, as simulators give them: a load beyond the limit is decided.
+//! A load beyond the limit is decided for three fingers around a jar that deviate slightly from symmetry, like data from simulators.
 //!
-//! The small motions of an object know no limit: along a taper it may go far enough to be wedged, and the smaller the taper the farther. So there
-//! is an equilibrium, far beyond small motions, or none, by the signs of what is uneven and hardly by its size.
+//! The theory of small motions does not bound displacements. Along a slight taper the object may move until it is wedged, and the slighter the taper,
+//! the farther. So there is either an equilibrium far beyond small motions or none. This depends on the signs of the deviations and hardly on their
+//! size.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Contacts as collision libraries and motion planners report them: with a depth instead of a command, and with
+//! Contacts may be given as collision libraries and motion planners report them: with a penetration depth instead of a command, and with
 //! displacements along the coordinate axes.
 
 use grasp_lcp::ask::Grasp;

@@ -1,4 +1,4 @@
-//! What an answer says of a soft fingertip, summed once more from its points.
+//! What an answer reports for a soft fingertip agrees with sums over its points.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium, WholeAnswer};

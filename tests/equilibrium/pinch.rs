@@ -1,4 +1,4 @@
-//! Two fingers that pinch along the x axis, and the tips to spread them over.
+//! Shared by tests: two fingers that pinch along the x axis, and soft tips for them.
 
 use std::f64::consts::PI;
 

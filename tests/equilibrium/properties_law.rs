@@ -1,10 +1,9 @@
-//! Every equilibrium satisfies the conditions of the problem, and where everything sticks it is the minimum of energy.
+//! Every equilibrium satisfies the conditions of the problem. If everything sticks, it is the minimum of energy.
 //!
-//! The conditions `0 <= g ⟂ F_n >= 0`, the friction law, the springs and equilibrium are recomputed here from the data of
-//! the scene (`support::scene`); the library's own residuals are not looked at. The scenes are random planar and spatial
-//! grasps, each contact with its own friction (zero, tiny, ordinary, huge, infinite) and stiffnesses from 1 to 1e6, and
-//! symmetric grasps, in which several contacts reach the edge of their cone at once. Sticking grasps are compared
-//! with the linear least-squares problem they solve (`support::sticking`).
+//! The conditions `0 <= g ⟂ F_n >= 0`, the friction law, the springs and the balance are recomputed here from the data of the scene
+//! (`support::scene`), without the library's residuals. The scenes are random grasps in the plane and in space. Each contact has its own friction
+//! (zero, tiny, ordinary, huge, infinite) and stiffnesses from 1 to 1e6. In symmetric grasps several contacts reach the edge of their cone at once.
+//! Sticking grasps are compared with the linear least-squares problem that they solve (`support::sticking`).
 
 use std::cell::{Cell, RefCell};
 use std::f64::consts::PI;
@@ -22,7 +21,7 @@ use support::sticking;
 const LAW: f64 = 1e-10;
 const FACETS: usize = 8;
 
-/// What came up.
+/// Counts of the outcomes.
 #[derive(Debug, Clone, Default)]
 struct Tally {
     equilibria: usize,
@@ -64,7 +63,7 @@ impl Tally {
     }
 }
 
-/// Solves a scene and checks what comes back; with `list`, all equilibria.
+/// Solves a scene and checks the answer; with `list`, all equilibria.
 fn check<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     list: bool,
@@ -124,7 +123,7 @@ fn check_minimum<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     sticking_scenes: &Cell<usize>,
 ) -> Result<(), TestCaseError> {
-    // Only the first rung of the ladder is looked at here. Long searches on the last rung would say nothing about it.
+    // This test checks only the first rung of the ladder, on which a search through all states would have no bearing.
     let settings = Settings::default().with_most_states(0);
     let outcome = scene.grasp().with(&settings).solve(scene.wrench()).expect("a finite load");
     let expected = sticking::forces(scene);
@@ -134,7 +133,7 @@ fn check_minimum<const D: usize, const C: usize>(
         return Ok(());
     }
     let expected = expected.unwrap();
-    // Where the forces cancel, what the softest spring would exert over the largest command.
+    // Where forces cancel, their scale is the force of the softest spring under the largest command.
     let softest = scene.contacts.iter().map(Datum::softest).fold(f64::INFINITY, f64::min);
     let command =
         scene.contacts.iter().map(|datum| datum.command.norm() + datum.clearance).fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! Rectangular pads: stiffness and edges of a uniform pressure over a rectangle, integrated by hand, against what grasps by their points do.
+//! Stiffness and edges of a rectangular pad under uniform pressure, integrated by hand, agree with the behaviour of grasps by its points.
 
 use grasp_lcp::Error;
 use grasp_lcp::spatial::{Contact, Departure, Grasp, Ramp, SoftFingertip, Wrench};

@@ -1,10 +1,9 @@
-//! Equilibria in space on the round friction cone.
+//! The library finds equilibria in space on the round friction cone.
 //!
-//! The scenes are made backwards: a twist of the object is chosen, every contact answers with the force that Coulomb's law gives
-//! it (a return map of its own, by bisection), and the load is what balances them. An equilibrium therefore exists; the
-//! library has to find one, or say that it does not know, and whatever it finds has to satisfy the law. Where friction is
-//! weak enough for the equilibrium to be the only one, neither the tangents, the order, the frame nor a contact
-//! split in two may change it.
+//! The scenes are made backwards. A twist of the object is chosen, and a separate return map (by bisection) gives the contact forces by Coulomb's
+//! law. The load is then what balances them, so that an equilibrium exists. The library must find one or answer "undecided", and whatever it finds
+//! must satisfy the law. If friction is so weak that the equilibrium is unique, it must not depend on the tangents, the order of contacts, the frame,
+//! or a contact split in two.
 
 use std::cell::Cell;
 

@@ -1,4 +1,5 @@
-//! Friction of a contact that slides, in any direction, and the proof that an overloaded patch of many contacts has no equilibrium.
+//! A sliding contact has the right friction force in any direction, and there is a proof that an overloaded patch of many contacts has no
+//! equilibrium.
 
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;

@@ -1,4 +1,4 @@
-//! What turns far is told to be beyond small motions; against the closed form of a beam in two bonded springs.
+//! Answers with large rotations are labelled as beyond small motions. The rotation is the closed form of a beam on two bonded springs.
 
 use grasp_lcp::{planar, spatial};
 

@@ -1,6 +1,6 @@
-//! Soft fingertips: their stiffness and their edges against closed forms, in space and in the plane.
+//! Stiffness and edges of soft fingertips agree with closed forms, in space and in the plane.
 //!
-//! All numbers are integrals over a ring, a disc or a line, worked out by hand; see the comments.
+//! The numbers are integrals over a ring, a disc or a line, computed by hand in the comments.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,4 @@
-//! A pinch with soft fingertips under torsion, against closed forms: how far it turns, when the first points slide, how
-//! slip spreads, and the limit.
+//! A pinch with soft fingertips under torsion agrees with closed forms: its rotation, the first slip of points, the spread of slip, and the limit.
 
 use std::f64::consts::{FRAC_PI_6, PI};
 

@@ -1,7 +1,8 @@
-//! A body wedged between two contacts at which friction is used up to the last: forces are known, and where along a line it is is not. The answer says so.
+//! If a body is wedged between two contacts on the edges of their cones, the forces are unique but the twist is only known up to an interval. The
+//! answer reports this interval.
 //!
-//! By hand: forces on the edges of both cones, and the load that balances them. Any twist for which the surfaces are pressed as deep as that and have slipped
-//! along friction is an equilibrium, so that the twists are those of a stretch of a line.
+//! Scenes are made by hand: forces on the edges of both cones, and the load that balances them. A twist is an equilibrium if it presses the surfaces
+//! as deep as these forces need, and both slips point along friction. These twists form a segment of a line.
 
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use support::samples::{assert_met, samples, seeded};

@@ -1,4 +1,4 @@
-//! A valid grasp in the plane and one in space, for tests that break one number, and numbers that break it.
+//! Shared by tests: a valid grasp in the plane and one in space, and invalid numbers to put into them.
 
 use grasp_lcp::{planar, spatial};
 

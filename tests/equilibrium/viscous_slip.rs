@@ -1,4 +1,4 @@
-//! Of several equilibria at rest, the one to which viscous slip leads from where everything sticks.
+//! If several equilibria exist, the one returned is reached from the sticking state under viscous slip.
 
 use std::f64::consts::TAU;
 
@@ -65,7 +65,7 @@ fn force(finger: &Finger, moved: Vector3<f64>) -> Vector3<f64> {
     finger.normal * pressed + elastic * part
 }
 
-/// Forces on the object when it has gone half of the way that would balance a stuck grasp in every step; `None` where it goes on.
+/// Contact forces after relaxation in small steps, each half of the motion that would balance a stuck grasp; `None` if it does not converge.
 fn relaxed(fingers: &[Finger], load: Vector6<f64>) -> Option<Vec<Vector3<f64>>> {
     let maps: Vec<_> = fingers.iter().map(Finger::map).collect();
     let springs: Vec<_> = fingers.iter().map(Finger::springs).collect();

@@ -1,7 +1,7 @@
-//! Arbitrary floating point numbers (non-finite, subnormal, huge) fed to everything.
+//! Arbitrary floating-point numbers (non-finite, subnormal, huge) never cause a panic or a wrong answer.
 //!
-//! Nothing may panic. Whatever is returned as an equilibrium must consist of finite numbers and satisfy its conditions,
-//! however extreme the question: a grasp that cannot be computed is refused or undecided, never answered wrongly.
+//! A returned equilibrium must have finite numbers and satisfy its conditions, however extreme the question. A grasp that cannot be computed is
+//! refused or undecided.
 
 use std::cell::Cell;
 

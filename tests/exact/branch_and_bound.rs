@@ -1,5 +1,5 @@
-//! On the round cone there is an answer: an equilibrium that holds, or a proof whose every case can be checked, however far beyond the
-//! onset. Where the proof says that there is none, Newton's method from many places finds none either.
+//! On the round cone every question is decided, however far beyond the onset: by an equilibrium, or by a proof whose cases can all be checked. If the
+//! proof says that no equilibrium exists, Newton's method from many starting points finds none either.
 
 use std::f64::consts::TAU;
 use std::ops::AddAssign;
@@ -11,7 +11,7 @@ use support::jaws::jaw;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// What a scene is made of, for the library and for [`breach`].
+/// One contact of a scene, for the library and for [`breach`].
 struct Finger {
     point: SVector<f64, 3>,
     normal: SVector<f64, 3>,
@@ -44,7 +44,7 @@ fn grasp(fingers: &[Finger]) -> Grasp {
     Grasp::new(fingers.iter().map(contact)).unwrap()
 }
 
-/// What is out of balance where the object moves by a twist and every finger answers with a force on its cone.
+/// Imbalance of the load if the object moves by a twist and every finger answers with a force on its cone.
 fn breach(fingers: &[Finger], load: &SVector<f64, 6>, twist: &SVector<f64, 6>) -> SVector<f64, 6> {
     let mut sum = *load;
     for f in fingers {

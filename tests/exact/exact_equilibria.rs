@@ -1,12 +1,11 @@
-//! The library and exact arithmetic say the same of planar grasps of two to four contacts.
+//! The library agrees with exact arithmetic on planar grasps of two to four contacts.
 //!
-//! `support::exact` lists every equilibrium of a scene in rational arithmetic. Whenever the list is not empty the library
-//! must return an equilibrium, and it must be in the list; it may say "no equilibrium" only when the list is empty.
-//! Where all equilibria are isolated and none is a borderline case, the library's own list has the same length.
+//! `support::exact` lists every equilibrium of a scene in rational arithmetic. If the list is not empty, the library must return an equilibrium of
+//! this list. It may answer "no equilibrium" only if the list is empty. If all equilibria are isolated and none is a borderline case, the library's
+//! own list has the same length.
 //!
-//! The scenes are random. A lattice of small integers makes exact ties frequent; stiffness ratios to 1e6 with strong
-//! friction (μ to 2) are where the kinematic form alone fails; loads that balance a random motion make sure that there
-//! is something to find.
+//! The scenes are random. A lattice of small integers makes exact ties frequent. The kinematic form alone fails for stiffness ratios up to 1e6 with
+//! strong friction (μ up to 2). Loads that balance a random motion guarantee an equilibrium.
 
 use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::planar::{ContactState, Equilibrium, Outcome, Proof};
@@ -130,7 +129,7 @@ fn stiff_scene() -> impl Strategy<Value = Scene> {
     scene_of(stiff(), 0.0625)
 }
 
-/// What the scenes turned out to be, and how the library answered.
+/// Counts of kinds of scenes and of the library's answers.
 #[derive(Debug, Clone, Default)]
 struct Tally {
     /// Nothing borderline: no ties, no families, nothing that rounding could decide.
@@ -139,7 +138,7 @@ struct Tally {
     tied: usize,
     /// With whole families of equilibria.
     families: usize,
-    /// Where working precision cannot tell whether some condition holds.
+    /// Scenes in which working precision does not decide some condition.
     narrow: usize,
     without_equilibrium: usize,
     without_by_trying_all: usize,
@@ -238,7 +237,7 @@ impl Tally {
         }
     }
 
-    /// What all kinds of scenes have in common.
+    /// Asserts the counts that all kinds of scenes must reach.
     fn assert_varied(&self) {
         self.assert_often_enough(&[
             ("clear", self.clear, 45),

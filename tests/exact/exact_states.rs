@@ -1,7 +1,7 @@
-//! Forces, displacements, states and error estimates against the same contact states solved in exact arithmetic.
+//! Forces, displacements, states and error estimates agree with the same contact states solved in exact arithmetic.
 //!
-//! Stiffnesses lie up to 1e14 apart, between contacts and between the axes of one. `support::truth` takes every number of a scene for
-//! what it is and solves for the states that the library returned: what differs is the library's rounding alone.
+//! Stiffnesses differ by factors of up to 1e14, between contacts and between the axes of one. `support::truth` takes every number of a scene as exact
+//! and solves for the states that the library returned. Any difference is the rounding of the library.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{Accuracy, ContactState, Equilibrium};
@@ -15,7 +15,7 @@ use support::truth::{Errors, Truth};
 /// Errors below this part of the largest force or displacement are none.
 const NONE: f64 = 1e-18;
 
-/// What came up, and the worst of it.
+/// Counts of the outcomes, and the largest errors.
 #[derive(Debug, Default)]
 struct Tally {
     sticking: usize,
@@ -68,7 +68,7 @@ impl Tally {
         Ok(())
     }
 
-    /// A state is the true one wherever the answer says that it is told apart.
+    /// Checks that a state is the true one if the answer says that it is distinct.
     fn states<const C: usize>(
         answer: &Equilibrium<C>,
         told: &[bool],

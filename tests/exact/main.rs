@@ -1,4 +1,4 @@
-//! The equilibrium of one grasp against exact arithmetic, against proofs whose every case is checked, and for numbers of any size.
+//! Equilibria of one grasp are compared with exact arithmetic and with proofs whose cases are all checked, for numbers of any size.
 
 mod any_numbers;
 mod branch_and_bound;

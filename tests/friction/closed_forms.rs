@@ -1,4 +1,4 @@
-//! Bodies on legs, whose motion is known.
+//! Frictional contact problems of bodies on legs agree with closed forms.
 
 use grasp_lcp::friction::{ContactMode, SpatialContacts};
 use grasp_lcp::lcp::Outcome;
@@ -12,7 +12,7 @@ fn stool(feet: &[Vector3<f64>], velocity: Vector3<f64>, mu: f64) -> SpatialConta
     let inertia = Matrix3::from_diagonal(&Vector3::new(0.2, 0.3, 0.4));
     let n = feet.len();
     let axes = [Vector3::z(), Vector3::x(), Vector3::y()];
-    // Rows of Hᵀ: what a foot sees of (v, ω).
+    // Rows of Hᵀ: velocity of a foot from (v, ω).
     let h = DMatrix::from_fn(3 * n, 6, |k, j| {
         let (foot, axis) = (feet[k / 3], axes[k % 3]);
         if j < 3 { axis[j] } else { foot.cross(&axis)[j - 3] }

@@ -1,4 +1,4 @@
-//! The order of the contacts, the frame of their tangents and the units change nothing.
+//! Solutions do not depend on the order of contacts, on the frame of their tangents, or on units.
 
 use grasp_lcp::friction::SpatialContacts;
 use grasp_lcp::lcp::Outcome;

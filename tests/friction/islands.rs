@@ -1,4 +1,4 @@
-//! Contacts that do not move each other are solved by themselves.
+//! Groups of contacts that are not coupled by W are solved separately.
 
 use grasp_lcp::friction::{PlanarContacts, Settings, SpatialContacts};
 use grasp_lcp::lcp::{BreakdownCause, Outcome};

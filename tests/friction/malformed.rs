@@ -1,4 +1,4 @@
-//! Malformed input is an error that names the place.
+//! Malformed input returns an error with its place.
 
 use grasp_lcp::friction::{Error, Settings, SpatialContacts};
 use grasp_lcp::lcp::{BreakdownCause, LcpError, Outcome};

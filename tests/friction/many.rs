@@ -1,4 +1,4 @@
-//! Many contacts: towers of blocks whose forces are known, and problems where contacts are redundant.
+//! Problems with many contacts are solved: towers of blocks with known forces, and problems with redundant contacts.
 
 use grasp_lcp::friction::{ContactMode, FrictionProblem, Settings, SolveProgress, SpatialContacts};
 use grasp_lcp::lcp::{BreakdownCause, Outcome};
@@ -8,8 +8,8 @@ use support::coulomb::missed_law;
 use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
-/// A tower of point masses, one on another, each pushed sideways by its own force: contact i carries the weight above it, and what is pushed above it, as
-/// far as friction goes.
+/// A tower of point masses, each pushed sideways by its own force: contact i carries the weight above it and, up to its friction, the pushes above
+/// it.
 ///
 /// In velocities of one step from rest: contact i has u = v_i − v_{i−1} with the ground as v_{−1} = 0.
 fn tower(masses: &[f64], push: &[f64], mu: f64) -> SpatialContacts {
@@ -136,7 +136,7 @@ fn unequal_masses_are_solved_in_the_plane() {
     unequal_masses::<2>(95, 900);
 }
 
-/// Whoever watches is told of better and better forces, of the contacts by their numbers, and may stop.
+/// The callback receives ever better forces, contact by contact, and can stop the solver.
 #[test]
 fn whoever_watches_may_stop() {
     let mut random = seeded(96);

@@ -1,4 +1,4 @@
-//! In the plane the answer is a solution exactly if there is one: against all combinations of states in rational arithmetic.
+//! In the plane a solution is returned exactly if one exists. Enumeration of all combinations of states in rational arithmetic confirms this.
 
 use grasp_lcp::friction::PlanarContacts;
 use grasp_lcp::lcp::Outcome;

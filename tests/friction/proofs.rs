@@ -1,4 +1,4 @@
-//! Where some contact approaches whatever the forces, weights of the contacts prove it.
+//! If some contact must approach under all admissible forces, the answer has weights of the contacts that prove it.
 
 use grasp_lcp::friction::{FrictionProblem, PlanarContacts, SpatialContacts};
 use grasp_lcp::lcp::Outcome;

@@ -1,4 +1,4 @@
-//! On the round cone the law holds to 1e-12: random, redundant and nonsymmetric problems, where polygons miss it.
+//! On the round cone the contact law holds to 1e-12 for random, redundant and nonsymmetric problems. Solutions on polygons do not satisfy it.
 
 use grasp_lcp::friction::{ContactMode, SpatialContacts};
 use grasp_lcp::lcp::Outcome;
@@ -88,7 +88,7 @@ fn redundant_contacts_are_solved() {
     }
 }
 
-/// What polygons miss of the law shrinks with the square of the facets, and is what the round cone is for.
+/// The violation of the law by polygons decreases with the square of the number of facets. The round cone has none.
 #[test]
 fn polygons_miss_the_law() {
     let mut random = seeded(61);

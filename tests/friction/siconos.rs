@@ -1,9 +1,9 @@
-//! Problems in the three forms that files of Siconos have.
+//! Problems can be read in the three forms of files that Siconos writes.
 
 use grasp_lcp::friction::{Error, ReadProblem};
 use nalgebra::{DMatrix, DVector};
 
-/// Two contacts in the plane whose W is not symmetric, so that rows and columns are told apart.
+/// Two contacts in the plane whose W is not symmetric, so that a transposed matrix would be noticed.
 fn expected() -> (DMatrix<f64>, DVector<f64>) {
     let w = DMatrix::from_row_slice(
         4,

@@ -1,6 +1,6 @@
-//! Problems of a few contacts that wedge: W is positive definite and far from a multiple of the identity, μ is large.
+//! Small problems with wedging are solved: W is positive definite and far from a multiple of the identity, and μ is large.
 //!
-//! Newton's method from the polygons does not arrive.
+//! Newton's method from the solutions on polygons does not converge for them.
 
 use grasp_lcp::friction::ReadProblem;
 

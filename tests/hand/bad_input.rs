@@ -1,4 +1,4 @@
-//! Malformed hands get an error that names joint, field, value and what is allowed.
+//! Malformed hands return an error with the joint, the field, the value and the allowed range.
 
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;

@@ -1,4 +1,4 @@
-//! Hands whose answers are known in closed form.
+//! Answers for hands agree with closed forms.
 
 use grasp_lcp::Limit;
 use grasp_lcp::nalgebra::DMatrix;
@@ -12,7 +12,7 @@ type Tested = Result<(), Box<dyn std::error::Error>>;
 
 /// A pinch by two fingers that each give way by one compliance matrix, C = [[c_nn, ±c_nt], [±c_nt, c_tt]], mirrored left and right.
 fn pinch(c_nn: f64, c_nt: f64, c_tt: f64, mu: f64, force: f64) -> Result<Grasp, grasp_lcp::Error> {
-    // Tangents: t = (n_y, -n_x) is down on the left and up on the right; both are told to point down here.
+    // Tangents: t = (n_y, -n_x) points down on the left and up on the right; `tangent` lets both point down.
     let finger = |x: f64| {
         let contact = Contact::new([x, 0.0], [-x, 0.0])
             .tangent([0.0, -1.0])
@@ -98,7 +98,7 @@ fn pad(x: f64, y: f64) -> Contact {
     Contact::new([x, y], [-x, 0.0]).series_stiffness(1e4, 8e3).friction(0.5)
 }
 
-/// A motor that stalls squeezes with its limit, however far it is told to go; what it lacks is told.
+/// A stalled motor squeezes with its limit for any larger command; the answer states the deflection from the command.
 #[test]
 fn a_motor_that_stalls_squeezes_with_its_limit() -> Tested {
     for limit in [Limit::Saturates(6.0), Limit::Slips(6.0)] {
@@ -122,8 +122,8 @@ fn a_motor_that_stalls_squeezes_with_its_limit() -> Tested {
     Ok(())
 }
 
-/// The joint's limit is the first event of a closing squeeze, at its exact command, and an opening one finds the two laws apart: what saturates comes
-/// back along its spring, what slips has kept what it slipped.
+/// The joint's limit is the first event of a closing squeeze, at its exact command. On opening the two laws differ: a saturated drive returns along
+/// its spring, a slipped clutch keeps its slip.
 #[test]
 fn a_clutch_remembers_and_a_stalled_motor_does_not() -> Tested {
     for (limit, remembers) in [(Limit::Saturates(6.0), false), (Limit::Slips(6.0), true)] {
@@ -143,7 +143,7 @@ fn a_clutch_remembers_and_a_stalled_motor_does_not() -> Tested {
             .iter()
             .find(|e| parts(&e.drives).contains(&(HandPart::Joint(0), DriveChange::Holds)))
             .ok_or("holds")?;
-        // Told to go back the clutch sticks at once; the motor has to come back to where it stalled.
+        // When the command reverses, the clutch sticks at once; the motor first has to return to the command at which it stalled.
         let back = 0.012 - holds.fraction * 0.014;
         assert_eq!(holds.leg, 1);
         assert!((back - if remembers { 0.012 } else { 6.0 * compliance }).abs() < 1e-14, "{limit:?} {back}");

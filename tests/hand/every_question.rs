@@ -1,4 +1,4 @@
-//! Every question is answered for a hand, or refused by name; none panics.
+//! Every question about a hand is answered or refused with a typed error. None panics.
 
 use grasp_lcp::energy::{MinimumOutcome, StabilityVerdict};
 use grasp_lcp::nalgebra::DMatrix;

@@ -1,4 +1,5 @@
-//! A contact that is held by a force carries it wherever the object goes, as a position would that is moved to just there.
+//! A contact that is pressed with a constant force carries this force wherever the object moves. A position command to the same place gives the same
+//! forces.
 
 use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::grasp::{Contact, HandPart, JointKind};
@@ -9,7 +10,7 @@ use support::jaws::jaw;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// Soft tips, commanded to where the slide came to, carry what they do when the force holds them.
+/// Soft tips held by a force carry the same as soft tips commanded to the final position of the slide.
 #[test]
 fn a_position_at_the_place_of_the_slide_carries_the_same() -> Tested {
     let jaw = |x: f64| {
@@ -84,7 +85,7 @@ fn slides_come_behind_all_joints() -> Tested {
     Ok(())
 }
 
-/// What does not go together is refused by name.
+/// Errors name data that exclude each other.
 #[test]
 fn a_force_beside_a_position_is_refused() {
     use planar::hand::{Finger, Hand, Joint};

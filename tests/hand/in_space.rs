@@ -1,4 +1,4 @@
-//! Spatial hands against a system for twist and joints in arithmetic of a hundred digits.
+//! Answers for spatial hands agree with the linear system for twist and joints, solved with a hundred digits.
 
 use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::nalgebra::{DMatrix, Vector3};

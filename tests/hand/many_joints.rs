@@ -10,7 +10,7 @@ const JOINTS: f64 = 2e3;
 const CONTACT: f64 = 1e4;
 const COMMAND: f64 = 0.01;
 
-/// What presses with the springs of joints and contact in series.
+/// The pressing force, with the springs of joints and contact in series.
 fn force() -> f64 {
     COMMAND / (1.0 / JOINTS + 1.0 / CONTACT)
 }

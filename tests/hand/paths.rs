@@ -1,4 +1,4 @@
-//! Load paths of hands: their events against small steps at rest from state to state, in the plane and in space.
+//! Events on load paths of hands agree with a sequence of equilibria in small load steps, in the plane and in space.
 
 use grasp_lcp::Limit;
 use grasp_lcp::{planar, spatial};
@@ -61,8 +61,8 @@ fn saturating_joints_pass_through_equilibria_at_rest() {
     assert_met(&[(yields, 20), (compared, 20)]);
 }
 
-/// A slipping joint's path against a great many short steps, each solved at rest from the commands less what has slipped so far: the slip law of a clutch
-/// is that of a spring whose command moves with the slip.
+/// The path of a slipping joint against many short steps, each solved at rest from the commands less the slip so far: a clutch is a spring whose
+/// command moves with the slip.
 #[test]
 fn slipping_joints_follow_small_steps() {
     let mut numbers = seeded(23);

@@ -1,4 +1,4 @@
-//! A squeeze in newtons is the force that is there when the object stands still, whatever lies behind the contact.
+//! A squeeze in newtons is the normal force while the object does not move, for every kind of finger behind the contact.
 
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Wrench;

@@ -1,4 +1,4 @@
-//! Sensitivities by joint data against small changes of the data.
+//! Derivatives with respect to joint data agree with small changes of the data.
 
 use grasp_lcp::Limit;
 use grasp_lcp::load_path::{Leaver, Parameter};

@@ -1,4 +1,4 @@
-//! The stiffness that stability tells is the one that solving feels: `elastic · (change of twist) = change of load`.
+//! The stiffness that stability reports is the tangent stiffness of the equilibrium: `elastic · (change of twist) = change of load`.
 
 use grasp_lcp::nalgebra::{DMatrix, SVector};
 use grasp_lcp::planar::Contact;

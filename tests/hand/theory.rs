@@ -1,4 +1,4 @@
-//! What theory promises of coupled compliance, and what it does not.
+//! Theorems on coupled compliance hold for hands, and counterexamples show where they end.
 
 use grasp_lcp::PolygonCone;
 use grasp_lcp::equilibrium::FoundBy;

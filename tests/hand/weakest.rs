@@ -1,4 +1,5 @@
-//! The weakest direction of a hand against onsets in many directions: a contact slides, or a drive reaches its limit.
+//! The weakest direction of a hand is right: onsets in many other directions are not lower. At the onset a contact slides, or a drive reaches its
+//! limit.
 
 use std::f64::consts::TAU;
 

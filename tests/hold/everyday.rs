@@ -1,4 +1,4 @@
-//! Everyday grippers, at loads around their limit: every one is decided, and rightly.
+//! Every verdict on everyday grippers near their limit is decided and right.
 
 use grasp_lcp::hold::Holding;
 use grasp_lcp::{planar, spatial};

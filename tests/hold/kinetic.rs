@@ -1,4 +1,4 @@
-//! Friction that is lower once contacts slide, in a sentence, in a scene, as an amount, and where it is refused.
+//! Kinetic friction below static friction is respected in verdicts, scenes and needed amounts. Questions that cannot handle it refuse it.
 
 use grasp_lcp::hold::{Holding, WayOut};
 use grasp_lcp::need::Need;
@@ -63,7 +63,7 @@ fn it_falls() -> Tested {
     Ok(())
 }
 
-/// Lost at 9 N: so much load, so much squeeze for 8 N, so much friction with the same ratio of both.
+/// Lost at 9 N: needed load, needed squeeze for 8 N, and needed friction with the same ratio of both coefficients.
 #[test]
 fn needs_count_with_it() -> Tested {
     let grasp = feet(0.4, 0.5)?;
@@ -128,7 +128,7 @@ fn scenes_say_it_and_keep_it() {
     assert!(refused.contains("left: kinetic friction") && refused.contains("0.6, must be"), "{refused}");
 }
 
-/// What slides at rest already has lost its friction of rest before the load comes on.
+/// A contact that slides at rest has kinetic friction before the load is applied.
 #[test]
 fn what_slides_at_rest_slides_with_less() -> Tested {
     // Dragged by 12 mm: 5 N would be held at rest, 4 N are once it slides.

@@ -1,4 +1,4 @@
-//! What the turning of the squeeze takes of what resists: the closed form of a pinch, `−N / (k_t a)`.
+//! The verdict reports how much the rotation of the squeeze reduces the stiffness. For a pinch this is the closed form `−N / (k_t a)`.
 
 use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::spatial;

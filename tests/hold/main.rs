@@ -1,4 +1,4 @@
-//! Does it hold: loads put on from rest, and what is said of them.
+//! Verdicts: does the grasp hold a load that is applied from rest, and what does the answer say?
 
 mod everyday;
 mod kinetic;

@@ -1,4 +1,5 @@
-//! The proof that nothing holds near where a load was lost is attacked: at motions within its radius contact forces of any history are sought.
+//! Attempts to refute the proof that no equilibrium exists near the lost state: at motions within its radius, contact forces of any slip history are
+//! sought that balance the load.
 
 use grasp_lcp::Settings;
 use grasp_lcp::planar::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
@@ -59,7 +60,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
             closest = closest.min(left);
             assert!(left > 1e-9, "{left} {q}");
         }
-        // Who looks for an equilibrium from scratch finds none there, either.
+        // A search from the elastic trial state finds no equilibrium there, either.
         if let Some(found) = grasp.solve(load)?.equilibrium() {
             let (q, at) = (found.twist.to_vector(), state.twist.to_vector());
             let by = q - at;

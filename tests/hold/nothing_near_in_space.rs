@@ -1,5 +1,5 @@
-//! The proof that nothing holds near where a load was lost, attacked in space: from random motions within its radius Newton's method looks for one at which
-//! contact forces of any history balance the load.
+//! Attempts to refute, in space, the proof that no equilibrium exists near the lost state. From random motions within its radius, Newton's method
+//! seeks a motion at which contact forces of any slip history balance the load.
 
 use grasp_lcp::Settings;
 use grasp_lcp::spatial::{Contact, Grasp, SoftFingertip, Wrench};
@@ -9,7 +9,7 @@ use support::splitmix::Random;
 
 /// Moments count as forces so far away, m.
 const ARM: f64 = 0.04;
-/// Forces are sought this often before the object moves on, and so often it does.
+/// Number of sweeps over the forces before each motion of the object, and number of these motions.
 const SWEEPS: usize = 20;
 const STEPS: usize = 10;
 
@@ -73,7 +73,7 @@ fn scaled(mut w: Vector6<f64>) -> Vector6<f64> {
     w
 }
 
-/// What is left of the load, with the friction forces that leave the least of it, and how that changes with the motion.
+/// The least imbalance of the load over all friction forces, with these forces and the derivative by the motion.
 fn least(
     touches: &[Touch],
     load: &Vector6<f64>,

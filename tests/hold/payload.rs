@@ -1,4 +1,4 @@
-//! What a body pulls with while its arm moves: against the sum over particles that the arm carries along, each with its own acceleration.
+//! The load of a payload on a moving arm agrees with the sum over its particles, each with its own acceleration.
 
 use grasp_lcp::nalgebra::{Matrix3, Vector3};
 use grasp_lcp::{Error, planar, spatial};

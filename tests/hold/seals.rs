@@ -1,6 +1,8 @@
-//! A suction cup that is open all around holds nothing, whatever is asked: three cups in a row, whose forces are known from statics.
+//! A suction cup whose lip is open all around holds nothing, for every kind of question. The scene has three cups in a row, whose forces follow from
+//! statics.
 //!
-//! W hangs at b beyond the middle. The cups carry V − W (1/3 + x b/2a²) at x = −a, 0, a, so that the near one opens at W = V / (1/3 + b/2a).
+//! The weight W hangs at distance b from the middle. With the vacuum force V, the cups carry V − W (1/3 + x b/2a²) at x = −a, 0, a. The nearest cup
+//! opens at W = V / (1/3 + b/2a).
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::{Holding, WayOut};
@@ -42,7 +44,7 @@ fn a_path_ends_where_the_lip_is_open_all_around() -> Tested {
     let beyond = path.beyond().expect("lost");
     assert!(matches!(&beyond, Beyond::WithoutVacuum { cups } if cups[0].label == "near"), "{beyond:?}");
 
-    // The equilibrium there still has it; and nothing goes on from there.
+    // The equilibrium at the end still has the vacuum, and no equilibrium continues it.
     assert!(path.state().is_some_and(|state| state.open_cups.is_empty()));
     path.continue_with(&[Leg::load_to(Wrench::ZERO)])?;
     assert!(path.next().is_none() && path.end().is_some());

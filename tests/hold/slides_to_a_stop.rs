@@ -1,4 +1,4 @@
-//! What is said of a load under which the object slides to a stop.
+//! If the object slides to a stop under the load, the verdict reports this.
 
 use grasp_lcp::Error;
 use grasp_lcp::hold::{Holding, Verdict, WayOut};

@@ -1,4 +1,4 @@
-//! Where motions cease to be small a verdict ends: closed forms of the place, of a rotation, a slip and an opening, and on loads that turn.
+//! A verdict ends where motions are no longer small. The limits of rotation, slip and gap agree with closed forms, also for loads that turn.
 
 use grasp_lcp::equilibrium::TooFar;
 use grasp_lcp::planar::{Contact, Grasp, Leg, SoftFingertip, Turn, Wrench};
@@ -114,7 +114,7 @@ fn a_load_that_turns_leaves_within_its_piece() -> Tested {
     Ok(())
 }
 
-/// The settings move the end, for answers too, and are looked at.
+/// The settings move the end of small motions, also of answers, and are checked.
 #[test]
 fn settings_say_what_is_small() -> Tested {
     let turned = 2.0 * SPRING * ARM * ARM * 0.3;

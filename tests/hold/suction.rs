@@ -1,4 +1,5 @@
-//! Suction cups: what a vacuum does beside the load, against balances by hand and against the same grasp with the vacuum as a load of the caller's.
+//! The vacuum of suction cups acts in addition to the load. Answers agree with balances by hand, and with the same grasp if the caller adds the
+//! vacuum to the load.
 
 use grasp_lcp::hold::WayOut;
 use grasp_lcp::need::{Amount, Need, Needed};

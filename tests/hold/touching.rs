@@ -1,4 +1,5 @@
-//! A contact that touches with no force, and that the load does not push, neither sticks nor slides: what is said of a verdict does not hang on its rounding.
+//! A contact without force that the load does not press is reported as touching, neither as sticking nor as sliding. So the verdict does not depend
+//! on rounding.
 
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::hold::Holding;

@@ -1,4 +1,4 @@
-//! How an object leaves, where that is known by hand.
+//! The verdict reports the right motion by which the object is lost, in scenes where it is known by hand.
 
 use grasp_lcp::hold::WayOut;
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Ramp, Wrench};

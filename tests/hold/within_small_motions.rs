@@ -1,4 +1,5 @@
-//! Random grasps: what is told to hold has moved little, and the first line is the same in other units and orders.
+//! In random grasps an object that is reported as held has moved little. The first line of a verdict does not depend on units or on the order of
+//! contacts.
 
 use core::fmt::Write;
 
@@ -10,7 +11,7 @@ use support::splitmix::Random;
 /// As the default settings have them.
 const SMALL: f64 = 0.1;
 
-/// Three or four fingers around an object, or what it stands on; soft or stiff, gently or hard overloaded.
+/// Three or four fingers around an object, or points on which it rests; soft or stiff, under loads below or beyond the limit.
 struct Drawn<const C: usize> {
     points: Vec<[f64; C]>,
     normals: Vec<[f64; C]>,
@@ -91,14 +92,14 @@ fn size<const C: usize>(points: &[[f64; C]]) -> f64 {
     (points.iter().map(square).sum::<f64>() / count).sqrt()
 }
 
-/// Whether a state that is told to hold has moved farther than it may, by what the answer says of motions.
+/// Whether a motion in a verdict that holds is larger than the limit of small motions.
 fn moves_far<const C: usize>(verdict: &Verdict<C>, points: &[[f64; C]]) -> bool {
     let state = verdict.state.as_ref().expect("held");
     let rotation = state.twist.components()[C..].iter().map(|x| x * x).sum::<f64>().sqrt();
     let far = SMALL * size(points) * (1.0 + 1e-9);
     let contact_moves = |contact: &grasp_lcp::equilibrium::ContactAnswer<C>| {
         let is_open = matches!(contact.state, grasp_lcp::equilibrium::ContactState::Separated);
-        // A finger that stays where it is: the gap is what the object has moved away by, less what the finger was pressed in.
+        // The gap of an open contact is the distance that the object has moved away, less the depth to which the finger was pressed in.
         if is_open { contact.gap > far } else { contact.slip.norm() > far }
     };
     rotation > SMALL * (1.0 + 1e-9) || state.contacts.iter().any(contact_moves)
@@ -142,7 +143,7 @@ fn told_without_numbers(said: &str) -> String {
     told
 }
 
-/// In other units a moment is another number, and lengths are told in mm or m: words and the load factors stay.
+/// In other units moments have other numbers, and lengths are printed in mm or m; words and load factors stay the same.
 #[test]
 fn units_and_order_do_not_matter() {
     let mut random = seeded(26);

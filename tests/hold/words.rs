@@ -1,4 +1,4 @@
-//! The first sentence of a verdict.
+//! The first sentence of a verdict is right.
 
 use grasp_lcp::equilibrium::TooFar;
 use grasp_lcp::hold::{Holding, WayOut};
@@ -94,7 +94,7 @@ fn the_load_at_rest_is_named() -> Tested {
     Ok(())
 }
 
-/// A pinch that a moment turns by more than a small angle is not told to hold: `M = 2 k_t a² θ`.
+/// A pinch that a moment turns by more than a small angle does not count as held: `M = 2 k_t a² θ`.
 #[test]
 fn large_motions_are_labelled() -> Tested {
     let jaw = |x: f64| jaws::jaw::<2>(x, [1.0, 1.0], 0.5).pressed_with(10.0);

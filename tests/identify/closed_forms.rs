@@ -1,4 +1,4 @@
-//! Slips without scatter, at loads that are known by hand: every unknown comes back to the last digits.
+//! From slips without scatter, at loads computed by hand, identification returns every unknown to the last digits.
 
 use grasp_lcp::identify::{Ending, Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Turn, Wrench};
@@ -75,8 +75,8 @@ fn friction_from_an_angle() -> Tested {
     Ok(())
 }
 
-/// Two feet share a pull as their tangential springs do: the one that carries k₁/(k₁+k₂) of it slides first, at μ N (k₁+k₂)/k₁. With friction known the
-/// first slip tells the ratio, which was given as one.
+/// Two feet share a pull as their tangential springs do: the one that carries k₁/(k₁+k₂) of it slides first, at μ N (k₁+k₂)/k₁. With known friction
+/// the first slip determines the ratio, for which the question assumes one.
 #[test]
 fn a_ratio_of_stiffnesses_from_first_slip() -> Tested {
     let foot = |x: f64| {

@@ -1,4 +1,4 @@
-//! Intervals hold the truth as often as they say: 95 of 100 times, within what chance allows with so few draws.
+//! 95 % confidence intervals contain the true value in 95 % of the draws, within the statistical error of so few draws.
 
 use support::Failure;
 use support::identified::{first_slips, pinch, pinch_in_series, three_feet, three_feet_by_direction};

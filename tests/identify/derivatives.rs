@@ -1,4 +1,4 @@
-//! What gross slip gains by a number that grows, of random grasps in the plane and in space: differences of what the grasp itself answers.
+//! Derivatives of the gross-slip load with respect to the unknowns agree with differences of verdicts, for random grasps in the plane and in space.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::{Settings, planar, spatial};
@@ -13,7 +13,7 @@ const STEP: f64 = 1e-3;
 const SCATTER: f64 = 1e-6;
 /// On an edge both sides differ by more, as parts of the derivative.
 const EDGE: f64 = 0.02;
-/// A derivative below this is not told from none.
+/// Derivatives below this count as zero.
 const FLAT: f64 = 1e-4;
 
 #[derive(Debug, Default)]
@@ -102,7 +102,7 @@ macro_rules! derivatives {
     };
 }
 
-/// A finger of a gripper with two parallel jaws, anywhere along them: with its friction, and what it presses with.
+/// A finger of a gripper with two parallel jaws, anywhere along them: the contact, its friction and its pressing force.
 fn of_a_gripper(k: usize, random: &mut Random) -> (planar::Contact, f64, f64) {
     let side = if k.is_multiple_of(2) { -1.0 } else { 1.0 };
     let contact = planar::Contact::new([0.03 * side, 0.04 * random.normal()], [-side, 0.0])

@@ -1,4 +1,5 @@
-//! Three and more unknowns, of which slips of several kinds depend on different ones: the assignment that fits is found from any other.
+//! If there are three or more unknowns, and slips of several kinds depend on different ones, identification finds the assignment that fits. The start
+//! does not matter.
 
 use grasp_lcp::identify::{Estimate, Identified, Identify, Slip, Unknown};
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -97,7 +98,7 @@ fn twisted() -> [Slip<3>; 3] {
     })
 }
 
-/// A moment alone tells a sum, and not of which two, or whether all three slide.
+/// A moment alone determines a sum of coefficients, but not which two it contains, or whether all three contacts slide.
 #[test]
 fn a_twist_depends_on_two_of_three_or_on_all() -> Tested {
     for start in [[0.3, 0.3, 0.9], [0.9, 0.3, 0.35]] {

@@ -1,4 +1,4 @@
-//! What slips that were seen tell: numbers that are known by hand, their errors, and what is not fixed.
+//! Identification of unknown data of a grasp from observed slips: values known by hand, their errors, and what the slips leave open.
 
 mod closed_forms;
 mod coverage;

@@ -1,4 +1,4 @@
-//! What the measured pushes of one layout tell of its supports: a part of the weight on each, with the block weighed.
+//! From the measured pushes of one log, identification finds the part of the block's known weight that each support carries.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::spatial::Wrench;

@@ -1,4 +1,4 @@
-//! Numbers that cannot be, by name; searches that cannot end well say so.
+//! Invalid data are refused with an error that names them, and a search without a valid result says so.
 
 use grasp_lcp::identify::{Ending, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

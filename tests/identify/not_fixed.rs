@@ -1,4 +1,4 @@
-//! What slips do not fix is said plainly, and has no numbers.
+//! An unknown that the slips do not determine gets a plain sentence and no value.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -63,7 +63,8 @@ fn stiffness_from_gross_slip() -> Tested {
     Ok(())
 }
 
-/// Two feet of 5 N each slide together, each with its own friction: what is fixed is their sum, though derivatives do not tell it from a product.
+/// Two feet of 5 N each slide together, each with its own friction. The slips determine the sum; first derivatives do not distinguish it from the
+/// product.
 #[test]
 fn friction_of_each_foot_from_both() -> Tested {
     let foot =
@@ -81,7 +82,7 @@ fn friction_of_each_foot_from_both() -> Tested {
     Ok(())
 }
 
-/// Between jaws the one with less friction lets go, at twice what it holds: nobody knows which one that was.
+/// Of two jaws the one with less friction slips, at twice its friction force; the slips do not determine which one.
 #[test]
 fn friction_of_each_jaw_from_the_weaker() -> Tested {
     let each = [0, 1].map(|k| Unknown::friction().of_contacts([k]));
@@ -89,7 +90,7 @@ fn friction_of_each_jaw_from_the_weaker() -> Tested {
     says(&found, "one of the");
     let names: Vec<_> = found.estimates.iter().map(|each| each.name.as_str()).collect();
     assert_eq!(names, ["friction of left", "friction of right"]);
-    // The mean of the logarithms of what slips tell, and their scatter over the root of their number.
+    // The mean of the logarithms of the coefficients, and their scatter over the root of their number.
     let logs = [5.9, 6.1, 6.3, 6.0, 5.8].map(|newtons: f64| (newtons / 20.0).ln());
     let mean = logs.iter().sum::<f64>() / 5.0;
     let error = (logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / 4.0 / 5.0).sqrt();
@@ -127,7 +128,7 @@ fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
     Ok(())
 }
 
-/// Scatter that leaves a number open by more than a factor of e: it is not told.
+/// An unknown that scatter leaves uncertain by more than a factor of e has no number.
 #[test]
 fn what_scatters_too_much() -> Tested {
     let slips = [0.6, 60.0, 6.0].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
@@ -137,7 +138,8 @@ fn what_scatters_too_much() -> Tested {
     Ok(())
 }
 
-/// Pulls to one side slide the first jaw, to the other side the second: each friction is told by one group alone, which says nothing of what its slips share.
+/// Pulls to one side slide the first jaw, to the other side the second. Each coefficient depends on one group alone, from which the error that slips
+/// of a group share cannot be estimated.
 #[test]
 fn what_one_group_tells_alone() -> Result<(), support::Failure> {
     let known = support::identified::first_slips()?;

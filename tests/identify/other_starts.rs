@@ -1,4 +1,4 @@
-//! Slips that the grasp's own numbers do not predict: other starting values are tried, and weights lie there at rest.
+//! If the given data predict no slip at the observed loads, identification tries other starting values. Weights already act at rest in such scenes.
 
 use grasp_lcp::Settings;
 use grasp_lcp::identify::{Ending, Identify, Slip, Unknown};

@@ -1,4 +1,4 @@
-//! Errors beside formulas of statistics, and slips that lie far off.
+//! Standard errors agree with formulas of statistics, and outliers have little influence.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::need::{Amount, Need};
@@ -34,7 +34,7 @@ fn a_mean_and_its_standard_error() -> Tested {
     Ok(())
 }
 
-/// With a scatter that is given it is σ / √n, and the normal quantile; slips that are farther off are told of.
+/// With a given scatter σ the standard error is σ / √n, with the normal quantile; the answer counts outliers.
 #[test]
 fn a_scatter_that_is_given() -> Tested {
     let asked = |sigma: f64| {
@@ -111,7 +111,7 @@ fn a_slip_far_off_counts_less() -> Tested {
     Ok(())
 }
 
-/// What is found goes on into needs and reserves: the least squeeze is that for friction at the low end of its interval.
+/// Estimates enter needs and reserves: the least squeeze is that for friction at the low end of its interval.
 #[test]
 fn errors_go_on_into_needs() -> Tested {
     let asked = Identify::new([Unknown::friction()], LOADS.map(slip));

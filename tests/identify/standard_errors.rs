@@ -1,4 +1,4 @@
-//! Standard errors of many unknowns at once: those of derivatives that are differences of what the grasp itself answers, or known by hand.
+//! Standard errors of many unknowns at once agree with those from derivatives computed here, by differences of the answers of the grasp or by hand.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::{planar, spatial};
@@ -78,8 +78,8 @@ fn of_first_slips() -> Result<(), grasp_lcp::Error> {
 
 const AT: [[f64; 2]; 4] = [[0.1, 0.08], [-0.1, 0.11], [-0.09, -0.1], [0.12, -0.1]];
 
-/// Four feet, one more than statics can tell the loads of, pushed about in their plane or at a height: gross slips by what each carries and by two coefficients
-/// of friction, beside what two of them carry together.
+/// Four feet, one more than statics determines, pushed in their plane or at a height: loads of the feet and two coefficients of friction from gross
+/// slips, with the known sum of two loads.
 fn of_pushes(height: f64) -> Result<(), grasp_lcp::Error> {
     let grasp = |values: &[f64]| {
         let foot = |k: usize| {

@@ -1,4 +1,4 @@
-//! Where which contact slips first depends on the unknowns, other assignments are fitted: the answer does not depend on the start.
+//! If it depends on the unknowns which contact slips first, other assignments are fitted too. The answer does not depend on the start.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

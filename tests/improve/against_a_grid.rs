@@ -1,4 +1,4 @@
-//! From starts drawn anywhere the answer is never below the best of a grid.
+//! From random starts the answer of `improve` is never below the best point of a grid.
 
 use std::f64::consts::TAU;
 

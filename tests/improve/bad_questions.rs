@@ -1,4 +1,4 @@
-//! What is asked badly is refused by name.
+//! Invalid questions are refused with an error that names contact, field and value.
 
 use grasp_lcp::Error;
 use grasp_lcp::improve::{Improve, Surface};

@@ -1,4 +1,4 @@
-//! Optima that are known in closed form, in the plane.
+//! Optimal finger places and squeezes in the plane agree with closed forms.
 
 use grasp_lcp::improve::{Improve, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Wrench};
@@ -79,7 +79,7 @@ fn a_squeeze_alone_goes_up_to_its_force() {
     assert!(improved.is_locally_best(), "{improved}");
 }
 
-/// What is best already is told to be.
+/// A grasp that is optimal already stays, and the answer says so.
 #[test]
 fn what_is_best_stays() {
     let grasp = Grasp::new([jaw(-0.03, 0.0), jaw(0.03, 0.0)]).expect("two jaws");

@@ -1,4 +1,4 @@
-//! Optima in space that are known in closed form.
+//! Optimal finger places in space agree with closed forms.
 
 use grasp_lcp::improve::{Improve, Surface};
 use grasp_lcp::spatial::{Contact, Grasp, Loads, Wrench};

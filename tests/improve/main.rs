@@ -1,4 +1,4 @@
-//! Where fingers should be: optima in closed form, multipliers against differences, and starts from everywhere against a grid.
+//! The best finger places and squeezes: optima in closed form, multipliers against differences, and random starts against a grid.
 
 mod against_a_grid;
 mod bad_questions;

@@ -1,4 +1,4 @@
-//! Multipliers are what one more newton or metre gains: against differences of whole answers.
+//! A multiplier is the gain of the goal for one more newton or metre of its bound. Differences of whole answers confirm this.
 
 use grasp_lcp::improve::{Binds, Improve, Improved, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

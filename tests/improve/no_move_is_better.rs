@@ -1,5 +1,5 @@
-//! Where an answer is proved to be a local optimum to first order, no small move of places along their surfaces and of squeezes gains anything to first
-//! order: told by the grasp itself, on surfaces that bend, for both goals.
+//! If an answer is proved to be a local optimum to first order, no small move of places along their surfaces and no small change of squeezes improves
+//! the goal to first order. The grasp itself is evaluated on curved surfaces, for both goals.
 
 use std::f64::consts::TAU;
 
@@ -13,11 +13,11 @@ use grasp_lcp::squeeze::{Loads, WeakestDirection};
 use grasp_lcp::{planar, spatial};
 use support::samples::{assert_met, samples, seeded};
 
-/// How far places move, as a part of the size of the object, and squeezes as a part of what they may be.
+/// Length of the moves: of places relative to the size of the object, of squeezes relative to their limit.
 const STEP: f64 = 4e-4;
 const SIZE: f64 = 0.05;
 const MOST: f64 = 12.0;
-/// What a move of the size of the object may gain to first order, as a part of the goal; an optimum is told up to a millionth.
+/// First-order gain of a move as long as the object that counts as none, relative to the goal; multipliers prove an optimum to a millionth.
 const NOTHING: f64 = 1e-6;
 const ROUNDING: f64 = 1e-9;
 
@@ -29,8 +29,7 @@ fn contact<const C: usize>(point: [f64; C], normal: [f64; C], press: f64) -> Con
     Contact::new(point, normal).series_stiffness(NORMAL, TANGENTIAL).friction(0.8).command(command)
 }
 
-/// With each place gone so far along its surface, its frame along without turning, and each squeeze changed by so much; `None` if one is more
-/// than it may be.
+/// The grasp with each place moved along its surface, the frame moved along without turning, and each squeeze changed; `None` if a limit is exceeded.
 fn moved<const C: usize>(
     at: &[Placed<C>],
     surfaces: &[Surface<C>],
@@ -121,7 +120,7 @@ fn no_move_gains<const C: usize>(
         let moves: [f64; 12] = std::array::from_fn(|_| part());
         let gain = |step: f64| Some(value(&moves, step)? / best - 1.0);
         let (Some(whole), Some(half)) = (gain(STEP), gain(STEP / 2.0)) else { continue };
-        // What a line through both and nothing begins with: how surfaces bend is not in it.
+        // The slope at zero of the parabola through both gains and the origin, without the curvature of the surfaces.
         let first = (4.0 * half - whole) / STEP;
         (most, asked, lose) = (most.max(first), asked + 1, lose + usize::from(first < -0.01));
     }

@@ -1,4 +1,4 @@
-//! Most friction in reserve, under loads that act in full: optima in closed form, and the margins that the grasp itself has there.
+//! The largest friction margin under loads that act in full agrees with closed forms, and with the margins of the equilibria of the improved grasp.
 
 use grasp_lcp::improve::{Binds, Improve, ImproveGoal, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Wrench};
@@ -49,7 +49,7 @@ fn three_fingers_on_a_disc_keep_what_a_third_of_any_force_leaves() {
     assert!(improved.is_locally_best(), "{improved}");
 }
 
-/// The reserve is the least margin of what the grasp does under each load, on round cones, before as after.
+/// The reserve is the least margin in the equilibria under each load, on round cones, before and after the improvement.
 #[test]
 fn it_is_the_least_margin_of_the_grasp_under_its_loads() {
     use spatial::{Contact, Grasp, Loads, Wrench};

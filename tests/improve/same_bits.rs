@@ -1,4 +1,4 @@
-//! The same bits for any number of threads.
+//! Answers are the same to the last bit for any number of threads.
 
 use grasp_lcp::improve::{Improve, Surface};
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};

@@ -1,7 +1,7 @@
-//! No false proof, no false solution and no endless path, against rational arithmetic on the doubles given, in families that are meant to mislead.
+//! Families of misleading problems cause no false proof, no false solution and no endless path. Rational arithmetic on the given doubles decides.
 //!
-//! `LCP_PROBLEMS=1000000 LCP_SEED=1 cargo test --release --test lcp adversarial -- --nocapture` tries so many, and prints what came of each
-//! family.
+//! `LCP_PROBLEMS=1000000 LCP_SEED=1 cargo test --release --test lcp adversarial -- --nocapture` sets the number of problems and the seed, and prints
+//! the outcomes of each family.
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
@@ -130,7 +130,7 @@ pub(crate) fn problem(random: &mut Random, family: Family) -> (DMatrix<f64>, DVe
     }
 }
 
-/// What came of the problems of a family.
+/// Counts of the answers to the problems of a family.
 #[derive(Debug, Default, Clone)]
 pub(crate) struct Tally {
     pub(crate) solved: usize,
@@ -184,7 +184,7 @@ pub(crate) fn judge(lcp: &Lcp, outcome: &Outcome, tally: &mut Tally) -> Result<(
                 tally.rounded += 1;
                 tally.unsolvable += usize::from(!exact.is_solvable());
                 tally.coarse += usize::from(solution.residuals.max() > 1e-14);
-                // What is solved but for rounding is solved for data that differ by it, and that is all that residuals can say.
+                // An answer with rounding errors solves a problem whose data differ by rounding. Residuals cannot prove more.
                 if violates(&exact, &z) {
                     return Err("a false solution".into());
                 }

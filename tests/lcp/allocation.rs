@@ -1,4 +1,4 @@
-//! A stream of problems in one workspace, or of right-hand sides in one series, allocates nothing once it has started.
+//! After the first few problems a stream of problems in one workspace, or of right-hand sides in one series, allocates no memory.
 
 use crate::common::{Random, seeded};
 use allocation_counter::measure;

@@ -1,4 +1,4 @@
-//! Against rational arithmetic on small-integer problems, where ties and singular blocks are the normal case.
+//! Answers agree with rational arithmetic on problems of small integers, where ties and singular blocks are the normal case.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::doc_markdown)]
 
 use crate::common::{Integers, Random, assert_met, samples, seeded};

@@ -1,4 +1,4 @@
-//! A row whose terms lie below the range of doubles is measured as any other.
+//! A row whose terms underflow the range of doubles is tested like any other row.
 
 use grasp_lcp::lcp::{Lcp, Outcome};
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! Farkas vectors are checked without rounding: as rational arithmetic on the doubles given says.
+//! The check of Farkas vectors has no rounding errors: it agrees with rational arithmetic on the given doubles.
 #![allow(clippy::doc_markdown)]
 
 use crate::common::{Random, assert_met, samples, seeded};
@@ -15,7 +15,7 @@ fn times(column: impl Iterator<Item = f64>, y: &DVector<f64>) -> BigRational {
     column.zip(y).fold(BigRational::zero(), |sum, (m, y)| sum + exact(m) * exact(*y))
 }
 
-/// What y proves, in rationals: infeasible, or a bound on the sum of z.
+/// The statement that y proves, in rationals: infeasible, or a bound on the sum of z.
 fn shown(m: &DMatrix<f64>, q: &DVector<f64>, y: &DVector<f64>) -> (bool, f64) {
     let descent = times(q.iter().copied(), y);
     if !descent.is_negative() {
@@ -68,7 +68,7 @@ fn a_vector_proves_what_rationals_say() {
     assert_met(&[(proofs, 75), (bounds, 250)]);
 }
 
-/// On problems with any data whatever is called infeasible is so in rationals; what is nearly so has no small z.
+/// For any data, `Infeasible` is true in rationals, and nearly infeasible problems have no small z.
 #[test]
 fn no_proof_is_false() {
     let mut random = seeded(137);

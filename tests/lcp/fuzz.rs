@@ -1,4 +1,4 @@
-//! Whatever the input: no panic, no endless loop, no wrong success.
+//! No input causes a panic, an endless loop or a false success.
 #![allow(clippy::doc_markdown)]
 
 use grasp_lcp::lcp::{Basis, Lcp, LcpError, MatrixClass, Outcome, Parametric, Series, Settings};

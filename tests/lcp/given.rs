@@ -1,4 +1,4 @@
-//! Rows, triplets, text and JSON give the problem that they say, bit for bit, or name the place that is wrong.
+//! Rows, triplets, text and JSON give exactly the stated problem, bit for bit, or an error with its place.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::doc_markdown)]
 
 use crate::common::{Random, seeded};

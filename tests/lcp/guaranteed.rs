@@ -1,4 +1,4 @@
-//! Larger problems whose answer is known by construction, with integer data and many ties.
+//! Larger problems are solved if they have a known solution by construction, with integer data and many ties.
 #![allow(
     clippy::doc_markdown,
     clippy::cast_possible_truncation,

@@ -1,4 +1,4 @@
-//! The complementarity problem by itself.
+//! The linear complementarity problem alone, without grasps.
 
 mod adversarial;
 mod allocation;

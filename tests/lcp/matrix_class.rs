@@ -1,4 +1,4 @@
-//! Classes of matrices and their guarantees.
+//! Matrices are classified correctly, and the guarantees of each class hold.
 #![allow(clippy::doc_markdown, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 use crate::common::{samples, seeded};

@@ -1,4 +1,4 @@
-//! Free variables with equality rows.
+//! Mixed problems, with free variables and equality rows, are solved.
 
 use crate::common::{samples, seeded};
 use grasp_lcp::lcp::{LcpError, MixedLcp, Outcome};

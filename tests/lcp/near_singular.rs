@@ -1,8 +1,8 @@
-//! Blocks that are singular but for rounding must not pass for solutions.
+//! Blocks that are singular except for rounding must not be accepted as solutions.
 //!
-//! The kinematic form of a grasp that nothing can hold has no solution, but its complementary blocks include singular ones
-//! whose determinants come out as 1e-16 instead of zero. A z of 1e13 in such a basis satisfies every row to a small part of
-//! its terms. The data as given may even be solved by it: what the solver calls solved is held against rational arithmetic.
+//! The kinematic form of a grasp that cannot be held has no solution. Among its complementary blocks are singular ones with computed determinants of
+//! 1e-16 instead of zero. A z of 1e13 in such a basis satisfies every row to a small fraction of its terms. It may even solve the given data exactly.
+//! So whatever the solver reports as solved is checked in rational arithmetic.
 
 use grasp_lcp::lcp::{Basis, Lcp, Outcome, Series, Settings};
 use grasp_lcp::{PolygonCone, planar};
@@ -102,7 +102,7 @@ fn entries_far_apart_are_solved_or_left_open_and_never_denied() {
     assert_eq!(solved, all);
 }
 
-/// Terms of 1e14 hide what is left of a row: a value of 3 beside them is no noise, nor a slack of -6 a tie. From wherever the path starts.
+/// Terms of 1e14 hide small values of a row: a value of 3 beside them is no noise, nor a slack of -6 a tie. For any start of the path.
 #[test]
 fn small_values_beside_large_terms_are_told_from_noise() {
     let check = |m: &[f64], q: &[f64], z: &[f64]| {

@@ -1,4 +1,4 @@
-//! Paths of q₀ + τ dq, series with one matrix, warm starts.
+//! Paths of q₀ + τ dq, series with one matrix, and warm starts give the same solutions as separate problems.
 #![allow(clippy::doc_markdown, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 use crate::common::{Random, samples, seeded};

@@ -1,4 +1,5 @@
-//! Proofs of few rows and small entries, and problems whose entries are sixteen orders of magnitude apart.
+//! Proofs of infeasibility have few rows and short numbers. Problems with entries sixteen orders of magnitude apart are decided as in rational
+//! arithmetic.
 
 use grasp_lcp::lcp::{Lcp, Outcome};
 use nalgebra::{DMatrix, DVector};
@@ -54,7 +55,7 @@ fn a_corner_of_a_singular_piece_is_found() {
     assert!(solution.z[0] >= 469.0 && solution.z[3] == 0.0);
 }
 
-/// Entries from 1e-8 to 1e8 and zeros: what has a solution in rational arithmetic is solved, and `NoBasis` is said only of what is feasible.
+/// Entries from 1e-8 to 1e8 and zeros: problems with a solution in rational arithmetic are solved, and `NoBasis` occurs only for feasible problems.
 #[test]
 fn entries_far_apart_are_decided_as_rationals_decide() {
     let mut random = seeded(97);

@@ -1,4 +1,4 @@
-//! Linear programming proves what a ray leaves open, and is left out where that is not asked for.
+//! If Lemke's ray proves nothing, linear programming finds a proof of infeasibility. Without this option the answer stays a ray.
 
 use grasp_lcp::lcp::{Lcp, Outcome, Settings};
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! Published problems and families: every solvable one is solved, every infeasible one is proved so.
+//! Every solvable problem of the literature is solved, and every infeasible one is proved infeasible.
 #![allow(
     clippy::doc_markdown,
     clippy::cast_possible_truncation,

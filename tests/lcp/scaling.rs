@@ -1,4 +1,4 @@
-//! Units do not matter: powers of ten on rows, columns, M and q change the basis of no problem.
+//! Units do not matter: powers of ten on rows, columns, M and q do not change the basis of the solution.
 #![allow(clippy::doc_markdown, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 use crate::common::published::small;

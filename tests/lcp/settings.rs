@@ -1,4 +1,4 @@
-//! Settings that do not fit are refused by name, whatever the problem.
+//! Invalid settings are refused with an error that names them, for every problem.
 
 use grasp_lcp::lcp::{Basis, BreakdownCause, Lcp, Outcome, Settings, Workspace};
 use nalgebra::{DMatrix, DVector};

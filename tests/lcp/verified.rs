@@ -1,4 +1,4 @@
-//! What is verified is true in rational arithmetic, and nearly all that is true is verified.
+//! Whatever is verified is true in rational arithmetic, and nearly everything true is verified.
 
 use crate::adversarial::{FAMILIES, Family, problem};
 use crate::common::{Exact, samples, seeded};

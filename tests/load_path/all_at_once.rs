@@ -1,4 +1,5 @@
-//! Hundreds of contacts that reach the edge of their cones at once, at a load that is known: `μ Σ F_n`, and `μ Σ F_n R` for a torque.
+//! If hundreds of contacts reach the edge of their cones at one load, the path ends at the known limit: `μ Σ F_n` for a force, and `μ Σ F_n R` for a
+//! torque.
 
 use grasp_lcp::load_path::{Beyond, LossKind, Onset, PathEnd, Ramp};
 use grasp_lcp::{planar, spatial};

@@ -1,6 +1,6 @@
-//! Paths at their edges, as they came from others: each stood still there, and each goes on, or ends with what it is.
+//! A path on which a contact reaches the edge of its cone continues, or ends with a stated cause. The scenes come from users.
 //!
-//! The second opinion is the path in steps, which knows no events.
+//! The reference is the path in steps, which does not compute events.
 
 use grasp_lcp::load_path::{Change, LossKind, PathEnd};
 use grasp_lcp::planar::Wrench as PlanarWrench;
@@ -52,7 +52,7 @@ fn a_finger_presses_again_beside_one_on_its_edge() -> Tested {
     Ok(())
 }
 
-/// Ordinary arcs, a third of whose fractions were not told.
+/// Ordinary arcs on which states at a third of the fractions were once missing.
 #[test]
 fn every_fraction_that_was_passed_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/told_everywhere.json"))?;
@@ -74,7 +74,7 @@ fn every_fraction_that_was_passed_is_told() -> Tested {
     Ok(())
 }
 
-/// Only two contacts in space stay loaded: what is free about their line stands where contacts without force push it, until a load turns it.
+/// Only two contacts in space keep their force. The free rotation about their line stays where contacts without force push it, until a load turns it.
 #[test]
 fn two_contacts_stay_loaded_in_space() -> Tested {
     for text in
@@ -117,7 +117,7 @@ fn nothing_presses() -> Tested {
         assert!(start == PlanarWrench::ZERO);
         let mut path = grasp.follow(start, &legs)?;
         let events = path.run();
-        // What is loose between fingers goes from gap to gap as soon as a load acts.
+        // A loose object between fingers moves from gap to gap as soon as a load acts.
         assert!(events.iter().filter(|event| event.jump.is_none()).count() < 5, "{events:?}");
         let loss = path.end().and_then(PathEnd::loss).ok_or("lost")?;
         assert!(loss.leg == 1 && loss.fraction == 0.0, "{loss:?}");
@@ -129,7 +129,7 @@ fn nothing_presses() -> Tested {
     Ok(())
 }
 
-/// Contacts that slide at the start may go on to slide, and one may stick as well: both hold, and the path says that there is another.
+/// Contacts that slide at the start may continue to slide, or one may stick: both are equilibria, and the path reports the other one.
 #[test]
 fn the_other_way_to_begin_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/two_ways_at_the_start.json"))?;
@@ -138,7 +138,7 @@ fn the_other_way_to_begin_is_told() -> Tested {
     assert!(first.leg == 0 && first.fraction == 0.0 && first.changes.is_empty());
     assert_eq!(first.other_continuations, Some(1));
     path.run();
-    // The path slides on to a fold; steps find the one that sticks, which goes on.
+    // The path slides to a fold; the path in steps finds the sticking continuation, which does not end there.
     let loss = path.end().and_then(PathEnd::loss).ok_or("lost")?;
     assert_eq!(loss.kind, LossKind::Fold);
     let mut steps = grasp.follow_in_steps(start, &legs, 1e-6)?;

@@ -1,4 +1,4 @@
-//! A path takes no more steps than its caller allows, and says where it stands.
+//! A path takes no more steps than the caller allows, and reports the state reached.
 
 use std::f64::consts::TAU;
 
@@ -45,7 +45,7 @@ fn a_path_stops_where_its_steps_are_used_up() {
     }
 }
 
-/// What was followed is a lower bound of what holds.
+/// The followed fraction is a lower bound of the load that holds.
 #[test]
 fn a_verdict_without_steps_is_a_lower_bound() {
     let (grasp, ramp) = (glass(), Ramp::load(Wrench::ZERO, Wrench::force([4.0, 1.0, -30.0])));

@@ -1,7 +1,6 @@
-//! Planar load paths that can be written down: wedges about their locking angle, a lost continuation, orders of loading
-//! that matter, no friction and infinite friction.
+//! Planar load paths agree with closed forms: wedges near their locking angle, a lost continuation, the order of loading, zero and infinite friction.
 //!
-//! Each test derives its numbers by hand in the comment above it, from the springs, Coulomb's law and equilibrium alone.
+//! The comment above each test derives its numbers by hand from springs, Coulomb's law and balance alone.
 
 use crate::story::{assert_close, assert_story, completed, story};
 use grasp_lcp::load_path::LossKind;
@@ -21,11 +20,10 @@ fn wedge(mu: f64) -> planar::Grasp {
     planar::Grasp::new([flank(1.0), flank(-1.0), guide(3.0), guide(-3.0)]).unwrap()
 }
 
-/// Wedge angle: tan α = s/c = 0.75. Sinking by y compresses each flank by k s y and drags it by kt c y: as
-/// kt c > μ k s it slides from the first moment, with N = k s y and load W = 2N(s + μc). On the way back it sticks while y
-/// falls by δ: N falls by k s δ, the upward friction T by kt c δ. It slides back when T = -μN, at δ* = 2μN₁/(kt c + μ k s),
-/// load W* = W₁ - 2δ*(k s² + kt c²) = 2N(s - μc): above zero below the locking angle μ = tan α, and below zero
-/// above it, where the unloaded wedge stays stuck and W* is what it takes to pull it out: a limit load.
+/// Wedge angle: tan α = s/c = 0.75. Sinking by y compresses each flank by k s y and drags it by kt c y: as kt c > μ k s it slides from the first
+/// moment, with N = k s y and load W = 2N(s + μc). On the way back it sticks while y falls by δ: N falls by k s δ, the upward friction T by kt c δ.
+/// It slides back when T = -μN, at δ* = 2μN₁/(kt c + μ k s), load W* = W₁ - 2δ*(k s² + kt c²) = 2N(s - μc). W* is positive below the locking angle μ
+/// = tan α. Above it W* is negative: the unloaded wedge stays stuck, and W* is the limit load at which it is pulled out.
 #[test]
 fn a_wedge_locks_at_its_angle() {
     let (k, kt, s, c, w1) = (100.0, 200.0, 0.6, 0.8, 6.0);
@@ -277,10 +275,10 @@ fn infinite_friction_never_slides() {
     assert_close!(path.state().unwrap().contacts[0].force_world[0], kb * x);
 }
 
-/// It would open with a tangential force in hand: on the springs S = [10 12; 12 17] of the test on snapping, a = 24/13, pulled by (40, 0) and
-/// lifted by (0, 80f). Stuck, [24 12; 12 30]u = (40, 80f + 24), u_y = a at f = 131/260, and F_t = -14u_x = -406/39 there.
-/// With no normal force left it has to let go of that at once: rid of it, S u = (40, 80f) has u_y = (800f - 480)/26 < a, through the finger.
-/// No motion goes on from there without a jump: the path ends, as a snap.
+/// It would open with a tangential force: on the springs S = [10 12; 12 17] of the test on snapping, a = 24/13, pulled by (40, 0) and lifted by (0,
+/// 80f). Stuck, [24 12; 12 30]u = (40, 80f + 24), u_y = a at f = 131/260, and F_t = -14u_x = -406/39 there. Without a normal force it has to lose
+/// this force at once; then S u = (40, 80f) has u_y = (800f - 480)/26 < a, through the finger. So no motion continues without a jump: the path ends,
+/// as a snap.
 #[test]
 fn infinite_friction_that_has_to_let_go_of_a_force_ends_the_path() {
     let a = 24.0 / 13.0;

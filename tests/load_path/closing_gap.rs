@@ -1,6 +1,7 @@
-//! An object that nothing resists any more moves until a gap closes, and the path goes on from there: by hand, and by work.
+//! If the object starts to slide without resistance, it moves until a gap closes, and the path continues from there. Closed forms and the balance of
+//! work confirm this.
 //!
-//! A block of weight W slides on feet (tangential stiffness K in all, friction μ) towards a stop that is a gap g away:
+//! A block of weight W slides on feet (total tangential stiffness K, friction μ) towards a stop at the distance g. P is the pull:
 //!
 //! ```text
 //! lost for good without a stop at μ W,   springs have taken up μ W / K then   so it slides g - μ W / K
@@ -107,7 +108,7 @@ fn a_block_slides_to_a_stop_in_space() {
     slides_to_a_stop(&places, &Settings::default().on_the_polygon(), 1e-9);
 }
 
-/// Friction falls to 0.3 as the feet slide: what they lose the stop takes at once.
+/// Friction falls to 0.3 as the feet slide: the stop takes over the lost friction at once.
 #[test]
 fn a_stop_takes_what_friction_loses() {
     let feet = feet(&[[-0.1, 0.0], [0.1, 0.0]], 1.0).into_iter().map(|foot| foot.kinetic(0.3));
@@ -118,7 +119,7 @@ fn a_stop_takes_what_friction_loses() {
     let jump = slides.jump.as_ref().unwrap();
     assert_eq!(jump.reaches[0].index, 2);
     near(jump.state.contacts[2].force[0], MU * W - 0.3 * W);
-    // The springs of the feet let go of what they lose, the stop gives by its share.
+    // The springs of the feet release the lost friction, and the stop yields by its share.
     near(jump.moved[0].twist.components()[0], GAP - MU * W / K + (MU * W - 0.3 * W) / K);
 }
 
@@ -147,7 +148,7 @@ fn other_free_motions_end_at_a_gap_too() {
     near(path.forces()[2][0], (45.0 * 0.4 - W * 0.1) / 0.5);
 }
 
-/// What opens is free to go, and stays: a stop behind the block, one too far off for small motions, and one beside the way.
+/// Contacts that open stay open: a stop behind the block, one too far away for small motions, and one beside the direction of motion.
 #[test]
 fn a_gap_that_does_not_close_on_a_small_way_holds_nothing() {
     for (normal, gap) in [([1.0, 0.0], GAP), ([-1.0, 0.0], 0.03), ([0.0, -1.0], GAP)] {
@@ -161,8 +162,8 @@ fn a_gap_that_does_not_close_on_a_small_way_holds_nothing() {
     }
 }
 
-/// Random blocks and stops: closed contacts keep their forces, no gap is passed, and what the load works is what friction heats. A way scales with
-/// the gaps, and the mirror image goes the mirrored way.
+/// Random blocks and stops: closed contacts keep their forces, no gap is passed, and the work of the load equals the heat of friction. The
+/// displacement scales with the gaps, and the mirror image moves in the mirrored direction.
 #[test]
 fn nothing_but_friction_works_on_the_way() {
     let mut random = seeded(7);

@@ -1,5 +1,5 @@
-//! Cutting the legs of a load program changes nothing, not even at an event: the same events at the same loads, once each, the same
-//! states, the same end, whether the pieces are followed in one go or one after the other. Random paths in the plane and in space.
+//! A load program with its legs cut in pieces gives the same events at the same loads, the same states and the same end. The pieces may be followed
+//! in one go or one after the other, and cuts may lie on events. Random paths in the plane and in space confirm this.
 
 use grasp_lcp::load_path::{Event, LoadPath, PathEnd};
 use proptest::prelude::*;

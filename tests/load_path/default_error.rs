@@ -1,4 +1,4 @@
-//! The error of a step that is asked for unless one says otherwise can be had, also where a path folds back.
+//! The default error of steps can be met, even if a path folds back.
 
 use crate::pace::{around_a_glass, undecided};
 use grasp_lcp::Settings;

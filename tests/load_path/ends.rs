@@ -1,8 +1,8 @@
-//! How paths in space end, each against its exact load: at a fold, where the load has a maximum; along an asymptote, which is never reached.
+//! Paths in space end at their exact load: at a fold, where the load has a maximum, or along an asymptote, which is never reached.
 //!
-//! A body that slides on guides without friction, under one finger: along the way x it moves freely, across it a spring K_y holds. The finger
-//! presses with N and was moved across by b, so that the friction force points across to begin with and turns along the way as it slides.
-//! With F_t = μN(-cos θ, sin θ) and k the springs across in series it does so by
+//! A body slides on frictionless guides under one finger. Along x it moves freely; across, a spring K_y holds it. The finger presses with N and was
+//! moved across by b. So the friction force first points across, and turns towards x as the body slides. With F_t = μN(-cos θ, sin θ) and the
+//! stiffness k of the springs across in series,
 //!
 //! ```text
 //! d(μN sin θ) = -k sin θ dσ            σ the slip

@@ -1,5 +1,5 @@
-//! On every leg of every load path the energies balance: work of load and fingers = stored + dissipated. Works and heat are
-//! integrated here from sampled states of random paths in the plane and in space.
+//! On every leg of every load path the energies balance: work of load and fingers = stored + dissipated. Work and heat are integrated here from
+//! sampled states of random paths in the plane and in space.
 
 use proptest::prelude::*;
 use support::programs::Scene;
@@ -7,8 +7,8 @@ use support::programs::draw::{over, planar_scenes, spatial_scenes, turning};
 use support::programs::tally::Tally;
 use support::samples::assert_met;
 
-/// Work of load and fingers, change of the stored energy and heat, by trapezoids between the ends of straight pieces, which is exact
-/// there: the balance closes, and leg by leg it is what the path says.
+/// Work of load and fingers, change of the stored energy and heat, by trapezoids between the ends of straight pieces, which is exact there. The
+/// balance closes, and every term equals that of the path, leg by leg.
 fn energy_balances<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     tally: &mut Tally,
@@ -70,7 +70,7 @@ fn energy_balances<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// What the path says balances, and friction heats. Heat and works of what turns are integrals of their own, and not sums of this balance.
+/// The path's own terms balance, and friction heats. On turning arcs heat and works are separate integrals, so that the balance is a check.
 fn closes<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     tally: &mut Tally,

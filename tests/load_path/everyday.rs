@@ -1,5 +1,5 @@
-//! Everyday load paths in space: three to six fingers in a ring, on two faces or over a ball. A weight grows, or a push, or a twist.
-//! Those that end undecided are counted; what is said of the others at rest is checked against equilibria just beyond.
+//! Few everyday load paths in space end undecided. Three to six fingers hold an object in a ring, on two faces or over a ball. A weight, a push or a
+//! torque grows. What the other paths report about rest is checked against equilibria just beyond their end.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;
@@ -60,9 +60,9 @@ fn everyday() -> impl Strategy<Value = Everyday> {
     )
 }
 
-/// Of what is held, m.
+/// Radius of the object, m.
 const RADIUS: f64 = 0.035;
-/// What a finger presses with, N.
+/// Pressing force of a finger, N.
 const SQUEEZE: f64 = 5.0;
 
 impl Everyday {
@@ -123,8 +123,8 @@ fn away(state: &Equilibrium, from: &Equilibrium) -> [f64; 2] {
     [largest, (state.twist.to_vector() - from.twist.to_vector()).norm()]
 }
 
-/// Of a path that ends before it begins, and what is said to lie beyond: at a limit nothing holds just beyond. At a snap what holds there does not come back to the
-/// start as the load does.
+/// Checks a path that ends at its start: at a limit no equilibrium exists just beyond. At a snap the equilibrium beyond does not return to the start
+/// as the load does.
 fn check_end_at_rest(scene: &Everyday, grasp: &Grasp, beyond: &Beyond) {
     let start = grasp.solve(Wrench::ZERO).unwrap();
     let start = start.equilibrium().unwrap();

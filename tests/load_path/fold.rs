@@ -1,5 +1,5 @@
-//! The end of a path at a fold: a contact that slides on while its force fades can turn its friction ever faster, until the load
-//! cannot grow any more, although another equilibrium with nearly the same forces waits beyond.
+//! A path can end at a fold. While the force of a sliding contact decreases, its friction turns faster and faster, until the load cannot grow any
+//! more. Another equilibrium with nearly the same forces may exist beyond.
 
 use std::error::Error;
 
@@ -45,7 +45,7 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
         assert!((quotient - 2.0).abs() < 0.05, "{distance}: {quotient}");
     }
 
-    // What is there beyond: the thumb, which still pressed, lets go.
+    // In the equilibrium beyond, the thumb, which pressed until then, is open.
     assert!(last.contacts[0].normal_force() > 6e-4);
     let beyond = grasp.solve(Wrench::force([most * (1.0 + 1e-9), 0.0, 0.0]))?;
     let beyond = beyond.equilibrium().ok_or("three fingers")?;

@@ -1,4 +1,4 @@
-//! A program followed event by event and in steps stands at the same place, leg by leg or at once.
+//! A program followed from event to event and one followed in steps reach the same state, leg by leg or at once.
 
 use std::mem::discriminant;
 
@@ -8,7 +8,7 @@ use grasp_lcp::planar::{Contact, Equilibrium, Grasp, Leg, Wrench};
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// What the steps may err by.
+/// Error that steps may have.
 const ERROR: f64 = 1e-7;
 
 /// A pad of uneven springs on an uneven floor, which its weight presses on.

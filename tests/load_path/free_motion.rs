@@ -1,6 +1,5 @@
-//! Motions that nothing resists any more, from the middle of a path on: they are named with the event, the forces stay what statics
-//! says, the path goes on without moving along them as long as no load works there, and gives way in their direction when
-//! one does. Planar and in space, by hand.
+//! If a motion loses all resistance in the middle of a path, the event names it, and the forces still follow statics. The path continues without this
+//! motion while no load works on it, and is lost along it as soon as one does. Closed forms in the plane and in space confirm this.
 
 use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::{LossKind, PathEnd};

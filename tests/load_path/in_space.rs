@@ -1,5 +1,5 @@
-//! Load paths in space that can be written down: Masing's rule in torsion, fingers that drag a body to and fro, a table that lifts its
-//! feet and tips, and weights in a grip. Friction forces lie on corners of the polygon, where it is the round cone itself.
+//! Load paths in space agree with closed forms: Masing's rule in torsion, fingers that drag a body to and fro, a table that lifts its feet and tips,
+//! and weights in a grip. Friction forces lie on corners of the polygon, which are also on the round cone.
 
 use std::f64::consts::TAU;
 

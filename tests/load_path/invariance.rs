@@ -1,6 +1,6 @@
-//! Whole load paths do not depend on how a scene is written down: units of length and force, the place and direction of the frame, its
-//! handedness, the order of the contacts, a contact given as two of half the stiffness. The same events at the same fractions, with the same
-//! contacts and directions, and the same end. Random programs in the plane and in space.
+//! Load paths do not depend on the description of the scene: on units of length and force, on the frame and its handedness, on the order of contacts,
+//! or on a contact split into two of half the stiffness. Events have the same fractions, contacts and directions, and the end is the same. Random
+//! programs in the plane and in space confirm this.
 
 use std::mem::discriminant;
 
@@ -23,8 +23,8 @@ fn told<const C: usize>(events: &[Event<C>], path: &LoadPath<'_, C>) -> String {
     format!("{all:?} {:?}", path.end())
 }
 
-/// Another way to write the scene down tells the same story: contact i of the scene is `contacts[i]` there (all of them), and
-/// directions are as the view sees them.
+/// Another description of the scene has the same events: contact i of the scene is `contacts[i]` there (all of them), and directions are transformed
+/// by the view.
 fn tells_the_same<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     other: &Scene<D, C>,

@@ -1,6 +1,6 @@
-//! On every load path the contact law holds at every sampled fraction, and slip dissipates: random grasps and programs in
-//! the plane and in space, the law written out from points, normals and springs in [`common_path`]. What came up is counted
-//! and must be plenty, and no path may end undecided.
+//! On every load path the contact law holds at every sampled fraction, and slip dissipates energy. Random grasps and programs in the plane and in
+//! space are checked; [`common_path`] writes the law out from points, normals and springs. All kinds of events must occur often, and no path may end
+//! undecided.
 
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
 use grasp_lcp::load_path::{Event, LoadPath};

@@ -1,9 +1,9 @@
-//! Legs that end exactly on an event. Standing on an edge is no event yet: what comes next decides, so the event is told when a
-//! further leg crosses the edge, once, at the beginning of that leg, and not at all if it turns back. Planar, by hand.
+//! If a leg ends exactly where a contact reaches an edge, no event is reported yet. The event comes at the beginning of the next leg if that crosses
+//! the edge, once, and not at all if it turns back. The paths are planar and computed by hand.
 //!
-//! One foot (k, kt, μ, pressed with N₀ = k a) under a body on two bonded springs, together kb both ways; nothing turns. A shear P
-//! moves it by x = P/(kt + kb) as long as the foot sticks, which it does until kt x = μN, and a lift Λ by y = Λ/(k + kb), so that
-//! N = N₀ - kΛ/(k + kb) (the springs count from the rest position under N₀).
+//! One foot (k, kt, μ, pressed with N₀ = k a) stands under a body on two bonded springs, of total stiffness kb in both directions. The body does not
+//! turn. A shear force P moves it by x = P/(kt + kb) while the foot sticks, up to kt x = μN. A lift Λ moves it by y = Λ/(k + kb), so that N = N₀ -
+//! kΛ/(k + kb) (springs measured from rest under N₀).
 
 use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::PathEnd;
@@ -98,7 +98,7 @@ fn sliding_at_the_end_of_a_leg() {
         ])
         .unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
-        // Back from the edge nothing ever slid; a rest on it tells nothing, and it slides from there.
+        // The foot returns from the edge without having slid. A rest at the edge is no event, and it slides from there.
         let mut path = body.up_to_the_edge(edge, 0.0);
         path.continue_with(&[Leg::load_by(Wrench::ZERO)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));

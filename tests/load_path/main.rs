@@ -1,4 +1,4 @@
-//! Load programs, followed with the memory of slip.
+//! Load programs, followed with the history of slip.
 
 mod all_at_once;
 mod at_their_edges;

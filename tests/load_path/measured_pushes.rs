@@ -1,4 +1,4 @@
-//! Measured pushes of a block on three supports: the coefficient of friction that each of 400 tells is the one found elsewhere, by another method.
+//! From each of 400 measured pushes of a block on three supports the path finds the coefficient of friction that another method found.
 
 use support::Failure;
 use support::measured_pushes::{blocks, limit, normal_forces, pushes, supports};

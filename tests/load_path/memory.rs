@@ -1,5 +1,5 @@
-//! Where a path forgets nothing and where it has nothing to remember: without sticking again it ends at the one-shot
-//! equilibrium, and without events it can be reversed. Random paths in the plane.
+//! A path without sticking again ends at the equilibrium of the one-shot law, and a path without events can be reversed. Random paths in the plane
+//! confirm this.
 
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::Wrench;

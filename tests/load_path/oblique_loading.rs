@@ -1,7 +1,8 @@
-//! A rough ball on independent springs, pressed and sheared at once, then sheared further and back: the tractions of Jäger and of Ciavarella.
+//! A rough ball on independent springs is pressed and sheared at once, then sheared further and back. The tractions are those of Jäger and of
+//! Ciavarella.
 //!
-//! Spring i closes when the ball has come down by `h_i = r_i²/2R`; then it presses with `n_i = k (δ - h_i)`. All friction acts in the plane of
-//! the springs' ends, and they lie alike on both sides, so that nothing tilts. From a pressed ball on
+//! Spring i closes when the ball has come down by `h_i = r_i²/2R`; then it presses with `n_i = k (δ - h_i)`. All friction acts in the plane of the
+//! spring ends, and the springs lie symmetrically, so that the ball does not tilt. From a pressed ball on
 //!
 //! ```text
 //! P and Q grow, dQ = ρ dP, ρ < μ:     all springs stick,      t_i = ρ (n_i - n_i⁰)
@@ -10,8 +11,8 @@
 //! ```
 //!
 //! With `n_i⁰ = 0` the second is `μ n_i - (μ - ρ) n_i*` with the pressures n* of a ball that is pressed less: the superposition of J. Jäger (A new
-//! principle in contact mechanics, J. Tribology 120 (1998) 677) and M. Ciavarella (Tangential loading of general three-dimensional contacts,
-//! J. Appl. Mech. 65 (1998) 998).
+//! principle in contact mechanics, J. Tribology 120 (1998) 677) and M. Ciavarella (Tangential loading of general three-dimensional contacts, J. Appl.
+//! Mech. 65 (1998) 998).
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Contact;

@@ -1,5 +1,5 @@
-//! Odd programs: fingers at unequal heights, uneven stiffness and friction, a weight held before, forces with moments, fingers let go of and pressed on
-//! again. Each is followed to an end that says what it is, and each fraction that it has passed is told.
+//! Irregular programs end with a stated cause, and every fraction on the way has a state. They have fingers at unequal heights, uneven stiffness and
+//! friction, a weight from the start, forces with moments, and fingers that are released and pressed again.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::load_path::PathEnd;
@@ -19,7 +19,7 @@ fn is_decided<const C: usize>(end: Option<&PathEnd<C>>) -> bool {
     }
 }
 
-/// Follows a program; every state on the way obeys Coulomb's law and balances, as far as steps are exact. Says what is wrong.
+/// Follows a program; every state on the way obeys Coulomb's law and balances, within the error of steps. The error names the violation.
 fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
     let mut path = odd.grasp.follow(odd.start, &odd.legs).unwrap();
     path.run();
@@ -38,7 +38,7 @@ fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
             told.push((leg, fraction, state.ok_or_else(|| format!("{leg}, {fraction}"))?));
         }
     }
-    // Where nothing presses what is left of forces is the rounding of those that pressed, or of springs that have come back.
+    // Where nothing presses, remaining forces are rounding of earlier forces, or of springs that have relaxed.
     let springs = odd
         .grasp
         .contacts()

@@ -1,8 +1,8 @@
-//! Load paths in space on a polygonal cone, against hand calculations: pads that slide along a facet, turn at a corner
-//! and go on along the next; rings that let go all at once.
+//! Load paths in space on a polygonal cone agree with hand calculations. Pads slide along a facet, turn at a corner and continue along the next
+//! facet. All contacts of a ring slide at once.
 //!
-//! All numbers come from the polygon's geometry alone (8 facets, inscribed: corner j at angle jπ/4 of the contact's
-//! tangents on the circle of radius μN, facets between at distance r = μN cos π/8) and from scalar springs.
+//! All numbers come from the geometry of the polygon (8 facets, inscribed: corner j at angle jπ/4 of the contact's tangents on the circle of radius
+//! μN, facets between at distance r = μN cos π/8) and from scalar springs.
 
 use std::f64::consts::{FRAC_PI_4, FRAC_PI_8, TAU};
 

@@ -1,4 +1,4 @@
-//! Steps along sliding arcs grow again after they had to be short: a path does not creep on to the most steps a leg may take.
+//! After short steps the steps along sliding arcs grow again, so that a path does not use up the steps of its leg.
 
 use std::f64::consts::TAU;
 

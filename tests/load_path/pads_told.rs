@@ -1,4 +1,4 @@
-//! Events of soft fingertips, against what their points do a little before and a little after.
+//! Events of a soft fingertip agree with the states of its points shortly before and after.
 
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
 use grasp_lcp::load_path::{Leg, PadChange};
@@ -6,7 +6,7 @@ use grasp_lcp::planar::{Grasp, Pressure, SoftFingertip, Wrench};
 use support::jaws::jaw;
 use support::samples::{samples, seeded};
 
-/// Before and after an event so much of the leg is gone; others lie further apart.
+/// Distance of the compared states before and after an event, as a fraction of the leg; different events are farther apart.
 const BESIDE: f64 = 1e-7;
 
 /// How many points of the contacts in a range touch, and how many slide.

@@ -1,12 +1,11 @@
-//! Partial slip under a fixed normal load: load paths of a pad of many springs against the law of Cattaneo and Mindlin.
+//! Load paths of a pad of many springs follow the law of Cattaneo and Mindlin for partial slip under a fixed normal load.
 //!
-//! Every number is independent of the crate: the discrete pad is a sum of elastic–plastic springs that can be written
-//! down (virgin curve, and Masing's rule for the way back), and the continuum law is an integral done by hand with a
-//! proven bound on what N springs can differ from it.
+//! Every number is independent of the crate. The discrete pad is a sum of elastic–plastic springs in closed form (first loading curve, and Masing's
+//! rule for unloading). The continuum law is an integral by hand, with a proven bound on the difference of N springs from it.
 //!
-//! The pad: N contacts at one height y = 0 under a rigid block, ξ_i = (2i + 1 - N)/N, commanded to press with
-//! N_i = k a_i = (2/N) p₀ (1 - ξ_i²), a parabola of half width 1. All friction acts along y = 0, so a shear load Q there
-//! neither tilts nor lifts the block: the pressures stay, F_i = -kt x until kt x = μ N_i. With c = 2/N kt' per contact
+//! The pad: N contacts at one height y = 0 under a rigid block, ξ_i = (2i + 1 - N)/N, commanded to press with N_i = k a_i = (2/N) p₀ (1 - ξ_i²), a
+//! parabola of half width 1. All friction acts along y = 0, so a shear load Q there neither tilts nor lifts the block. The pressures stay, and F_i =
+//! -kt x until kt x = μ N_i. With c = 2/N kt' per contact
 //!
 //! ```text
 //! Q_N(x) = Σ_i min(c x, μ N_i)                                         exact for the pad
@@ -15,8 +14,8 @@
 //!
 //! the second being Mindlin's law of two spheres, with its stick zone (1 - Q/μP)^{1/3} (Mindlin 1949).
 //!
-//! Midpoint rule: f = min(kt' x, μ p) has ∫|f''| <= 4 μp₀ and two kinks of at most 2 μp₀, each of which costs at most h²/8
-//! times its jump, the rest h²/24 ∫|f''|; with h = 2/N: |Q_N - Q| <= h² μp₀ (1/6 + 1/2) = 2 μP / N².
+//! Midpoint rule: f = min(kt' x, μ p) has ∫|f''| <= 4 μp₀ and two kinks of at most 2 μp₀. Each kink costs at most h²/8 times its jump, the rest h²/24
+//! ∫|f''|. With h = 2/N: |Q_N - Q| <= h² μp₀ (1/6 + 1/2) = 2 μP / N².
 
 use grasp_lcp::planar::{Change, Contact, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use support::assert_close;
@@ -76,7 +75,7 @@ impl Pad {
         (path, events)
     }
 
-    /// What friction takes in one full cycle between -x and x: each spring that slides goes round 4 μN (x - μN/c).
+    /// Heat of friction in one full cycle between -x and x: each spring that slides encloses 4 μN (x - μN/c).
     fn loop_area(&self, x: f64) -> f64 {
         self.limits.iter().map(|f| 4.0 * f * (x - f / self.c).max(0.0)).sum()
     }
@@ -122,7 +121,7 @@ fn the_pad_slips_from_the_rim_inwards() {
             assert_close!(x_of(event), x);
             assert_close!(event.load.to_vector()[0], pad.virgin(x));
             assert_close!(event.fraction, pad.virgin(x) / (1.25 * most));
-            // One, as far as it is asked: among more than 64 contacts on an edge it is not.
+            // The continuation is unique where that is examined; among more than 64 contacts on an edge it is not.
             assert!(event.other_continuations == Some(0) || (i > 31 && event.other_continuations.is_none()));
             for (answer, limit) in event.state.contacts.iter().zip(&pad.limits) {
                 assert_close!(answer.normal_force(), limit / MU);
@@ -142,7 +141,7 @@ fn the_pad_slips_from_the_rim_inwards() {
             assert_close!(pad.virgin(x), q);
             let mindlin = full * (1.0 - (1.0 - (x / X_STAR).min(1.0)).powf(1.5));
             assert!((q - mindlin).abs() <= within, "N = {n}, x = {x}: {q} against {mindlin} ± {within}");
-            // The stick zone reaches to (1 - Q/μP)^{1/3}: here up to half a cell, and what the load's error moves it.
+            // The stick zone reaches to (1 - Q/μP)^{1/3}, within half a cell and the effect of the load's error.
             let stuck = state.contacts.iter().filter(|c| c.margin > 1e-9).count();
             let zone = (1.0 - x / X_STAR).max(0.0).sqrt();
             assert!((real(stuck) / real(n) - zone).abs() <= 1.0 / real(n) + 1e-12, "{stuck} of {n}, {zone}");
@@ -201,10 +200,9 @@ fn reversed_loading_follows_masing_and_the_loop_closes() {
     assert!(within < 0.2 * area);
 }
 
-/// A smaller loop inside: to Q₁, back to Q₂ > -Q₁, and on to Q₃ > Q₁. Back: only the outer pairs, μN_i < c (x₁ - x₂)/2, let
-/// go. Forth again: the same ones at x₂ + 2 μN_i/c; and when x₁ is reached, every pair that slid on the way to x₁ and not
-/// since stands on its edge again and lets go there, all in one event. From there on the first loading goes on as if
-/// nothing had happened (the memory of the loop is wiped out).
+/// A smaller loop inside: to Q₁, back to Q₂ > -Q₁, and on to Q₃ > Q₁. Back: only the outer pairs, μN_i < c (x₁ - x₂)/2, slide. Forth again: the same
+/// pairs slide at x₂ + 2 μN_i/c. When x₁ is reached, every pair that slid on the way to x₁ and not since is on its edge again and slides, all in one
+/// event. From there on the first loading continues as without the loop, whose memory is erased.
 #[test]
 fn a_loop_inside_is_forgotten_where_it_was_left() {
     let n = 40;
@@ -236,7 +234,7 @@ fn a_loop_inside_is_forgotten_where_it_was_left() {
         assert_close!(x_of(event), pad.limits[i] / pad.c);
         assert_close!(event.load.to_vector()[0], pad.virgin(pad.limits[i] / pad.c));
     }
-    // Where the path ends only the way there tells it from a single leg: nothing does.
+    // The end of the path equals that of a single leg.
     let (straight, _) = pad.follow(&[q3]);
     let (a, b) = (path.state().unwrap(), straight.state().unwrap());
     for (a, b) in a.contacts.iter().zip(&b.contacts) {

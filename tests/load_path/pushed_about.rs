@@ -1,7 +1,7 @@
-//! A rod pinched between two fingertips turns about their line, and nothing resists that. A third finger that touches it turns it without force.
+//! A rod pinched between two fingertips turns freely about the line between them. A third finger on it turns it without force.
 //!
-//! The two press along x at ±1, the third touches at (0, r, 0) from above. Moved down by a it turns the rod by -a/r; a moment about x against it
-//! is met with F = M/r, a moment away from it with nothing.
+//! The two fingers press along x at ±1, and the third touches at (0, r, 0) from above. If it moves down by a, the rod turns by -a/r. A moment about x
+//! against this rotation needs the force F = M/r. A moment in the other direction is not resisted.
 
 use grasp_lcp::load_path::{LossKind, PathEnd};
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};

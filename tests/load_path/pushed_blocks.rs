@@ -1,7 +1,8 @@
-//! A block on three points is pushed until it slides: the load at which it does is known to the last digits, however nearly the push goes through its middle.
+//! The load at which a pushed block on three points starts to slide is right to the last digits, however close the push comes to the middle of the
+//! block.
 //!
-//! The weight alone says what each point carries, N. Against a motion v, ω of the block friction does the work Σ μ N |v + ω × r| at least, so that the limit
-//! load is the least of that over all motions on which the push does the work of one unit: a convex minimum, found here by golden sections.
+//! The weight alone determines the normal force N of each point. For a motion v, ω of the block, friction dissipates Σ μ N |v + ω × r|. The limit
+//! load is the minimum of this over all motions on which the push does unit work. This convex minimum is found here by golden-section search.
 
 use grasp_lcp::load_path::PathEnd;
 use support::odd_paths::{Odd, in_space};

@@ -1,9 +1,9 @@
-//! A contact that loses its force and takes it up again: it reverses, sticks or opens at the apex of its cone, and what
-//! has opened closes without tangential force, wherever its finger now is. Planar, by hand.
+//! If a contact loses its force and regains it, it reverses, sticks or opens at the apex of its cone. A contact that has opened closes without
+//! tangential force, wherever its finger is by then. The paths are planar and computed by hand.
 //!
-//! One foot (k, kt, μ) on a body that two bonded springs carry, together kb both ways; nothing turns. With the foot's command
-//! (a, b) and the body at (x, y): N = k (a - y) and T = kt (b - x - s) on the body, kb x = T, kb y = N. Closed it gives
-//! N = c a, c = k kb/(k + kb), and stuck T changes by e Δb, e = kt kb/(kt + kb).
+//! One foot (k, kt, μ) acts on a body on two bonded springs, of total stiffness kb in both directions. The body does not turn. With the foot's
+//! command (a, b) and the body at (x, y): N = k (a - y) and T = kt (b - x - s) on the body, kb x = T, kb y = N. If closed, N = c a with c = k kb/(k +
+//! kb). While it sticks, T changes by e Δb with e = kt kb/(kt + kb).
 
 use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::Change;
@@ -47,7 +47,7 @@ fn it_reverses_where_its_force_vanishes() {
     let grasp = body(MU);
     let (path, events) = follow(&grasp, &[to(a, l), to(0.0, 2.0 * l), to(a, l), to(0.0, l)]);
     let n = C * a;
-    // Last leg: it sticks as it is let go, T = -μN₁ there, and slides on when N has nothing more to hold it: at once.
+    // Last leg: it sticks at T = -μN₁ as it is released, and slides as soon as N no longer suffices, at once.
     assert_story(&events[..2], &[(0, 0.0, vec![(0, "slides")]), (2, 0.0, vec![(0, "reverses")])]);
     let [(0, Change::Reverses { direction })] = changes(&events[1])[..] else { panic!() };
     // Tangents are clockwise of the normal: t = (1, 0). It is dragged back to -x.

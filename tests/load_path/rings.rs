@@ -1,6 +1,6 @@
-//! Rings of 2 to 64 identical contacts, in the plane and in space: what symmetry makes happen at one load is one event, with all
-//! contacts concerned, and no path goes round in circles. By hand where all do the same; where a side load lets them go group by
-//! group, against their mirror images.
+//! On rings of 2 to 64 identical contacts, in the plane and in space, symmetric changes at one load are one event with all contacts concerned, and no
+//! path cycles. If all contacts behave alike, events are computed by hand. If a side load makes groups slide one after the other, paths are compared
+//! with their mirror images.
 
 use std::f64::consts::{FRAC_PI_8, TAU};
 
@@ -29,7 +29,7 @@ fn fingers(n: usize) -> impl Iterator<Item = planar::Contact> {
     (0..n).map(move |i| around::<2>(i, n, 1.0, [K, KT], MU).command([A, 0.0]))
 }
 
-/// The fingers' commands become a, those of what comes after them zero.
+/// The commands of the fingers become a, those of the other contacts zero.
 fn squeeze<const C: usize>(n: usize, rest: usize, a: f64) -> Vec<nalgebra::SVector<f64, C>> {
     let mut command = nalgebra::SVector::zeros();
     command[0] = a;
@@ -115,7 +115,7 @@ fn assert_mirrored<const C: usize>(n: usize, events: &[Event<C>]) {
     }
 }
 
-/// Who lets go first under a side load along x, and at which displacement: N_i = N + k x cos φ, T_i = kt x |sin φ|.
+/// The contacts that slide first under a side load along x, and the displacement at that load: N_i = N + k x cos φ, T_i = kt x |sin φ|.
 fn first_to_let_go(n: usize) -> (f64, Vec<usize>) {
     let at = |(c, s): (f64, f64)| {
         let x = MU * K * A / (KT * s.abs() - MU * K * c);

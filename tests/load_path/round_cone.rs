@@ -1,5 +1,5 @@
-//! Load paths on the round cone, random grasps and programs in space: the contact law at every sampled fraction, slips along the friction
-//! force, energies, legs cut in two, other frames, and small steps of a method that knows nothing of arcs and events.
+//! Load paths on the round cone satisfy the contact law at every sampled fraction, slip along the friction force, and balance energies. Legs cut in
+//! two, other frames, and a method of small steps without arcs and events give the same results. Grasps and programs are random, in space.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
@@ -59,8 +59,8 @@ fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError
     Ok(())
 }
 
-/// Where a contact slides at both of two near states it has slipped along the friction force between them, but for what that
-/// turns; where it sticks at both, not at all.
+/// A contact that slides in both of two near states has slipped along the friction force between them, up to the turn of the force. A contact that
+/// sticks in both has not slipped.
 fn slips_along_friction(a: &Equilibrium<3>, b: &Equilibrium<3>) -> Result<usize, TestCaseError> {
     let (_, motion) = sizes(a);
     let mut sliding = 0;
@@ -106,7 +106,7 @@ fn word(change: &Change<3>) -> &'static str {
     }
 }
 
-/// What happened, without directions; what happens last where a path is lost belongs to the loss.
+/// Events without directions; the last changes of a lost path belong to the loss.
 fn story(events: &[Event<3>], path: &LoadPath<'_, 3>, contacts: &[usize]) -> Vec<(usize, f64, Vec<String>)> {
     let what = |event: &Event<3>| {
         let mut list: Vec<_> =
@@ -124,13 +124,13 @@ fn story(events: &[Event<3>], path: &LoadPath<'_, 3>, contacts: &[usize]) -> Vec
 /// is one thing.
 const APART: f64 = 1e-6;
 
-/// Whether no two events come so close that rounding may tell their story in another way.
+/// Whether no two events are so close that rounding could exchange them.
 fn clear(events: &[Event<3>]) -> bool {
     events.windows(2).all(|w| w[0].leg != w[1].leg || w[1].fraction - w[0].fraction > APART)
 }
 
-/// What slides while its normal force vanishes turns ever faster: at the end its direction is rounding, and that is how well the load is
-/// known at which it opens, and all that comes after.
+/// A contact that slides while its normal force vanishes turns ever faster, so that rounding determines its final direction. The load at which it
+/// opens, and all later events, are known to this accuracy only.
 const AFTER_OPENING: f64 = 1e-8;
 
 fn same_story(
@@ -233,7 +233,7 @@ fn turned(scene: &Spatial, angle: f64) -> Spatial {
     other
 }
 
-/// A leg that stops half way and goes on: the same events, the same end.
+/// A leg cut in two has the same events and the same end.
 #[test]
 fn cutting_legs_changes_nothing() {
     let t = over(27, &spatial_scenes(), |scene, tally| {

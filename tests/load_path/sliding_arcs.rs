@@ -1,4 +1,4 @@
-//! Load paths on the round cone whose sliding direction turns, against curves that can be written down.
+//! Load paths on the round cone with turning sliding directions agree with curves in closed form.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -47,7 +47,7 @@ fn normal_force() -> f64 {
     in_series(K) * A
 }
 
-/// How far the finger is ahead of what it drags.
+/// Distance of the finger from the body that it drags.
 fn leash() -> f64 {
     MU * normal_force() / in_series(KT)
 }
@@ -59,14 +59,14 @@ fn drag(x: f64, y: f64) -> Leg {
     Leg::commands_by(commands)
 }
 
-/// The finger goes straight, starting at right angles to its leash L: what it drags follows a tractrix, and the friction force is along the
-/// leash, at an angle θ to the way with
+/// The finger moves straight, starting at right angles to its leash L. The dragged body follows a tractrix, and the friction force is along the
+/// leash, at an angle θ to the motion with
 ///
 /// ```text
 /// tan(θ/2) = tan(θ₀/2) exp(-x/L)
 /// ```
 ///
-/// The slip is where the end of the leash is. Short ways, long ones, and ways a million leashes long.
+/// The slip is the displacement of the end of the leash. Distances are short, long, and a million leashes long.
 #[test]
 fn what_is_dragged_follows_a_tractrix() {
     let grasp = dragged();
@@ -83,7 +83,7 @@ fn what_is_dragged_follows_a_tractrix() {
             assert!(matches!(changes(event)[..], [(0, Change::Slides { .. })]));
             let at = event.leg as f64 + event.fraction;
             assert_close!(at, 1.0 / ahead);
-            // A way of so many leashes has a rounding of so many times that of a leash.
+            // Rounding is relative to the distance, in lengths of the leash.
             let most = 1e-11_f64.max(1e-15 * way);
             assert!(path.step_error() > 0.0 && path.step_error() < most, "{}", path.step_error());
             for f in [0.01, 0.2, 0.5, 0.77, 1.0] {
@@ -121,7 +121,7 @@ fn the_heat_of_a_tractrix() {
     }
 }
 
-/// The finger goes round in a circle: what it drags comes to follow a circle of its own, radius ρ with ρ² + L² = R², the leash a tangent of it.
+/// The finger moves in a circle of radius R. The dragged body converges to a circle of radius ρ with ρ² + L² = R², to which the leash is a tangent.
 #[test]
 fn round_in_a_circle_what_is_dragged_keeps_to_a_smaller_one() {
     let grasp = dragged();

@@ -1,8 +1,8 @@
-//! Every event of a path lies where small implicit steps find it, and where a path is lost they find nothing near.
+//! Every event of a path lies where small implicit steps find it. If a path is lost, the steps find no equilibrium nearby.
 //!
-//! The steps ([`support::programs::steps`]) share nothing with the crate but the state at the start: at the end of each the
-//! contact law with the slip so far is solved by trying all combinations of states. At every step that has no event in it or
-//! in the one before, both must agree on what each contact does and on the forces.
+//! The steps ([`support::programs::steps`]) take only the initial state from the crate. At the end of each step they solve the contact law with the
+//! previous slip by trying all combinations of states. At every step without an event in it or in the previous step, contact states and forces must
+//! agree.
 
 use grasp_lcp::load_path::PathEnd;
 use proptest::prelude::*;
@@ -14,7 +14,7 @@ use support::samples::assert_met;
 
 /// Steps a leg.
 const STEPS: usize = 100;
-/// A step in which something changes is taken in halves, so many times: events are found to 1/25600 of a leg.
+/// Number of halvings of a step in which something changes: events are found to 1/25600 of a leg.
 const HALVINGS: usize = 8;
 /// Forces agree to this part of the largest one: the slip of a contact that changes within a step is off by that much.
 const FORCES: f64 = 5e-4;
@@ -49,7 +49,7 @@ fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> 
             };
             let exact = path.state_at(leg, to).unwrap();
             let states = scene.does(&exact);
-            // Where a contact stands on an edge and stays there several states say the same.
+            // For a contact that stays on an edge several states describe the same equilibrium.
             if next.does != states {
                 let tied = |other: &Step| other.does == states && next.apart(other) <= 1e-9;
                 next = scene.steps_to(leg, to, &next).into_iter().find(tied).unwrap_or(next);

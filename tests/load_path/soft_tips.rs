@@ -1,5 +1,5 @@
-//! Pinches of soft fingertips that a load shears and twists at once are lost where friction can do no more, and how that happens is told alike by
-//! the path of every event and by steps.
+//! A pinch of soft fingertips under shear and torsion is lost at the limit load of friction. The path from event to event and the path in steps
+//! report the same kind of loss.
 
 use grasp_lcp::load_path::{LossKind, PathEnd};
 use grasp_lcp::spatial::{Leg, SoftFingertip, Wrench};

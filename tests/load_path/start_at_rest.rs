@@ -1,4 +1,4 @@
-//! Paths that start without a load and without forces, at contacts that only touch.
+//! Paths can start without load and forces, at contacts that just touch.
 
 use std::f64::consts::TAU;
 

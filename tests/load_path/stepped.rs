@@ -1,4 +1,4 @@
-//! Paths in steps end where paths from event to event end, within the error that was asked for; thousands of contacts where closed forms say.
+//! Paths in steps end where paths from event to event end, within the requested error. With thousands of contacts they agree with closed forms.
 
 use std::f64::consts::TAU;
 

@@ -1,8 +1,8 @@
-//! Pads of many springs followed in steps, against numbers that can be written down: a pad that is pressed by a parabola and dragged
-//! there and back (Masing's rule), dragged until it gives way, and pads that touch one pair of springs after the other.
+//! Pads of many springs followed in steps agree with closed forms. A pad under parabolic pressure is dragged to and fro (Masing's rule), and dragged
+//! until it is lost. Other pads touch one pair of springs after the other.
 //!
-//! All friction acts along y = 0 through the middle of the pad, so a shear load Q there neither tilts nor lifts the block: with
-//! c the tangential stiffness of each spring and f_i = μ N_i,
+//! All friction acts along y = 0 through the middle of the pad, so a shear load Q there neither tilts nor lifts the block. With c the tangential
+//! stiffness of each spring and f_i = μ N_i,
 //!
 //! ```text
 //! Q(x) = Σ_i min(c x, f_i)             first loading, spring i slides from x = f_i / c on

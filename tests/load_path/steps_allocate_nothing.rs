@@ -1,4 +1,4 @@
-//! A path of many contacts in steps allocates nothing from the second round of its program on.
+//! A path of many contacts in steps allocates no memory from the second round of its program on.
 
 use allocation_counter::measure;
 use grasp_lcp::spatial;

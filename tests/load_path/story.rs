@@ -1,4 +1,4 @@
-//! What tests of load paths that can be written down share: closeness, and the story a path tells.
+//! Shared by tests of load paths: comparison of numbers, and lists of the events of a path.
 #![allow(dead_code)]
 
 use grasp_lcp::load_path::{Change, Event, PathEnd};
@@ -9,7 +9,7 @@ pub(crate) fn completed<const C: usize>(end: Option<&PathEnd<C>>) -> bool {
     matches!(end, Some(PathEnd::Completed))
 }
 
-/// Leg, fraction, and what the contacts do.
+/// Leg, fraction, and the changes of the contacts.
 pub(crate) type Line = (usize, f64, Vec<(usize, &'static str)>);
 
 /// Leg, fraction and what changes, without directions.

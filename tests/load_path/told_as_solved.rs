@@ -1,5 +1,5 @@
-//! A state on a path tells the free motions that a solution at its load tells, wherever both are one equilibrium: two point contacts in space leave a twist
-//! about their line.
+//! A state on a path reports the same free motions as a solution at its load, if both are the same equilibrium. Two point contacts in space leave a
+//! rotation about their line free.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Equilibrium;

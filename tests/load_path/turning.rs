@@ -1,4 +1,5 @@
-//! Loads that turn, against closed forms, mirror images and chords: where contacts slide, stick and slide back, what each turn leaves behind.
+//! For loads that turn, events and states agree with closed forms, mirror images and chords: where contacts slide, stick and slide back, and what
+//! each turn leaves behind.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -38,7 +39,7 @@ fn a_block_on_a_spring_goes_round_its_hysteresis() -> Result<(), Error> {
         }
         assert_eq!(event.changes.len(), 2);
     }
-    // From rest to the first turning point, then twice as far each half turn, and what is left of the last.
+    // Slip from rest to the first turning point, then twice as much in each half turn, and the remainder of the last one.
     let once = pull / 20.0 - 0.07 * mu;
     let slipped = once + (2.0 * f64::from(turns) - 1.0) * 2.0 * once + once - 0.07 * mu;
     let energy = path.energies()[0];

@@ -1,8 +1,7 @@
-//! A body wedged between two contacts that slide against each other: a couple has turned it until both slide, so that friction holds it up on one
-//! side and down on the other. Forces are those of the exhausted friction wherever it stands between the two ends of an interval, and the answer
-//! names the motion along which nothing changes.
+//! A body is wedged between two contacts that slide in opposite directions. A couple has turned it until both slide, so that friction pulls it up on
+//! one side and down on the other. The forces are the same at every height within an interval, and the answer names this free motion.
 //!
-//! Two fingers press with N = k_n c from x = ∓1, guides without friction carry moments with the stiffness R. Under the couple M
+//! Two fingers press with N = k_n c from x = ∓1. Frictionless guides carry moments with the stiffness R. Under the couple M
 //!
 //! ```text
 //! θ = (M - 2 μ N) / R,      slip = θ - μ N / k_t ∓ y >= 0      wherever  |y| <= θ - μ N / k_t

@@ -1,4 +1,4 @@
-//! Needed amounts in a batch against `Grasp::need`, one grasp at a time, and against closed forms.
+//! Needed amounts in a batch agree with `Grasp::need` of each grasp, and with closed forms.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
@@ -29,7 +29,7 @@ const ALL: [(Quantity, Demand); 4] = [
     (Quantity::Load, Demand::Sticks),
 ];
 
-/// Jaws hold 2 μ N, wherever the load acts along them: so much load, so much squeeze.
+/// Jaws hold 2 μ N, wherever the load acts along them: this gives the load and the squeeze in closed form.
 #[test]
 fn jaws_need_what_the_closed_form_says() {
     let rows: Vec<Row> = (1..30)

@@ -1,4 +1,4 @@
-//! Many questions at once.
+//! Many questions at once: batches, sweeps, samples and screening.
 
 mod amount_batch;
 mod point_batch;

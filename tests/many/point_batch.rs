@@ -1,4 +1,5 @@
-//! Batches of any number of points: the bits of single grasps up to five contacts, and beyond, with pads, the onsets of `Grasp::onset`.
+//! In batches of any number of points, grasps of up to five contacts have the onsets of single grasps to the last bit. Larger grasps and pads have
+//! the onsets of `Grasp::onset` to 1e-9.
 
 use grasp_lcp::screening::{Fingers, PointBatch, Pull, Screened, ScreeningVerdict};
 use grasp_lcp::spatial::{Contact, Grasp, Pressure, Ramp, SoftFingertip, Wrench};

@@ -1,4 +1,4 @@
-//! The load that a grasp keeps sticking under with a reserve is never less safe than it says: as often as that, or less, a sample slides below it.
+//! A reserve in standard deviations is safe: at the load with this reserve, samples slide no more often than it states.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 use std::f64::consts::TAU;
@@ -172,8 +172,8 @@ fn everything() -> Uncertainty {
 }
 
 proptest! {
-    // Always the same grasps: now and then one is told no reserve at all, since contacts that all but slide at rest count as if they did.
-    // That is safe, and `reserve` prints how far below it needs to be a reserve is.
+    // The seed is fixed: some grasps have no reserve, because contacts that nearly slide at rest count as sliding. This is on the safe side; the
+    // report `reserve` prints by how much.
     #![proptest_config(config(6))]
 
     #[test]
@@ -277,7 +277,7 @@ fn any_way_around_a_round_cone() {
     assert!((0.2..1.0).contains(&(fails / TAILS[0].1)), "{fails} at {yes}");
 }
 
-/// A reserve goes on from direction to direction without a jump.
+/// A reserve is continuous over directions.
 #[test]
 fn a_reserve_is_continuous_over_directions() {
     let finger = |x: f64, y: f64| {

@@ -1,4 +1,4 @@
-//! Onsets of grasps that are not known exactly, to first order: against samples, which know no gradients, and in closed form.
+//! First-order mean and standard deviation of the onset of an uncertain grasp agree with samples, which use no gradients, and with closed forms.
 
 use std::f64::consts::PI;
 
@@ -81,7 +81,7 @@ fn compare<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) {
         let known = spread.deviation.unwrap();
         // A standard deviation of so many samples is known to 1/√8000 = 1.1 %.
         assert!(known > 0.0 && (deviation / known - 1.0).abs() < 0.05, "{off:?}: {deviation} {known}");
-        // The mean to 1/√4000 = 1.6 % of a deviation, and what is of second order.
+        // The sampling error of the mean, 1/√4000 = 1.6 % of a deviation, and terms of second order.
         let error = (mean - spread.mean.unwrap()).abs() / known;
         assert!(error < 0.1, "{off:?}: {mean} {spread:?}");
     }
@@ -133,7 +133,7 @@ fn onsets_of_turns_spread_alike() {
     assert!((deviation / known - 1.0).abs() < 0.05, "{deviation} {known}");
 }
 
-/// A σ of zero, or of other data, leaves the draws of friction, stiffness and squeeze as they are.
+/// A σ of zero, or of other data, does not change the draws of friction, stiffness and squeeze.
 #[test]
 fn other_uncertainties_do_not_change_a_sample() {
     let (grasp, _) = in_space();
@@ -154,7 +154,7 @@ fn other_uncertainties_do_not_change_a_sample() {
     }
 }
 
-/// Points and normals are distributed as they are said to be, and frames turn without a twist about their normals.
+/// Points and normals have the stated distribution, and frames do not rotate about their normals.
 #[test]
 fn positions_and_normals_have_their_deviations() {
     let contact = Contact::new([0.3, -0.2, 0.1], [0.0, 0.6, 0.8]).series_stiffness(1.0, 1.0).friction(0.5);

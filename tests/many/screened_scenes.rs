@@ -1,4 +1,4 @@
-//! Scenes that screening is asked about.
+//! Shared by tests of screening: random scenes, and comparison of answers.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -60,8 +60,8 @@ pub(crate) fn shaken<const C: usize>(data: &[Datum<C>], part: f64) -> Vec<Datum<
     data
 }
 
-/// Whether an answer agrees with another to a part of it, or to ten times that, or as well as others to questions whose twelfth digits are off: a search
-/// ends where what is missing may be rounding, and is as much too low.
+/// Whether two factors agree to a relative accuracy, to ten times that, or within the spread of answers to questions perturbed in the twelfth digit.
+/// A search ends where the remaining part may be rounding, and its factor is too low by as much.
 pub(crate) fn agrees(
     [found, exact]: [f64; 2],
     close: f64,

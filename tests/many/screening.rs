@@ -1,8 +1,8 @@
-//! Screening against `Grasp::onset`, which finds the onset on its own way: by settling the base and walking along the ramp.
+//! Screening agrees with `Grasp::onset`, which finds the onset in another way: it solves the base and walks along the ramp.
 //!
-//! Contacts of every kind: without, with, and with infinite friction, kept closed and bonded, with a clearance; in the plane and in space,
-//! from no base load and from one, with stiffnesses and friction coefficients over many decades. Wherever screening gives a factor it is that of the onset, and wherever it gives none the onset says why;
-//! every lane of a batch, full or not, answers as the grasp on its own, to the last bit.
+//! Scenes have contacts of every kind: with zero, finite and infinite friction, kept closed, bonded, and with a clearance. They are planar and
+//! spatial, with and without a base load, with stiffnesses and coefficients of friction over many decades. If screening gives a factor, it is that of
+//! the onset. If it gives none, the onset states why. Every lane of a batch, full or not, gives the answer of the single grasp to the last bit.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::ContactState;
@@ -20,7 +20,7 @@ use support::facts;
 use support::jaws::jaw;
 use support::samples::{assert_met, samples};
 
-/// What screening says, checked against the onset; factors to this part.
+/// Compares an answer of screening with the onset; factors agree to this relative accuracy.
 fn check<const C: usize, const N: usize>(
     contacts: &[Contact<C>; N],
     [base, direction]: [Wrench<C>; 2],

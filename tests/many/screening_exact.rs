@@ -1,8 +1,8 @@
-//! Screening against exact rational arithmetic: how far is the factor off?
+//! The factor of screening agrees with exact rational arithmetic for planar scenes.
 //!
-//! Every number of a planar scene whose normals are Pythagorean is rational. Forces at factor zero and their rates are solved for
-//! exactly, with every contact sticking, and so is the first facet that is reached. The factor may be off by the rounding of the forces over the rate at which the
-//! facet's slack closes, no more, over twelve decades of stiffness.
+//! With Pythagorean normals every number of a planar scene is rational. Forces at factor zero, their rates and the first facet reached are computed
+//! exactly while every contact sticks. The error of the factor is at most the rounding of the forces divided by the rate of the slack of this facet,
+//! over twelve decades of stiffness.
 
 use std::cell::Cell;
 
@@ -76,7 +76,7 @@ fn motion(contacts: &[Exact], load: [f64; 3], commanded: bool) -> Option<[Ration
     Eliminated::of(t.iter().zip(&right).map(beside), 3).solution()?.try_into().ok()
 }
 
-/// What is exactly true.
+/// The exact answer.
 enum Truth {
     /// Not every contact sticks clearly at factor zero.
     NotSticking,
@@ -125,7 +125,7 @@ fn datum(decades: f64, normals: Vec<[i32; 3]>) -> impl Strategy<Value = Datum> {
     ([unit(), unit()], normal, [stiffness(), stiffness()], 0.2..3.0_f64, [0.1..0.3_f64, -0.1..0.1_f64])
 }
 
-/// The largest error in units of what the rounding of forces allows, over all scenes with an onset, and their number.
+/// The largest error relative to the rounding of forces, over all scenes with an onset, and the number of these scenes.
 fn worst<const N: usize>(decades: f64, cases: usize, normals: &[[i32; 3]], across: bool) -> (f64, usize) {
     let (worst, count) = (Cell::new(0.0_f64), Cell::new(0));
     let question = (

@@ -1,8 +1,8 @@
-//! Screening of three contacts in space against exact rational arithmetic: how far from the edges of their cones are contacts at the factor?
+//! At the factor of screening, contacts in exact rational arithmetic are on or inside their cones, for three contacts in space.
 //!
-//! Numbers of a scene are rational where normals are. Forces at factor zero and their rates are solved for exactly, with every contact sticking. At the
-//! factor of screening no contact is outside of its cone, and one is on the edge, but for the rounding of forces: for even triangles and slim ones, and
-//! over twelve decades of stiffness, where some grasps go by the edges of their triangle and some by motions.
+//! With rational normals the numbers of a scene are rational. Forces at factor zero and their rates are computed exactly while every contact sticks.
+//! At the factor, up to rounding of the forces, no contact is outside its cone and one is on the edge. Triangles of contacts are even or slim, with
+//! stiffnesses over twelve decades. Some grasps are computed from the edges of their triangle, others from motions.
 
 use std::cell::Cell;
 
@@ -124,7 +124,7 @@ fn forces(contacts: &[Exact], direction: [f64; 6]) -> Option<[Vec<Vector>; 2]> {
     )
 }
 
-/// `μ F_n - |F_t|`, in which nothing cancels but what is exact.
+/// `μ F_n - |F_t|`; only exact numbers cancel in it.
 fn margin(contact: &Exact, force: &Vector) -> f64 {
     let normal = dot(&contact.normal, force);
     let pressed = &normal * exact(contact.friction);
@@ -146,7 +146,7 @@ struct Worst {
     unclear: Cell<usize>,
 }
 
-/// Scenes with stiffnesses over so many decades, their triangles so much narrower.
+/// The largest errors over scenes with stiffnesses over this many decades, and triangles narrower by this factor.
 fn worst(decades: f64, narrow: f64, cases: usize, normals: &[[i32; 4]]) -> Worst {
     let unit = || -1.0..1.0_f64;
     let stiffness = || (-decades / 2.0..=decades / 2.0).prop_map(|e| 10_f64.powf(e));
@@ -213,7 +213,7 @@ fn even_triangles() {
     assert!(off.get() < 5e-16 && unclear.get() == 0, "{off:?} {leaving:?} {unclear:?}");
 }
 
-/// What hangs on the height of a slim triangle is off by the rounding of the height.
+/// Quantities that depend on the height of a slim triangle have the relative rounding error of that height.
 #[test]
 fn slim_triangles() {
     for narrow in [0.1, 1e-2, 1e-4] {

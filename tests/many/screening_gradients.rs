@@ -1,6 +1,6 @@
-//! Gradients of screening against those of `Grasp::sensitivity`, which solves once more for every single datum.
+//! Gradients of screening agree to nine digits with `Grasp::sensitivity`, which solves once more for every datum.
 //!
-//! In the plane and in space, two to five contacts of every kind, about a place off the origin, with a base load and without: every field agrees to nine digits.
+//! Grasps are planar and spatial, with two to five contacts of every kind, with and without a base load, and with a reference point off the origin.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
@@ -164,7 +164,7 @@ fn those_of_the_whole_method_in_space() {
     }
 }
 
-/// Two hard fingers in space let the object spin about the line through them: what does not move their line is known.
+/// Two hard fingers in space let the object rotate about the line through them: gradients by data that do not move this line exist.
 #[test]
 fn pairs_in_space_know_what_leaves_their_line() {
     let finger = |x: f64, friction: f64| jaw::<3>(x, [1e3, 8e2], friction).pressed_with(10.0);
@@ -263,7 +263,7 @@ fn a_finger_pulled_off_leaves_through_the_apex() {
     assert!((gradient.command(0)[0] - 1000.0).abs() < 1e-9);
 }
 
-/// What has no factor has no gradient.
+/// Without a factor there is no gradient.
 #[test]
 fn without_a_factor_no_gradient() {
     let finger = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
@@ -283,7 +283,7 @@ fn without_a_factor_no_gradient() {
     }
 }
 
-/// Grasps of every kind in one batch, under several loads: whoever asks, and on how many threads, gets the same bits.
+/// Grasps of every kind in one batch, under several loads, have the same bits for every kind of call and any number of threads.
 fn same_bits<const D: usize, const C: usize, const N: usize>() {
     let mut random = seeded(7 + N as u64);
     let fingers: Vec<_> =
@@ -319,7 +319,7 @@ fn same_bits<const D: usize, const C: usize, const N: usize>() {
     for (k, fingers) in fingers.iter().enumerate() {
         for (p, pull) in pulls.iter().enumerate() {
             let of_batch = gradients.get(k * pulls.len() + p).unwrap();
-            // Codes of what is unclear may be no numbers.
+            // The status of an unclear answer may be NaN, so that texts are compared.
             assert_eq!(format!("{:?}", of_batch.screened()), format!("{:?}", fingers.onset(pull)));
             let alone = fingers.onset_gradients(pull);
             let Some(alone) = alone.get(0) else { continue };

@@ -1,7 +1,8 @@
-//! Gradients of screening against differences in exact rational arithmetic.
+//! Gradients of screening agree with differences in exact rational arithmetic.
 //!
-//! At the factor of screening, `m = μ² F_n² - |F_t|²` of the contact that leaves is a rational function of every datum. Its differences over a step of 2⁻⁴⁰
-//! to either side are exact but for the square of the step; `-Δm / m'` is how the factor changes. No solver and no derivative of the library comes in.
+//! At the factor of screening the margin `m = μ² F_n² - |F_t|²` of the critical contact is a rational function of every datum. Central differences Δm
+//! over a step of 2⁻⁴⁰ are exact except for the square of the step, and `-Δm / m'` is the change of the factor. No solver and no derivative of the
+//! library is used.
 
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::screening::{Fingers, Pull, ScreenedGradient};

@@ -1,8 +1,8 @@
-//! Screening for the least squeeze against `Grasp::least_squeeze`, which finds it cut by cut, and against closed forms.
+//! Screening for the least squeeze agrees with `Grasp::least_squeeze`, which finds it by cutting planes, and with closed forms.
 //!
-//! Scenes of two to five contacts in the plane and in space, of every kind of contact, with and without clearances, under one to four loads. Wherever
-//! screening gives a factor it is that of the search, and wherever it gives none the search says why; every lane of a batch answers as the grasp on its
-//! own, to the last bit.
+//! Scenes have two to five contacts of every kind, in the plane and in space, with and without clearances, under one to four loads. If screening
+//! gives a factor, it is that of the search. If it gives none, the search states why. Every lane of a batch gives the answer of the single grasp to
+//! the last bit.
 
 use std::cell::RefCell;
 
@@ -21,7 +21,7 @@ use support::facts;
 use support::jaws::jaw;
 use support::samples::assert_met;
 
-/// What screening says, checked against the search. Contacts are those of a scene that is shaken by a part.
+/// Compares screening with the search. Contacts are those of a scene, perturbed by a relative amount.
 fn check<const C: usize, const N: usize>(
     contacts: impl Fn(f64) -> [Contact<C>; N],
     loads: &[Wrench<C>],

@@ -1,8 +1,8 @@
-//! Screening of loads that turn against `Grasp::onset_of_turn`, which solves again at every event, and against closed forms.
+//! Screening of loads that turn agrees with `Grasp::onset_of_turn`, which solves again at every event, and with closed forms.
 //!
-//! Scenes of two to five contacts in the plane and in space, of every kind of contact, ordinary and with stiffnesses and friction over many decades, full
-//! turns and parts of one. Wherever screening gives an angle it is that of the onset, and wherever it gives none the onset says why; every lane of a
-//! batch answers as the grasp on its own, to the last bit.
+//! Scenes have two to five contacts of every kind, in the plane and in space, with ordinary and extreme stiffnesses and friction, for full and
+//! partial turns. If screening gives an angle, it is that of the onset. If it gives none, the onset states why. Every lane of a batch gives the
+//! answer of the single grasp to the last bit.
 
 use std::cell::RefCell;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -23,7 +23,7 @@ use support::facts;
 use support::jaws::jaw;
 use support::samples::assert_met;
 
-/// What screening says, checked against the onset. Contacts are those of a scene that is shaken by a part.
+/// Compares screening with the onset. Contacts are those of a scene, perturbed by a relative amount.
 fn check<const C: usize, const N: usize>(
     contacts: impl Fn(f64) -> [Contact<C>; N],
     turn: &Turn<C>,

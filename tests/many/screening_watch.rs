@@ -1,4 +1,4 @@
-//! A watch over measured forces against what onsets and least squeezes say of the same grasp, whose springs made the forces.
+//! A watch over measured forces agrees with the onset and the least squeeze of the grasp whose springs produced the forces.
 
 use allocation_counter::measure;
 use grasp_lcp::ask::Grasp;

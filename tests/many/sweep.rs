@@ -1,5 +1,5 @@
-//! Sweeps can be watched and stopped, one bad question does not spoil the others, and samples of an uncertain grasp are distributed as they
-//! should be, the same ones for any number of threads.
+//! Sweeps can be watched and stopped, and one bad question does not affect the others. Samples of an uncertain grasp have the right distribution, and
+//! are the same for any number of threads.
 
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -58,7 +58,7 @@ fn a_sweep_that_is_stopped_answers_no_more() {
     );
     let answered = answers.iter().flatten().count();
     assert_eq!(answered, begun.into_inner());
-    // What other threads had begun is answered as well.
+    // Questions that other threads had begun are answered, too.
     assert!((20..1000).contains(&answered), "{answered}");
 }
 

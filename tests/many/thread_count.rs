@@ -1,4 +1,4 @@
-//! The same bits for any number of threads, and with or without threads.
+//! Answers are the same to the last bit for any number of threads, and without threads.
 
 use grasp_lcp::Settings;
 use grasp_lcp::spatial::{Contact, Grasp, Ramp, Turn, Wrench};

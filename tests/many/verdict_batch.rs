@@ -1,4 +1,4 @@
-//! Verdicts in a batch against `Grasp::hold`, one grasp at a time: the same outcome in every column, whatever road a row takes.
+//! Every verdict in a batch has the same outcome in every column as `Grasp::hold` of the single grasp, whichever method computes the row.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
@@ -164,7 +164,7 @@ fn odd_rows() {
     check(&rows, &up_to_the_load().on_the_polygon());
 }
 
-/// The closed form: pads of sixteen points hold 2 μ N along their faces, and tell so in a batch.
+/// The closed form: pads of sixteen points hold 2 μ N along their faces, also in a batch.
 #[test]
 fn a_parallel_jaw_with_pads_is_answered() {
     let tip = spatial::SoftFingertip::disc(0.006, 1, 8, spatial::Pressure::Uniform).unwrap();

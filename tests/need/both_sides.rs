@@ -1,4 +1,4 @@
-//! A billionth more does, a billionth less does not, on random grasps.
+//! On random grasps a needed amount is sharp: a billionth more suffices, and a billionth less does not.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -32,7 +32,8 @@ fn verdict(grasp: &Grasp, load: Wrench, held: bool) -> Result<Option<bool>, gras
     Ok(if held { verdict.holds() } else { verdict.sticks() })
 }
 
-/// Bounds on squeeze, friction and load, of what sticks or of what is held: more than so many, and one in so many blurred at most.
+/// Bounds on squeeze, friction and load for grasps that stick or that hold: at least `least` scenes, of which at most one in `one_in` has a bound
+/// that is not sharp.
 fn a_billionth_decides(held: bool, least: usize, one_in: usize) -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(17);
     let (mut bounds, mut blurred) = (0, 0);
@@ -53,7 +54,7 @@ fn a_billionth_decides(held: bool, least: usize, one_in: usize) -> Result<(), gr
         for (need, tried, more) in sought {
             let Amount::Bound { does, does_not, .. } = grasp.need(&aimed(need))?.amount else { continue };
             bounds += 1;
-            // Where the bound itself is not decided, what does not is looked for a little beyond.
+            // If the bound itself is undecided, the insufficient amount is searched a little beyond.
             blurred += usize::from((does - does_not).abs() > 1e-12 * does);
             assert!((does - does_not).abs() <= 1e-9 * does, "{does} {does_not}");
             assert_eq!(tried(does * (1.0 + more * 1e-9))?, Some(true), "{does}");

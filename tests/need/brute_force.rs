@@ -1,4 +1,4 @@
-//! Amounts against brute force: amounts around each answer, put on by `hold` one by one, on random scenes.
+//! Needed amounts agree with verdicts of `hold` on amounts around each answer, on random scenes.
 
 use support::amounts::{self, Quantity, Scene, checked};
 use support::samples::{samples, seeded};

@@ -1,4 +1,4 @@
-//! Amounts that are known by hand.
+//! Needed amounts agree with hand calculations.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Turn, Wrench};
@@ -93,7 +93,7 @@ fn a_box_tips_over_an_arm() -> Tested {
     is(&arm, &box_on_feet(0.5)?, 0.15)
 }
 
-/// What a force of any direction needs is what the least squeeze is, which is found in closed form.
+/// The need of a force of any direction equals the least squeeze, which has a closed form.
 #[test]
 fn a_force_of_any_direction() -> Tested {
     let finger = |angle: f64| {
@@ -146,7 +146,7 @@ fn an_angle_on_top_of_a_steady_pull() -> Tested {
     Ok(())
 }
 
-/// What is there at rest leaves less for the push: `sqrt((w + p)²) <= 2 μ N`, down the same line, of any direction, and out along an arm.
+/// The load at rest leaves less for the push: `sqrt((w + p)²) <= 2 μ N`, along the same line, in any direction, and at the end of an arm.
 #[test]
 fn a_push_on_top_of_a_weight() -> Tested {
     let (pinch, weight) = (jaws([0.5; 2])?, Wrench::force([0.0, -6.0]));
@@ -180,7 +180,7 @@ fn a_force_of_any_direction_beside_a_weight_that_is_not_held() -> Tested {
         panic!("some squeeze does")
     };
     is(&Need::squeeze(loads.clone()).to_stick(), &pinch, factor)?;
-    // What carries nothing of it says how the weight goes.
+    // Without friction nothing carries the load, and the answer states how the object leaves.
     let needed = pinch.with_friction(|_, _| 0.0)?.need(&Need::squeeze(loads))?;
     assert!(matches!(needed.amount, Amount::None { .. }), "{needed}");
     assert!(needed.to_string().contains("DROPS at once"), "{needed}");

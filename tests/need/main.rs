@@ -1,4 +1,4 @@
-//! How much it needs: by closed forms, and tried from both sides.
+//! The amount that is needed: closed forms, and verdicts on both sides of the answer.
 
 mod both_sides;
 mod brute_force;

@@ -1,4 +1,5 @@
-//! Loads that are put on again and again: by the closed form of the block that walks, below the shakedown factor, and refused where they come in no order.
+//! Needed amounts for repeated loads agree with the closed form of the walking block and stay below the shakedown factor. Loads without an order are
+//! refused.
 
 use std::f64::consts::PI;
 
@@ -87,7 +88,7 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
         }
         compared += 1;
         assert!(does <= most.factor * (1.0 + 1e-9), "{does} {}", most.factor);
-        // What sticks rests, what rests stays, what stays is held.
+        // Sticking implies rest, rest implies that the object stays, and staying implies that it is held.
         let bound = |need: &Need<2>| Ok::<_, Error>(drawn.grasp.need(need)?.amount.bound());
         let sticks = bound(&need.clone().to_stick())?.unwrap_or(0.0);
         let stays = bound(&need.to_stay())?.unwrap_or(f64::INFINITY);

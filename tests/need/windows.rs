@@ -1,4 +1,5 @@
-//! Squeezes that do lie in windows where a motor reaches its limit, while another finger still pushes the object away: known by hand.
+//! If squeezes suffice only within certain intervals, the answer gives these intervals. The limits are known by hand: a motor reaches its force limit
+//! while another finger still pushes the object away.
 
 use grasp_lcp::need::{Amount, AmountWindow, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -80,7 +81,7 @@ fn both_ends_say_what_presses_there() -> Tested {
     Ok(())
 }
 
-/// Where only half of the squeeze may come, what is safe against that is too much where all of it does.
+/// If only half of the squeeze may be reached, the safe amount is too much where all of it is reached.
 #[test]
 fn what_is_safe_may_not_do_as_given() -> Tested {
     let half = Need::squeeze(Wrench::force([0.0, -4.2])).to_stick().if_lower_by(0.0, 0.5);

@@ -1,5 +1,5 @@
-//! The polygon inside the round cone and the one around it have the onset of sliding between them, and the spread of their answers
-//! is that of a sliding foot by hand.
+//! The onsets on the inscribed and on the circumscribed polygon bracket the onset on the round cone. The width of the bracket for a sliding foot
+//! agrees with a hand calculation.
 
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
@@ -19,8 +19,8 @@ fn polygon(facets: usize, fit: Fit) -> Settings {
     Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit).unwrap())
 }
 
-/// Everything that touches sticks. These two rules look at the cone only to accept or to refuse what they propose; by others a
-/// smaller cone may come to rest on fewer contacts, which then stick for longer.
+/// Whether everything that touches sticks. Equilibria found by these two rules use the cone only for acceptance. By other rules a smaller cone may
+/// lead to fewer contacts at rest, which then stick longer.
 fn sticks(outcome: &Outcome) -> bool {
     let rule = outcome.equilibrium().map(|e| e.rule);
     matches!(rule, Some(FoundBy::EverythingSticks | FoundBy::EverythingTouchingSticks))

@@ -1,5 +1,5 @@
-//! The onset of sliding in all its endings: never, at once, already, no base, gives way, after a contact closes, along
-//! commands, all contacts together.
+//! The onset of sliding agrees with closed forms in all its outcomes: never, from rest, already sliding, no base, free motion, after a contact
+//! closes, along commands, and at several contacts at once.
 
 use grasp_lcp::planar::{Beyond, Contact, ContactState, Departure, Grasp, Onset, Ramp, Wrench};
 use grasp_lcp::{Settings, spatial};

@@ -1,4 +1,5 @@
-//! Onsets for every direction of a force: the region in which nothing slides, found from plain equilibria; symmetries; what lies beyond a limit.
+//! Onsets for all directions of a force agree with the region without sliding, which is found here from equilibria. They have the symmetries of the
+//! grasp, and no equilibrium exists beyond a limit.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,4 @@
-//! Derivatives by positions and normals of contacts against central differences of grasps that are built again elsewhere. The solver that
-//! is asked twice knows nothing of derivatives.
+//! Derivatives with respect to positions and normals of contacts agree with central differences of grasps that are built anew at both sides.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::ContactState;

@@ -1,4 +1,4 @@
-//! Derivatives by positions and normals where they are known in closed form, and where there are none.
+//! Derivatives with respect to positions and normals agree with closed forms, and are absent where none exist.
 
 use grasp_lcp::load_path::Parameter;
 use grasp_lcp::{Error, planar, spatial};
@@ -187,7 +187,7 @@ fn a_hand_is_refused_by_name() -> Result<(), Error> {
     Ok(())
 }
 
-/// A finger below comes aside faster than the object comes down: it slides as soon as it touches, at a gap that no margin tells of.
+/// A finger below moves aside faster than the object moves down: it slides as soon as it touches, at a gap that depends on no margin.
 #[test]
 fn a_contact_that_slides_as_it_closes_has_no_margin() {
     let below = planar::Contact::new([0.0, -1.0], [0.0, 1.0])

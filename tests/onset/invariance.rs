@@ -1,6 +1,6 @@
-//! What must not change the onset of sliding: the coordinates, the units, and a contact split in two.
+//! The onset of sliding does not depend on coordinates, on units, or on a contact split in two.
 //!
-//! No expected numbers are needed: each ramp is compared with its own image. Factor and leaving contacts must be the same.
+//! Each ramp is compared with its own image, so no expected numbers are needed. The factor and the sliding contacts must be the same.
 
 use std::f64::consts::TAU;
 
@@ -13,7 +13,7 @@ use support::random::{Spread, for_all};
 use support::scene::Scene;
 use support::transform::Transform;
 
-/// The same contacts leave; one that leaves on one side only must stand at the very edge of its cone on the other.
+/// The same contacts leave; a contact that leaves in one description only is on the edge of its cone in the other.
 fn same_leave<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     image: &Scene<D, C>,

@@ -1,4 +1,4 @@
-//! A contact that is kept closed never opens: where it would have to pull and may not, that is said, and a guide that may pull goes on.
+//! A contact that is kept closed never opens. If it would have to pull and may not, the answer reports this. A guide that may pull continues to act.
 
 use grasp_lcp::load_path::{Departure, Onset};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -63,7 +63,7 @@ fn a_guide_without_friction_pulls() -> Tested {
     Ok(())
 }
 
-/// Nothing presses, and the guide does nothing about a force along itself: the stone slides, the guide is not told to do anything.
+/// Nothing presses, and a force along the guide does not load it: the stone slides, and the answer reports no change of the guide.
 #[test]
 fn a_guide_without_load_is_not_told_to_open() -> Tested {
     let guide = Contact::new([0.0, 0.0], [1.0, 0.0]).name("guide").series_stiffness(1e6, 5e5).kept_closed();

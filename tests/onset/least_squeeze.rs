@@ -1,4 +1,4 @@
-//! The least squeeze and the weakest direction against dense sampling from both sides.
+//! The least squeeze and the weakest direction are right: dense samples on both sides confirm them.
 
 use grasp_lcp::equilibrium::{FoundBy, Outcome};
 use grasp_lcp::load_path::{Leaver, Ramp};
@@ -141,7 +141,7 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
     let tray = planar::Grasp::new([palm(-1.0), palm(1.0)])?;
     let aside = planar::Wrench::force([3.0, -4.0]);
     assert!(matches!(tray.least_squeeze(&Loads::Each(vec![aside]))?, LeastSqueeze::NoFactor { .. }));
-    // What needs none.
+    // A load that needs no squeeze.
     let little = planar::Wrench::force([1.0, -4.0]);
     assert_eq!(tray.least_squeeze(&Loads::Each(vec![little]))?, factor_of_none());
     // Two fingers on a line do not resist a turn about it.
@@ -194,7 +194,7 @@ fn what_is_no_set_of_loads_is_refused() {
 
 #[test]
 fn a_squeeze_that_presses_nothing_helps_nothing() {
-    // Fingers that all carry from below only lift what they carry, wherever they are: what is left of their forces is rounding.
+    // Fingers that carry from below lift the load wherever they are; remaining friction forces are rounding.
     let mut numbers = seeded(23);
     for _ in 0..samples(300) {
         let finger = |numbers: &mut Random| {

@@ -1,9 +1,8 @@
-//! The onset of sliding against a search that knows nothing of how it was found.
+//! The onset of sliding agrees with a bisection that does not use the library's method.
 //!
-//! While everything sticks the forces solve a linear least-squares problem (`support::sticking`); the largest load factor at
-//! which all of them lie in their cones is found here by bisection and must be the onset, in the plane and in space, on
-//! the round cone and on the polygon, for loads and for finger commands. Just below the onset the solver must find that
-//! everything sticks, just above it must not.
+//! While everything sticks, the forces solve a linear least-squares problem (`support::sticking`). Bisection finds the largest load factor with all
+//! of them inside their cones; it must be the onset. This is checked in the plane and in space, on the round cone and on the polygon, for loads and
+//! for finger commands. Just below the onset the solver must find that everything sticks, and just above it must not.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, FoundBy, Outcome};

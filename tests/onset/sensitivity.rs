@@ -1,5 +1,5 @@
-//! Exact derivatives of equilibria and onsets against central differences of the solver itself, whose steps of 1e-5 leave an
-//! error of about 1e-10: an independent answer, since the derivatives come from one linear solve on the final piece.
+//! Derivatives of equilibria and onsets agree with central differences of the solver. Steps of 1e-5 have an error of about 1e-10. The check is
+//! independent, because derivatives come from one linear solve on the final linear piece.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Equilibrium;

@@ -1,4 +1,4 @@
-//! What happens to contacts while a load turns: edges touched, gaps closed, turns that end, and what is no turn.
+//! While a load turns, the onset reports contacts that touch their edge, gaps that close, and turns that end early. Invalid turns are refused.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

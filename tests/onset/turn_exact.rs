@@ -1,4 +1,4 @@
-//! The onset of sliding while a load turns against roots counted and isolated in exact arithmetic.
+//! The onset of sliding under a turning load agrees with roots counted and isolated in exact arithmetic.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::FoundBy;

@@ -1,5 +1,5 @@
-//! A workspace tells the onsets that `Grasp::onset` tells, to the last bit, whatever it was asked before, and allocates nothing for them
-//! where one contact leaves before all others.
+//! A workspace returns the onsets of `Grasp::onset` to the last bit, whatever it was asked before. If a single contact slides first, it allocates no
+//! memory.
 
 use allocation_counter::measure;
 use grasp_lcp::ask::Grasp;
@@ -50,7 +50,7 @@ fn in_space() {
     tells_the_same::<6, 3>(Settings::default().on_the_polygon());
 }
 
-/// How many of the questions allocate nothing when they are asked again. What they tell is the event of one contact.
+/// Number of questions that allocate nothing when they are asked again. Their answer is an event of one contact.
 fn without_allocation<const D: usize, const C: usize>() -> usize {
     let mut workspace = OnsetWorkspace::<C>::default();
     let mut count = 0;
@@ -92,7 +92,7 @@ fn nor_for_a_hand() {
     assert_eq!(counted.count_total, 0);
 }
 
-/// Wrong input is refused, and what was asked before does no harm to what is asked next.
+/// Malformed input is an error, and does not affect the next question.
 #[test]
 fn an_error_leaves_it_as_good_as_new() {
     let jaw = |x: f64, friction: f64| jaw::<2>(x, [1e3, 8e2], friction).pressed_with(10.0);

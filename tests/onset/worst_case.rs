@@ -1,4 +1,4 @@
-//! The least onset within bounds: against every corner of small boxes, each asked by itself, and in closed form.
+//! The least onset within bounds agrees with the minimum over all corners of small boxes, and with closed forms.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};

@@ -1,4 +1,4 @@
-//! The paper's two grasps: its tables to the digits printed, and the exact onset of the second.
+//! The library reproduces the tables of the paper's two grasps to the printed digits, and the exact onset of the second.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::FoundBy;
@@ -124,7 +124,7 @@ fn first_table_but_for_its_rounded_dy() {
     let outcome = grasp.solve(disk_load()).unwrap();
     let state = outcome.equilibrium().expect("holds");
     let parts = grasp.statics().decompose(state);
-    // dy was rounded to 0.0013 before the forces were computed: 50 N/m times what is missing, for every contact.
+    // dy was rounded to 0.0013 before the forces were computed: 50 N/m times the rounding error, for every contact.
     let rounded = 50.0 * (state.twist.translation()[1] - 0.0013);
     for (kind, printed) in &DISK_FORCES {
         for (i, print) in printed.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Load paths whose every event can be written down.
+//! Every event of these load paths has a closed form.
 
 use grasp_lcp::planar::{Change, Contact, ContactState, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use support::assert_close;
@@ -65,7 +65,7 @@ fn feet_slide_one_after_the_other_up_to_the_limit_load() {
     }
 }
 
-/// Leg, displacement, and what the contacts do.
+/// Leg, displacement, and the changes of the contacts.
 type Line = (usize, f64, Vec<(usize, &'static str)>);
 
 /// Masing: limits 1 and 2, kt = 8, an elastic third foot that never slides (limit 1000). Load to x₁ = 0.5 (forces 1, 2, 4: 7 N),

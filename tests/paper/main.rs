@@ -1,4 +1,4 @@
-//! The paper: its numbers, its matrices, its tables.
+//! The numbers, matrices and tables of the paper.
 
 mod grasp;
 mod load_path;

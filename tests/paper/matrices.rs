@@ -1,5 +1,5 @@
-//! The paper's matrices for its two-finger example, entry by entry: as printed, with the last diagonal entry of H corrected
-//! and A filled in.
+//! The paper's matrices for its two-finger example are reproduced entry by entry. The last diagonal entry of H, misprinted in the paper, is
+//! corrected, and the missing A is added.
 
 use grasp_lcp::energy::{Equality, Inequality};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -110,8 +110,8 @@ fn two_fingers_as_printed() {
     assert_eq!(qp.inequalities[9], Inequality::Friction { contact: 1, facet: 1 });
 }
 
-/// With the misprint corrected the other way, k_nf in place of k_tf, the two-finger table would not come out: its
-/// stiffnesses are all 10, so only grasps with different ones tell. The cost of unit stretches is the energy of the springs.
+/// If the misprint were corrected the other way, k_nf in place of k_tf, the two-finger table would not result. Its stiffnesses are all 10, so only
+/// grasps with different ones decide. The cost of unit stretches is the energy of the springs.
 #[test]
 fn the_cost_is_the_energy_of_the_springs() {
     let grasp = grasp(SPRINGS);
@@ -171,7 +171,7 @@ fn shapes_in_space_and_of_other_contacts() {
         qp.inequalities.iter().filter(of).count()
     };
     assert_eq!((0..5).map(inequalities).collect::<Vec<_>>(), [11, 3, 3, 8, 0]);
-    // The clearance is what the surfaces may approach each other.
+    // The clearance is the distance by which the surfaces may approach each other.
     let gap = qp.inequalities.iter().position(|e| *e == Inequality::NoPenetration { contact: 0 }).unwrap();
     assert_eq!(program.d[gap], -0.01);
     // A facet: μ F_n - h·F_t over k_nb, for a force of the body's springs.

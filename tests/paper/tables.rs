@@ -1,4 +1,5 @@
-//! The paper's method reproduces the paper's tables, the rows beyond the onset included; the comparison says what these are.
+//! The paper's method reproduces the paper's tables, including the rows beyond the onset. The comparison reports that those rows are out of
+//! equilibrium.
 
 use grasp_lcp::Settings;
 use grasp_lcp::energy::{Agreement, ComparisonVerdict, QpOutcome};
@@ -97,7 +98,7 @@ fn up_to_the_onset_both_agree() {
     assert_eq!(binding, [(0, Some(1)), (1, Some(0))]);
 }
 
-/// The disk, with its rounded dy put back as in `tests/paper.rs`.
+/// The disk, with the correction for the rounded dy of the paper, as in `tests/paper/grasp.rs`.
 #[test]
 fn the_first_table() {
     let grasp = disk(true).unwrap();

@@ -1,4 +1,4 @@
-//! What the commands answer is what the library answers, and what they draw is there.
+//! Commands give the answers of the library, and write the requested pictures.
 
 use grasp_lcp::planar;
 use serde_json::Value;
@@ -177,7 +177,7 @@ fn what_is_typed_otherwise_means_the_same() {
     );
 }
 
-/// A picture that is named is that file; what a table has wrong is told with its line.
+/// A named picture is written to that file; a fault in a table is reported with its line.
 #[test]
 fn files_that_are_named() {
     let folder = folder("named");

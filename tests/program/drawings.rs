@@ -1,4 +1,4 @@
-//! `draw` has a picture for every question of a scene; names keep apart in it, and nothing leaves the sheet.
+//! `draw` makes a picture for every question of a scene. Names do not overlap, and nothing leaves the sheet.
 
 use std::path::Path;
 
@@ -32,7 +32,7 @@ const KINDS: &str = r#"{
         ]
     }
 }"#;
-/// What is written in the picture of each of them.
+/// Texts in the picture of each question.
 const SAID: [&str; 12] = [
     "HOLDS, everything sticks",
     "where it goes",
@@ -98,7 +98,7 @@ fn slips_of_a_load_that_repeats_are_drawn_cycle_by_cycle() {
         assert!(drawn.status.success(), "{name}: {}", text(&drawn.stderr));
         let svg = std::fs::read_to_string(folder.join(format!("{name}_cycles.svg"))).expect("is there");
         assert!(words(&svg).contains("question 1: slip"), "{name}");
-        // What has come to rest leaves no loop.
+        // An object that has come to rest has no loop.
         assert_eq!(words(&svg).contains("question 1: friction"), charts == 2, "{name}");
         check(name, &svg);
     }

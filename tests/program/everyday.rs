@@ -1,4 +1,4 @@
-//! The guide's twelve everyday questions are answered as it says, each on a scene of at most twelve lines, and so are its questions to several bodies.
+//! The guide's twelve everyday questions are answered as it says, each on a scene of at most twelve lines. So are its questions about several bodies.
 
 use std::collections::HashSet;
 

@@ -1,7 +1,7 @@
-//! What turns the object far beyond small motions is labelled, by every command.
+//! Every command labels an answer in which the object turns far beyond small motions.
 //!
-//! Two jaws with k_t = 20 N/m at ±30 mm turn by θ = M / (2 k_t a²) under a moment M: 0.1 rad at 3.6 mN m, 15 rad where friction of 0.9 · 10 N ends at
-//! 0.54 N m.
+//! Two jaws with k_t = 20 N/m at ±30 mm turn by θ = M / (2 k_t a²) under a moment M: 0.1 rad at 3.6 mN m, and 15 rad at 0.54 N m, where friction of
+//! 0.9 · 10 N is exhausted.
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,4 @@
-//! The page of all fields of a scene, `examples/scenes/FIELDS.md`, is made from the schema: the program and Python show it, too.
+//! The page of all fields of a scene, `examples/scenes/FIELDS.md`, agrees with the schema. The program and Python print this page.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

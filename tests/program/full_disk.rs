@@ -1,4 +1,4 @@
-//! Where nobody reads on the program ends quietly, where a disk is full with one line and a code; it never panics.
+//! If the reader of the output is gone, the program ends quietly. If a disk is full, it ends with one line and an exit code. It never panics.
 
 use std::fs::File;
 use std::io::{Read, Write};
@@ -33,7 +33,7 @@ fn started(arguments: &[String], stdout: Stdio) -> Child {
     program.spawn().expect("starts")
 }
 
-/// Its code and what it says beside its answer.
+/// The exit code, and the text on standard error.
 fn ended(program: Child) -> (Option<i32>, String) {
     let output = program.wait_with_output().expect("ends");
     (output.status.code(), text(&output.stderr))

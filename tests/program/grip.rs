@@ -1,4 +1,4 @@
-//! From the mesh of a part to a verdict.
+//! One or two commands lead from the mesh of a part to a verdict.
 
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! Typical mistakes, each with its message: those of a table (`mistakes/table.txt`), and what is answered with a warning.
+//! Typical mistakes have the messages of a table (`mistakes/table.txt`), and doubtful scenes are answered with a warning.
 
 use crate::{is_a_scene, run, run_on, scene, text};
 
@@ -13,7 +13,7 @@ fn told(from: &str, to: &str) -> (i32, String) {
     (output.status.code().expect("ends"), text(&output.stderr))
 }
 
-/// What the table has of a mistake: what is typed, on which scene if it is one of a scene, and what is told.
+/// A row of the table: the command, its scene if it has one, and the message.
 struct Mistake<'t> {
     arguments: Vec<String>,
     scene: String,
@@ -48,7 +48,7 @@ fn table() -> Vec<Mistake<'static>> {
     blocks.filter(|block| !block.starts_with('#')).map(mistake).collect()
 }
 
-/// Each says where, what was given and what is allowed; that is looked at as somebody new to the program would.
+/// Each message names the place, the given value and the allowed values; the table was reviewed for readers who do not know the program.
 #[test]
 fn each_has_its_message() {
     let mistakes = table();
@@ -57,7 +57,7 @@ fn each_has_its_message() {
         let output = run_on(scene.as_bytes(), &arguments.iter().map(String::as_str).collect::<Vec<_>>());
         let folder = crate::scene("everyday/");
         let message = text(&output.stderr).replace("standard input: ", "").replace(&folder, "");
-        // What the program adds to a wrong command line is the same for all.
+        // The text after a message about the command line is the same for all.
         let message = message.split("\n\n").next().expect("a message").replace("\n  ", " ");
         let begins = told.split(" … ").next().is_some_and(|first| message.starts_with(first));
         if !begins
@@ -102,7 +102,7 @@ fn scenes_that_are_seldom_meant() {
         assert!(code == 0 && message.starts_with("warning: standard input: "), "{code} {message}");
         assert!(message.contains(expected), "{message}");
     }
-    // The scenes of the repository mean what they say: a ladder, a glass on a tray need no finger that presses.
+    // The scenes of the repository have no warning: a ladder, or a glass on a tray, needs no pressing finger.
     let files = ["", "everyday", "repeat"].map(|folder| std::fs::read_dir(scene(folder)).expect("is there"));
     for file in files.into_iter().flatten() {
         let file = file.expect("is there").path();

@@ -1,4 +1,4 @@
-//! Names are somebody else's text: wherever they are printed control characters are written out, so that none clears a screen or passes for an answer.
+//! Control characters in names are written as escapes wherever a name is printed. So no name can clear a screen or look like an answer.
 
 use crate::{folder, run, text};
 

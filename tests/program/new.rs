@@ -1,4 +1,4 @@
-//! Scenes to begin with: asked at once, and explained.
+//! The scenes of `new` are answered immediately, and every field is explained.
 
 use std::collections::BTreeSet;
 

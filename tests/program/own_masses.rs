@@ -1,4 +1,4 @@
-//! Bodies with masses under the scene's gravity: the command line tilts and accelerates these, and counts no weight twice.
+//! For bodies with masses, the command line turns or accelerates the scene's gravity, and counts no weight twice.
 
 use crate::{run_on, text};
 
@@ -46,7 +46,7 @@ fn a_weight_twice_is_refused() {
     }
     let beside = refused(&["hold", "-", "--acceleration", "2,0", "--force", "1,0"]);
     assert!(beside.contains("--acceleration: accelerates"), "{beside}");
-    // What lies on it besides is a force.
+    // Other things on the tray are a force.
     assert!(told(&["hold", "-", "--force", "0,-5"]).starts_with("HOLDS"));
     let jaws = ON_A_TRAY.replace(r#""gravity": [0, -10],"#, "");
     let output = run_on(jaws.as_bytes(), &["hold", "-", "--acceleration", "1,0"]);

@@ -1,8 +1,9 @@
-//! Soft fingertips are told as contacts: one row, and an event for the first point and for the last.
+//! A soft fingertip is reported as one contact: one row, and events for its first and last points that slide.
 //!
-//! A disc of R = 10 mm presses with N = 10 N on an object that a bonded foot holds; tip and foot resist turning about their line alike, with 0.5 N m/rad.
-//! Under a moment M the tip carries M/2 until, under an even pressure, its rim slides at μ N R/2 = 0.025 N m. Its inner points, at R/2, slide at twice the
-//! angle: the tip carries 2/3 μ N R then and the foot 0.05 N m. At the first, |F_t| grows with the distance from the middle: Σ |F_t| = 2/3 μ N.
+//! A disc of R = 10 mm presses with N = 10 N on an object that a bonded foot holds. Tip and foot resist rotation about their line with 0.5 N m/rad
+//! each. Under a moment M the tip carries M/2 until, at even pressure, its rim slides at μ N R/2 = 0.025 N m. Its inner points, at R/2, slide at
+//! twice the angle. Then the tip carries 2/3 μ N R and the foot 0.05 N m. At the first slip |F_t| grows with the distance from the middle: Σ |F_t| =
+//! 2/3 μ N.
 
 use serde_json::Value;
 

@@ -1,4 +1,4 @@
-//! What the README says that the program prints.
+//! The program prints the output that the README shows.
 
 use super::{ROOT, dialogues, folder, is_a_scene, run, scene};
 
@@ -31,7 +31,7 @@ fn every_command_of_the_table_answers() {
     let mut commands = 0;
     for line in readme.lines().filter(|line| line.starts_with("| ")) {
         let command = line.rsplit_once("`grasp-lcp ").and_then(|(_, rest)| rest.strip_suffix("` |"));
-        // The stream reads what it is given.
+        // Commands that read their input from a file are left out.
         let Some(command) = command.filter(|command| !command.contains('<')) else { continue };
         let mut arguments: Vec<_> = command
             .split_whitespace()

@@ -1,4 +1,4 @@
-//! The schemas that the program prints admit what it reads and writes, and refuse nothing that it reads.
+//! The printed schemas admit everything that the program reads and writes, and the program refuses what the schemas refuse.
 
 use std::collections::BTreeSet;
 
@@ -136,7 +136,7 @@ fn what_the_schema_refuses_is_refused() {
     let (mut both, mut reader, mut neither) = (0, 0, 0);
     for (name, scene) in scenes() {
         let mut all = spoiled(&scene);
-        // Long outlines and lists of contacts spoil alike; every tenth of many tells.
+        // Long outlines and lists of contacts have faults of the same kind; every tenth element is enough.
         let step = (all.len() / 400).max(1);
         all = all.into_iter().step_by(step).collect();
         for spoiled in all {

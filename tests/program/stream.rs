@@ -1,4 +1,4 @@
-//! The stream behind pipes that split it: every answer finds its line again.
+//! Answers of the stream can be assigned to their lines, even if pipes split the stream between several programs.
 
 use std::collections::BTreeMap;
 

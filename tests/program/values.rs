@@ -1,4 +1,4 @@
-//! The table of ordinary values: every row has a range that is sane and a source that is listed, and is printed.
+//! Every row of the table of ordinary values has a sane range and a listed source, and is printed.
 
 use crate::{ROOT, run, text};
 
@@ -33,7 +33,7 @@ fn every_value_has_a_source_and_a_sane_range() {
     assert!(rows.len() - sources.len() >= 20);
 }
 
-/// What can be computed is: Gent's modulus of rubber over a pad, Hertz's stiffness of a tip, a bar held at one end.
+/// Stiffnesses with a formula are computed: Gent's modulus of rubber over a pad, Hertz's stiffness of a tip, a bar held at one end.
 #[test]
 fn formulas_give_the_stiffnesses() {
     let printed = text(&run(&["values"]).stdout);

@@ -1,10 +1,10 @@
-//! What a person reads is words: no insides of the machine, no minus before zero, no "not a number", in any command and any figure.
+//! Output for people contains no names of types, no minus before zero and no "NaN", in any command and any figure.
 
 use std::path::{Path, PathBuf};
 
 use crate::{ROOT, folder, run, text};
 
-/// Scenes of the repository, and those kept here because something was told wrong in them once.
+/// Scenes of the repository, and scenes kept here because their output was once wrong.
 fn scenes() -> Vec<PathBuf> {
     let folders = ["examples/scenes", "tests/program/scenes"];
     let files = folders.into_iter().flat_map(|folder| {
@@ -41,11 +41,11 @@ fn commands(is_planar: bool) -> Vec<Vec<&'static str>> {
     all
 }
 
-/// What does not belong into words for a person.
+/// A word that does not belong in plain language.
 fn inside(told: &str) -> Option<String> {
     let debug = ["Some(", "None", " { ", "::", "NaN", "\u{1b}"].into_iter().find(|word| told.contains(word));
     let is_of_a_name = |c: char| c.is_alphanumeric() || c == '_';
-    // A word that goes on with a capital letter is the name of a type or a variant.
+    // A word with a capital letter inside is the name of a type or a variant.
     let variant = told.split(|c| !is_of_a_name(c)).find(|word| {
         let letters: Vec<_> = word.chars().collect();
         !matches!(*word, "kN" | "kPa")

@@ -1,4 +1,4 @@
-//! Contacts move with the joints of their links, those that mimic others included.
+//! Contacts move with the joints of their links, including joints that mimic others.
 
 use grasp_lcp::grasp::JointKind;
 use grasp_lcp::nalgebra::{DMatrix, Point3};

@@ -1,4 +1,4 @@
-//! Where links are, beside products of homogeneous matrices.
+//! Poses of links agree with products of homogeneous matrices.
 
 use grasp_lcp::nalgebra::{Isometry3, Matrix4, Vector3};
 use grasp_lcp::robot::Robot;

@@ -1,4 +1,4 @@
-//! Robots from their description files.
+//! Robots from URDF files.
 
 mod followers;
 mod kinematics;

@@ -1,4 +1,4 @@
-//! What a description file must not be, and names that it does not have.
+//! Invalid robot files, and names that a robot file does not have, are refused.
 
 use grasp_lcp::Error;
 use grasp_lcp::robot::Robot;

@@ -1,4 +1,4 @@
-//! Robots as texts.
+//! Shared by tests: robot files as texts.
 
 use std::fmt::Write;
 

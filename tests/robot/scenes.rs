@@ -1,4 +1,4 @@
-//! Scenes with a robot in place of fingers.
+//! A scene may have a robot in place of fingers. Its hand is the one built in Rust.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! Collision shapes of links close on a part as pads of the same shape that are given.
+//! Collision shapes of links give the same contacts on a part as pads of the same shape.
 
 use std::fs;
 use std::path::{Path, PathBuf};

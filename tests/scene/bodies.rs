@@ -1,4 +1,4 @@
-//! Scenes of several bodies: read, written, refused, and the same as in Rust.
+//! Scenes of several bodies are read and written, agree with bodies built in Rust, and are refused if they make no sense.
 
 use grasp_lcp::hold::WayOut;
 use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
@@ -90,7 +90,7 @@ fn loads_of_bodies_grow_together() {
     }
 }
 
-/// The same of an equilibrium and of an amount: pulled by 3 N and 6 N the other way the upper box is just held, and so 1/2 of what is asked is.
+/// The same for an equilibrium and for an amount: pulled by 3 N and 6 N the other way the upper box is just held, so that the factor is 1/2.
 #[test]
 fn loads_grow_together_in_other_questions() {
     let hold = r#"{ "hold": { "load": { "force": [6, 0], "at": [0, 0.2] } } }"#;

@@ -1,4 +1,4 @@
-//! A body that an arm carries, as scenes write it: the load that the library makes of it.
+//! The load of a body that an arm carries, written in a scene, is the load that the library computes.
 
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::{planar, spatial};

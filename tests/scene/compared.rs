@@ -1,4 +1,4 @@
-//! A scene compares the equilibrium with the minimum of energy; the answer is read back as it was written.
+//! A scene can compare the equilibrium with the minimum of energy, and the answer reads back as it was written.
 
 use grasp_lcp::energy::ComparisonVerdict;
 use grasp_lcp::scene::{Answer, Answers, CompareAnswer, Scene};

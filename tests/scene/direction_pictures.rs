@@ -1,4 +1,4 @@
-//! Polar pictures and maps of the sphere: areas are true, and what cannot be drawn is an error.
+//! Polar pictures and maps of the sphere show true areas, and return an error if something cannot be drawn.
 
 use grasp_lcp::picture::{Polar, SphereGrid, SphereMap, Stroke};
 

@@ -1,4 +1,4 @@
-//! A wrong value, wherever it stands in a scene, is reported under the path of its own field.
+//! A wrong value anywhere in a scene is reported under the path of its own field.
 
 use std::path::Path;
 
@@ -35,7 +35,7 @@ fn places(value: &Value, pointer: &str, path: &str, found: &mut Vec<(String, Str
                 found.push((pointer, path));
             }
         }
-        // The first and the last stand for all others.
+        // The first and the last element represent the others.
         Value::Array(list) => {
             for i in [0, list.len().wrapping_sub(1)] {
                 let Some(value) = list.get(i) else { continue };

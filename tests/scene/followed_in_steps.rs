@@ -1,4 +1,4 @@
-//! A scene asks for a path in steps with `in_steps`: the answer has its steps in place of events, and ends where closed forms say.
+//! With `in_steps` a scene asks for a path in steps. The answer has steps in place of events, and ends at the closed forms.
 
 use grasp_lcp::scene::{Answer, PathAnswer, PathOutcome, Scene, Space};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! The scene format: what is written reads back as the same grasp, the same questions and the same answers, to the bit.
+//! A scene that is written and read back gives the same grasp, questions and answers, to the last bit.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Outcome;
@@ -11,7 +11,7 @@ use support::jaws::jaw;
 use support::random::{Spread, for_all, scene};
 use support::scene::Scene as Drawn;
 
-/// Every way to say what a contact is takes its turn.
+/// The contacts use every notation of a contact in turn.
 fn contacts<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Vec<Contact<C>> {
     let contact = |(i, datum): (usize, &support::scene::Datum<C>)| {
         let contact = datum.contact();
@@ -105,7 +105,7 @@ where
     same(&serde_json::to_string(&there_and_back(&scene).answers().unwrap()).unwrap(), &text)
 }
 
-/// Whatever has a twist has residuals; what is no equilibrium has neither a twist nor forces.
+/// A value with a twist has residuals; an answer without equilibrium has neither a twist nor forces.
 fn only_equilibria_have_forces(value: &Value) {
     match value {
         Value::Array(list) => list.iter().for_each(only_equilibria_have_forces),
@@ -158,7 +158,7 @@ fn what_is_left_out_has_the_defaults_of_the_crate() {
     assert_eq!(setup.contacts[0].contact, Contact::new([1.0, 2.0], [-1.0, 0.0]).finger_stiffness(10.0, 20.0));
     assert_eq!(setup.settings, Settings::default());
     assert!(setup.questions.is_empty() && setup.outline.is_empty() && scene.id.is_none());
-    // And what has the defaults is left out.
+    // Fields with their defaults are left out.
     let written = serde_json::to_string(&scene).unwrap();
     let expected = r#"{"format":"grasp-lcp/1","planar":{"contacts":[{"point":[1.0,2.0],"normal":[-1.0,0.0],"finger_stiffness":[10.0,20.0]}]}}"#;
     assert_eq!(written, expected);

@@ -1,4 +1,4 @@
-//! Charts of friction used show every contact, soft fingertips as one, or name what they leave out.
+//! Charts of the friction used show every contact, or name those left out. A soft fingertip is one contact.
 
 use grasp_lcp::picture::{chart_of_load, chart_of_program, chart_of_turn};
 use grasp_lcp::planar::{Contact, Grasp, Leg, Pressure, Ramp, SoftFingertip, Turn, Wrench};
@@ -48,7 +48,7 @@ fn of_very_many_contacts_those_that_use_least_are_named_below() -> Result<(), Fa
         let name = format!("support {k}.");
         assert_eq!(note.matches(&name).count(), 1, "{name}");
     }
-    // What is drawn goes higher than what is not.
+    // Drawn curves are higher than those left out.
     let (drawn, least) =
         (curves(&chart)?, note.split("no more than ").nth(1).and_then(|rest| rest.split(' ').next()));
     let least: f64 = least.ok_or("a number")?.parse()?;
@@ -133,7 +133,7 @@ fn long_names_stay_inside() -> Result<(), Failure> {
     let long = LONG;
     let jaws = Grasp::new([jaw(&format!("{long} left"), -0.03), jaw(&format!("{long} right"), 0.03)])?;
     let svg = chart_of_load(&jaws, &Ramp::from(Wrench::force([0.0, -4.0])), 3.0, long)?.to_svg()?;
-    // What is written upwards stands at the left edge.
+    // Vertical text is at the left edge.
     let sideways = |shape: &&Shape| shape.tag == "text" && shape.points[0][0] > 100.0;
     for text in shapes(&svg)?.iter().filter(sideways) {
         let long = 0.5 * text.size * text.words.chars().count() as f64;

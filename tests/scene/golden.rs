@@ -1,6 +1,6 @@
-//! First lines of answers, faults and warnings, compared word by word with the files of `tests/golden`. Their facts have tests elsewhere.
+//! First lines of answers, faults and warnings agree word by word with the files of `tests/golden`. Other tests check their content.
 //!
-//! `GRASP_LCP_UPDATE=1 cargo test -p grasp-lcp-tests --test scene golden` writes them anew.
+//! `GRASP_LCP_UPDATE=1 cargo test -p grasp-lcp-tests --test scene golden` writes the files anew.
 
 use std::path::{Path, PathBuf};
 

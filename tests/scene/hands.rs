@@ -1,4 +1,4 @@
-//! Hands in scenes: what is written reads back, is answered as the same hand built by calls, and says what is wrong with it.
+//! Hands in scenes read back as they were written, give the answers of the same hand built in Rust, and report their faults.
 
 use grasp_lcp::Limit;
 use grasp_lcp::equilibrium::Outcome;
@@ -207,7 +207,7 @@ fn a_finger_has_soft_tips() -> Tested {
     Ok(())
 }
 
-/// Of a motion that nothing resists the joints' part is told.
+/// The answer describes the joints' part of a motion without resistance.
 #[test]
 fn free_motions_tell_what_joints_do() -> Tested {
     let jaw = |side: f64| {

@@ -1,4 +1,4 @@
-//! Slips that a scene tells of: its answer is that of the grasp, and comes back as it was written.
+//! A scene can list observed slips. Its answer is that of the grasp, and reads back as it was written.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Turn, Wrench};
@@ -10,7 +10,7 @@ fn feet(half: f64) -> [Contact; 2] {
     [-half, half].map(|x| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 7e4).friction(0.5))
 }
 
-/// Everything that can be said: two layouts, a pull and a tilt, a sum that is known, friction of each foot, what is carried.
+/// A question with all fields: two layouts, a pull and a tilt, a known sum, friction of each foot, loads of supports.
 fn asked() -> Identify<2> {
     let carried = |contact| Unknown::carried().of_contacts([contact]);
     let unknowns = [Unknown::friction().named("rubber").starting_at(0.4), carried(0), carried(1)];

@@ -1,10 +1,10 @@
-//! Fingers that are improved in a scene: the answer comes back as it was written, also where nothing ever slides.
+//! A scene can ask for better finger places. The answer reads back as it was written, even if nothing ever slides.
 
 use grasp_lcp::scene::{Answer, Answers, Scene};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// Two jaws on the sides of a box, the left one free to move; the hold of both, and what is asked beside the load.
+/// Answer for two jaws on the sides of a box, the left one movable; `hold` has further fields of both contacts, `beside` of the question.
 fn answered(hold: &str, beside: &str) -> Result<Answers, Box<dyn std::error::Error>> {
     let scene: Scene = serde_json::from_str(&format!(
         r#"{{

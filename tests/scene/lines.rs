@@ -1,4 +1,4 @@
-//! The stream: answers in order and the same for any number of threads, bad lines by themselves, bounded memory.
+//! The stream answers lines in order, the same for any number of threads. A bad line affects no other line, and memory is bounded.
 
 use std::io::{self, Read, Write};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -28,7 +28,7 @@ fn line(id: usize) -> String {
         .to_string()
 }
 
-/// As many workers, otherwise as it is.
+/// Options with this number of workers, and defaults.
 fn on(threads: usize) -> StreamOptions {
     StreamOptions::default().on_threads(threads)
 }
@@ -183,7 +183,7 @@ fn no_more_is_read_than_can_be_kept() {
     for threads in [1, 2] {
         let [given, written, most] = [const { AtomicUsize::new(0) }; 3];
         let text = b"{\"format\": \"grasp-lcp/1\", \"id\": 1}\n".to_vec();
-        // The last line of the buffer may be counted before the buffer is looked at.
+        // The last line of the buffer may be counted before the worker inspects the buffer.
         let in_buffer = BLOCK_BYTES / text.len() + 1;
         let input = Endless { text, at: 0, left: LINES, given: &given, written: &written, most: &most };
         let tally = answer_lines(input, Slow(&written), &on(threads)).unwrap();
@@ -313,7 +313,7 @@ fn a_scene_that_panics_takes_no_other_line_with_it() {
     }
 }
 
-/// A page asks line by line, and goes on after one that fails.
+/// A page asks line by line, and continues after a line that fails.
 #[test]
 fn a_line_that_panics_is_answered_by_an_error() {
     let mut options = on(1);

@@ -1,4 +1,5 @@
-//! Links of a scene: read, written, refused, told of as one thing each; what is taken for a stiffness is said where an answer depends on it.
+//! Links of a scene are read, written and refused correctly, and each is reported as one link. If an answer depends on an assumed stiffness, it says
+//! so.
 
 use grasp_lcp::scene::{Scene, Space, Warning};
 use serde_json::Value;
@@ -36,7 +37,7 @@ fn it_is_written_as_it_was_read() {
     assert_eq!(scene(&written), clamp);
     let Space::Planar(setup) = &clamp.space else { panic!("planar") };
     assert_eq!(setup.links[0].comment.as_deref(), Some("of steel"));
-    assert_eq!((setup.links.len(), setup.points().expect("well posed")), (3, 6));
+    assert_eq!((setup.links.len(), setup.grasp().expect("well posed").len()), (3, 6));
 }
 
 #[test]
@@ -48,7 +49,7 @@ fn in_space_too() {
     let door = scene(text);
     assert_eq!(scene(&serde_json::to_string(&door).expect("written")), door);
     let state = &answers(text)[0]["solve"];
-    // One object needs no bodies; the points of the hinge are told as those of one contact.
+    // A single object needs no bodies; the points of the hinge are reported as those of one contact.
     let told: Vec<_> = state["contacts"]
         .as_array()
         .expect("a list")
@@ -134,7 +135,7 @@ fn refused() {
     assert!(told.ends_with("plate, lever"), "{told}");
 }
 
-/// A beam on three props, of which one is a link: what it carries depends on its stiffness. A link that stands alone is as stiff as one likes.
+/// The force of a beam's link beside two props depends on its stiffness, and a warning says so. The force of a single link does not.
 #[test]
 fn a_stiffness_that_counts_is_told() {
     let beam = |prop: &str| {

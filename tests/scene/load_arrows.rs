@@ -1,4 +1,4 @@
-//! A load is always seen: however small or large it is, wherever it acts, whether it is a moment alone, and from wherever it is looked at.
+//! A load is always visible in pictures: at any size and place, from any viewpoint, and if it is only a moment.
 
 use grasp_lcp::picture::{PlanarPicture, SpatialPage, View, draw_grasp};
 use grasp_lcp::{planar, spatial};
@@ -44,7 +44,7 @@ fn arrows(shapes: &[Shape], width: f64) -> Vec<f64> {
 }
 
 fn says(shapes: &[Shape], words: &str) -> bool {
-    // What is not drawn to scale says so behind its size.
+    // The label of an arrow that is not to scale says so.
     shapes
         .iter()
         .any(|shape| shape.words == words || words.ends_with("not") && shape.words.starts_with(words))

@@ -1,4 +1,4 @@
-//! Scenes and pictures: what is read, what is written, what is drawn.
+//! Reading, writing and drawing of scenes.
 
 mod bodies;
 mod carried;

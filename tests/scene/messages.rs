@@ -1,4 +1,4 @@
-//! Malformed scenes are refused with a message that says where, what, and what is allowed.
+//! Malformed scenes are refused with a message that gives the place, the fault and what is allowed.
 
 use std::path::{Path, PathBuf};
 
@@ -6,7 +6,7 @@ use grasp_lcp::scene::{Fault, FaultKind, Question, Scene, Setup, Space};
 use grasp_lcp::spatial::Wrench;
 use grasp_lcp::{Error, Field};
 
-/// Line 1 opens, contacts stand on lines 2 and 3, questions on line 4, settings on line 5.
+/// Line 1 opens the scene; contacts are on lines 2 and 3, questions on line 4, settings on line 5.
 const GOOD: &str = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
 {"name": "index", "point": [1, 0], "normal": [-1, 0], "series_stiffness": [10, 20], "friction": 0.5},
 {"name": "thumb", "point": [-1, 0], "normal": [1, 0], "body_stiffness": "rigid", "finger_stiffness": [10, 20], "command": [0.1, 0]}],
@@ -24,7 +24,7 @@ fn the_good_one_is_good() {
     assert_eq!(Scene::from_json(GOOD.as_bytes()).unwrap().answers().unwrap().len(), 2);
 }
 
-/// A replacement, the line and the column of its fault, the field, and what the message says of the value.
+/// A replacement, the line and the column of its fault, the field, and the message about the value.
 type Case<'a> = (&'a str, &'a str, [usize; 2], &'a str, &'a str);
 
 fn expect(cases: &[Case]) {
@@ -100,7 +100,7 @@ fn numbers_out_of_range_are_refused_where_they_stand() {
 
 #[test]
 fn what_is_missing_doubled_or_unknown_is_named() {
-    // What stands there, and what must.
+    // The faulty value, and the required one.
     let cases = [
         ("\"friction\"", "\"fricton\"", "field `fricton` (`friction`?)", "`hold`, `soft`, "),
         ("\"settings\"", "\"setting\"", "field `setting` (`settings`?)", "`questions`, `settings`"),
@@ -171,7 +171,7 @@ fn another_version_is_refused_whatever_it_has_in_it() {
     );
     let new = r#"{"planar": {"contacts": "of another kind"}, "format": "grasp-lcp/2", "new": true}"#;
     assert_eq!(Scene::from_json(new.as_bytes()).unwrap_err(), other);
-    // Without the version first, whoever reads by serde alone is told of what comes first.
+    // If the version does not come first, serde alone reports the field that does.
     assert!(serde_json::from_str::<Scene>(new).is_err());
 }
 
@@ -220,7 +220,7 @@ fn what_is_meant_is_said() {
     }
 }
 
-/// What a program puts together is checked when it is asked.
+/// A setup that is built by calls is checked when it is asked.
 #[test]
 fn setups_that_were_not_read_are_checked_as_well() {
     let contact = grasp_lcp::spatial::Contact::new([0.0; 3], [0.0, 0.0, 1.0]).series_stiffness(1.0, 1.0);
@@ -273,7 +273,7 @@ fn the_papers_grasps_are_those_of_the_paper() {
     let Space::Planar(disk) = read(&folder.join("paper_disk.json")).space else { panic!("is planar") };
     let state = disk.grasp().unwrap().solve(grasp_lcp::planar::Wrench::new([0.1, 0.2], 0.3)).unwrap();
     let forces = state.equilibrium().unwrap().contacts.iter().map(|c| c.force_world).collect::<Vec<_>>();
-    // As printed, to what the printed normals are off.
+    // As printed, up to the error of the printed normals.
     for (force, printed) in forces.iter().zip([[4.2496, 2.5216], [-4.4164, 2.3483], [0.0666, -5.0651]]) {
         assert!((force - nalgebra::Vector2::from(printed)).norm() < 4e-3, "{force}");
     }

@@ -1,4 +1,4 @@
-//! No name covers another, none leaves the sheet, and a soft fingertip has one.
+//! No name in a picture covers another or leaves the sheet, and a soft fingertip has one name.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Bodies with masses under the scene's gravity: tilted and accelerated by their own weight, which no load counts once more.
+//! Bodies with masses can be tilted and accelerated under the scene's gravity, and no weight is counted twice.
 
 use grasp_lcp::scene::Scene;
 

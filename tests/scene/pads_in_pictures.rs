@@ -1,4 +1,4 @@
-//! Pads in space have their rim on the part, and displacements are never drawn smaller than they are.
+//! The rim of a pad in space is drawn around its points on the part, and displacements are never drawn too small.
 
 use grasp_lcp::picture::{SpatialPage, View};
 use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, SoftFingertip, Wrench};

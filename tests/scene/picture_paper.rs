@@ -1,4 +1,4 @@
-//! What is written is inside of the paper, and no number has the sign of nothing.
+//! All text and lines are on the paper, and zero has no sign.
 
 use grasp_lcp::picture::{
     Chart, Polar, SpatialPage, SphereGrid, SphereMap, Stroke, View, chart_of_turn, draw_grasp,
@@ -91,7 +91,7 @@ fn every_text_is_inside_of_the_paper() -> Result<(), Failure> {
         for text in shapes(&svg)?.iter().filter(|shape| shape.tag == "text") {
             let long = LETTER * text.size * text.words.chars().count() as f64;
             let [x, y] = text.points[0];
-            // What is written upwards is in the middle of the left edge.
+            // Vertical text is in the middle of the left edge.
             let upwards = x < 0.04 * wide && text.left == 0.5;
             let (left, right) =
                 if upwards { (x, x) } else { (x - text.left * long, x + (1.0 - text.left) * long) };

@@ -1,4 +1,4 @@
-//! A page with a planar grasp needs nothing else, says its answer first, cannot be broken out of by names, and has all its pictures at one scale.
+//! A page of a planar grasp needs no other file, shows its answer first, and has all pictures at one scale. Names cannot break its markup.
 
 use grasp_lcp::picture::PlanarPage;
 use grasp_lcp::planar::{Equilibrium, Grasp, Wrench};
@@ -47,7 +47,7 @@ fn its_answer_comes_first_and_it_needs_nothing_else() -> Result<(), Failure> {
     assert!(page.contains("<p class=\"none\">SLIPS OUT</p>"));
     assert!(page.contains("<p class=\"says\">5 N</p>"));
     assert!(page.contains("name=\"viewport\"") && page.contains("id=\"step\" min=\"0\" max=\"2\""));
-    // What is said, the picture and the numbers of each answer; the first is shown.
+    // Sentences, picture and numbers of each answer; only the first answer is shown.
     assert_eq!(page.matches("<section").count(), 9);
     assert_eq!(page.matches("<section").count() - page.matches(" hidden>").count(), 3);
     Ok(())

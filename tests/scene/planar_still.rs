@@ -1,4 +1,4 @@
-//! A planar grasp on paper: the load lies on its line of action, its moment turns the right way, and forces stay inside the object.
+//! In pictures of planar grasps the load is on its line of action, its moment turns the right way, and forces stay inside the object.
 
 use grasp_lcp::picture::draw_grasp;
 use grasp_lcp::planar::{Contact, Equilibrium, Grasp, Wrench};
@@ -15,7 +15,7 @@ const ARC: f64 = 2.0;
 /// Pixels.
 const NEAR: f64 = 0.02;
 
-/// What is drawn of a grasp, and what takes pixels to metres: two contacts say it, where the wedges of their fingers end.
+/// Shapes of the picture of a grasp, and its scale: the wedges of two fingers end at two contacts, which determine it.
 struct Drawn {
     shapes: Vec<Shape>,
     origin: [f64; 2],
@@ -91,7 +91,7 @@ fn the_load_lies_on_its_line_of_action() -> Result<(), Failure> {
     for end in arrows[0].iter().chain([&tip]) {
         assert!((end[0] - 1003.675 / 950.0).abs() < NEAR * drawn.metres, "{end:?}");
     }
-    // As long beside the force of the foot as it is large.
+    // The arrow of the load is in proportion to that of the foot.
     let foot = state.contacts[0].force_world;
     let tips = drawn.tips(STICKING);
     let of_foot =

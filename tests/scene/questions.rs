@@ -1,4 +1,4 @@
-//! Questions are values with a text form of their own, and count contacts as a scene does: a soft fingertip is one.
+//! A question reads back from its own text form. It counts contacts as a scene does: a soft fingertip is one contact.
 
 use grasp_lcp::Error;
 use grasp_lcp::identify::{Identify, Slip, Unknown};

@@ -1,4 +1,4 @@
-//! What is rounding beside the forces of an equilibrium is no force in a picture or a table of it.
+//! A force that is only rounding, compared with the other forces of an equilibrium, is not shown in pictures or tables.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::picture::{SpatialPage, View, draw_grasp};
@@ -44,7 +44,7 @@ fn neither_arrows_nor_tables_of_a_page_show_it() -> Result<(), Failure> {
     let (html, arrows) = drawn(&state)?;
     let forces = |html: &str| html.matches("\"layer\":\"forces\"").count();
     assert!(!html.contains("<td>0</td><td>0</td>") && forces(&html) == 3);
-    // A millionth of a millionth of what the others carry.
+    // A fraction of 1e-12 of the other forces.
     let last = &mut state.contacts[2];
     last.force *= 1e-12;
     last.force_world *= 1e-12;

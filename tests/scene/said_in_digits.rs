@@ -1,4 +1,4 @@
-//! Sentences of answers in JSON have as many digits as are asked for, and an outcome that says nothing comes with what happens from rest.
+//! Sentences of answers in JSON have the requested number of digits, and an undecided outcome includes what happens if the load is applied from rest.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::Holding;
@@ -33,7 +33,7 @@ fn hold_and_need_obey_the_digits() {
         let need = json!({ "need": { "quantity": "squeeze", "demand": "held", "load": { "force": [0, -9.123_456_789] } } });
         let Answer::Need(needed) = in_digits(need, digits) else { panic!("need was asked") };
         assert_eq!(needed.says, format!("{:.digits$}", needed.needed));
-        // What happens with less is a sentence of the answer; it obeys, too.
+        // The sentence about a smaller amount has the same number of digits.
         let Amount::Bound { otherwise, .. } = &needed.needed.amount else { panic!("some squeeze does") };
         let load = Words::with_digits(digits).number(9.123_456_789);
         assert!(otherwise.contains(&format!("{load} N of {load} N")), "{otherwise}");
@@ -77,7 +77,7 @@ fn undecided_comes_with_what_happens_from_rest() {
                 (lost.factor * weight - 15.0).abs() < 1e-9 && matches!(told.verdict.holding, Holding::Lost)
             );
         }
-        // As it is written it is read.
+        // Answers are the same after writing and reading.
         let written = serde_json::to_string(&answers.as_ref().expect("one answer")).expect("written");
         let read: Vec<Answer<2>> = serde_json::from_str(&written).expect("read");
         assert_eq!(serde_json::to_string(&read).expect("written"), written);

@@ -1,4 +1,4 @@
-//! A soft fingertip on paper: one force and one cone, at its centre of pressure, and a dot for each of its points.
+//! In a picture a soft fingertip has one force and one cone, at its centre of pressure, and a dot for each point.
 
 use grasp_lcp::picture::{SpatialPage, View, draw_grasp};
 use grasp_lcp::spatial::{Contact, ContactAnswer, Equilibrium, Grasp, Pressure, SoftFingertip, Wrench};

@@ -1,4 +1,4 @@
-//! A page with a spatial grasp needs nothing else, cannot be broken out of by names, and has the numbers of the answer to the last bit.
+//! A page of a spatial grasp needs no other file, and shows the numbers of the answer to the last bit. Names cannot break its markup.
 
 use grasp_lcp::picture::{SpatialPage, View};
 use grasp_lcp::spatial::{Bodies, Body, Contact, ContactAnswer, Equilibrium, Grasp, SoftFingertip, Wrench};
@@ -69,7 +69,7 @@ fn names_are_text_and_nothing_else() -> Result<(), Failure> {
     let (page, ..) = page_of(NASTY)?;
     for tag in ["<script", "</script", "<button", "<td", "alert("] {
         let expected = plain.matches(tag).count();
-        // The words of the name are there, as text: title, heading, what is said, canvas, button, section, row and data.
+        // The name occurs as text only: title, heading, sentence, canvas, button, section, row and data.
         let expected = if tag == "alert(" { 8 } else { expected };
         assert_eq!(page.matches(tag).count(), expected, "{tag}");
     }
@@ -125,7 +125,7 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A page is as wide as the screen: nothing in it has a width of its own beyond 400 pixels, and what is wider moves in a frame.
+/// A page fits a narrow screen: nothing has a fixed width above 400 pixels, and wider parts scroll in a frame.
 #[test]
 fn a_narrow_screen_is_wide_enough() -> Result<(), Failure> {
     let (page, ..) = page_of("thumb")?;

@@ -1,4 +1,4 @@
-//! A spatial grasp on paper: points lie where the projection says, everything is inside, nearer things hide farther ones, and names are text.
+//! In pictures of spatial grasps points are at their projections, everything is inside, and nearer things hide farther ones. Names are text only.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -266,7 +266,7 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
     for corner in [[f64::NAN, 0.0, 0.0], [0.0, f64::INFINITY, 0.0]] {
         says(page(&grasp, 0).fixture([corner]), None, fine, "outline");
     }
-    // Finite, but not all of what is made of it.
+    // Finite corners whose differences overflow.
     says(page(&grasp, 0).outline([[1e308, 0.0, 0.0], [-1e308, 0.0, 0.0]]), None, fine, "too large");
     let other = Grasp::new(grasp.contacts()[..2].to_vec())?;
     says(SpatialPage::new(&other, "x").frame("a", &state), None, fine, "3 contacts");

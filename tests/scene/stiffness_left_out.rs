@@ -1,9 +1,9 @@
-//! Scenes that leave a stiffness out, or give one number for all directions: what is taken, and when it is told.
+//! If a scene leaves a stiffness out, or gives one number for all directions, the default is used and reported where the answer depends on it.
 
 use grasp_lcp::scene::{Fingertip, Scene, Space, Warning};
 use serde_json::{Value, json};
 
-/// Two feet on a table, pushed at a height: contacts, and what is asked.
+/// Two feet on a table that are pushed at a height, and the question.
 fn scene(stiffness: &[Value; 2], question: &Value) -> Scene {
     let foot = |x: f64, stiffness: &Value| {
         let mut foot = json!({ "point": [x, 0], "normal": [0, 1], "friction": 0.4 });

@@ -1,4 +1,4 @@
-//! Whether what a grasp holds depends on the stiffness along tangents.
+//! Some loads that a grasp holds depend on the tangential stiffness, others do not.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Suction in scenes: a cup with its lip, or the force of a vacuum within a pad.
+//! Scenes can describe suction as a cup with its lip, or as a vacuum force within a pad.
 
 use grasp_lcp::scene::{Answer, Answers, Cup, Fingertip, OnsetAnswer, Scene, Setup, Space};
 use grasp_lcp::spatial::{Contact, SuctionCup};

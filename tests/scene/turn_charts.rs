@@ -1,4 +1,4 @@
-//! Charts of friction used against the angle: the curves are those of closed forms, and a line is not drawn across a gap.
+//! In charts of the friction used against the angle, curves agree with closed forms, and no line is drawn across a gap.
 
 use grasp_lcp::picture::{Chart, Stroke, chart_of_turn};
 use grasp_lcp::planar::{Contact, Grasp, Turn};

@@ -1,4 +1,4 @@
-//! Loads that turn in scenes: each way to say one, what is written of them, and the same answers as by calls.
+//! Loads that turn can be written in scenes in every documented way, read back as they were written, and have the same answers as in Rust.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -62,7 +62,7 @@ fn same(a: &impl std::fmt::Debug, b: &impl std::fmt::Debug) -> Result<(), TestCa
     if a == b { Ok(()) } else { Err(TestCaseError::fail(format!("{a}\n{b}"))) }
 }
 
-/// A setup that asks for an onset while a load turns, and for a path along which it goes on.
+/// A setup with an onset under a turning load, and a path along which the load turns further.
 fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<C>, Turn<C>) {
     let load = drawn.wrench();
     let turn = Turn::new(
@@ -146,7 +146,7 @@ fn a_box_slides_at_the_angle_of_its_closed_form() -> Tested {
     assert!((event.at.angle - slides).abs() < 1e-15);
     assert_eq!(event.leaving[0].contact.name.as_deref(), Some("left"));
     assert_eq!((&never.onset, never.touches.len()), (&OnsetAnswer::Never, 0));
-    // Both palms carry the same, so that nothing holds what the left one does not.
+    // Both palms carry the same, so that both slide at once.
     let PathOutcome::Lost { loss, .. } = &path.end else { return Err(format!("{path:?}").into()) };
     assert!((loss.fraction * 0.5 - slides).abs() < 1e-15);
     assert!((loss.load.resultant()[1] - 12.0 * slides.sin()).abs() < 1e-13);
@@ -170,7 +170,7 @@ fn an_edge_that_is_touched_is_told_by_the_name_of_its_contact() -> Tested {
     Ok(())
 }
 
-/// Jaws told 4 mm, 1.1 mm/N a side, whose motors stall at 6 N.
+/// Jaws commanded by 4 mm, with 1.1 mm/N a side, whose motors stall at 6 N.
 fn jaws() -> Value {
     let jaw = |side: f64| {
         json!({

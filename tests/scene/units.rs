@@ -1,4 +1,5 @@
-//! A scene with a unit of lengths is the scene in m, field by field: lengths are marked by hand, and every field that the page of fields gives in m is among them.
+//! A scene in another unit of length has the same values in metres, field by field. Lengths are marked by hand in the scenes below. Every field that
+//! the page of fields gives in m is marked.
 
 use grasp_lcp::scene::{Scene, Space, Warning};
 use grasp_lcp::words::Unit;

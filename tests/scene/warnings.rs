@@ -1,4 +1,4 @@
-//! Words of warning: each for what is hardly meant, and none where it is meant.
+//! A scene that is probably a mistake has a warning, and a normal scene has none.
 
 use grasp_lcp::planar::Contact;
 use grasp_lcp::scene::{Scene, Setup, Warning};
@@ -78,7 +78,7 @@ fn normals_the_wrong_way_round() {
         (r#""normal": [-1, 0]"#, r#""normal": [1, 0]"#),
     ];
     assert_eq!(one(&out), Warning::Outwards { contacts, names });
-    // An outline shows whether they stand in a hole.
+    // An outline decides whether the contacts are in a hole.
     let hole = r#""outline": [[-0.04, -1], [-0.04, 1], [-1, 1], [-1, -1]], "questions""#;
     let text =
         out.iter().fold(JAWS.replace(r#""questions""#, hole), |text, (from, to)| text.replace(from, to));
@@ -89,7 +89,7 @@ fn normals_the_wrong_way_round() {
     );
 }
 
-/// Feet that a weight presses on as hard as they are told: all normals point up, and nothing is said.
+/// Feet pressed by a weight as hard as `pressed_with` says: all normals point up, and there is no warning.
 #[test]
 fn feet_under_a_weight_are_told_apart_from_it() {
     let feet = JAWS.replace("[1, 0]", "[0, 1]").replace("[-1, 0]", "[0, 1]").replace("0.35", "0.5");
@@ -137,7 +137,7 @@ fn contacts_that_stand_there_twice() {
     assert!(told.contains(&Warning::OnePlace { contacts, names }), "{told:?}");
 }
 
-/// A bracket on a round post: no finger presses, its load jams it. A pinch without a squeeze is told of.
+/// A bracket on a round post: no finger presses, its load jams it. A pinch without a squeeze has a warning.
 #[test]
 fn a_load_that_jams_needs_no_finger() {
     let bracket = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
@@ -149,7 +149,7 @@ fn a_load_that_jams_needs_no_finger() {
     assert_eq!(warnings(&idle), [Warning::NothingPresses]);
 }
 
-/// A belt and a floor of equal stiffness share a pretension; a tension is what is left of it.
+/// A belt and a floor of equal stiffness share a pretension; a tension is the force that remains.
 #[test]
 fn a_pull_that_gives_way() {
     let belted = |pull: &str| {

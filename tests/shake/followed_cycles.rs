@@ -1,4 +1,4 @@
-//! Verdicts for all time against thirty cycles that are followed one after the other.
+//! Verdicts for all time agree with thirty cycles that are followed one after the other.
 
 use grasp_lcp::Error;
 use grasp_lcp::shake::Repeats;
@@ -15,7 +15,7 @@ const FEW: usize = 1000;
 /// Where friction falls cycles may repeat after more of them than are followed.
 const FEW_THAT_JUMP: usize = 100;
 
-/// How many of each verdict there are: every one is what the cycles show, and all but a few are decided.
+/// Counts of the verdicts: each agrees with the followed cycles, and all but a few are decided.
 fn judge<const C: usize>(
     (many, few): (usize, usize),
     error: f64,

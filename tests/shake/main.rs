@@ -1,4 +1,4 @@
-//! Loads that repeat: by closed forms, and against cycles that are followed.
+//! Loads that repeat: closed forms, and comparison with cycles that are followed.
 
 mod asked;
 mod followed_cycles;

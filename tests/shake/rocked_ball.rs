@@ -1,7 +1,8 @@
-//! A roller that is rocked to and fro on a plane under a shear: it rests up to `Q* = 1 - 3 w / 2 + w³ / 2` of μ P, w the rocking over the half width of the contact.
+//! A roller that is rocked to and fro on a plane under a shear force rests up to the limit `Q* = 1 - 3 w / 2 + w³ / 2`, in units of μ P. Here w is
+//! the rocking distance divided by the half width of the contact.
 //!
-//! Springs under a parabola, as many as there are: what is held at rest comes to that limit as they are refined. A cycle shifts the pressure by w to
-//! either side; a spring that is out of touch forgets its shear, so that only those always pressed hold it.
+//! The contact is a row of springs under a parabolic pressure, and the computed limit converges to Q* as springs are added. A cycle shifts the
+//! pressure by w to either side. A spring that loses contact forgets its shear, so only springs that are always pressed resist it.
 
 use support::shaken::roller_rests_up_to;
 

@@ -1,4 +1,5 @@
-//! The shakedown factor: by a closed form, by Melan's theorem where slips change no normal force, and never below what a path rests under.
+//! The shakedown factor agrees with a closed form, and with Melan's theorem if slip does not change normal forces. It is never below a factor at
+//! which a path with closed contacts comes to rest.
 
 use grasp_lcp::energy::QuadraticProgram;
 use grasp_lcp::load_path::{Change, ContactChange};
@@ -9,7 +10,7 @@ use support::interior_point::{Oracle, interior_point};
 use support::samples::{assert_met, samples, seeded};
 use support::shaken::in_the_plane;
 
-/// Whether it comes to rest under so many times these loads in turn.
+/// Whether the grasp comes to rest under these loads in turn, multiplied by `times`.
 fn rests(grasp: &Grasp, base: &Wrench, loads: &[Wrench], times: f64) -> Result<Option<bool>, Error> {
     let legs: Vec<_> = loads.iter().flat_map(|load| Leg::there_and_back(*load * times)).collect();
     Ok(grasp.shake(base, &legs)?.rests())
@@ -34,7 +35,7 @@ fn feet_in_a_row_rest_up_to_it_and_not_beyond() -> Result<(), Error> {
         let Some(found) = grasp.statics().shakedown(base, &loads)? else { continue };
         assert!(!found.slips_change_normal_forces && found.factor > 0.0);
         assert_eq!([0.98, 1.02].map(|part| found.rests(part * found.factor)), [Some(true), Some(false)]);
-        // No foot may open: what the loads do to normal forces is less than what is there.
+        // No foot may open: the loads reduce normal forces by less than their values at rest.
         let most = loads.map(|load| load * (1.02 * found.factor) + base);
         let closed = |load: &Wrench| -> Result<bool, Error> {
             let rigid = Grasp::new(

@@ -1,13 +1,13 @@
-//! A foot that a load drags to and fro between springs: what it does in every cycle, in closed form, with one coefficient of friction and with two.
+//! A load drags a foot to and fro between springs. Its slip in every cycle agrees with a closed form, with one coefficient of friction and with two.
 //!
-//! The foot (10 N, spring of 1000 N/m) and a bonded spring of 1000 N/m carry a load that goes from 0 to 24 N and back. Of every cycle to come
+//! The foot (10 N, spring of 1000 N/m) and a bonded spring of 1000 N/m carry a load that varies from 0 to 24 N and back. In every later cycle
 //!
 //! ```text
 //! μ = 0.5          foot −5 → 5 N while the load goes to 20 N, then 4 mm of slip; as much on the way back
 //! 0.5, then 0.4    foot −4 → 5 N up to 18 N, where it jumps by 2 mm to 4 N, then 6 mm of slip; as much on the way back
 //! ```
 //!
-//! and heat is what the load works: with x from 5 mm to 19 mm, and from 4 mm to 20 mm.
+//! The heat equals the work of the load: with x from 5 mm to 19 mm, and from 4 mm to 20 mm.
 
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
 use grasp_lcp::shake::Repeats;

@@ -1,9 +1,9 @@
-//! Two contacts whose normal forces slips change: what the grasp remembers decides between two limits.
+//! If slip changes the normal forces of two contacts, the initial slips decide the long-term behaviour between two limits of the load.
 //!
-//! In the plane of both slips each contact has two lines, one for either direction of sliding, where they stand under the worst load of a cycle. Inside all
-//! four nothing slides. As loads grow the region loses a side: from there on, says Ahn, Bertocchi and Barber (Shakedown of coupled two-dimensional
-//! discrete frictional systems, J. Mech. Phys. Solids 56, 2008), some beginnings lead to slip for ever, though the region is there; and when it is
-//! gone all of them do. Lines and limits are made here from points, springs and commands alone.
+//! In the plane of both slips, each contact has two lines, one for either direction of sliding, at the worst load of a cycle. Inside all four lines
+//! nothing slides. As loads grow, the region loses a side. From there on some initial slips lead to slip for ever, although the region exists. After
+//! the region has vanished all of them do (Ahn, Bertocchi and Barber, Shakedown of coupled two-dimensional discrete frictional systems, J. Mech.
+//! Phys. Solids 56, 2008). Lines and limits are computed here from points, springs and commands alone.
 
 use grasp_lcp::Error;
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -165,7 +165,7 @@ fn what_it_remembers_decides_between_two_limits() -> Result<(), Error> {
         let found = found.expect("holds at rest");
         assert!(found.slips_change_normal_forces);
         assert!((found.factor - some).abs() <= 1e-8 * some, "{} {some}", found.factor);
-        // Only where both limits are apart, and no contact opens, there is something to tell.
+        // Only grasps with two distinct limits and without opening contacts are a test.
         let given = system.0.map(|node| [node.command, 0.0]);
         let pressed = |load: Vector3<f64>| system.forces(load, given).map(|force| force[0]);
         let opens = loads.iter().any(|load| {

@@ -1,7 +1,7 @@
-//! A block on two feet that is rocked from one to the other while something pulls: it walks by 2 (Q - μ (P - 2 m)) / k_t in every cycle, or rests.
+//! A block on two feet is rocked from one to the other under a pull Q. It walks by 2 (Q - μ (P - 2 m)) / k_t in every cycle, or rests.
 //!
-//! The feet carry P/2 ± m in turn. What a foot cannot hold while it carries P/2 - m the other one takes over, and when the block is rocked back it slides
-//! in its turn. In each half of a cycle both feet together carry at most μ (P/2 - m) and what they have been left with.
+//! The feet carry the normal forces P/2 ± m in turn. While a foot carries P/2 - m, the other one takes over the friction that it cannot hold, and
+//! slides in its turn when the block is rocked back. In each half cycle both feet together carry at most μ (P/2 - m) plus their residual force.
 
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
 use grasp_lcp::shake::Repeats;

@@ -1,7 +1,7 @@
-//! A block that is shaken between two stops slides from one to the other and back in every cycle, by hand.
+//! A block that is shaken between two stops slides from one to the other and back in every cycle. Its slip agrees with a closed form.
 //!
-//! Feet of stiffness K in all and friction μ carry the weight W, stops of stiffness K stand g off on both sides, and a pull goes to P and to -P. From one
-//! extreme to the other the feet stretch by 2 μ W / K before they slide, and each stop gives by (P - μ W) / K, so that they slide
+//! Feet (total stiffness K, friction μ) carry the weight W. Stops of stiffness K are at the distance g on both sides, and a pull goes to P and to -P.
+//! From one extreme to the other the feet stretch by 2 μ W / K before they slide, and each stop is compressed by (P - μ W) / K, so that they slide
 //!
 //! ```text
 //! 2 (g + (P - μ W) / K) - 2 μ W / K      on each way
@@ -51,8 +51,9 @@ fn a_block_goes_from_stop_to_stop() {
     goes_to_and_fro(&grasp, &load([0.0, 0.0, -100.0]), &load([80.0, 0.0, 0.0]));
 }
 
-/// A soft block that is rocked walks farther than its feet are apart in the first cycle. The walk told is that of all cycles to come: the two feet share 10 N
-/// and lean by 4 N m to and fro, and in each cycle the feet slide by twice what 3 N of friction lack for 3.5 N, over their stiffness.
+/// A soft block that is rocked walks farther than the distance of its feet in the first cycle; the reported walk is that of all later cycles. The two
+/// feet share 10 N and lean by 4 N m back and forth. In each cycle the feet slide by twice the friction that 3 N lack for 3.5 N, over their
+/// stiffness.
 #[test]
 fn a_walk_is_told_by_the_cycles_to_come() {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 0.4).friction(0.5);

@@ -1,4 +1,4 @@
-//! Force closure against a theorem in the plane and a second-order cone program in space; form closure against closed forms.
+//! Force closure agrees with a theorem in the plane and with a second-order cone program in space. Form closure agrees with closed forms.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::nalgebra::{DMatrix, SVector};
@@ -16,7 +16,7 @@ fn wrench<const C: usize>(point: [f64; C], force: &SVector<f64, C>) -> Vec<f64> 
     force.iter().copied().chain(planes.iter().map(moment)).collect()
 }
 
-/// Checks what an answer says of itself; whether it is closed, if that is told.
+/// Checks the proof in an answer by independent sums. Whether the grasp is closed, if the answer is decided.
 fn is_closed<const C: usize>(grasp: &Grasp<C>, points: &[[f64; C]], mu: &[f64]) -> Option<bool> {
     match grasp.statics().force_closure().expect("no hand") {
         Closure::Closed { internal, .. } => {

@@ -1,4 +1,5 @@
-//! The measure of Ferrari and Canny against all faces of small hulls, and on the round cone against many descents on a support function of its own.
+//! The measure of Ferrari and Canny agrees with the enumeration of all faces of small hulls. On the round cone, many descents on a separate support
+//! function find no lower value.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Contact;

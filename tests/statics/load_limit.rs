@@ -1,4 +1,4 @@
-//! Limit analysis against a second-order cone program, with forces and motions that prove both bounds.
+//! Limit loads agree with a second-order cone program, and the returned forces and motions prove both bounds.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
@@ -66,7 +66,7 @@ impl Tally {
         let maps: Vec<_> = data.iter().zip(grasp.frames()).map(map).collect();
         let scaled =
             |load: &SVector<f64, D>| DVector::from_fn(D, |k, _| if k < C { load[k] } else { load[k] * 1e-3 });
-        // Of nothing on, the base load can be so many times as large.
+        // From no load, the base load can be multiplied by this factor.
         let times = load_limit(&maps, &DVector::zeros(D), &scaled(&base), bound).unwrap();
         let known = load_limit(&maps, &scaled(&base), &scaled(&rate), bound).filter(|_| times > 1.0);
         let [base, rate] = [base, rate].map(|w| Wrench::from_components(w.as_slice()));

@@ -1,4 +1,4 @@
-//! What contact forces could balance, whatever the fingers press.
+//! Statics: which loads contact forces could balance, whatever the fingers press.
 
 mod closure;
 mod ferrari_canny;

@@ -1,4 +1,4 @@
-//! Suction cups in static questions: their force is there beside those of the contacts, against sums over directions and balances by hand.
+//! In static questions the vacuum of suction cups acts besides the contact forces. Answers agree with sums over directions and balances by hand.
 
 use std::f64::consts::PI;
 
@@ -43,7 +43,7 @@ fn the_ball_is_about_no_load_and_beside_the_vacuum() -> Tested {
         let scale = WrenchScale { about: [0.0, 0.0], length: 1.0 };
         let ball = cups()?.statics().ferrari_canny_scaled(Budget::Each(most), &scale)?;
         assert!(ball.at_least > 0.0 && ball.at_most - ball.at_least < 1e-6 * most, "{ball:?}");
-        // No direction reaches less far, and the one that is told reaches no farther.
+        // No direction has a smaller limit than the reported one, whose limit is not larger.
         let told = ball.weakest.components();
         let farthest = reach([-told[0], -told[1], -told[2]]);
         assert!((farthest - ball.at_most).abs() < 1e-9 * most, "{farthest} {ball:?}");

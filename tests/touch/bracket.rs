@@ -1,4 +1,4 @@
-//! A gripper on a bracket: its loads by hand, from the mesh on.
+//! Loads of a gripper on a bracket, computed from the mesh, agree with hand calculations.
 
 use grasp_lcp::spatial::{Grasp, Wrench};
 

@@ -1,4 +1,4 @@
-//! The edges that a picture shows.
+//! The edges of a mesh that a picture shows are right.
 
 use crate::shapes::{bracket, part, round};
 

@@ -1,4 +1,4 @@
-//! One part in three forms of files.
+//! The same part in three file formats gives the same mesh.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! A flat pad on a cylinder, and a V: line contacts on an elastic foundation, in closed form.
+//! A flat pad on a cylinder and a V block have line contacts on an elastic foundation that agree with closed forms.
 
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 

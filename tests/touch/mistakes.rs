@@ -1,4 +1,4 @@
-//! Pads that do not touch, and numbers out of range: typed errors that name the contact.
+//! Pads without touch and numbers out of range return typed errors that name the contact.
 
 use grasp_lcp::spatial::Contact;
 use grasp_lcp::touch::{Pad, Touch};

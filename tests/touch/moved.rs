@@ -1,4 +1,4 @@
-//! Part and pad moved together: contacts move with them.
+//! If part and pad are moved together, the contacts move with them.
 
 use grasp_lcp::nalgebra::{Isometry3, Point3, Vector3};
 use grasp_lcp::spatial::Contact;

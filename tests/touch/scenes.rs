@@ -1,4 +1,4 @@
-//! Scenes with a part as a mesh, and pads that touch it.
+//! Scenes may have a part as a mesh and pads that touch it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -54,7 +54,7 @@ fn a_scene_is_laid_on_its_part() {
     let part = setup.part_read().expect("is read");
     assert!((part.mass().expect("dense") - 0.132_822).abs() < 1e-9);
     // One fingertip each, with 16 points.
-    assert_eq!(setup.points().expect("points"), 32);
+    assert_eq!(setup.grasp().expect("well posed").len(), 32);
 }
 
 #[test]
@@ -121,7 +121,7 @@ fn a_held_force_and_profiles_are_read() {
     assert!((answer.verdict.lost.as_ref().expect("is lost").factor - 0.4).abs() < 1e-6);
 }
 
-/// Corners and faces in the scene itself: no file is read, and what is written has them again.
+/// Corners and faces are in the scene itself: no file is read, and the written scene contains them again.
 #[test]
 fn a_part_may_be_given_by_arrays() {
     let (corners, faces) = bracket();

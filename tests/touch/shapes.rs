@@ -1,4 +1,4 @@
-//! Parts whose values are known by hand.
+//! Shared by tests: parts whose values are known by hand.
 
 use std::f64::consts::TAU;
 

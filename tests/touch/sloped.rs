@@ -1,4 +1,4 @@
-//! Pads that lie on slopes and over edges: what a face at an angle carries, and what is said of it.
+//! A face at an angle carries the part of the squeeze that its slope and friction allow, and edges are reported.
 
 use grasp_lcp::spatial::Contact;
 use grasp_lcp::touch::{Pad, Part, Touch};

@@ -1,4 +1,4 @@
-//! Volume, mass and centre of polyhedra by hand.
+//! Volume, mass and centre of polyhedra agree with hand calculations.
 
 use grasp_lcp::Error;
 use grasp_lcp::touch::Part;

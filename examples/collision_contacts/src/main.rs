@@ -2,10 +2,10 @@
 //!
 //! `cargo run --release -p collision-contacts`
 //!
-//! parry finds points, normals and depths between fingertips and a mug, which become a grasp. The depth of a tip in the mug is the
-//! command of its finger, counted from the first touch; a distance is a clearance. grasp-lcp accepts the vectors of glam that parry
-//! uses. To check the answer, the mug is moved as predicted, and parry measures the depths of the tips again. They must equal the
-//! deflections of the springs.
+//! parry finds points, normals and depths between fingertips and a mug, from which a grasp is made. The depth of a tip in the mug is
+//! the command of its finger, counted from the first touch; a distance is a clearance. grasp-lcp accepts the vectors of glam that
+//! parry uses. To check the answer, the mug is moved as predicted, and parry measures the depths of the tips again. They must equal
+//! the deflections of the springs.
 
 mod hand;
 mod picture;
@@ -25,7 +25,7 @@ const TANGENTIAL: f64 = 1500.0;
 const FRICTION: f64 = 0.6;
 /// Weight of the mug with coffee: kg times m/s².
 const WEIGHT: f64 = 0.45 * 9.81;
-/// Tips at a larger distance than this are no contacts, m.
+/// Largest distance, m, at which a tip becomes a contact.
 const REACH: f64 = 5e-4;
 
 type Failure = Box<dyn std::error::Error>;
@@ -131,7 +131,7 @@ fn report(grasp: &Grasp, held: &Equilibrium, mug: &Compound) -> Result<(), Failu
     Ok(())
 }
 
-/// Prints the first slip and the limit of pulls in several directions.
+/// Prints the force at first slip and the limit load of pulls in several directions.
 fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
     println!("\nPulled at its centre of mass  stops sticking at (N)  holds up to (N)");
     let ways = [
@@ -151,7 +151,7 @@ fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
         let first = onset.event().map_or_else(String::new, |event| {
             let first = &event.leaving[0];
             let how = match first.how {
-                // A tip that was separated before closes sliding.
+                // A tip that was separated before the event comes into contact and slides at once.
                 Departure::Slides { .. } if separated(event, first.contact.index) => "touches",
                 how => how.verb(),
             };

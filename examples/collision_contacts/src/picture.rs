@@ -1,4 +1,4 @@
-//! A page with the mug in the hand that can be rotated: outlines of shapes from parry, with the predicted forces and motions.
+//! A page with a view of the mug in the hand that can be rotated: outlines of shapes from parry, with predicted forces and motions.
 
 use grasp_lcp::picture::SpatialPage;
 use grasp_lcp::spatial::{Equilibrium, Grasp};

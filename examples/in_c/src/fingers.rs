@@ -16,7 +16,7 @@ pub struct ReadyFingers {
     ready: Box<dyn Watching>,
 }
 
-/// A watch over a number of fingers that is known only at run time.
+/// The watch of any number of fingers, which is a type parameter in Rust and known only at run time in C.
 trait Watching: Debug {
     fn watch(&self, forces: &[Vector], to_come: &Wrench) -> Result<Margins, String>;
 }

@@ -6,7 +6,7 @@ use std::process::Command;
 
 #[test]
 fn a_program_in_c_gets_the_answers_of_paper_and_pencil() {
-    // Cargo puts the library in the directory of this test.
+    // Cargo puts the C library into the directory of this test's executable.
     let test = env::current_exe().expect("this test has a place");
     let built = test.parent().expect("it is a directory");
     let program = built.join("watch_from_c");

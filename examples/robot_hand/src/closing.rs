@@ -13,15 +13,15 @@ pub struct Ball {
 
 /// Half the thickness of a finger, m.
 const FINGER: f64 = 0.009;
-/// Step by which a joint closes, rad. After a contact it is halved until it is below 1e-12.
+/// Step by which a joint closes, rad. Once a link touches, the step is halved until it is below 1e-12.
 const STEP: f64 = 0.01;
 /// A link whose gap to the ball is below this is in contact, m.
 const TOUCHES: f64 = 1e-6;
 
-/// The links of a finger behind its four joints, and its tip.
+/// The links of a finger that its four joints move, and its tip.
 const LINKS: [&str; 5] = ["knuckle", "proximal", "middle_phalanx", "distal", "tip"];
 
-/// The name of a link of a finger, by the number of joints between it and the palm.
+/// The name of the link of a finger that this number of joints moves.
 pub fn link_name(finger: &str, joints: usize) -> String {
     format!("{finger}_{}", LINKS[joints - 1])
 }

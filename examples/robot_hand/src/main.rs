@@ -4,8 +4,8 @@
 //!
 //! The program reads `hand.urdf`: three fingers of four joints, with the efforts of their motors. It closes the hand around a ball, as a
 //! pinch and as a power grasp, and finds the onset of sliding in every direction. One model has joints with their stiffness and the
-//! limits of their motors. The other has a spring along each axis of each contact, from the diagonal of the same compliance. The output
-//! also names joints that stall.
+//! limits of their motors. The other has no joints but a spring along each axis of each contact, from the diagonal of the compliance
+//! matrix of the first. The output also names joints whose motors stall.
 
 mod closing;
 
@@ -55,7 +55,7 @@ fn run() -> Result<(), Failure> {
     }
     std::fs::create_dir_all("output")?;
     let ball = Ball { centre: Point3::new(0.0, 0.0, 0.122), radius: 0.035 };
-    // Slightly bent, and closed by the base joints until the tips touch.
+    // The fingers are slightly bent, and their base joints close until the tips touch.
     let tips = closed(&open, [0.0, -0.3, 0.45, 0.35], &[1], &ball)?;
     of_grasp("A precision grasp by the tips", "tips", &tips, &ball, None)?;
     // The ball lies on the palm.
@@ -74,7 +74,7 @@ fn joint_names(robot: &Robot, finger: &str) -> Result<Vec<String>, Failure> {
     Ok(robot.joints_of(&link_name(finger, 4))?.iter().map(|joint| joint.name().to_owned()).collect())
 }
 
-/// The hand with all fingers at these angles, closed joint by joint.
+/// The hand with all fingers at these joint angles, rad, and then closed by `joints`, one after the other.
 fn closed(open: &Robot, angles: [f64; 4], joints: &[usize], ball: &Ball) -> Result<Robot, Failure> {
     let mut robot = open.clone();
     for finger in FINGERS {
@@ -120,7 +120,7 @@ fn with_joints(robot: &Robot, ball: &Ball, palm: Option<&Contact>) -> Result<Gra
     Ok(robot.hand(&on_links)?.grasp()?)
 }
 
-/// The same contacts without joints, with springs along their axes: the inverse of the diagonal of the compliance `J K⁻¹ Jᵀ + 1/pad`.
+/// The same contacts without joints. The stiffness along each axis is the inverse of a diagonal entry of the compliance `J K⁻¹ Jᵀ + 1/pad`.
 fn with_springs(
     robot: &Robot,
     ball: &Ball,
@@ -208,7 +208,7 @@ fn of_grasp(
     if grasp.onset(Ramp::load(Wrench::ZERO, pull([0.0, 0.0, 1.0])))?.factor().is_some() {
         draw_map(title, name, &grasp, &springs, ball)?;
     }
-    // Run time of one equilibrium with joints, against the same contacts with springs.
+    // Compares the run time of an equilibrium with joints to that of the same contacts with springs only.
     let (load, told) = (pull([0.0, 0.0, -0.5]), spatial::Wrench::force_at([0.0, 0.0, -0.5], at));
     let joints = microseconds(|| grasp.solve(load).map(drop))?;
     let alone = microseconds(|| springs.solve(told).map(drop))?;
@@ -220,7 +220,7 @@ fn of_grasp(
     for corners in circles(ball) {
         page = page.outline(corners);
     }
-    // The second frame has the pull along which most motors stall, with these motors marked.
+    // The second answer on the page is that of the pull along which most motors stall; the picture marks these.
     if let Some((label, state)) = &shown {
         page = page.frame(label, state);
     }
@@ -231,7 +231,7 @@ fn of_grasp(
     Ok(())
 }
 
-/// The shortest mean run time of a call, µs.
+/// The mean run time of a call, µs, in the fastest of several repetitions.
 fn microseconds(call: impl Fn() -> Result<(), grasp_lcp::Error>) -> Result<f64, Failure> {
     let mut best = f64::INFINITY;
     for _ in 0..20 {
@@ -252,7 +252,7 @@ fn newtons(factor: Option<f64>) -> String {
     }
 }
 
-/// Draws the onset for a pull in every direction, and marks the directions in which the springs are most wrong.
+/// Draws the onset for a pull in every direction, and marks the directions in which the model of springs has the largest error.
 fn draw_map(
     title: &str,
     name: &str,
@@ -302,9 +302,9 @@ fn draw_map(
     Ok(())
 }
 
-/// The end of the path of a pull.
+/// The end of the load path under a growing pull.
 struct Reach {
-    /// Largest pull that the hand holds, N; infinite if it holds [`MOST`].
+    /// Largest pull that the hand holds, N; infinite if the hand holds [`MOST`].
     force: f64,
     /// Motors that stall before the end of the path.
     stalled: Vec<PartLabel>,

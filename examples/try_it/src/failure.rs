@@ -2,10 +2,10 @@
 
 use std::{fmt, io};
 
-/// An error that prevents the page.
+/// An error because of which the page is not written.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// The toolchain lacks WebAssembly; the command that installs it.
+    /// The toolchain lacks the target WebAssembly; the text is the command that installs it.
     NoTarget(String),
     /// The build failed; cargo has printed the reason.
     NotBuilt,

@@ -14,7 +14,7 @@ use grasp_lcp::stream::{StreamOptions, answer_line};
 
 /// Largest number of contact points. With twice as many an answer may take longer than a frame of the screen.
 const MOST_POINTS: usize = 12;
-/// Largest number of combinations of contact states to try, at some microseconds each. With more a drag would not be smooth.
+/// Largest number of combinations of contact states to try, at some microseconds each. With more, dragging on the page would not be smooth.
 const MOST_STATES: usize = 1000;
 /// Largest number of steps along sliding arcs. Scenes in the plane need none.
 const MOST_STEPS: usize = 100;
@@ -26,6 +26,6 @@ pub fn reply(text: &[u8]) -> String {
     options.most_points = MOST_POINTS;
     options.most_states = MOST_STATES;
     options.most_steps = MOST_STEPS;
-    // The page reports an empty answer, for text that is not JSON.
+    // Text that is not JSON gives an empty answer, which the page reports.
     answer_line(text, &options).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! Writes the page in which the crate can be tried.
+//! Writes a web page on which the crate can be tried.
 //!
 //! `cargo run --release --package try-it [file]` writes the page, by default to `output/try_it.html`. Exit code 2 means that the toolchain
 //! lacks WebAssembly.

@@ -30,7 +30,7 @@ pub(crate) fn build(root: &Path) -> Result<Vec<u8>, Failure> {
     Ok(fs::read(target.join(TARGET).join("page").join("try_it.wasm"))?)
 }
 
-/// Whether the toolchain has the library of the target.
+/// Whether the toolchain has the standard library of the target WebAssembly.
 fn has_target() -> Result<bool, Failure> {
     let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let told = Command::new(rustc).args(["--print", "target-libdir", "--target", TARGET]).output()?;

@@ -10,7 +10,7 @@ use crate::base64::base64;
 const FRAME: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/style.css");
 
-/// Scripts in their order. Each declares one name, which later scripts may use.
+/// Scripts in the order in which the page runs them. Each declares one name, which later scripts may use.
 const SCRIPTS: [&str; 14] = [
     include_str!("../page/numbers.js"),
     include_str!("../page/outline.js"),
@@ -39,7 +39,7 @@ const SCENES: [(&str, &str); 6] = [
     ("two_parts", include_str!("../scenes/two_parts.json")),
 ];
 
-/// The page that contains a module.
+/// The HTML page, which contains the WebAssembly module.
 pub(crate) fn page(module: &[u8]) -> io::Result<String> {
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
     packed.write_all(module)?;

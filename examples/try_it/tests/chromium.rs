@@ -31,11 +31,11 @@ fn chromium() -> Option<PathBuf> {
     names.iter().flat_map(|name| places.iter().map(move |place| place.join(name))).find(|path| path.is_file())
 }
 
-/// The records of the appended script, on a page `wide` pixels wide.
+/// Runs the appended script on a page `wide` pixels wide, and returns its records.
 fn records(chromium: &Path, page: &str, wide: u32) -> Value {
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let path = directory.join("dragged.html");
-    // A browser window has a least width, but a frame in it has not. The script in the frame copies its records to the outer page at the end.
+    // A browser window has a least width; a frame in it may be narrower. At its end the script in the frame copies its records to the outer page.
     let hands_over = "parent.document.body.append(document.getElementById('records').cloneNode(true))";
     let inner = page.replace("</body>", &format!("<script>{DRAGS}</script>\n</body>"));
     let inner =
@@ -132,7 +132,7 @@ fn the_page_shows_what_the_crate_answers() {
         return;
     };
     let Some(page) = page() else { return };
-    // Also on the width of a phone the grips can be dragged, and the page does not scroll sideways.
+    // At the width of a phone, too, the fingers can be dragged and the page does not scroll sideways.
     for wide in [400, 1200] {
         shows_what_the_crate_answers(&records(&chromium, &page, wide), wide);
     }
@@ -149,7 +149,7 @@ fn shows_what_the_crate_answers(dragged: &Value, wide: u32) {
     let numbers: usize = records.iter().map(compare).sum();
     println!("{} states of the page, {numbers} numbers equal to the bit", records.len());
 
-    // Closed formulas: the paper's onset, and friction 0.5 under 8 N on each side.
+    // Closed forms: the paper's onset, and that of two fingers with friction 0.5 and 8 N each.
     let paper = shown(of("paper_two_fingers"), "onset").unwrap() * 0.12;
     assert!((paper - 65f64.sqrt() / 66.0).abs() < 1e-15, "{paper}");
     let before = shown(of("box"), "onset").unwrap();

@@ -9,9 +9,9 @@
 
 One grasp: :class:`Grasp`. Batches of grasps: :func:`onsets`, :func:`onset_gradients`, :func:`hold_batch`,
 :func:`need_batch`, :func:`solve_batch`. Differentiable layers:
-:mod:`grasp_lcp.torch` and :mod:`grasp_lcp.jax`, which the package imports only on request. Complementarity and frictional contact problems
-without a grasp: :mod:`grasp_lcp.lcp`, :mod:`grasp_lcp.friction`. "No equilibrium exists" is an answer, never an exception; malformed input
-is a ``ValueError`` or a ``TypeError`` that names the argument.
+:mod:`grasp_lcp.torch` and :mod:`grasp_lcp.jax`, which the package imports only on request. Linear complementarity
+and frictional contact problems that belong to no grasp: :mod:`grasp_lcp.lcp`, :mod:`grasp_lcp.friction`. "No equilibrium exists" is an
+answer, never an exception; malformed input is a ``ValueError`` or a ``TypeError`` that names the argument.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -104,7 +104,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """Names of verdicts and amounts in batches, which are imported when they are first used."""
+    """Imports the names of module ``verdicts`` when they are first used."""
     if name in __all__:
         from . import verdicts
 

@@ -19,7 +19,7 @@ def bodies_in_scene(
     given: Mapping[str, Any],
     beside: Mapping[str, Any],
 ) -> None:
-    """Writes bodies into ``scene``.
+    """Writes the bodies into ``scene``, a dictionary.
 
     :param sides: ``on`` and ``against``: the body on each side of every contact, by name or number.
     :param given: data of the bodies, one value or row a body: mass, centre of mass, load.
@@ -44,7 +44,7 @@ def bodies_in_scene(
 
 
 def _called(field: str, given: Any, names: Sequence[str], contacts: int) -> list[str | None]:
-    """The name of the body of each contact, from names or numbers counted from 0. The ground, given as None or -1, becomes None."""
+    """The name of the body of each contact, from names or numbers from 0. None and -1 mean the ground and become None."""
     each = listed(field, given.tolist() if isinstance(given, np.ndarray) else given, "a body for each contact")
     if isinstance(given, str) or len(each) != contacts:
         raise ValueError(f"{field}: {1 if isinstance(given, str) else len(each)} given, must be {contacts}, one a contact")

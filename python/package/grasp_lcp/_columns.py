@@ -1,4 +1,4 @@
-"""Converts arrays of contacts to the columns that the native side reads. Arrays that broadcast are accepted; errors name the argument."""
+"""Broadcasts arrays of contact data to the shape that the native module reads, and checks them. Errors name the argument."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def floats(name: str, given: ArrayLike) -> Array:
 
 
 def _kind(found: np.ndarray[Any, Any]) -> str:
-    """A description of the non-numeric input, for an error message."""
+    """What an array contains in place of numbers, in words, for an error message."""
     if found.dtype.kind == "O":
         others = [item for item in found.flat if not isinstance(item, (int, float))]
         return repr(others[0]) if others else "an array of objects"
@@ -78,7 +78,7 @@ def _vectors(name: str, given: ArrayLike, axes: int) -> Array:
 
 
 def words_of_holds(given: str | Sequence[str], contacts: int) -> tuple[str, ...]:
-    """A word a contact for the argument ``hold``."""
+    """The argument ``hold`` as one word for each contact."""
     if isinstance(given, str):
         given = [given] * contacts
     words = listed("hold", given, "a word, or one for each contact")
@@ -99,9 +99,9 @@ def columns(
     soft: Any = None,
     **others: ArrayLike | None,
 ) -> tuple[tuple[int, ...], dict[str, Any]]:
-    """The batch shape of the grasps, and all columns broadcast to it.
+    """The batch shape of the grasps, and all contact data broadcast to it.
 
-    Columns have shape (grasps, contacts) for scalars and (grasps, contacts, axes) for vectors; ``hold`` has one code a contact.
+    Data have shape (grasps, contacts) for scalars and (grasps, contacts, axes) for vectors; ``hold`` has one code for each contact.
     """
     given: dict[str, Array | None] = {"points": _vectors("points", points, axes)}
     if given["points"] is None or given["points"].ndim < 2:
@@ -153,7 +153,7 @@ def columns(
 
 
 def text_of_pads(soft: Any, contacts: int) -> str | None:
-    """The argument ``soft`` as text, a pad or null for each contact."""
+    """The argument ``soft`` as JSON text: a list with a pad or null for each contact."""
     if soft is None:
         return None
     pads = one_each("soft", soft, contacts)
@@ -161,7 +161,7 @@ def text_of_pads(soft: Any, contacts: int) -> str | None:
 
 
 def plain(name: str, given: Any) -> Any:
-    """Converts a load or a turn to JSON data: mappings key by key, arrays to lists of finite numbers."""
+    """Converts a load or a turn to data for JSON: mappings entry by entry, arrays to lists of finite numbers."""
     if isinstance(given, Mapping):
         return {key: plain(f"{name}[{key!r}]", value) for key, value in given.items()}
     if isinstance(given, (str, bool)):
@@ -181,7 +181,7 @@ def as_written(name: str, given: Any) -> Any:
 
 
 def one_each(name: str, given: Any, contacts: int) -> list[Any]:
-    """A list with one entry a contact: a single value is repeated, a list must have one value or None a contact."""
+    """A list with one entry for each contact. A single value is repeated; a list must have one value or None for each contact."""
     if isinstance(given, (Mapping, str)) or np.ndim(given) == 0:
         return [given] * contacts
     each = listed(name, given, "one for all contacts, or a list of one each")
@@ -210,7 +210,7 @@ def load_text(name: str, given: Mapping[str, Any]) -> str:
 
 
 def with_arrays(value: Any) -> Any:
-    """Converts arrays, numbers of numpy and other mappings inside a scene for ``json.dumps``."""
+    """Converts arrays, numbers of numpy and mappings in a scene to types that ``json.dumps`` accepts."""
     if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()
     if isinstance(value, Mapping):

@@ -1,4 +1,4 @@
-"""Grasps in the axes of matplotlib, which is the caller's."""
+"""Draws grasps into axes of matplotlib, which the caller provides."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from .equilibrium import Equilibrium
 
-# Colours of contacts by their state, as in pictures of the crate; matplotlib knows them.
+# Colours of contacts by their state, as in pictures of the crate.
 COLOURS = {"sticking": "#0072b2", "sliding": "#d55e00", "frictionless": "#009e73", "separated": "#999999"}
 
 
@@ -25,7 +25,7 @@ def draw_into(ax: Any, places: tuple[Sequence[Any], Sequence[Any]], setup: Mappi
     ax.scatter(*points.T, color=colours, s=12)
     everything = np.vstack([points, *lines])
     if state is not None:
-        # One force for all points of a pad, at the middle of those that carry it.
+        # One resultant for all points of a pad, at their mean weighted by the sizes of their forces.
         numbers = np.array([contact.contact for contact in state.contacts])
         of_pads = [numbers == number for number in np.unique(numbers)]
         weights = np.linalg.norm(state.forces_world, axis=1) + 1e-300

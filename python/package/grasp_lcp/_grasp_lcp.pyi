@@ -1,4 +1,4 @@
-"""The native half of grasp_lcp: it takes numbers as arrays and returns answers as JSON."""
+"""The native module of grasp_lcp, which takes numbers as arrays and returns answers as JSON."""
 
 from typing import Any
 

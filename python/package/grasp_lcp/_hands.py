@@ -1,4 +1,4 @@
-"""Scenes of hands from arrays."""
+"""Scenes of hands with joints, made from arrays."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def scene_of_hand(
     given: Mapping[str, Any],
     tendons: Sequence[Mapping[str, Any]] | None,
 ) -> dict[str, Any]:
-    """The scene of contacts with joints behind them, see :meth:`grasp_lcp.Grasp.hand`. Contacts that no joint moves stay without a finger."""
+    """The scene of contacts that joints move, see :meth:`grasp_lcp.Grasp.hand`. Contacts that no joint moves get no finger."""
     setup = scene["planar" if axes == 2 else "spatial"]
     contacts = setup.pop("contacts")
     moved = finite("jacobians", jacobians)
@@ -59,7 +59,7 @@ def scene_of_hand(
 
 
 def _springs(given: Array, count: int) -> tuple[list[float], Array | None]:
-    """Stiffness of each joint, and that among the joints."""
+    """The stiffness of each joint, and None; for a matrix zeros, and the matrix."""
     if given.ndim < 2:
         try:
             return np.broadcast_to(given, (count,)).tolist(), None

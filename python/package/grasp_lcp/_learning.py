@@ -1,6 +1,6 @@
 """Factors and derivatives for :mod:`grasp_lcp.torch` and :mod:`grasp_lcp.jax`.
 
-Commands are along the coordinate axes; they stay constant when normals change.
+Commands are given along the coordinate axes and are constant when normals change.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from .batch import Onsets, onsets
 from .gradients import onset_gradients
 
 SECOND = "onset_factor has no second derivatives from the crate: those of each smooth piece of its factor come with native=True"
-"""Message with which a second backward pass is refused."""
+"""Error message for a second derivative of the crate's answer."""
 
 Hold = str | Sequence[str]
 """The argument ``hold`` of :func:`grasp_lcp.onsets`."""
@@ -39,7 +39,7 @@ def _asked(data: Sequence[Array], hold: Hold) -> Onsets:
 
 
 def factors_and_gradients(data: Sequence[Array], hold: Hold) -> list[Array]:
-    """Factors, and their derivatives by each array of ``data``. Rows without a factor have derivatives of zero, so that they do not spoil a sum."""
+    """Factors, and their derivatives with respect to each array of ``data``. They are zero in rows without a factor, so that sums stay finite."""
     points, normals, friction, stiffness, command, base, direction = data
     direction, base = _shared(direction, base)
     found = onset_gradients(
@@ -66,7 +66,7 @@ def _leading(data: Sequence[Array]) -> tuple[int, ...]:
 
 
 def _shared(direction: Array, base: Array) -> tuple[Array, Array]:
-    """A single direction and base load if all rows have the same ones, because one load for all grasps is faster; else the arrays given."""
+    """A single direction and base load if all rows have the same, since one load for all grasps is faster; otherwise the given arrays."""
     rows = [load.reshape(-1, load.shape[-1]) for load in (direction, base)]
     if len(rows[0]) and all((load == load[:1]).all() for load in rows):
         return rows[0][0], rows[1][0]

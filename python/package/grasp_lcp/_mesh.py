@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from ._columns import finite, listed
 
-# Fields of a pad that say how it touches; all others are those of its contact.
+# Fields that describe the shape and the motion of a pad; all other fields belong to its contact.
 TOUCHES = ("rectangle", "disc", "round", "v_deg", "strips", "from", "closing", "layer")
 
 
@@ -40,7 +40,7 @@ def scene_of_mesh(
 
 
 def _arrays(mesh: Any) -> tuple[list[list[float]], list[list[int]]]:
-    """Vertices and faces of a mesh that has them, as those of trimesh do, or of a pair of arrays."""
+    """Vertices and faces of a mesh object, such as one of trimesh, or of a pair of arrays."""
     try:
         vertices, faces = (mesh.vertices, mesh.faces) if hasattr(mesh, "vertices") else mesh
     except (TypeError, ValueError):

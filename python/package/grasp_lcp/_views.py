@@ -17,7 +17,7 @@ Load: TypeAlias = ArrayLike | Mapping[str, Any]
 Quantity: TypeAlias = Literal["squeeze", "friction", "load", "arm", "angle", "force"]
 Tree = dict[str, Any]
 
-# Words of the scene format for numbers that JSON cannot express.
+# Words of the scene format for numbers that JSON does not have.
 _WORDS = {"infinite": float("inf"), "-infinite": float("-inf"), "not a number": float("nan")}
 
 ViewT = TypeVar("ViewT", bound="View")
@@ -38,14 +38,14 @@ def _numbers(value: Any) -> Any:
 
 
 def array(value: Any) -> Array:
-    """A read-only array, so that an answer stays constant."""
+    """A read-only array, so that answers cannot be changed by accident."""
     made = np.array(_numbers(value), dtype=np.float64)
     made.setflags(write=False)
     return made
 
 
 def rows(values: Iterable[Any], columns: int) -> Array:
-    """A read-only array of shape (rows, columns), also without any row."""
+    """A read-only array of shape (rows, columns), also if there are no rows."""
     made = np.array([_numbers(value) for value in values], dtype=np.float64).reshape(-1, columns)
     made.setflags(write=False)
     return made

@@ -1,4 +1,4 @@
-"""Answers to questions about a grasp. Their data are read from the native side when an attribute is first used."""
+"""Answers to questions about a grasp. Data are read from the native module when an attribute is first used."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Proof(View):
 
     @cached_property
     def motion(self) -> Array | None:
-        """Unit motion of the object that no contact resists, m and rad, shape (d,); None for proofs by states or cases."""
+        """Unit motion of the object that no contact resists, m and rad, shape (d,); None if the proof is not by a motion."""
         found = self._tree.get("motion")
         return None if found is None else motion_of(found)
 
@@ -47,7 +47,7 @@ def words_of_proof(tree: Tree) -> str:
 
 
 class Leaving(View):
-    """A contact that stops sticking at an onset, or changes on a path."""
+    """A contact that stops sticking at an onset, or changes its state on a path."""
 
     @property
     def contact(self) -> int:
@@ -88,18 +88,18 @@ class Beyond(View):
 
     @property
     def states(self) -> tuple[str, ...]:
-        """State of every contact next, if the equilibrium continues; else empty."""
+        """State of every contact just beyond, if the equilibrium continues; otherwise empty."""
         return tuple(str(tree["state"]) for tree in self._tree.get("states", ()))
 
     @cached_property
     def force_rates(self) -> Array | None:
-        """Rates of the contact forces per unit of the factor, contact frames, N, shape (n, c); None unless it continues."""
+        """Rates of the contact forces per unit of the factor, contact frames, N, shape (n, c); None unless the equilibrium continues."""
         found = self._tree.get("force_rates")
         return None if found is None else rows(found, len(found[0]))
 
     @cached_property
     def twist_rate(self) -> Array | None:
-        """Rate of the object's motion per unit of the factor, m and rad, shape (d,); None unless it continues."""
+        """Rate of the object's motion per unit of the factor, m and rad, shape (d,); None unless the equilibrium continues."""
         found = self._tree.get("twist_rate")
         return None if found is None else motion_of(found)
 
@@ -111,7 +111,7 @@ class Answer(View):
     """An answer of a grasp. Read :attr:`outcome` first: quantities that do not belong to an outcome are None."""
 
     def __init__(self, told: LazyAnswer | str | Tree, grasp: _grasp_lcp.Grasp | None = None) -> None:
-        # The tree of data is made when it is read; the grasp is there to be drawn.
+        # The tree of data is parsed when it is first read. The grasp is needed for pictures only.
         self._told = told
         self._grasp = grasp
 
@@ -132,7 +132,7 @@ class Answer(View):
 
     @property
     def outcome(self) -> str:
-        """Outcome, in a word of the scene format."""
+        """Outcome, as a word of the scene format."""
         told = self._told
         return told.outcome if isinstance(told, LazyAnswer) else str(self._tree["outcome"])
 
@@ -154,12 +154,12 @@ class Answer(View):
         found = self._tree.get("doubt")
         return None if found is None else str(found)
 
-    # The name of the question in the scene format; empty if the answer's data have their first line.
+    # The name of the question in the scene format; empty if the answer's data contain the sentence.
     _kind = ""
 
     @property
     def says(self) -> str:
-        """The answer in a sentence: the first line that the program prints. An onset has its factor in place of its load."""
+        """The answer in a sentence: the first line that the program prints. For an onset it states the load factor instead of the load."""
         tree = self._tree
         return str(tree["says"]) if "says" in tree else words_of("answer", json.dumps({self._kind: tree}), axes_of(tree) or 2)
 
@@ -181,7 +181,7 @@ class Answer(View):
         return self._grasp.drawn(None if self.state is None else self.state.to_json(), title, page)
 
     def _repr_svg_(self) -> str | None:
-        """Picture of the grasp with its forces, for notebooks; at rest for an answer without an equilibrium; None if it was read from JSON."""
+        """Picture of the grasp with its forces, for notebooks; at rest if the answer has no equilibrium. None if the answer was read from JSON."""
         return self._drawn(False)
 
     def _repr_html_(self) -> str | None:
@@ -200,7 +200,7 @@ def _restored(kind: type[AnswerT], text: str, grasp: str | None) -> AnswerT:
 
 
 class Sentence(Answer):
-    """An answer whose picture has its sentence as the title."""
+    """An answer whose sentence is the title of its picture."""
 
     def _title(self) -> str:
         return self.says.partition(". ")[0]
@@ -223,13 +223,13 @@ class Verdict(Sentence):
 
     @property
     def first_slip(self) -> float | None:
-        """Multiple of the load at which the first contact stops sticking; None if all stick as far as the load was followed."""
+        """Multiple of the load at which the first contact stops sticking; None if all contacts stick up to where the load was followed."""
         found = self._tree.get("first_slip")
         return None if found is None else number(found["factor"])
 
     @property
     def lost(self) -> float | None:
-        """Multiple of the load at which equilibrium is lost or motions cease to be small; None if neither happens as far as the load was followed."""
+        """Multiple of the load at which equilibrium is lost or motions cease to be small; None if neither happens while the load is followed."""
         found = self._tree.get("lost")
         return None if found is None else number(found["factor"])
 
@@ -237,7 +237,7 @@ class Verdict(Sentence):
     def everything_slides(self) -> float | None:
         """Multiple of the load from which every pressing contact with friction slides, up to the whole load or to the end of the verdict.
 
-        None if one of them sticks.
+        None if one of these contacts sticks.
         """
         found = self._tree.get("everything_slides")
         return None if found is None else number(found)
@@ -253,10 +253,10 @@ class Verdict(Sentence):
 
     @property
     def left_out(self) -> float | None:
-        """Change of the resistance to the motion that the theory of small motions neglects, relative to that resistance.
-
-        Arms of the forces at rest turn with the object, which reduces the resistance (negative) or adds to it. None if the change is at most a
-        tenth, and for several bodies.
+        """Geometric stiffness that the theory of small motions neglects, relative to the stiffness of the springs along the motion.
+        
+        The points at which forces at rest act turn with the object, which reduces its resistance (negative) or increases it. None if the change is
+        at most a tenth, and for several bodies.
         """
         found = self._tree.get("left_out")
         return None if found is None else number(found)
@@ -274,12 +274,12 @@ class Shaken(Sentence):
 
     @property
     def rests(self) -> bool | None:
-        """Whether the grasp comes to rest, at least in the limit; None if undecided."""
+        """Whether slipping ceases, after finitely many cycles or in the limit; None if undecided."""
         return None if self.outcome == "undecided" else self.outcome in ("rests", "dies_out")
 
     @property
     def stays(self) -> bool | None:
-        """Whether the object stays: it comes to rest, or contacts slide to and fro for ever without moving it on. None if undecided."""
+        """Whether the object stays in place: slipping ceases, or contacts slide to and fro without net motion. None if undecided."""
         return True if self.outcome == "alternates" else self.rests
 
     @property
@@ -289,12 +289,12 @@ class Shaken(Sentence):
 
     @property
     def every(self) -> int:
-        """Period in cycles. It is one, unless friction falls once contacts slide."""
+        """Period in cycles. It is one, unless kinetic friction is less than static friction."""
         return int(self._tree.get("every", 1))
 
 
 class Shakedown(Sentence):
-    """Whether a grasp comes to rest under loads that repeat in any order: ``"rests"``, ``"never_rests"``, ``"may_rest"`` (the order decides) or
+    """Whether slipping ceases under loads that repeat in any order: ``"rests"``, ``"never_rests"``, ``"may_rest"`` (the order decides) or
     ``"undecided"``. It prints as a sentence."""
 
     @property
@@ -305,7 +305,7 @@ class Shakedown(Sentence):
 
     @property
     def rests(self) -> bool | None:
-        """Whether the grasp comes to rest whatever the order of the loads; None if the order decides or the question is undecided."""
+        """Whether slipping ceases whatever the order of the loads; None if this depends on the order, or if the question is undecided."""
         return self._tree.get("rests")
 
     @property
@@ -316,12 +316,12 @@ class Shakedown(Sentence):
 
     @property
     def slips_change_normal_forces(self) -> bool | None:
-        """Whether slips change normal forces; None if undecided. If they do, the factor is only an upper bound: the grasp may not rest below it."""
+        """Whether slips change normal forces; None if undecided. If they do, the factor is only an upper bound: slipping may go on below it."""
         return self._tree.get("slips_change_normal_forces")
 
 
 class Comparison(Sentence):
-    """The equilibrium beside the minimum of energy of the paper's quadratic program. It prints as a sentence."""
+    """Comparison of the equilibrium with the minimum of energy of the paper's quadratic program. It prints as a sentence."""
 
     @property
     def outcome(self) -> Literal["agree", "two_equilibria", "out_of_equilibrium", "no_equilibrium", "unknown", "no_minimum", "unsolved"]:
@@ -354,13 +354,13 @@ class Needed(Sentence):
 
     @property
     def until(self) -> float | None:
-        """The last amount that suffices before larger ones fail, as a squeeze beyond the limit of a motor does; None if none was found to fail."""
+        """The largest amount that suffices, if larger ones fail, such as a squeeze beyond the limit of a motor; None if none was found to fail."""
         found = (self._tree["amount"].get("bound") or {}).get("until")
         return None if found is None else number(found["does"])
 
     @property
     def sticks(self) -> float | None:
-        """The amount with which nothing slides, beside the amount that holds; None unless there is a bound."""
+        """The amount with which nothing slides; None unless there is such an amount with a bound."""
         found = (self._tree.get("sticks") or {}).get("bound")
         return None if found is None else number(found["does"])
 
@@ -378,7 +378,7 @@ class Needed(Sentence):
 
 
 class Estimate(View):
-    """One quantity identified from slips, with its error."""
+    """One quantity that was estimated from slips, with its standard error."""
 
     @property
     def name(self) -> str:
@@ -387,7 +387,7 @@ class Estimate(View):
 
     @property
     def value(self) -> float:
-        """A friction coefficient, a force in N, or a multiple of the given value. If the slips do not fix it, one of many possible values."""
+        """A friction coefficient, a force in N, or a multiple of the given value. If the slips do not determine it, one of many possible values."""
         return number(self._tree["value"])
 
     @property
@@ -397,7 +397,7 @@ class Estimate(View):
 
     @property
     def standard_error(self) -> float | None:
-        """Standard error; None if the slips do not fix the quantity or their scatter is unknown."""
+        """Standard error; None if the slips do not determine the quantity, or if their scatter is unknown."""
         return optional_number(self._tree.get("standard_error"))
 
     @property
@@ -432,9 +432,9 @@ class Identified(Answer):
 
     @cached_property
     def assignments(self) -> tuple[tuple[Estimate, ...], ...]:
-        """The estimates by each assignment of slips to contacts that fits as well, the best first; empty if there is one.
-
-        Which contact slips first depends on the quantities. What the assignments do not agree on is not fixed.
+        """The estimates for each assignment of slips to contacts that fits equally well, the best first; empty if there is only one.
+        
+        The contact that slips first depends on the quantities. A quantity on which the assignments disagree is not determined.
         """
         return tuple(tuple(Estimate(tree) for tree in each) for each in self._tree.get("assignments", ()))
 
@@ -451,7 +451,7 @@ class Identified(Answer):
 
     @property
     def misfit(self) -> float | None:
-        """Ratio of the observed scatter to the given one; None if it was estimated. Much more than one: the model or the given scatter is wrong."""
+        """Ratio of observed to given scatter; None if scatter was estimated. If it is far above one, the model or the given scatter is wrong."""
         return optional_number(self._tree.get("misfit"))
 
     @property
@@ -473,7 +473,7 @@ class Identified(Answer):
 class Improved(Answer):
     """Improved places and squeezes of the fingers. It prints as a sentence.
 
-    The search ends with ``"optimum"`` if multipliers prove that to first order no grasp nearby is better; else with ``"stalled"``,
+    The search ends with ``"optimum"`` if Lagrange multipliers prove that to first order no grasp nearby is better; otherwise with ``"stalled"``,
     ``"out_of_steps"``, ``"unbalanced"``, ``"nothing_slides"`` or ``"no_start"``.
     """
 
@@ -485,22 +485,22 @@ class Improved(Answer):
 
     @property
     def goal(self) -> str:
-        """Quantity of ``before`` and ``after``: ``"first_slip"``, a multiple of the loads, or ``"reserve"``, the friction that is left, N."""
+        """The quantity in ``before`` and ``after``: ``"first_slip"``, a multiple of the loads, or ``"reserve"``, the friction reserve, N."""
         return str(self._tree["goal"])
 
     @property
     def before(self) -> float | None:
-        """Value of the given grasp. None if a contact slides at rest or nothing holds, and for a reserve if a contact slides under the loads."""
+        """Value for the given grasp. None if a contact slides at rest or none presses, and for a reserve if a contact slides under the loads."""
         return optional_number(self._tree.get("before"))
 
     @property
     def after(self) -> float | None:
-        """Value of the best grasp. None if no grasp was found that sticks, ``inf`` if no contact slides at any load."""
+        """Value for the best grasp. None if every grasp that was tried slides at rest, ``inf`` if no contact slides at any load."""
         return optional_number(self._tree.get("after"))
 
     @property
     def is_locally_best(self) -> bool:
-        """Whether multipliers prove that to first order no places and squeezes nearby are better."""
+        """Whether Lagrange multipliers prove that to first order no places and squeezes nearby are better."""
         return self.outcome == "optimum"
 
     @property
@@ -538,7 +538,7 @@ class Improved(Answer):
 
     @property
     def in_the_way(self) -> tuple[Mapping[str, Any], ...]:
-        """Active events and bounds that prevent a larger value: each has a ``contact``, its kind as ``what``, and its multiplier."""
+        """Active constraints, events and bounds, that prevent a larger value: each has a ``contact``, its kind as ``what``, and its multiplier."""
         return tuple(self._tree["in_the_way"])
 
 
@@ -586,7 +586,7 @@ class _First(Answer):
 
     @cached_property
     def beyond(self) -> Beyond | None:
-        """Behaviour just beyond the onset; None unless a contact or drive leaves."""
+        """Behaviour just beyond the onset; None unless the outcome is ``"at"``."""
         found = self._tree.get("beyond")
         return None if found is None else Beyond(found)
 
@@ -597,7 +597,7 @@ class Onset(_First):
     """The onset of sliding as a load grows.
 
     The outcome is ``"at"`` (a factor), ``"never"``, ``"already_sliding"`` (at factor 0), ``"no_base"`` (no equilibrium at factor 0),
-    ``"gives_way"`` (no contact leaves, but from a factor on no contact resists the load) or ``"undecided"``.
+    ``"gives_way"`` (no contact stops sticking, but beyond a factor no contact resists the load) or ``"undecided"``.
     """
 
     @property
@@ -607,8 +607,8 @@ class Onset(_First):
 
     @property
     def factor(self) -> float | None:
-        """The factor up to which every contact sticks, without unit: the factor of the event, or the factor at which the object gives way; ``inf``
-        for never. None for all other outcomes: read :attr:`outcome` first."""
+        """The factor up to which every contact sticks: that of the onset, or that at which the object gives way; ``inf`` for ``"never"``. None for
+        all other outcomes: read :attr:`outcome` first."""
         told = self._told
         if isinstance(told, LazyAnswer):
             return told.factor
@@ -631,7 +631,7 @@ class TurnOnset(_First):
     @property
     def angle(self) -> float | None:
         """Angle by which the load has turned at the onset, rad; for ``"gives_way"`` the angle up to which the grasp holds. None for all other
-        outcomes, ``"never"`` included: nothing is known beyond the last angle."""
+        outcomes, also for ``"never"``, since angles beyond the turn are not considered."""
         told = self._told
         if isinstance(told, LazyAnswer):
             return told.factor if told.outcome != "never" else None
@@ -639,7 +639,7 @@ class TurnOnset(_First):
 
     @property
     def touches(self) -> tuple[Tree, ...]:
-        """Contacts and drives that touch the edge of their cone or limit without crossing it, each with the angle, rad."""
+        """Contacts and drives that reach the edge of their cone or their limit without exceeding it, each with the angle, rad."""
         return tuple(self._tree["touches"])
 
     def _title(self) -> str:
@@ -648,7 +648,7 @@ class TurnOnset(_First):
 
 
 class Event(View):
-    """A change of contacts or drives on a load path."""
+    """A place on a load path at which contacts or drives change their state."""
 
     @property
     def leg(self) -> int:
@@ -694,7 +694,7 @@ class Path(Answer):
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
-        """All events, in the order of the path; none of a path in steps."""
+        """All events, in the order of the path; empty for a path in steps."""
         return tuple(Event(tree) for tree in self._tree["events"])
 
     @cached_property
@@ -709,12 +709,12 @@ class Path(Answer):
 
     @property
     def step_error(self) -> float:
-        """Sum of the estimated relative errors of the steps along sliding arcs; 0 where every piece is straight. The error of a path in steps."""
+        """Sum of the estimated relative errors of the steps along sliding arcs, 0 if every piece is straight; for a path in steps, its error."""
         return number(self._tree["step_error"])
 
     @property
     def kind(self) -> str | None:
-        """The way a lost path ends: ``"fold"``, ``"corner"``, ``"asymptote"``, ``"gives_way"`` or ``"lets_go"``; None for other outcomes."""
+        """The kind of loss of equilibrium: ``"fold"``, ``"corner"``, ``"asymptote"``, ``"gives_way"`` or ``"lets_go"``; None for other outcomes."""
         found = self._tree.get("kind")
         return None if found is None else str(found)
 

@@ -22,15 +22,15 @@ class OnsetStatus(IntEnum):
     """Outcome of one row of :func:`onsets`."""
 
     LEAVES = 0
-    """Contacts stop sticking at the factor."""
+    """Contacts stop sticking at the factor of the row."""
     NEVER = 1
     """No contact stops sticking, however large the load grows; the factor is ``inf``."""
     NOT_STICKING = 2
     """A contact slides or is open at factor 0; ``complete=True`` gives the answer of :meth:`Grasp.onset`."""
     GIVES_WAY = 3
-    """The load works on a motion that no contact resists."""
+    """The load does work on a motion that no contact resists."""
     UNCLEAR = 4
-    """The single pass of screening cannot decide in floating-point arithmetic; ``complete=True`` decides."""
+    """Rounding errors keep the single pass of screening from a decision; ``complete=True`` decides."""
     ALREADY_SLIDING = 5
     """With ``complete``: a contact slides at factor 0."""
     NO_BASE = 6
@@ -38,7 +38,7 @@ class OnsetStatus(IntEnum):
     NOT_A_NUMBER = 7
     """A number of the row is NaN."""
     MALFORMED = 8
-    """A number of the row is out of range, or its direction is zero; :class:`Grasp` names the number."""
+    """A number of the row is out of range, or its direction is zero. The error of :class:`Grasp` for this row names the number."""
 
 
 class SolveStatus(IntEnum):
@@ -51,7 +51,7 @@ class SolveStatus(IntEnum):
     NOT_A_NUMBER = 3
     """A number of the row is NaN."""
     MALFORMED = 4
-    """A number of the row is out of range; :class:`Grasp` names the number."""
+    """A number of the row is out of range. The error of :class:`Grasp` for this row names the number."""
 
 
 class ContactState(IntEnum):
@@ -155,8 +155,8 @@ def _loads(name: str, given: ArrayLike, axes: int) -> Array:
 def _paired(grasps: tuple[int, ...], made: dict[str, Any], loads: Array) -> tuple[tuple[int, ...], dict[str, Any], Array, bool]:
     """Broadcasts grasps against loads.
 
-    Returns the batch shape, the columns, the loads as rows, and whether each grasp has its own load. Where no axis belongs to both grasps and
-    loads, the columns stay as they are and every grasp takes all loads, which is faster.
+    Returns the batch shape, the contact data, the loads as rows, and whether each grasp has its own load. If no axis of the batch belongs to both
+    grasps and loads, the data are not repeated and every grasp takes all loads, which is faster.
     """
     leading = loads.shape[:-1]
     try:
@@ -191,7 +191,7 @@ def asked(
     name: str = "direction",
     **others: ArrayLike | None,
 ) -> tuple[tuple[int, ...], dict[str, Any], Array, Array, bool]:
-    """The shape of a batch of onsets, its columns, base loads and directions, and whether each grasp has its own load."""
+    """The shape of a batch, its contact data, base loads and directions, and whether each grasp has its own load."""
     axes = _axes(points)
     leading, made = columns(axes, points, normals, friction, hold, soft, **others)
     along = _loads(name, direction, axes)
@@ -231,14 +231,14 @@ def onsets(
     shape (B, 1, n, c) and directions of shape (S, c) make B S questions, all directions for each grasp; this is the fastest layout.
 
     Grasps of two to 52 contacts, with at most 64 points of pads, are screened, several in each vector register; the method of
-    :meth:`Grasp.onset` answers all others. Each answer has the bits of the crate's batch, for any number of threads. A malformed row, or a row
-    with NaN, reports this in its status and does not affect other rows.
+    :meth:`Grasp.onset` answers all others. Each answer has the same bits for any number of threads. A malformed row, or a row with NaN,
+    reports this in its status and does not affect other rows.
 
     :param points: contact points, m, shape (..., n, 2) or (..., n, 3).
     :param direction: load per unit of the factor, N and N m, shape (..., c) or (..., d).
     :param base: load at factor 0, shape (..., c) or (..., d); zero unless given.
-    :param soft: pads in place of the points, as in :meth:`Grasp.spatial`, the same for all grasps. A finger leaves where its first point does.
-    :param complete: let the method of :meth:`Grasp.onset` answer rows that screening leaves open, at some 10 µs for each such row.
+    :param soft: pads in place of the points, as in :meth:`Grasp.spatial`, the same for all grasps. A pad stops sticking where its first point does.
+    :param complete: let the method of :meth:`Grasp.onset` answer rows that screening does not decide, in some 10 µs for each such row.
 
     All other parameters are as in :meth:`Grasp.planar`, with axes of the batch in front.
     """

@@ -1,4 +1,4 @@
-"""The grasp of a body in Drake: its contacts, and joints and actuators behind them."""
+"""The grasp of a body in Drake: its contacts, and the joints and actuators that move them."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from ._touching import Touching, drive, hand_of, pressing
 
 
 def touching(plant: Any, context: Any, body: str) -> list[Touching]:
-    """The contacts of points that press on a body, in Drake's order.
-
-    A contact of Drake has its force on body B and its normal from B to A: the normal is turned round where the body that is held is B, the force
-    where it is A.
+    """The point contacts that press on a body, in Drake's order.
+    
+    A contact of Drake has its force on body B and its normal from B to A. The normal changes its sign if the held body is B, the force if the held
+    body is A.
     """
     held, found = plant.GetBodyByName(body), []
     centre = held.EvalPoseInWorld(context).multiply(held.CalcCenterOfMassInBodyFrame(context))
@@ -35,7 +35,7 @@ def touching(plant: Any, context: Any, body: str) -> list[Touching]:
                 name=other.name(),
                 point=contact.contact_point() - centre,
                 normal=-sign * pair.nhat_BA_W,
-                # As Drake combines the friction of two surfaces.
+                # Drake combines the coefficients of two surfaces by their harmonic mean.
                 friction=2 * one * two / (one + two) if one + two > 0 else 0.0,
                 force=sign * contact.contact_force(),
                 depth=float(pair.depth),
@@ -71,7 +71,7 @@ def hand_of_body(plant: Any, context: Any, body: str) -> dict[str, Any]:
     for number in range(plant.num_force_elements()):
         element = plant.get_force_element(ForceElementIndex(number))
         if type(element) in (PrismaticSpring, RevoluteSpring):
-            # Stiffness of a hinge's spring is a parameter of the context in newer versions of Drake.
+            # In newer versions of Drake the stiffness of a hinge's spring is a parameter of the context.
             stiffness = element.GetStiffness(context) if hasattr(element, "GetStiffness") else element.stiffness()
             springs[element.joint().velocity_start()] += stiffness
     acts = plant.get_net_actuation_output_port().Eval(context)

@@ -163,7 +163,7 @@ class Equilibrium(View):
     """An equilibrium under a load. n contacts of c axes, an object of d coordinates: c, d = 2, 3 in the plane and 3, 6 in space."""
 
     def __init__(self, tree: Tree | LazyAnswer) -> None:
-        # The answer of the crate, whose numbers are read without JSON, or its tree of data.
+        # Either the answer of the crate, whose numbers are read without JSON, or its data as a dictionary.
         self._told = tree
 
     @cached_property
@@ -205,7 +205,7 @@ class Equilibrium(View):
 
     @cached_property
     def body_loads(self) -> dict[str, Array]:
-        """Loads that a load program has put on single bodies, by name of the body, N and N m, shape (d,)."""
+        """Loads that a load program applies to single bodies, by name of the body, N and N m, shape (d,)."""
         return {str(tree["body"]): load_of(tree["load"]) for tree in self._tree.get("body_loads", ())}
 
     @cached_property
@@ -284,7 +284,7 @@ class Equilibrium(View):
 
     @property
     def rule(self) -> str:
-        """The rule that found this equilibrium; with friction there may be other equilibria."""
+        """The rule by which this equilibrium was selected; with friction there may be other equilibria."""
         return str(self._tree["rule"])
 
     @property
@@ -311,8 +311,8 @@ class Equilibrium(View):
     def is_beyond_small_motions(self) -> bool:
         """Whether the object turns, or a contact slips or opens, farther than ``small_motions`` of the settings.
 
-        The default limits are 0.1 rad and a tenth of the size of the grasp. The theory keeps contact points and normals fixed. An answer with
-        larger motions solves the question as posed, but says little about the real object.
+        The default limits are 0.1 rad and a tenth of the size of the grasp. The theory assumes fixed contact points and normals, so that an answer
+        with larger motions is inaccurate for the real object.
         """
         return "too_far" in self._tree
 

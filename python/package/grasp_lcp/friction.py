@@ -1,4 +1,4 @@
-"""Frictional contact problems without a grasp: ``u = W r + q`` with Coulomb's law between u and r at each contact."""
+"""Frictional contact problems (W, q, μ) that belong to no grasp: ``u = W r + q`` with Coulomb's law between u and r at each contact."""
 
 from __future__ import annotations
 

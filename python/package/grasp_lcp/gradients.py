@@ -19,9 +19,9 @@ from .batch import OnsetStatus, Soft, asked, onsets
 class OnsetGradients:
     """Derivatives of the factors of :func:`onsets`. All arrays begin with the shape of the batch; numbers are NaN in rows without a factor.
 
-    Each derivative is exact and partial: one datum changes, all others stay. It belongs to the margin of the contact in :attr:`contact`. Where
-    :attr:`one_sided` is true, several events are active and the factor has a kink: the derivative holds to one side of it. Where a motion of the
-    object is free, as for two hard fingers in space, the derivatives by points, normals and loads are NaN.
+    Each derivative is exact and partial: one quantity changes while all others are constant. It is that of the margin of the contact in
+    :attr:`contact`. If :attr:`one_sided` is true, several contacts stop sticking at once and the factor has a kink: the derivative holds on one
+    side of it. If a motion of the object is free, as for two hard fingers in space, derivatives with respect to points, normals and loads are NaN.
     """
 
     factor: Array
@@ -35,21 +35,21 @@ class OnsetGradients:
     one_sided: NDArray[np.bool_]
     """Whether the factor has a kink at these data."""
     points: Array
-    """Derivatives by contact points along the coordinate axes, with constant normals, 1/m, shape (..., n, c)."""
+    """Derivatives with respect to contact points along the coordinate axes, with constant normals, 1/m, shape (..., n, c)."""
     normals: Array
-    """Derivatives by unit normals, perpendicular to them, 1/rad, shape (..., n, c). Springs, commands and clearances tilt with the contact frame."""
+    """Derivatives with respect to unit normals, tangential, 1/rad, shape (..., n, c). Springs, commands and clearances tilt with the frame."""
     command_world: Array
-    """Derivatives by commands along the coordinate axes, 1/m, shape (..., n, c)."""
+    """Derivatives with respect to commands along the coordinate axes, 1/m, shape (..., n, c)."""
     series_stiffness: Array
-    """Derivatives by normal and tangential stiffness, m/N, shape (..., n, 2): both tangents change together, commands in metres stay."""
+    """Derivatives with respect to normal and tangential stiffness, m/N, shape (..., n, 2). Both tangents change together; commands (m) do not."""
     friction: Array
-    """Derivatives by friction coefficients, shape (..., n)."""
+    """Derivatives with respect to friction coefficients, shape (..., n)."""
     base: Array
-    """Derivatives by the base load, 1/N and 1/(N m), shape (..., d)."""
+    """Derivatives with respect to the base load, 1/N and 1/(N m), shape (..., d)."""
 
     @property
     def direction(self) -> Array:
-        """Derivatives by the direction of the load, shape (..., d): the factor times the derivatives by the base load."""
+        """Derivatives with respect to the direction of the load, shape (..., d): the factor times those with respect to the base load."""
         with np.errstate(invalid="ignore"):
             return self.factor[..., None] * self.base
 
@@ -76,13 +76,13 @@ def onset_gradients(
     hold: str | Sequence[str] = "unilateral",
     soft: Soft = None,
 ) -> OnsetGradients:
-    """The gradients of the factors of :func:`onsets` by all data of grasps and loads, at the cost of a few factors.
+    """The gradients of the factors of :func:`onsets` by all data of grasps and loads, in the time of a few factors.
 
     Grasps must have two to five contacts, or pads with any number of points; in space each has one stiffness along both tangents. A row that
-    screening leaves open has no gradient. The parameters are as in :func:`onsets`. A grasp of three contacts in space takes some 300 bytes.
+    screening does not decide has no gradient. The parameters are as in :func:`onsets`. The answer for three contacts in space takes some 300 bytes.
 
-    With ``soft`` the derivatives are by the data of whole contacts, whose points move and share their springs with them. A grasp with pads takes some
-    microseconds a point, in array operations.
+    With ``soft`` the derivatives are with respect to the data of whole contacts, whose points move and share their springs with them. A grasp with
+    pads takes some microseconds a point, in array operations.
     """
     shape, made, first, second, own = asked(
         points, normals, direction, base, friction, hold, soft, series_stiffness=series_stiffness, body_stiffness=body_stiffness,
@@ -115,7 +115,7 @@ def onset_gradients(
 
 
 def _with_pads(shape: tuple[int, ...], made: dict[str, Any], base: Array, direction: Array, own: bool) -> OnsetGradients:
-    """Gradients of grasps with pads: those of grasps of their points, by the array program, gathered for each pad."""
+    """Gradients of grasps with pads: derivatives with respect to data of points are summed for each pad."""
     from ._arrays.first_exit import FirstExit
     from ._arrays.pads import Pads
     from ._arrays.program import Kind, gradients
@@ -143,7 +143,7 @@ def _with_pads(shape: tuple[int, ...], made: dict[str, Any], base: Array, direct
         found = FirstExit(factor.ravel(), status, np.where(known, leaves.argmax(axis=-1), -1))
         slopes = gradients(np, float(np.finfo(np.float64).eps), Kind(words, bool(base.any()), True), at_points, found)
         by = pads.gathered(slopes, normals, pads.arms(np, normals, made["tangents"]))
-        # In the array program commands stay along the coordinate axes; here they tilt with the contact frame.
+        # The array program keeps commands constant along the coordinate axes; in this answer they tilt with the contact frame.
         along, pressed = ((each * normals).sum(axis=-1, keepdims=True) for each in (command, by[4]))
         by[1] = by[1] + (by[4] * along - command * pressed)
     by = [np.where(known.reshape(-1, *(1,) * (each.ndim - 1)), each, np.nan).reshape(*shape, *each.shape[1:]) for each in by]
@@ -175,7 +175,7 @@ def _springs(made: dict[str, Any]) -> Array:
 
 
 def _commands(made: dict[str, Any], normals: Array) -> Array:
-    """Commands less the clearances, along the coordinate axes."""
+    """Commands minus clearances, along the coordinate axes."""
     from ._arrays.pads import frames
 
     command = np.zeros_like(normals) if made["command_world"] is None else made["command_world"]

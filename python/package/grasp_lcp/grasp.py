@@ -109,9 +109,9 @@ class Grasp:
         :param points: contact points, m, shape (n, 2).
         :param normals: directions into the object, of any length, shape (n, 2).
         :param friction: coefficients μ >= 0, shape (n,) or one for all; a contact with ``inf`` never slides.
-        :param series_stiffness: springs of body and finger in series, N/m: one number for all axes, or ``[normal, tangential]``, or rows of
-            them, shape (n, 2). Give either this argument, or ``body_stiffness`` and ``finger_stiffness``. Without any of them the default of
-            scenes is taken, and :meth:`warnings` say where the answer depends on it.
+        :param series_stiffness: springs of body and finger in series, N/m: one number for all axes, or ``[normal, tangential]``, or one such
+            row for each contact, shape (n, 2). Give either this argument, or ``body_stiffness`` and ``finger_stiffness``. Without any of them the
+            default of scenes applies, and :meth:`warnings` reports questions whose answer depends on it.
         :param body_stiffness: springs of the object at the contacts, N/m, in the same formats; ``inf`` is rigid.
         :param finger_stiffness: springs of the fingers, N/m, in the same formats.
         :param command: displacements of the fingers' cores in the contact frames, m, shape (n, 2) or (2,); normal first, positive
@@ -126,8 +126,8 @@ class Grasp:
         :param soft: patches of soft pads in place of the points, as in scenes: ``{"pad": {"width": 0.01, "strips": 1}}`` or ``{"pair":
             {"width": 0.01}}``. One for all, or a list with one or None a contact.
         :param suction: forces with which a vacuum pulls the object onto the contacts, N. One for all, or a list with one or None a contact.
-        :param kinetic_friction: coefficients while contacts slide, at most those at rest. One for all, or a list with one a contact, where None
-            means the coefficient at rest.
+        :param kinetic_friction: coefficients of friction while contacts slide, at most ``friction``. One for all, or a list with one for each
+            contact, where None means the coefficient at rest.
         :param hold: ``"unilateral"``, ``"kept_closed"`` or ``"bonded"``, one word for all or one a contact.
         :param names: names of the contacts for messages and pictures.
         :param outline: corners of the object, m, shape (k, 2), for pictures only.
@@ -215,14 +215,14 @@ class Grasp:
         grasp = cls._of(_grasp_lcp.Grasp.of_columns(made, told_names, corners, told))
         if not is_left_out:
             return grasp
-        # The scene then has the default, and its warnings say where answers depend on it.
+        # Without the field the scene has the default stiffness, and its warnings report answers that depend on it.
         scene = grasp.to_dict()
         for contact in scene["planar" if axes == 2 else "spatial"]["contacts"]:
             contact.pop("series_stiffness")
         return cls.from_dict(scene)
 
     def _spread(self, **given: Any) -> Grasp:
-        """This grasp with further data a contact, written into its scene: constant forces, soft pads, suction, friction while sliding, surfaces."""
+        """This grasp with further contact data, which its scene has: constant forces, soft pads, suction, kinetic friction, surfaces."""
         told = {name: one_each(name, value, len(self)) for name, value in given.items() if value is not None}
         if not told:
             return self
@@ -255,8 +255,8 @@ class Grasp:
 
         :param names: names of the b bodies.
         :param on: for each contact the body that its normal points into, by name or by number from 0.
-        :param against: for each contact the body on its other side; None or -1 for the ground or a finger, which is the default for all.
-        :param mass: masses, kg, shape (b,) or one for all. Weights act only under ``gravity``, or where loads are ``shared_by_mass``.
+        :param against: for each contact the body on its other side; None or -1, the default, for the ground or a finger.
+        :param mass: masses, kg, shape (b,) or one for all. A mass has a weight only under ``gravity``; it also shares loads with ``shared_by_mass``.
         :param centre_of_mass: centres of mass, m, shape (b, c); the origin by default.
         :param load: constant loads, one a body, N and N m about the origin, each of shape (c,) or (d,).
         :param gravity: acceleration of constant weights, m/s², shape (c,).
@@ -286,19 +286,19 @@ class Grasp:
         density: float | None = None,
         settings: Settings | None = None,
     ) -> Grasp:
-        """The grasp of pads that close on a part: each touches it where it meets the mesh, with the normal and the clearance there.
+        """The grasp of pads that close on a part. Each pad touches the part where it meets the mesh, with the local normal and clearance.
 
         :param mesh: a mesh with ``vertices`` and ``faces``, as those of trimesh; a pair of such arrays; or the path of an STL or OBJ.
         :param pads: one mapping a pad. A shape, ``"rectangle"`` (sides, m) or ``"disc"`` (radius, m); ``"from"``, its middle before it closes, m; and
             ``"closing"``, the direction. A rectangle may be ``"round"`` (radius, m) or have ``"v_deg"`` (opening angle). ``"layer"``, ``{"modulus":
             …, "thickness": …}`` in Pa and m, takes the place of a stiffness. All else is as for a contact of a scene: ``"name"``, ``"friction"``,
-            ``"pressed_with"``, ``"tangent"`` (of the first side), …
+            ``"pressed_with"``, ``"tangent"`` (the direction of the first side), …
         :param unit: the unit of the mesh, ``"m"``, ``"cm"``, ``"mm"`` or ``"in"``.
         :param mass: the mass of the part, kg.
-        :param density: its density, kg/m³, in place of the mass. :attr:`mass` and :attr:`centre_of_mass` then tell its weight.
+        :param density: its density, kg/m³, in place of the mass; :attr:`mass` and :attr:`centre_of_mass` are then computed from it.
         :param settings: settings of all questions.
-        :raises ValueError: names the pad that misses the part, or the field, the value and the allowed values. :meth:`warnings` name pads that
-            miss in part, or lie over an edge.
+        :raises ValueError: names the pad that misses the part, or the field, the value and the allowed values. :meth:`warnings` names pads that
+            partly miss the part, or lie over an edge.
         """
         return cls.from_dict(scene_of_mesh(mesh, pads, unit, mass, density, settings))
 
@@ -318,17 +318,17 @@ class Grasp:
         tendons: Sequence[Mapping[str, Any]] | None = None,
         **contacts: Any,
     ) -> Grasp:
-        """A hand with m joints, from arrays: contacts, and the Jacobians by which joints move them.
+        """A hand with m joints, from arrays: contacts, and the Jacobians that map joint velocities to contact velocities.
 
         :param points: contact points, m, shape (n, 2) or (n, 3).
         :param normals: directions into the object, of the same shape.
         :param jacobians: velocities of the contact points along the coordinate axes per unit velocity of each joint, shape (n, c, m). A contact
             with zeros stands still.
-        :param stiffness: of the joints, N m/rad or N/m: one number, shape (m,), or a symmetric matrix, shape (m, m).
+        :param stiffness: stiffness of the joints, N m/rad or N/m: one number, shape (m,), or a symmetric matrix, shape (m, m).
         :param joints: names of the joints.
-        :param command: displacements of the contacts, as for :meth:`spatial`; ``pressed_with`` commands the joints, too.
-        :param joint_command: displacements that the joints are commanded to, beyond where they are, rad or m.
-        :param torque: constant torques on the joints beside their springs, N m or N.
+        :param command: commanded displacements of the contacts, as for :meth:`spatial`; ``pressed_with`` commands the joints, too.
+        :param joint_command: commanded displacements of the joints from their present positions, rad or m.
+        :param torque: constant torques on the joints in addition to their springs, N m or N.
         :param limit: torques at which the motors stall, N m or N, one for all or one a joint with None where there is none; or mappings as in
             scenes, ``{"slips": 2.0}`` for a clutch.
         :param tendons: drives over several joints, as in scenes: ``{"arms": [...], "stiffness": ..., "pull": ..., "limit": ..., "pushes": True}``.
@@ -345,18 +345,18 @@ class Grasp:
     def from_mujoco(cls, model: Any, data: Any, body: int | str) -> Grasp:
         """The grasp of a body in a MuJoCo simulation that is at rest: its contacts, and the joints and actuators behind them. Needs ``mujoco``.
 
-        Coordinates are those of the world, from the centre of mass of the body: a weight is a force alone. Forces are those of the simulation. If its
-        weight acts there, it is the ``base`` of questions.
+        Coordinates are along the axes of the world, with the origin at the centre of mass of the body, so that its weight is a pure force. Contact
+        forces are those of the simulation. If the weight acts in the simulation, pass it as the ``base`` of questions.
 
-        Each contact is a spring: along its normal force over depth, along its tangents a million times as stiff, since it creeps there without a
-        spring. Joints have their springs, actuators the stiffness of their position gains, and the limits of their forces. Active equality
-        constraints are stiff rods. Not taken over: torsional and rolling friction of contacts, friction and limits of joints, and contacts without
-        force.
+        Each contact becomes a spring. Its normal stiffness is force over depth. Tangentially it is a million times as stiff, since contacts of the
+        simulation have no tangential spring. Joints have their springs, actuators the stiffness of their position gains and the limits of their
+        forces. Active equality constraints become stiff rods. Torsional and rolling friction of contacts, friction and limits of joints, and
+        contacts without force are ignored.
 
         :param model: an ``mjModel``.
         :param data: its ``mjData``, after a step or ``mj_forward``.
         :param body: the name or the number of the body that is held.
-        :raises ValueError: if nothing presses on it, for unequal friction along tangents, and for free and ball joints behind a contact.
+        :raises ValueError: if no contact presses on the body, if friction differs along the tangents, and if a free or ball joint moves a contact.
         """
         return cls.hand(**mujoco.hand_of_body(model, data, body))
 
@@ -364,13 +364,13 @@ class Grasp:
     def from_drake(cls, plant: Any, context: Any, body: str) -> Grasp:
         """The grasp of a body in a Drake simulation that is at rest, as :meth:`from_mujoco`. Needs ``drake``.
 
-        Contacts are those between points. Joints have the springs of force elements, actuators the stiffness of their proportional gains and their
-        effort limits. Not taken over: hydroelastic contacts, constraints, and friction and limits of joints.
+        Only point contacts are read. Joints have the springs of force elements, actuators the stiffness of their proportional gains and their
+        effort limits. Hydroelastic contacts, constraints, and friction and limits of joints are ignored.
 
         :param plant: a finalized ``MultibodyPlant``.
         :param context: its context.
         :param body: the name of the body that is held.
-        :raises ValueError: if nothing presses on it, and for joints of several axes behind a contact.
+        :raises ValueError: if no contact presses on the body, and if a joint with several degrees of freedom moves a contact.
         """
         return cls.hand(**drake.hand_of_body(plant, context, body))
 
@@ -378,18 +378,18 @@ class Grasp:
         """Draws the grasp into the axes of matplotlib: the object, its contacts, and the forces of an equilibrium.
 
         :param ax: axes of a plot; in space with ``projection="3d"``.
-        :param state: an equilibrium of this grasp; without one the contacts alone are drawn. The longest force has a third of the size of the grasp.
+        :param state: an equilibrium of this grasp; without one only the contacts are drawn. The longest arrow has a third of the size of the grasp.
         """
         draw_into(ax, self._held.places(), self.to_dict()["planar" if self.axes == 2 else "spatial"], state)
 
     @property
     def mass(self) -> float | None:
-        """Mass of the part, kg; None of a grasp without a mesh, or without a mass or a density."""
+        """Mass of the part, kg; None for a grasp without a mesh, and for a part without a mass or a density."""
         return self._held.part()[0]
 
     @property
     def centre_of_mass(self) -> Array | None:
-        """Centre of mass of the part at constant density, m; None of a grasp without a mesh, and of a mesh that is not closed."""
+        """Centre of mass of the part at constant density, m; None for a grasp without a mesh, and for a mesh that is not closed."""
         centre = self._held.part()[1]
         return None if centre is None else np.array(centre)
 
@@ -402,7 +402,7 @@ class Grasp:
     def from_dict(cls, scene: Mapping[str, Any]) -> Grasp:
         """The grasp of a scene given as a dictionary, see :meth:`from_json`.
 
-        A gripper of two jaws with soft pads, on slides that one motor pulls by a tendon: 10 mm of its drive, 1 kN/m, which stalls at 12 N.
+        A gripper of two jaws with soft pads. One motor pulls their slides by a tendon: by 10 mm, with a stiffness of 1 kN/m, up to 12 N.
 
         >>> def jaw(x, way):
         ...     pad = {"point": [x, 0], "normal": [way, 0], "stiffness": [2e5, 7e4], "friction": 0.5, "soft": {"pair": {"width": 20}}}
@@ -413,9 +413,9 @@ class Grasp:
         >>> round(grasp.onset([0, -1]).factor, 2)
         9.9
 
-        ``revolute`` joints have a ``point`` (in space an ``axis``, too), and arms of tendons at them are lengths. A finger on a tendon is pressed by
-        the ``pull`` of the tendon; one whose joints have a stiffness may have ``pressed_with`` at its contact. Pads in space are
-        ``{"rectangle": {"sides": [a, b]}}`` along the first and second tangent, for a normal along x along y and z unless ``tangent`` says otherwise.
+        ``revolute`` joints have a ``point``, and in space an ``axis``; the arms of tendons at them are lengths. The ``pull`` of a tendon presses its
+        fingers; a finger whose joints have a stiffness may have ``pressed_with`` at its contact instead. Pads in space are ``{"rectangle":
+        {"sides": [a, b]}}``, with sides along the first and second tangent: y and z for a normal along x, unless ``tangent`` is given.
         """
         return cls._of(_grasp_lcp.Grasp.of_json(json.dumps(scene, default=with_arrays), True))
 
@@ -461,11 +461,11 @@ class Grasp:
         *,
         together_with: Mapping[str, Load] | None = None,
     ) -> Verdict:
-        """Does it hold? The load grows from rest. The answer is a sentence, with first slip and gross slip as multiples of the load.
+        """Does the grasp hold a load that grows from rest? The answer is a sentence, with first slip and gross slip as multiples of the load.
 
         :param load: the load that grows, N and N m, shape (c,) or (d,).
         :param base: the load at rest; zero unless given.
-        :param together_with: loads on single bodies by name, which grow with the load. They exclude a base.
+        :param together_with: loads on single bodies by name, in proportion to the load. The base must then be left out.
         """
         asked = {"load": wrench_json("load", load, self.axes)}
         if base is not None:
@@ -497,7 +497,7 @@ class Grasp:
         loads: Sequence[Load],
         base: Load | None = None,
     ) -> Shaken:
-        """Does it survive a load that repeats? Each load in turn is applied and removed, cycle after cycle. The answer holds for all time.
+        """Does the grasp survive repeated loads? Each load is applied and removed in turn, cycle after cycle. The answer holds for all cycles.
 
         :param loads: loads of one cycle in their order, N and N m, each of shape (c,) or (d,).
         :param base: the load at rest; zero unless given.
@@ -508,7 +508,7 @@ class Grasp:
         return Shaken(self._held.ask(dumped({"shake": asked})), self._held)
 
     def shakedown(self, loads: Sequence[Load], *, base: Load | None = None) -> Shakedown:
-        """The largest multiple of repeated loads, applied in any order, under which the grasp could come to rest.
+        """The largest multiple of repeated loads, applied in any order, at which slipping could cease after some cycles.
 
         :param loads: loads that are applied and removed, N and N m, each of shape (c,) or (d,).
         :param base: the load at rest; zero unless given.
@@ -519,7 +519,7 @@ class Grasp:
         return Shakedown(self._held.ask(dumped({"shakedown": asked})), self._held)
 
     def compare(self, load: Load, *, base: Load | None = None) -> Comparison:
-        """Is the equilibrium the minimum of energy that the paper's quadratic program finds, and up to which part of the load?
+        """Is the equilibrium the minimum of energy that the paper's quadratic program finds, and up to which fraction of the load?
 
         :param load: the load that grows, N and N m, of shape (c,) or (d,).
         :param base: the load at rest; zero unless given.
@@ -550,7 +550,7 @@ class Grasp:
         friction_less: float | None = None,
         squeeze_less: float | None = None,
     ) -> Needed:
-        """How much does it need? The least ``"squeeze"``, ``"friction"`` or ``"force"``, or the greatest ``"load"``, ``"arm"`` or ``"angle"``.
+        """The amount that the grasp needs: least ``"squeeze"``, ``"friction"`` or ``"force"``, largest ``"load"``, ``"arm"`` or ``"angle"``.
 
         :param quantity: the quantity sought.
         :param load: the load. With ``any_force`` it acts in addition to that force.
@@ -559,13 +559,13 @@ class Grasp:
         :param any_force: size of a force of any direction, N, that acts at ``at``.
         :param per_metre: for an arm, the change of the load per metre.
         :param contact: for friction, the contact whose coefficient is sought, by number from 0 or by name; all contacts by default.
-        :param turn: for an angle, the load that turns, with the arguments of :meth:`turn`. For other quantities, loads all along the turn.
-        :param together_with: loads on single bodies by name, which grow with the single load.
+        :param turn: for an angle, the load that turns, with the arguments of :meth:`turn`. For other quantities, the loads all along it.
+        :param together_with: loads on single bodies by name, in proportion to the single load.
         :param of: for a force, the body whose load it is, or the contact, link or joint that presses; by default the load at rest.
-        :param sticks: whether the amount with which nothing slides is sought alone. By default it stands beside the amount that holds.
+        :param sticks: whether only the amount with which nothing slides is sought. By default the answer has it in addition to the amount that holds.
         :param may_slide: whether contacts may slide, as long as the object is held; the default unless loads repeat.
-        :param repeats: whether loads are applied and removed in turn, again and again. The grasp must come to rest; with ``may_slide`` the object
-            only must not walk.
+        :param repeats: whether loads are applied and removed in turn, again and again. Slipping must then cease; with ``may_slide`` it may go on, as
+            long as the object does not walk.
         :param safety: factor on the loads for the safe amount.
         :param friction_less, squeeze_less: relative reductions of friction and squeeze for the safe amount; by default 0.1 and 0.05, and 0 with
             ``safety``.
@@ -611,18 +611,18 @@ class Grasp:
         outliers: float | None = None,
         iterations: int | None = None,
     ) -> Identified:
-        """Identifies friction, loads of supports, squeeze or stiffness from observed slips. Each estimate has its error.
+        """Estimates friction, loads of supports, squeeze or stiffness from observed slips, with standard errors.
 
         :param unknowns: each ``"friction"``, ``"carried"``, ``"squeeze"`` or ``"stiffness"``, or a mapping with that ``quantity``, the numbers or
-            names of its ``contacts``, and ``layout``, ``name`` and ``start`` where they matter.
+            names of its ``contacts``, and optionally ``layout``, ``name`` and ``start``.
         :param loads: the load at each slip, shape (k, c) or (k, d), N and N m.
         :param slip: ``"gross"`` or ``"first"``, one for all slips or one each.
         :param base: a load that acted in addition.
         :param turns: in place of loads: turns up to the angle of each slip, with the arguments of :meth:`turn`.
         :param squeeze: multiple of the squeeze of the grasp at each slip, one for all or one each.
         :param scatter: relative standard deviation of loads, one for all or one each; estimated from the slips by default.
-        :param group: a name or a number for each slip, equal for slips that may share errors: of one direction, one specimen or one day. Errors
-            are then estimated between groups, and intervals use Student's distribution with the few degrees of freedom of the groups.
+        :param group: a name or a number for each slip, equal for slips that may share errors, such as those of one specimen or one day. Standard
+            errors then follow from the scatter between groups, and intervals from Student's distribution with their degrees of freedom.
         :param layouts: further arrangements of the contact points, each of shape (n, c).
         :param layout: the arrangement of each slip: 0 for the grasp itself, k for ``layouts[k - 1]``.
         :param known: indices of unknowns, their known sum, and its relative standard deviation.
@@ -676,14 +676,14 @@ class Grasp:
         return [{"load": wrench_json(f"loads[{k}]", row, self.axes)} for k, row in enumerate(rows)]
 
     def _rows(self, loads: Any) -> Array:
-        """Loads as rows of an array: given as one, or as a list with mappings."""
+        """Loads as rows of an array, from an array or from a list that contains mappings."""
         each: Any = [loads] if isinstance(loads, Mapping) else loads
         if isinstance(each, Sequence) and any(isinstance(load, Mapping) for load in each):
             each = [_grasp_lcp.load_numbers(f"loads[{k}]", load, self.axes) for k, load in enumerate(each)]
         return np.atleast_2d(floats("loads", each if each is not None else ()))
 
     def _unknown(self, index: int, given: str | Mapping[str, Any]) -> dict[str, Any]:
-        """Converts an unknown to the format of scenes, with its contacts by number."""
+        """Converts an unknown to the format of scenes, with its contacts as numbers."""
         kinds = ("friction", "carried", "squeeze", "stiffness")
         if not isinstance(given, (str, Mapping)):
             raise TypeError(f"unknowns[{index}]: {type(given).__name__} given, must be a text or a mapping with a quantity")
@@ -711,9 +711,9 @@ class Grasp:
         steps: int | None = None,
         seed: int | None = None,
     ) -> Improved:
-        """Searches for better places and squeezes of the fingers: the first slip comes as late as possible, or most friction is left.
+        """Searches for places and squeezes of the fingers that maximise the load at first slip, or the friction reserve under the full load.
 
-        :param load: the load that grows, or that acts in full for a reserve. With ``any_force`` it acts in addition to that force.
+        :param load: the load that grows; for a reserve, the load that acts in full. With ``any_force`` it acts in addition to that force.
         :param surfaces: surfaces along which contacts may move, as in scenes: in the plane ``{"segment": [[0, 0], [0, 1]]}``, ``polyline``,
             ``circle``, ``arc``, ``spline`` or ``closed_spline``, in space ``rectangle``, ``cylinder``, ``sphere`` or ``triangles``. One for all, or
             a list with one or None a contact; the surfaces of the scene by default.
@@ -744,7 +744,7 @@ class Grasp:
         return Improved(held._held.ask(dumped({"improve": asked})), held._held)
 
     def placed_as(self, improved: Improved) -> Grasp:
-        """This grasp with the places and commands of an answer of :meth:`improve`.
+        """This grasp with the contact places and commands that :meth:`improve` has found.
 
         :raises ValueError: if the answer has another number of contacts, or soft fingertips.
         """
@@ -761,7 +761,7 @@ class Grasp:
         return Grasp.from_dict(scene)
 
     def watch(self) -> Watch:
-        """A watch over measured contact forces, for a control loop. The grasp must have two to five point contacts and no joints."""
+        """Computes margins of measured contact forces in a control loop. The grasp must have two to five point contacts and no joints."""
         return Watch(self._held.watch(), self.axes)
 
     def solve(self, load: Load, *, together_with: Mapping[str, Load] | None = None) -> Solution:
@@ -776,7 +776,7 @@ class Grasp:
         return Solution(self._held.solve(load), self._held)
 
     def _together(self, loads: Mapping[str, Load] | None) -> dict[str, Any]:
-        """Converts loads of single bodies that act with the load of a question to the format of scenes."""
+        """Converts loads on single bodies, which act in proportion to the load of a question, to the format of scenes."""
         if not loads:
             return {}
         return {"together_with": {name: wrench_json(f"together_with[{name!r}]", load, self.axes) for name, load in loads.items()}}
@@ -821,23 +821,23 @@ class Grasp:
     ) -> TurnOnset:
         """The angle at which the first contact stops sticking while a load turns.
 
-        Give a ``weight`` for an object that is tilted together with its grasp, or a ``force`` that turns, or ``cosine`` and ``sine``. With none of
-        them the gravity of bodies turns. The turn goes from x to y in the plane, and about ``axis`` by the right-hand rule in space.
+        Give a ``weight`` for an object that is tilted together with its grasp, or a ``force`` that turns, or ``cosine`` and ``sine``. Without any of
+        these, the weights of the scene's bodies turn. The turn goes from x to y in the plane, and about ``axis`` by the right-hand rule in space.
 
         :param weight: the weight before the tilt, N, shape (c,).
         :param force: a force that turns, N, shape (c,), in place of the weight.
         :param at: the point on which weight or force acts, m, shape (c,); the origin by default.
         :param axis: in space the axis of the turn, shape (3,).
-        :param beside: a further load that does not turn.
-        :param constant, cosine, sine: loads of a general turn, in place of all these: ``constant + cosine cos θ + sine sin θ``.
+        :param beside: a constant load in addition to the turning one.
+        :param constant, cosine, sine: loads of a general turn, in place of the arguments above: ``constant + cosine cos θ + sine sin θ``.
         :param angle: largest angle, rad; a full turn by default.
-        :param degrees: the same in degrees, in place of ``angle``.
+        :param degrees: largest angle, degrees, in place of ``angle``.
         :param reversed: whether the turn goes in the opposite direction.
         """
         return TurnOnset(self._held.turn(dumped(self._turn_words(locals()))), self._held)
 
     def _numbered(self, contact: int | str | None) -> int | None:
-        """The number of a contact given by number or by name."""
+        """The number of a contact that is given by its number or its name."""
         if not isinstance(contact, str):
             return contact
         (space,) = (part for name, part in json.loads(self.to_json()).items() if name in ("planar", "spatial"))
@@ -869,12 +869,12 @@ class Grasp:
         start: Load | None = None,
         in_steps: float | None = None,
     ) -> Path:
-        """Follows a load program from event to event. Slips are remembered from leg to leg.
+        """Follows the path of a load program from event to event. Slips are kept from leg to leg.
 
         :param legs: each a :class:`Leg`, or the load at the end of the leg.
         :param start: the load at the start; zero unless given.
-        :param in_steps: for hundreds of contacts and more, the error of the forces that a leg may add, over the largest force:
-            the path is then followed in steps.
+        :param in_steps: follows the path in steps, for hundreds of contacts and more. This is the error that a leg may add to forces, relative to
+            the largest force.
         """
         asked: dict[str, Any] = {
             "legs": [self._leg(index, leg) for index, leg in enumerate(listed("legs", legs, "a list of loads or legs"))]
@@ -902,11 +902,11 @@ class Grasp:
         return written
 
     def equilibria(self, load: Load) -> list[Equilibrium]:
-        """All equilibria under a load, of a grasp with few contacts; on the round cone those to which a polygon leads."""
+        """All equilibria under a load, for a grasp with few contacts. On the round cone only those near an equilibrium on a polygon are found."""
         return [Equilibrium(tree) for tree in json.loads(self._held.equilibria(load))]
 
     def quality(self, budget: float = 1.0, *, each: bool = False) -> Quality:
-        """Loads that contacts *could* hold with suitable normal forces: force closure, form closure, and the measure ε of Ferrari and Canny.
+        """Loads that contacts *could* balance with suitable normal forces: force closure, form closure, and the measure ε of Ferrari and Canny.
 
         ε takes moments about the centroid of the contacts. To compare it with :meth:`weakest_direction`, pass that centroid as ``at``.
 
@@ -987,7 +987,7 @@ class Grasp:
         return self._resting()._repr_html_()
 
 
-# `help(Grasp.from_dict)` lists every field: joints, tendons and pads are there, too.
+# Appends the page of all fields of a scene to `help(Grasp.from_dict)`.
 Grasp.from_dict.__func__.__doc__ = f"{Grasp.from_dict.__doc__}\n\n{_grasp_lcp.FIELDS}"  # type: ignore[attr-defined]
 
 _KINDS: dict[str, type[Answer]] = {

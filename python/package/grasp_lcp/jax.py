@@ -1,9 +1,9 @@
-"""The onset of sliding as a function of JAX: exact factors and exact gradients of whole batches, where the arrays are.
+"""The onset of sliding as a function of JAX: exact factors and gradients of whole batches, on the device of the arrays.
 
     >>> from grasp_lcp.jax import onset_factor
     >>> jax.grad(lambda points: onset_factor(points, normals, down, friction=0.5, series_stiffness=2e3, pressed_with=8.0).sum())(points)
 
-On a processor the crate answers, by callbacks; on an accelerator, and for pads, one program of array operations. No other module of the package
+On a CPU callbacks ask the crate. On an accelerator, and for pads, one program of array operations computes the answer. No other module of the package
 imports JAX.
 """
 
@@ -48,7 +48,7 @@ def onset_factor(
     It works under ``jax.jit``, ``jax.grad``, ``jax.jvp``, ``jax.jacfwd``, ``jax.vmap`` and ``jax.shard_map``. The parameters are as in
     :func:`grasp_lcp.torch.onset_factor`. The crate computes in double precision, the array program in that of JAX: double with
     ``jax_enable_x64``. In rows without a factor the result is ``inf`` or NaN and all its derivatives are zero. At a kink, where several contacts
-    leave together, the derivatives belong to the first of these contacts. The array program alone has second derivatives.
+    stop sticking together, the derivatives are those of the first of these contacts. Only the array program has second derivatives.
 
     :param native: ``True`` for the array program, ``False`` for the crate; unless given, the array program on an accelerator.
     :param with_status: return a pair, factors and the :class:`grasp_lcp.OnsetStatus` of each row.
@@ -95,7 +95,7 @@ def _on_an_accelerator(points: Any) -> bool:
 
 
 def _unit(given: Any) -> Any:
-    """Unit vectors; zeros stay zeros, and NaN stays NaN, with finite derivatives."""
+    """Unit vectors with finite derivatives. Vectors of zeros and of NaN are returned unchanged."""
     known = jnp.isfinite(given).all(axis=-1, keepdims=True)
     given = jnp.where(known, given, 1.0)
     largest = jax.lax.stop_gradient(jnp.max(jnp.abs(given), axis=-1, keepdims=True))
@@ -114,7 +114,7 @@ def _load(given: Any, axes: int) -> Any:
 
 
 def _call(answer: Any, shapes: Any, data: Any) -> Any:
-    """Asks on the processor, in double precision."""
+    """Calls ``answer`` on the CPU, in double precision."""
 
     def there(*given: Any) -> Any:
         found = answer([np.asarray(each, dtype=np.float64) for each in given])
@@ -145,7 +145,7 @@ def _refuse(hold: Any, primals: Any, tangents: Any) -> Any:
 
 @_onset_factor.defjvp
 def _along(hold: Any, primals: Any, tangents: Any) -> Any:
-    """The factor and its change along the tangents, which is linear in them: reverse mode transposes it."""
+    """The factor and its change along the tangents. The change is linear in the tangents, so that reverse mode can transpose it."""
     found, *slopes = _with_slopes(hold, *primals)
     parts = [(slope * tangent).sum(axis=tuple(range(found.ndim, slope.ndim))) for slope, tangent in zip(slopes, tangents, strict=True)]
     return found, sum(parts)
@@ -157,12 +157,12 @@ def _status(hold: Any, *data: Any) -> Any:
 
 
 class _Namespace:
-    """``jax.numpy``, and what makes the compiler compute rows once."""
+    """``jax.numpy`` with a function ``kept``, which makes the compiler compute rows only once."""
 
     def __init__(self, points: Any) -> None:
         self.one = None
         if jax.default_backend() == "cpu":
-            # A one that the compiler does not know: it never computes a division twice, and for this processor it ignores barriers.
+            # A one whose value the compiler cannot know. On a CPU the compiler ignores barriers, but never repeats a division.
             size = jnp.max(jnp.abs(jax.lax.stop_gradient(points)), initial=0.0)
             self.one = jnp.maximum(jnp.minimum(jnp.where(size < jnp.inf, size, 0.0), 1.0), 1.0)
 
@@ -170,7 +170,7 @@ class _Namespace:
         return getattr(jnp, name)
 
     def kept(self, rows: Any) -> Any:
-        """The same rows."""
+        """The same rows, which the compiler computes only once."""
         if self.one is None:
             return jax.lax.optimization_barrier(rows)
         return jax.tree.map(lambda row: row / self.one, rows)
@@ -178,13 +178,13 @@ class _Namespace:
 
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
 def _array_program(kind: Kind, *data: Any) -> Any:
-    """Factors, statuses and leaving contacts of rows, all as numbers of one type: JAX spreads derivatives of integers over no devices."""
+    """Factors, statuses and contacts that stop sticking, all of one floating-point type: JAX cannot shard derivatives of integers over devices."""
     found = onsets(_Namespace(data[0]), float(jnp.finfo(data[0].dtype).eps), kind, list(data), _among)
     return tuple(each.astype(data[0].dtype) for each in found)
 
 
 def _change(kind: Kind, primals: Any, tangents: Any) -> Any:
-    """The factor and its change along the tangents. The slopes are functions of the data and of the factor, so that they have derivatives."""
+    """The factor and its change along the tangents. Slopes are array operations on the data and the factor, so that they have derivatives."""
     found = FirstExit(*_array_program(kind, *primals))
     slopes = gradients(_Namespace(primals[0]), float(jnp.finfo(primals[0].dtype).eps), kind, list(primals), found)
     change = jnp.zeros_like(found.factor)
@@ -198,7 +198,7 @@ def _change(kind: Kind, primals: Any, tangents: Any) -> Any:
 _array_program.defjvp(_change, symbolic_zeros=True)
 
 LOOPS = 16
-"""Open rows are answered thoroughly in at most so many rounds, each with as many rows."""
+"""Largest number of rounds in which the thorough pass answers undecided rows; all rounds have the same number of rows."""
 
 
 def _among(is_open: Any, found: list[Any], data: list[Any], again: Again) -> list[Any]:

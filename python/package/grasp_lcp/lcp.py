@@ -1,4 +1,4 @@
-"""Linear complementarity problems without a grasp: ``0 <= z ⟂ M z + q >= 0``."""
+"""Linear complementarity problems that belong to no grasp: ``0 <= z ⟂ M z + q >= 0``."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Outcome(View):
 
     @property
     def residuals(self) -> dict[str, Any] | None:
-        """Residuals of the conditions, recomputed from the data given."""
+        """Residuals of the conditions, recomputed from the given data."""
         found = self._of("residuals")
         return None if found is None else dict(found)
 

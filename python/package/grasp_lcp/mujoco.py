@@ -1,4 +1,4 @@
-"""The grasp of a body in MuJoCo: its contacts, and joints and actuators behind them."""
+"""The grasp of a body in MuJoCo: its contacts, and the joints and actuators that move them."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ import numpy as np
 from ._touching import Touching, drive, hand_of, pressing
 from ._views import Array
 
-# Equality constraints are rods, stiffer than the stiffest joint by this factor.
+# Equality constraints become rods; this is their stiffness relative to the stiffest joint.
 ROD = 1e6
 
 
 def touching(model: Any, data: Any, body: int | str) -> list[Touching]:
     """The contacts that press on a body and on all that is welded to it, in MuJoCo's order.
 
-    The first row of a MuJoCo frame is the normal, which points from geom 1 to geom 2, and its force acts on geom 2. Where geom 1 is of
-    the body both are turned round.
+    The first row of a MuJoCo frame is the normal, which points from geom 1 to geom 2, and its force acts on geom 2. If geom 1 belongs to the body,
+    both change their sign.
     """
     import mujoco  # type: ignore[import-not-found,import-untyped,unused-ignore]
 
@@ -49,7 +49,7 @@ def touching(model: Any, data: Any, body: int | str) -> list[Touching]:
 
 
 def _dense(model: Any, rows: int, values: Any, count: Any, first: Any, columns: Any) -> Array:
-    """Rows over all degrees of freedom of a sparse matrix of MuJoCo."""
+    """A sparse matrix of MuJoCo as a dense one, with one column for each degree of freedom."""
     dense = np.zeros((rows, model.nv))
     for row in range(rows):
         place = slice(first[row], first[row] + count[row])
@@ -65,7 +65,7 @@ def _moments(model: Any, data: Any) -> Array:
 
 
 def _equalities(model: Any, data: Any) -> Array:
-    """Rows of the equality constraints that are active."""
+    """Jacobian rows of the active equality constraints."""
     import mujoco
 
     if mujoco.mj_isSparse(model):
@@ -77,7 +77,7 @@ def _equalities(model: Any, data: Any) -> Array:
 
 
 def _actuator(model: Any, data: Any, index: int) -> tuple[float, float | None]:
-    """Stiffness of an actuator over its length, and the greatest force in the direction in which it acts; None without a limit."""
+    """Stiffness of an actuator, force over length, and its largest force in the direction in which it acts; None without a limit."""
     import mujoco
 
     slope = 0.0
@@ -102,7 +102,7 @@ def hand_of_body(model: Any, data: Any, body: int | str) -> dict[str, Any]:
     for jacobian, touch in zip(whole, held, strict=True):
         mujoco.mj_jac(model, data, jacobian, None, touch.point + data.xipos[index], touch.other)
     moments, equalities = _moments(model, data), _equalities(model, data)
-    # Degrees of freedom that move a contact, and those that drives and constraints couple with them.
+    # Degrees of freedom that move a contact, and all others that actuators and constraints couple with them.
     kept = np.abs(whole).max(axis=(0, 1), initial=0.0) > 0
     coupled = np.vstack([moments, equalities]) != 0
     while (more := kept | coupled[coupled[:, kept].any(axis=1)].any(axis=0)).sum() > kept.sum():

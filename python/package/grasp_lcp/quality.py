@@ -17,9 +17,9 @@ class _Told(View):
 
     @cached_property
     def motion(self) -> Array | None:
-        """Unit motion that no contact resists, m and rad, shape (d,); None if the outcome has none.
+        """Unit motion that no contact resists, m and rad, shape (d,); None for outcomes without a motion.
 
-        For a load limit it is the motion on which a larger load does more work than any forces within the budget do against it.
+        For a load limit it is the motion on which a larger load does more work than forces within the budget can absorb.
         """
         found = self._tree.get("motion")
         return None if found is None else motion_of(found)
@@ -31,13 +31,13 @@ class _Told(View):
 
     @property
     def contact(self) -> int | None:
-        """The critical contact, from 0; None if the outcome has none."""
+        """The index of the critical contact, from 0; None for outcomes without one."""
         found = self._tree.get("contact")
         return None if found is None else int(found)
 
     @cached_property
     def load(self) -> Array | None:
-        """The critical load, N and N m, shape (d,); None if the outcome has none."""
+        """The critical load, N and N m, shape (d,); None for outcomes without one."""
         found = self._tree.get("load")
         return None if found is None else load_of(found)
 
@@ -79,7 +79,7 @@ class WrenchBall(View):
 
     @cached_property
     def weakest(self) -> Array:
-        """The load of size 1 N in the weakest direction, with moments scaled as above; N and N m about the origin, shape (d,).
+        """The load of size 1 N in the weakest direction, with moments scaled as for ε; N and N m about the origin, shape (d,).
 
         More than ``at_most`` times this load cannot be balanced.
         """

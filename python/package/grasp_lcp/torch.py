@@ -1,10 +1,10 @@
-"""The onset of sliding as a layer of PyTorch: exact factors and exact gradients of whole batches, where the tensors are.
+"""The onset of sliding as a layer of PyTorch: exact factors and gradients of whole batches, on the device of the tensors.
 
     >>> from grasp_lcp.torch import onset_factor
     >>> factor = onset_factor(points, normals, direction, friction=0.5, series_stiffness=[2e3, 1.5e3], pressed_with=8.0)
     >>> factor.sum().backward()
 
-On a processor the crate answers; on an accelerator one program of array operations. No other module of the package imports PyTorch.
+On a CPU the crate computes the answer, on an accelerator one program of array operations. No other module of the package imports PyTorch.
 """
 
 from __future__ import annotations
@@ -45,19 +45,19 @@ def onset_factor(
 
     Shapes are as in :func:`grasp_lcp.onsets`. The crate takes grasps of two to five contacts and computes in double precision. The array program
     takes two or more, computes in the precision of ``points``, and has forward and second derivatives, too. In rows
-    without a factor the result is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` leaves such rows out of a sum. Where a motion of
-    the object is free, as for two hard fingers in space, the derivatives by points, normals and loads are NaN. At a kink, where several contacts
-    leave together, the derivatives belong to the first of these contacts.
+    without a factor the result is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` removes such rows from a sum. If a motion of
+    the object is free, as for two hard fingers in space, the derivatives with respect to points, normals and loads are NaN. At a kink,
+    where several contacts stop sticking together, the derivatives are those of the first of these contacts.
 
     :param points: contact points, m, shape (..., n, 2) or (..., n, 3).
     :param normals: directions into the object, of any length, of the shape of ``points``.
     :param direction: load per unit of the factor, N and N m, shape (..., c) for a force or (..., d) for a force and a moment.
     :param base: load at factor 0, shape (..., c) or (..., d); zero unless given.
     :param series_stiffness: N/m: one number, or (..., 2) normal and tangential.
-    :param pressed_with: squeeze forces along the normals, N. Commands change with normals and stiffness so that these forces stay.
-    :param command_world: further commands along the coordinate axes, m. They stay when normals change, and add to the commands of ``pressed_with``.
-    :param soft: pads in place of the points, as in :func:`grasp_lcp.onsets`, by the array program. Derivatives are by the data of whole contacts; a
-        pad turns with the tangents that follow from its normal.
+    :param pressed_with: squeeze forces along the normals, N. Commands change with normals and stiffness so that these forces are constant.
+    :param command_world: commands along the coordinate axes, m, in addition to those of ``pressed_with``. They are constant when normals change.
+    :param soft: pads in place of the points, as in :func:`grasp_lcp.onsets`, by the array program. Derivatives are with respect to the data of
+        whole contacts; a pad turns with the tangents that follow from its normal.
     :param native: ``True`` for the array program, ``False`` for the crate; unless given, the array program for tensors on an accelerator.
     :param with_status: return a pair, factors and the :class:`grasp_lcp.OnsetStatus` of each row.
     """
@@ -104,7 +104,7 @@ def onset_factor(
 
 
 def _unit(given: Tensor) -> Tensor:
-    """Unit vectors; zeros stay zeros, and NaN stays NaN, with finite derivatives."""
+    """Unit vectors with finite derivatives. Vectors of zeros and of NaN are returned unchanged."""
     known = given.isfinite().all(dim=-1, keepdim=True)
     given = torch.where(known, given, torch.ones_like(given))
     largest = given.detach().abs().amax(dim=-1, keepdim=True)
@@ -141,7 +141,7 @@ class _OnsetFactor(Function):
 
 
 class _Slope(Function):
-    """The product of slope and incoming gradient. It takes the data as inputs, so that a second backward pass reaches it and is refused."""
+    """The product of slope and incoming gradient. The data are inputs, so that a second backward pass calls :meth:`backward`, which refuses it."""
 
     @staticmethod
     def forward(ctx: Any, given: Tensor, slope: Tensor, shape: torch.Size, *data: Tensor) -> Tensor:
@@ -154,13 +154,13 @@ class _Slope(Function):
 
 
 def _rows(data: Sequence[Tensor]) -> list[Tensor]:
-    """The data with one row a scene."""
+    """The data with all axes of the batch joined to one, one row for each grasp."""
     axes = len(data[0].shape) - 2
     return [each.reshape(-1, *each.shape[axes:]) for each in data]
 
 
 class _ArrayProgram(Function):
-    """Factors, statuses and leaving contacts. The slopes are functions of the data and of the factor, so that they have derivatives."""
+    """Factors, statuses and contacts that stop sticking. Slopes are tensor operations on the data and the factor, so that they have derivatives."""
 
     @staticmethod
     def forward(kind: Any, *data: Tensor) -> Any:
@@ -201,7 +201,7 @@ class _ArrayProgram(Function):
 
 
 def _slopes(kind: Any, *saved: Tensor) -> list[Tensor]:
-    """The derivatives of the factor by each tensor."""
+    """The derivatives of the factor with respect to each tensor."""
     *data, factor, contact = saved
     found = FirstExit(factor.reshape(-1), None, contact.reshape(-1))
     slopes = gradients(torch, torch.finfo(factor.dtype).eps, kind, _rows(data), found)

@@ -33,7 +33,7 @@ class VerdictStatus(IntEnum):
     NO_REST = 4
     """It is proved that the load at rest has no equilibrium."""
     LOST_AT_REST = 5
-    """The load at rest is lost as it is put on."""
+    """The load at rest is lost while it grows from zero."""
     UNDECIDED = 6
     """The load could not be followed; :attr:`Verdicts.doubt` says why."""
     NOT_A_NUMBER = 7
@@ -43,7 +43,7 @@ class VerdictStatus(IntEnum):
 
 
 class LossMotion(IntEnum):
-    """Motion with which an object leaves, in the words with which the sentence of :meth:`Grasp.hold` begins."""
+    """Motion by which an object is lost; the sentence of :meth:`Grasp.hold` begins with its words."""
 
     DROPS = 0
     LIFTS_OFF = 1
@@ -54,7 +54,7 @@ class LossMotion(IntEnum):
     GIVES_WAY = 6
     GOES_TOO_FAR = 7
     NONE = 255
-    """The load is held as far as it was followed."""
+    """The load is not lost up to where it was followed."""
 
 
 class Doubt(IntEnum):
@@ -107,11 +107,11 @@ class Verdicts(Counted[VerdictStatus]):
     status: NDArray[np.uint8]
     """The :class:`VerdictStatus` of each row."""
     first_slip: Array
-    """Multiple of the load at the first slip; ``inf`` where nothing slips as far as the load was followed, NaN where nothing of it is held."""
+    """Multiple of the load at first slip; ``inf`` if nothing slips up to where the load was followed, NaN if none of the load is held."""
     held_to: Array
-    """Largest multiple of the load that is held; at most 1 unless loads are followed beyond."""
+    """Largest multiple of the load that is held; at most 1 unless loads are followed ``beyond`` their full size."""
     gross_slip: Array
-    """Multiple of the load from which everything slides; NaN where something sticks as far as the load was followed."""
+    """Multiple of the load from which everything slides; NaN if something sticks up to where the load was followed."""
     motion: NDArray[np.uint8]
     """The :class:`LossMotion` of each row."""
     doubt: NDArray[np.uint8]
@@ -149,15 +149,15 @@ def hold_batch(
     settings: Settings | None = None,
     beyond: bool = False,
 ) -> Verdicts:
-    """Whether each of many grasps holds a load that is put on from rest; see :meth:`Grasp.hold`.
+    """Whether each of many grasps holds a load that is applied from rest; see :meth:`Grasp.hold`.
 
-    Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows under which everything sticks take a few microseconds;
-    any other row is followed as by :meth:`Grasp.hold`, which takes some 50 µs to a few milliseconds. The verdict of each row is that of
-    :meth:`Grasp.hold`, the first slip of the quick rows up to rounding. Their bits do not depend on the number of threads.
+    Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows in which everything sticks take a few microseconds;
+    the load of any other row is followed as by :meth:`Grasp.hold`, in some 50 µs to a few milliseconds. The verdict of each row is that of
+    :meth:`Grasp.hold`; first slips of the quick rows may differ by rounding. The bits do not depend on the number of threads.
 
     :param load: load that grows from 0 on top of the base, N and N m, shape (..., c) or (..., d).
     :param base: load at rest; zero unless given.
-    :param kinetic_friction: coefficients while contacts slide, at most those at rest, which they are unless given.
+    :param kinetic_friction: coefficients of friction while contacts slide, at most ``friction``, which is the default.
     :param soft: pads in place of the points, as in :meth:`Grasp.spatial`, the same for all grasps.
     :param beyond: follow every load beyond the whole of it, up to ``most_load`` of the settings, for the loads at which it is lost and from which
         everything slides. This takes as long as :meth:`Grasp.hold` for every row.
@@ -198,8 +198,8 @@ def need_batch(
 ) -> Amounts:
     """The least multiple of the squeeze with which each of many grasps holds its load, or the greatest multiple of the load; see :meth:`Grasp.need`.
 
-    With ``sticks`` everything must stick, and a row takes a few microseconds. Otherwise contacts may slide, and a row takes one path of its load
-    up to the loss. Rows in which a base load, a clearance or a limit of small motions counts are searched as by :meth:`Grasp.need`.
+    With ``sticks`` everything must stick, and a row takes a few microseconds. Otherwise contacts may slide, and each row needs one load path up to
+    the loss. Rows whose amount depends on a base load, a clearance or the limits of small motions are searched as by :meth:`Grasp.need`.
 
     :param quantity: ``"squeeze"`` or ``"load"``.
     :param sticks: whether nothing may slide.

@@ -1,4 +1,4 @@
-"""Margins of measured contact forces, for a control loop."""
+"""Margins of measured contact forces in a control loop."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from .batch import OnsetStatus
 
 
 class Watched(NamedTuple):
-    """Margins that measured contact forces have left."""
+    """Margins of measured contact forces against slip, now and under a load to come."""
 
     margin: float
     """The least margin of a contact, N: ``μ F_n - |F_t|`` where it may slide, ``F_n`` where it can only open. It is negative where a measured
     force lies outside of its cone, and infinite if no contact can leave."""
     tightest: int
-    """The contact with the least margin, from 0; the first of several."""
+    """The index of the contact with the least margin, from 0; the first if several have it."""
     first_slip: float | None
     """The multiple of the load to come at which the first contact stops sticking; above one the whole load to come is held. ``inf`` if no contact
     stops sticking; None without a factor, where ``status`` gives the reason."""
@@ -27,15 +27,15 @@ class Watched(NamedTuple):
     status: OnsetStatus
     """Outcome of the search for the first slip."""
     extra_squeeze: float | None
-    """The least increase of all commands, as a part of them, with which every contact keeps sticking if it is applied together with the load to
-    come. Zero if no increase is needed, None if no increase is known to suffice."""
+    """The least relative increase of all commands with which every contact keeps sticking, if it is applied together with the load to come. Zero if
+    no increase is needed, None if no increase is known to suffice."""
 
 
 class Watch:
-    """A watch over measured contact forces, made by :meth:`Grasp.watch`. A call takes a few microseconds.
+    """Computes margins of measured contact forces; made by :meth:`Grasp.watch`. A call takes a few microseconds.
 
-    Spring stiffnesses predict only changes from the measured forces: by the load to come and by more squeeze, as long as every contact
-    sticks. Slips so far and errors of the model are contained in the measured forces.
+    The model predicts only changes of the measured forces, by the load to come and by more squeeze, as long as every contact sticks. Past slips
+    and errors of the model up to now are contained in the measured forces.
 
         >>> from grasp_lcp import Grasp
         >>> jaws = Grasp.planar([[-1, 0], [1, 0]], [[1, 0], [-1, 0]], series_stiffness=[1e3, 8e2], friction=0.5, pressed_with=10.0)
@@ -49,7 +49,7 @@ class Watch:
         self.axes = axes
 
     def __call__(self, forces: ArrayLike, to_come: ArrayLike) -> Watched:
-        """Margins of the measured forces, before a further load is added to the present one.
+        """The margins of measured forces, and the effect of a load that will be added to the present one.
 
         :param forces: measured forces on the object at the contacts, along the coordinate axes, N, shape (n, c).
         :param to_come: the load to come, N and N m, shape (c,) or (d,).

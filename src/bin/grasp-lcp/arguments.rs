@@ -26,7 +26,7 @@ pub(crate) struct Arguments {
     pub(crate) command: Command,
 }
 
-/// The page of all fields, which a test makes from the schema.
+/// The page of all fields of a scene. A test generates it from the JSON Schema.
 pub(crate) const FIELDS: &str = include_str!("../../../examples/scenes/FIELDS.md");
 
 const EXAMPLES: &str = "\

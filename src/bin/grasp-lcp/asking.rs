@@ -1,4 +1,4 @@
-//! Questions of a scene, or questions of the command line that replace them.
+//! Asks the questions of a scene, or the question of the command line in their place.
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -24,12 +24,12 @@ use crate::own_masses::{of_own_masses, refuse_mass, tilted};
 use crate::words::Style;
 use crate::{files, report};
 
-/// Answers the question and prints the answer. The exit code says whether every answer is decided.
+/// Answers the questions of a scene file, or the question of the command line, and prints the answers. The exit code says whether one is undecided.
 pub(crate) fn ask(ask: &Ask, asked: Command) -> Result<ExitCode, Failure> {
     ask_of(files::read(&ask.scene)?, ask, asked)
 }
 
-/// The same about a scene that is already read; messages name its file.
+/// [`ask`] for a scene that is already read; messages name the file `ask.scene`.
 pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<ExitCode, Failure> {
     asked.lengths_to_metres(ask.unit.unwrap_or(scene.unit));
     let (given, asked) = (scene.clone(), &asked);
@@ -81,18 +81,18 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
     Ok(if undecided { ExitCode::from(EXIT_UNDECIDED) } else { ExitCode::SUCCESS })
 }
 
-/// Makes the question about a turning load from a weight, the point where it acts and the axis.
+/// Makes a turning load from a weight, N, the point where it acts, m, and the axis of the turn.
 type TurnOf<const C: usize> = fn([f64; C], Option<&Numbers>, Option<&Numbers>) -> Result<Turn<C>, Failure>;
 
-/// The meaning of the command line's numbers in the plane, or in space.
+/// Conversions of the command line's numbers to loads, in the plane or in space.
 pub(crate) struct Meaning<const C: usize> {
     pub(crate) force_at: fn([f64; C], [f64; C]) -> Wrench<C>,
-    /// A moment: one component in the plane, three in space.
+    /// The load of a moment, N m: one component in the plane, three in space.
     pub(crate) moment: fn(&[f64]) -> Wrench<C>,
     pub(crate) turn: TurnOf<C>,
 }
 
-/// Replaces the scene's questions by that of the command line; without a load there, only the scene's questions of the same kind stay.
+/// Replaces the scene's questions by that of the command line. If the command line has no load, the scene's questions of the same kind are kept.
 fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>) -> Result<(), Failure> {
     let question = match asked {
         Command::Hold { load, base, safety, .. } => {
@@ -187,7 +187,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Command, words: &Meaning<C>
     Ok(())
 }
 
-/// The question whether the object stands, without any load: where neither the command line nor the scene has one.
+/// The question whether the object is at rest without any load, if neither the command line nor the scene has a question.
 fn at_rest<const C: usize>(asked: &Command) -> Option<Question<C>> {
     let (load, together_with) = (Wrench::ZERO, BTreeMap::new());
     match asked {
@@ -215,8 +215,7 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Command) -> bool {
 }
 
 impl<const C: usize> Meaning<C> {
-    /// The load of the command line, if there is one.
-    /// `beside` says whether another force acts at the same point.
+    /// The load of the command line, if there is one. `beside` says whether another force acts at the same point, for which `--at` may be given alone.
     pub(crate) fn wrench(&self, load: &LoadArguments, beside: bool) -> Result<Option<Wrench<C>>, Failure> {
         let LoadArguments { force, moment, at, mass, .. } = load;
         if force.is_none() && mass.is_none() && at.is_some() && !beside {
@@ -240,7 +239,7 @@ impl<const C: usize> Meaning<C> {
         Ok((force.is_some() || moment.is_some() || mass.is_some()).then_some(all))
     }
 
-    /// Loads of several bodies that grow with the load of the command line.
+    /// Loads on other bodies that grow in proportion to the load of the command line.
     pub(crate) fn together_with(&self, load: &LoadArguments) -> Result<BTreeMap<String, Wrench<C>>, Failure> {
         if !load.together_with.is_empty()
             && load.force.is_none()
@@ -260,7 +259,7 @@ impl<const C: usize> Meaning<C> {
         Ok(all)
     }
 
-    /// The question whether the grasp holds a load multiplied by `safety`; with a base load alone, whether it stands.
+    /// The question whether the grasp holds a load multiplied by `safety`; if there is only a base load, whether it holds this.
     fn hold(
         &self,
         load: &LoadArguments,

@@ -8,11 +8,11 @@ use std::io;
 pub(crate) enum Failure {
     /// A file could not be read or written, or a picture not drawn.
     Files(String),
-    /// The command line asks for something that the scene does not have.
+    /// The command line is wrong, or asks for something that the scene does not have.
     Usage(String),
     /// The scene is refused.
     Scene(String),
-    /// The reader of standard output has closed it.
+    /// Standard output is closed, since its reader has ended.
     Closed,
 }
 
@@ -34,7 +34,7 @@ impl Failure {
     }
 }
 
-/// Exit code if all answers are there and one of them is "undecided".
+/// Exit code if all questions are answered, and an answer is "undecided".
 pub(crate) const EXIT_UNDECIDED: u8 = 4;
 
 impl fmt::Display for Failure {
@@ -46,7 +46,7 @@ impl fmt::Display for Failure {
     }
 }
 
-/// An error of standard output; errors of other files are made with the name of the file.
+/// The failure for an error of standard output. Errors of files are converted elsewhere, where the file's name is known.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {

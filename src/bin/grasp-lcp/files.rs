@@ -32,7 +32,7 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     Ok(scene)
 }
 
-/// The bytes of a file; `wanted` says what it must be where it is a folder.
+/// The bytes of a file. If `path` is a folder, the error says that it must be `wanted`.
 pub(crate) fn bytes(path: &Path, wanted: &str) -> Result<Vec<u8>, Failure> {
     fs::read(path).map_err(|error| {
         let fault = if path.is_dir() { format!("is a folder, must be {wanted}") } else { error.to_string() };
@@ -54,7 +54,7 @@ pub(crate) fn warn(path: &Path, scene: &Scene) -> Result<(), Failure> {
     warn_beside(path, scene, None)
 }
 
-/// The same, with the loads of the scene as given, whose questions the command line may have replaced.
+/// [`warn`], also about loads of the scene as `given`, before the command line has replaced its questions.
 pub(crate) fn warn_beside(path: &Path, scene: &Scene, given: Option<&Scene>) -> Result<(), Failure> {
     let mut warnings = scene.warnings().map_err(|error| refused(path, &error))?;
     let of_loads =
@@ -75,10 +75,10 @@ pub(crate) fn refused(path: &Path, error: &grasp_lcp::Error) -> Failure {
     Failure::Scene(format!("{}: {error}", name(path)))
 }
 
-/// The place and the names of a scene's pictures.
+/// The folder and the file names of a scene's pictures.
 pub(crate) struct Pictures {
     folder: PathBuf,
-    /// The beginning of every name.
+    /// The beginning of every file name.
     stem: String,
 }
 
@@ -101,7 +101,7 @@ impl Pictures {
         printable(&self.stem.replace('_', " ")).into_owned()
     }
 
-    /// Writes the picture whose name has this end.
+    /// Writes a picture; its file name is the stem followed by `end`.
     pub(crate) fn save(&self, end: &str, text: &str) -> Result<(), Failure> {
         let path = self.folder.join(format!("{}{end}", self.stem));
         let written = fs::create_dir_all(&self.folder).and_then(|()| fs::write(&path, text));

@@ -1,4 +1,4 @@
-//! A load path in words: its events, its end, and the contacts that slide with all their points there.
+//! A load path in words: its events, its end, and the soft fingertips that slide or open completely at its end.
 
 use std::io;
 
@@ -63,7 +63,7 @@ impl Report<'_> {
         ))
     }
 
-    /// The load at a place of the path, with those of bodies that have loads of their own.
+    /// The load at a place of the path in words, with additional loads on bodies.
     fn load_of<const C: usize>(&self, load: &Wrench<C>, state: Option<&Equilibrium<C>>) -> String {
         let loads = state.into_iter().flat_map(|state| &state.body_loads);
         self.load(load) + &self.and_on_bodies(loads.map(|load| (&*load.body, &load.load)))
@@ -89,7 +89,7 @@ impl Report<'_> {
         }
     }
 
-    /// The patches all of whose closed points slide or open where an equilibrium is lost: their last points reach their edge just there.
+    /// Prints the soft fingertips that slide or open completely where an equilibrium is lost: their last points reach the edge of their cone at that load.
     fn on_their_edge<const C: usize>(&mut self, loss: &Loss<C>, state: &Equilibrium<C>) -> io::Result<()> {
         let is_closed = |contact: &&ContactAnswer<C>| contact.state != ContactState::Separated;
         let slides = |contact: &ContactAnswer<C>| {
@@ -101,7 +101,7 @@ impl Report<'_> {
             closed.peek().is_some() && closed.all(slides)
         });
         let size = |force: &[f64]| force.iter().fold(0.0, |h: f64, x| h.hypot(*x));
-        // A patch that carries less opens, and does not slide.
+        // A patch that carries less than this force opens instead of sliding.
         let weightless = 1e-9 * state.largest_force();
         let does = |pad: &PadAnswer<C>| {
             let presses = size(&pad.wrench.components()[..C]) > weightless;

@@ -76,9 +76,9 @@ impl Lengths {
     }
 }
 
-/// kg/m³; few parts are heavier.
+/// Density of steel, kg/m³; few parts are denser.
 const STEEL: f64 = 7850.0;
-/// Distance of a jaw that comes from outside to the box around the part, m.
+/// Distance, m, from the bounding box of the part at which a jaw starts, if `--opening` is left out.
 const AWAY: f64 = 0.005;
 
 impl Grip {
@@ -94,7 +94,7 @@ impl Grip {
         asking::ask_of(scene, &ask, Command::Ask(ask.clone()))
     }
 
-    /// Two jaws that close on the part, and the question whether they hold its weight: as text, and with the part read.
+    /// The scene of two jaws that close on the part, with the question whether they hold its weight: as text, and as a value with its mesh.
     fn scene(&self) -> Result<(String, Scene), Failure> {
         let missing = |what: &str| {
             Failure::Usage(format!("{what}: grasp-lcp new grip part.stl --jaws 20x30mm --force 40"))
@@ -153,7 +153,7 @@ impl Grip {
 }}
 "#
         );
-        // What the scene refuses is said now.
+        // Reading the text reports now every fault for which the scene would be refused later.
         let mut scene =
             Scene::from_json(text.as_bytes()).map_err(|fault| Failure::Scene(fault.to_string()))?;
         if let Space::Spatial(setup) = &mut scene.space {
@@ -164,7 +164,7 @@ impl Grip {
     }
 }
 
-/// The middle of a jaw before it closes through `at`: outside of the box around the part, or at half of the opening.
+/// The middle of a jaw before it closes towards `at`, m: half of the opening away, or outside of the bounding box of the part.
 fn start(part: &Part, at: [f64; 3], closing: [f64; 3], opening: Option<f64>) -> [f64; 3] {
     let length = closing.iter().map(|x| x * x).sum::<f64>().sqrt();
     let way = closing.map(|x| x / length);

@@ -1,4 +1,4 @@
-//! Observed slips from a table, and the unknowns that the command line seeks from them.
+//! The command `identify`: reads a table of observed slips, and the unknowns to be estimated from them.
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -177,7 +177,7 @@ impl<const C: usize> Meaning<C> {
         Ok(slips)
     }
 
-    /// The slip of a row under the names of the columns. Groups are numbered in their order in the table.
+    /// The slip of one row; `heads` are the names of the columns. Groups are numbered in the order in which the table first names them.
     fn slip<'a>(
         &self,
         (heads, cells): (&[&str], &[&'a str]),

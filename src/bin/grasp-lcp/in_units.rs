@@ -1,11 +1,11 @@
-//! Lengths of the command line in the unit of the scene, or in that of `--unit`.
+//! Converts lengths of the command line to m, from the unit of the scene or of `--unit`.
 
 use grasp_lcp::words::Unit;
 
 use crate::arguments::{Ask, Command, LoadArguments, Numbers, Wanted};
 
 impl Command {
-    /// The scene and the form of the answer, of commands that ask about one.
+    /// The scene and the form of the answer, if the command asks about a scene.
     pub(crate) fn asks(&mut self) -> Option<&mut Ask> {
         match self {
             Self::Ask(ask)
@@ -23,7 +23,7 @@ impl Command {
         }
     }
 
-    /// Brings points of loads to m; all other options are in SI units, or are directions.
+    /// Converts points of loads to m; all other options are in SI units, or are directions.
     pub(crate) fn lengths_to_metres(&mut self, unit: Unit) {
         match self {
             Self::Hold { load, .. }

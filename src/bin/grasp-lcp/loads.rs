@@ -18,7 +18,7 @@ pub(crate) fn weight_of<const C: usize>(mass: f64) -> Result<[f64; C], Failure> 
     Ok(std::array::from_fn(|a| load.components()[a]))
 }
 
-/// The force of a mass on the grasp: its weight less mass times acceleration.
+/// The load of a mass on the grasp: its weight minus mass times acceleration.
 pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<Wrench<C>, Failure> {
     let given = |numbers: &Numbers, option: &str| numbers.array(option).map_err(Failure::Usage);
     let mut arm = ArmMotion::<C>::still();
@@ -35,7 +35,7 @@ pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<Wrenc
     let faster = about_axes(load.angular_acceleration.as_ref(), "angular-acceleration")?.map(f64::to_radians);
     let about = load.about.as_ref().map_or(Ok([0.0; C]), |about| given(about, "about"))?;
     let mut body = Payload::new(load.mass.unwrap_or(0.0), point::<C>(load.at.as_ref())?);
-    // About a principal axis a steady turn takes no moment, whatever the inertia is; principal axes lie along the coordinates here.
+    // A steady rotation about a principal axis needs no moment, whatever the inertia. Principal axes are assumed along the coordinate axes.
     let is_steady = faster == [0.0; 3] && velocity.iter().filter(|rate| **rate != 0.0).count() < 2;
     if load.inertia.is_some() || is_steady {
         body = body.of_inertia(about_axes(load.inertia.as_ref(), "inertia")?);
@@ -52,7 +52,7 @@ pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<Wrenc
     })
 }
 
-/// One number about the axis of the plane, or three in space.
+/// Components about the three axes: one given number in the plane, about z, or three in space.
 fn about_axes<const C: usize>(numbers: &Numbers, option: &str) -> Result<[f64; 3], Failure> {
     match (C, &numbers.0[..]) {
         (2, [z]) => Ok([0.0, 0.0, *z]),
@@ -63,7 +63,7 @@ fn about_axes<const C: usize>(numbers: &Numbers, option: &str) -> Result<[f64; 3
     }
 }
 
-/// The force of a load, a weight included.
+/// The force of a load, N, including the weight of its mass.
 pub(crate) fn total_force<const C: usize>(load: &LoadArguments) -> Result<[f64; C], Failure> {
     let moves = [
         ("angular-velocity", &load.angular_velocity),
@@ -93,7 +93,7 @@ pub(crate) fn direction<const C: usize>(numbers: &Numbers, option: &str) -> Resu
     Ok(direction)
 }
 
-/// A load, or a force of any direction beside it.
+/// The load alone, or together with a force of size `any_force` in any direction.
 pub(crate) fn loads<const C: usize>(
     load: Option<Wrench<C>>,
     any_force: Option<f64>,

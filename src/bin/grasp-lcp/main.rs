@@ -64,11 +64,11 @@ fn asked() -> Result<ExitCode, Failure> {
     }
 }
 
-/// Parses the command line. A scene that stands last, behind a quantity or a table, or before its command is taken as if it stood first.
+/// Parses the command line. The scene may come at any place: if parsing fails, the argument that ends in `.json`, or `-`, is moved behind the command.
 fn as_typed() -> Result<Arguments, clap::Error> {
     let mut words: Vec<_> = std::env::args_os().collect();
     let parsed = Arguments::try_parse_from(&words);
-    // A table in the place of the scene is no error of the command line.
+    // For `identify` a table in the place of the scene parses without error, so that the scene is looked for in any case.
     if parsed.as_ref().is_ok_and(|told| !matches!(told.command, Command::Identify { .. })) {
         return parsed;
     }

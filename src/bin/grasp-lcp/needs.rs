@@ -1,4 +1,4 @@
-//! The question for an amount on the command line.
+//! The command `need`: the amount of a quantity that the grasp needs.
 
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::need::Need;
@@ -12,7 +12,7 @@ use crate::loads::{direction, loads, point, total_force};
 use crate::own_masses::{accelerated, of_own_masses, tilted};
 
 impl<const C: usize> Meaning<C> {
-    /// The question for the quantity of the command line; `None` if there is none.
+    /// The question for the quantity that the command line names; `None` if it names none.
     pub(crate) fn need(&self, wanted: &Wanted, setup: &mut Setup<C>) -> Result<Option<Need<C>>, Failure> {
         let Some(sought) = wanted.quantity else { return Ok(None) };
         refuse_others(wanted, sought)?;
@@ -41,7 +41,7 @@ impl<const C: usize> Meaning<C> {
         }))
     }
 
-    /// The sought quantity with its loads, and a weight that acts beside accelerations.
+    /// The sought quantity with its loads, and the constant weight that acts in addition to accelerations to and fro.
     fn sought(
         &self,
         wanted: &Wanted,
@@ -114,7 +114,7 @@ impl<const C: usize> Meaning<C> {
     }
 }
 
-/// The size of accelerations to and fro along every axis; a vector is the acceleration of the arm.
+/// The size of accelerations to and fro along every axis, if `--acceleration` is one number. A vector is the constant acceleration of the arm.
 fn to_and_fro(wanted: &Wanted) -> Option<&Numbers> {
     wanted.load.acceleration.as_ref().filter(|acceleration| acceleration.0.len() == 1)
 }

@@ -1,10 +1,10 @@
-//! Numbers of the command line: the parser of each kind states its unit and its range in its error.
+//! Parsers of the command line's numbers. The error of each states the unit and the allowed range.
 
 use std::ops::RangeInclusive;
 
 use grasp_lcp::words::Unit;
 
-/// Largest size of a number, in SI units; larger ones are no lengths, forces or masses of real objects.
+/// Largest size of a number, in SI units; no length, force or mass of a real object is larger.
 const LARGEST_NUMBER: f64 = 1e50;
 
 /// Numbers separated by commas.
@@ -26,7 +26,7 @@ impl std::str::FromStr for Numbers {
 }
 
 impl Numbers {
-    /// Brings lengths in this unit to m.
+    /// Converts lengths in this unit to m.
     pub(crate) fn bring_to_metres(&mut self, unit: Unit) {
         for length in &mut self.0 {
             *length = unit.in_metres(*length);
@@ -74,17 +74,17 @@ pub(crate) fn newtons(text: &str) -> Result<f64, String> {
     within(text, 0.0..=LARGEST_NUMBER, "a number of N, from 0 on, such as 4.9")
 }
 
-/// A part of something, in percent.
+/// A fraction, in percent.
 pub(crate) fn percent(text: &str) -> Result<f64, String> {
     within(text, 0.0..=100.0_f64.next_down(), "a number of percent, from 0 to less than 100, such as 10")
 }
 
-/// How many times as large a load may be.
+/// A factor on a load, the safety factor.
 pub(crate) fn times(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=1e6, "how many times, above 0, at most 1e6, such as 2")
 }
 
-/// Standard deviations in reserve.
+/// Number of standard deviations in reserve.
 pub(crate) fn deviations(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=8.0, "a number of standard deviations, above 0, at most 8")
 }

@@ -1,4 +1,4 @@
-//! Bodies with masses under the scene's gravity, tilted or accelerated by options of the command line; no option counts a weight twice.
+//! Options of the command line that tilt or accelerate bodies whose masses the scene states. A weight that the scene's gravity contains is not added again.
 
 use std::borrow::Cow;
 
@@ -8,13 +8,13 @@ use grasp_lcp::words::printable;
 use crate::arguments::{LoadArguments, Numbers};
 use crate::failure::Failure;
 
-/// The weight of all bodies and its point, for a turn.
+/// The weight of all bodies, N, and their centre of mass, m, for a turn.
 pub(crate) struct TurnedWeight<const C: usize> {
     pub(crate) weight: [f64; C],
     pub(crate) at: Numbers,
 }
 
-/// Replaces the scene's gravity by a load that turns, if bodies have masses; returns their weight for it.
+/// If bodies have masses, removes the scene's gravity and returns their weight, which the caller turns as a load.
 pub(crate) fn tilted<const C: usize>(setup: &mut Setup<C>) -> Option<TurnedWeight<C>> {
     let (mass, centre) = setup.own_mass()?;
     let gravity = setup.gravity?;
@@ -22,7 +22,8 @@ pub(crate) fn tilted<const C: usize>(setup: &mut Setup<C>) -> Option<TurnedWeigh
     Some(TurnedWeight { weight: std::array::from_fn(|a| mass * gravity[a]), at: Numbers(centre.to_vec()) })
 }
 
-/// Shares every load among the bodies by mass and returns their total mass and its centre; `option` is the option named in an error.
+/// Makes every load act on all bodies in proportion to their masses. Returns the total mass, kg, and its centre, m; `option` is the option that an
+/// error names.
 pub(crate) fn accelerated<const C: usize>(
     setup: &mut Setup<C>,
     option: &str,
@@ -46,8 +47,8 @@ pub(crate) fn refuse_mass<const C: usize>(setup: &Setup<C>, mass: Option<f64>) -
     }
 }
 
-/// The load for `--acceleration` without `--mass`: the scene's bodies as one accelerated mass without weight. A mass without a place is at the centre
-/// of the part, if the scene has a mesh. Other loads are returned unchanged.
+/// For `--acceleration` without `--mass`, the load with the scene's bodies as one accelerated mass without weight. For `--mass` without `--at`, the load
+/// with the mass at the centre of the part, if the scene has a mesh. Other loads are returned unchanged.
 pub(crate) fn of_own_masses<'l, const C: usize>(
     load: &'l LoadArguments,
     beside: bool,

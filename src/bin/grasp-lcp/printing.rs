@@ -1,4 +1,4 @@
-//! Output of the program. A closed output ends it quietly, a full disk with one line; nothing panics.
+//! Output of the program. It ends silently if its output is closed, and with a one-line message if the disk is full; it never panics.
 //!
 //! The macros shadow those of the standard library, which panic on such errors.
 
@@ -16,7 +16,7 @@ macro_rules! eprintln {
     ($($words:tt)*) => { $crate::printing::remark(format_args!($($words)*)) };
 }
 
-/// A line of an answer.
+/// Prints a line of an answer on standard output.
 pub(crate) fn line(words: fmt::Arguments<'_>) {
     if let Err(error) = writeln!(io::stdout(), "{words}") {
         let failure = Failure::from(error);
@@ -25,7 +25,7 @@ pub(crate) fn line(words: fmt::Arguments<'_>) {
     }
 }
 
-/// A line beside the answers, on standard error; failing to write it is no error.
+/// Prints a line that is no part of an answer on standard error; a failure to write it is ignored.
 pub(crate) fn remark(words: fmt::Arguments<'_>) {
     let _ = writeln!(io::stderr(), "{words}");
 }

@@ -34,7 +34,7 @@ pub(crate) fn print<const C: usize>(
     Ok(())
 }
 
-/// Loads by the name of their body.
+/// Loads with the names of the bodies on which they act.
 fn named<const C: usize>(loads: &BTreeMap<String, Wrench<C>>) -> impl Iterator<Item = (&str, &Wrench<C>)> {
     loads.iter().map(|(body, load)| (body.as_str(), load))
 }
@@ -43,7 +43,7 @@ fn named<const C: usize>(loads: &BTreeMap<String, Wrench<C>>) -> impl Iterator<I
 pub(crate) struct Report<'o> {
     out: &'o mut dyn Write,
     pub(crate) style: Style,
-    /// The first line of the present answer.
+    /// The first line of the answer that is printed now.
     said: String,
 }
 
@@ -56,7 +56,7 @@ impl Report<'_> {
         self.style.words.load(load)
     }
 
-    /// The loads of other bodies that act together with a load, in words.
+    /// Loads on other bodies in words, to follow the words of a load.
     pub(crate) fn and_on_bodies<'l, const C: usize>(
         &self,
         loads: impl IntoIterator<Item = (&'l str, &'l Wrench<C>)>,
@@ -73,7 +73,7 @@ impl Report<'_> {
         table(self.out, self.style, state, &self.said)
     }
 
-    /// The new place of each contact that may move.
+    /// Prints the new place of each contact that may move.
     fn improved<const C: usize>(&mut self, improved: &Improved<C>) -> io::Result<()> {
         let words = self.style.words;
         let largest = improved.contacts.iter().fold(0.0, |most: f64, placed| most.max(placed.normal_force));
@@ -106,7 +106,7 @@ impl Report<'_> {
                     (true, true) => format!("from {base} along {along}, commands changing along"),
                     (true, false) => format!("from {base} along {along}"),
                 };
-                // A constant load does not help to locate the onset.
+                // If only commands change, the load is constant and does not say where the onset is.
                 let place = |report: &Self, event: &OnsetAt<C, Factor>| {
                     let at = report.number(event.at.factor);
                     let there = if *direction == Wrench::ZERO {
@@ -137,7 +137,7 @@ impl Report<'_> {
         state.map_or(Ok(()), |state| self.table(state))
     }
 
-    /// The place of an onset, the contacts that leave, and the state there.
+    /// Prints the place of an onset, the contacts that stop sticking, and the equilibrium there.
     fn onset<const C: usize, At>(
         &mut self,
         onset: &OnsetAnswer<C, At>,
@@ -155,7 +155,7 @@ impl Report<'_> {
         }
     }
 
-    /// Contacts and drives that reach their edge while a load turns and do not leave, each once.
+    /// Prints each contact and drive that reaches the limit of its state while a load turns, without exceeding it.
     fn touches<const C: usize>(&mut self, answer: &TurnAnswer<C>) -> io::Result<()> {
         let mut told = Vec::new();
         for touch in &answer.touches {
@@ -174,7 +174,7 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// The contacts that stop sticking, and their motion.
+    /// Prints the contacts that stop sticking, with their motion.
     fn leaving<const C: usize, At>(&mut self, event: &OnsetAt<C, At>) -> io::Result<()> {
         let digits = self.style.digits();
         if self.style.points {
@@ -198,7 +198,7 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// The contacts that slide beyond an onset, if the grasp holds on.
+    /// Prints the contacts that slide beyond an onset, if the grasp then has an equilibrium.
     fn sliding_beyond<const C: usize>(&mut self, next: &Beyond<C>, state: &Equilibrium<C>) -> io::Result<()> {
         let Beyond::Continues(next) = next else { return Ok(()) };
         let slides = |i: &usize| matches!(next.states.get(*i), Some(ContactState::Sliding { .. }));

@@ -34,7 +34,7 @@ pub(crate) struct Shakes {
 }
 
 impl<const C: usize> Meaning<C> {
-    /// The question whether the grasp survives the loads.
+    /// The question whether the grasp survives the repeated loads.
     pub(crate) fn shake(
         &self,
         shakes: &Shakes,
@@ -72,7 +72,7 @@ impl<const C: usize> Meaning<C> {
         }))
     }
 
-    /// The inertial loads of a mass that is accelerated to and fro, by one number along every axis in turn.
+    /// The inertial loads of a mass that is accelerated to and fro; if `acceleration` is one number, along every axis in turn.
     pub(crate) fn to_and_fro(
         &self,
         mass: f64,

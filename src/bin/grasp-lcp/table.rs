@@ -1,5 +1,5 @@
-//! An equilibrium as a table: one row a contact. Points of a soft fingertip share a row, unless `--points` asks for each. A caution that the first
-//! line of the answer gives is not repeated.
+//! An equilibrium as a table: one row a contact. Points of a soft fingertip share a row, unless `--points` asks for each. A caution that the
+//! first line of the answer contains is not repeated.
 
 use std::io::{self, Write};
 
@@ -84,11 +84,11 @@ fn heads<const C: usize>(pads: bool) -> Vec<String> {
     first.iter().chain(moments).chain(last).map(|head| (*head).to_owned()).collect()
 }
 
-/// Numbers of one table, free of rounding.
+/// Writes forces of one table; rounding errors become zero.
 #[derive(Clone, Copy)]
 struct Cleaned {
     words: Words,
-    /// The largest force, N; much smaller forces are rounding.
+    /// The largest force, N; forces that are rounding errors of it become zero.
     largest: f64,
 }
 

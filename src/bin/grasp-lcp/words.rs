@@ -2,19 +2,19 @@
 
 use grasp_lcp::words::Words;
 
-/// Printed for answers that later versions of the library may add.
+/// Printed for kinds of answers that a later version of the library may add.
 pub(crate) const NO_WORDS: &str = "an answer for which this program has no words yet; --json prints it";
 
 /// The form of answers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Style {
     pub(crate) words: Words,
-    /// Points of soft fingertips one by one.
+    /// Whether points of soft fingertips are printed one by one.
     pub(crate) points: bool,
 }
 
 impl Style {
-    /// Significant digits of a whole answer.
+    /// Number of significant digits in all lines of an answer.
     pub(crate) fn digits(self) -> usize {
         self.words.digits()
     }

@@ -53,7 +53,7 @@ pub enum Proof<const C: usize> {
     /// linear combination of the conditions contradicts the contact laws, even when these are relaxed to convex sets. Beyond an onset or the end of a
     /// path, in the plane too, a single case may suffice: once everything on an edge slides, nothing resists a motion.
     EveryCaseContradicted {
-        /// Number of cases.
+        /// Number of cases into which the contact states were divided.
         cases: usize,
         /// Least factor by which an equilibrium that rounding hides from the proof would have to exceed the data. Both are measured in √J: stretches
         /// and forces of all contacts together, and those of the elastic trial state. At least 1e4.

@@ -7,8 +7,8 @@ use nalgebra::SVector;
 use super::answer::Equilibrium;
 use super::contact_answer::{ContactAnswer, ContactState};
 use crate::error::ContactLabel;
-use crate::grasp::{Engine, Space, WholeContacts, Wrench};
-use crate::numerics::Vector;
+use crate::grasp::{ContactPoints, Engine, Space, Wrench};
+use crate::numerics::{Vector, picked};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -174,26 +174,22 @@ impl Engine {
     /// The soft fingertips among the contacts of a solution.
     pub(super) fn pads(&self, solved: &[ContactAnswer<3>]) -> Vec<PadAnswer<3>> {
         let contacts = self.contacts();
-        if contacts.iter().all(|contact| contact.point_of_pad.is_none()) {
-            return Vec::new();
-        }
-        let parts = WholeContacts::of(contacts);
-        let middles = parts.mean(&|i| contacts[i].point);
-        let pad = |(number, range): (usize, Range<usize>)| {
+        picked(self.wholes(), &|whole| {
+            let ContactPoints { label, range } = whole;
             contacts[range.start].point_of_pad?;
+            let middle = whole.mean(&|i| contacts[i].point);
             let of = &solved[range.clone()];
             let count = |is_so: fn(&ContactState<3>) -> bool| of.iter().filter(|c| is_so(&c.state)).count();
             Some(PadAnswer {
-                contact: parts.whole(number),
+                contact: label.clone(),
                 first: range.start,
                 points: range.len(),
                 sliding: count(|state| matches!(state, ContactState::Sliding { .. })),
                 open: count(|state| matches!(state, ContactState::Separated)),
-                wrench: self.wrench_of_pad(of, range.start, &middles[number]),
+                wrench: self.wrench_of_pad(of, range.start, &middle),
                 margin: of.iter().map(|contact| contact.margin).sum(),
             })
-        };
-        parts.ranges().iter().cloned().enumerate().filter_map(pad).collect()
+        })
     }
 
     /// Forces and their moment about a point, along the axes of the contact frame.

@@ -8,7 +8,7 @@ use core::fmt;
 use nalgebra::SVector;
 
 use crate::contact::State;
-use crate::grasp::{Engine, WholeContact, WholeContacts};
+use crate::grasp::{Engine, WholeContact};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Vector, largest};
 use crate::object::Problem;
@@ -33,23 +33,23 @@ pub enum TooFar {
         /// The name of the body; `None` where there is one object.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         body: Option<String>,
-        /// The limit, rad.
+        /// The largest rotation that still counts as small, rad.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
     /// The surfaces of a closed contact have moved past each other too far.
     Slips {
-        /// The contact.
+        /// The contact that slips.
         contact: WholeContact,
-        /// The limit, m.
+        /// The largest displacement that still counts as small, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
     /// The object has moved too far away from a finger.
     Opens {
-        /// The contact.
+        /// The contact that opens.
         contact: WholeContact,
-        /// The limit, m.
+        /// The largest displacement that still counts as small, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
@@ -190,26 +190,24 @@ impl Engine {
     }
 
     /// The motion with the name of its body or contact, for an answer.
-    pub(crate) fn too_far(&self, motion: &CountedMotion) -> Option<TooFar> {
+    pub(crate) fn too_far(&self, motion: &CountedMotion) -> TooFar {
         let limit = motion.limit;
-        let contact = |site: usize| WholeContacts::of(self.contacts()).with(&|i| i == site).pop();
-        Some(match motion.of {
+        let contact = |site: usize| self.wholes().at(site).with(1);
+        match motion.of {
             MotionOf::Body(first) => {
                 let named = self.bodies().and_then(|bodies| {
                     bodies.places.iter().zip(&bodies.names).find(|(place, _)| place.first == first)
                 });
                 TooFar::Turns { body: named.map(|(_, name)| name.to_string()), limit }
             }
-            MotionOf::Slip(site) => TooFar::Slips { contact: contact(site)?, limit },
-            MotionOf::Opening(site) => TooFar::Opens { contact: contact(site)?, limit },
-        })
+            MotionOf::Slip(site) => TooFar::Slips { contact: contact(site), limit },
+            MotionOf::Opening(site) => TooFar::Opens { contact: contact(site), limit },
+        }
     }
 
     /// The motion of an answer that is farthest beyond its limit; `None` where all motions are small.
     pub(super) fn farthest_beyond(&self, small: &SmallMotions, standing: &Standing<'_>) -> Option<TooFar> {
         let motions = self.counted_motions(small, standing);
-        farthest(&motions)
-            .filter(|motion| motion.over_the_limit() > 1.0)
-            .and_then(|motion| self.too_far(motion))
+        farthest(&motions).filter(|motion| motion.over_the_limit() > 1.0).map(|motion| self.too_far(motion))
     }
 }

@@ -9,31 +9,31 @@ use crate::prelude::*;
 pub enum Row {
     /// Kinematic form: z = gap g (m), w = normal force `F_n` (N).
     Gap {
-        /// The contact.
+        /// Index of the contact, from 0.
         contact: usize,
     },
     /// Kinematic form: z = slip σ across one facet (m), w = distance to that facet, `μ F_n - h·F_t` (N).
     Slip {
-        /// The contact.
+        /// Index of the contact, from 0.
         contact: usize,
         /// The facet, see [`PolygonCone`](crate::PolygonCone): in the plane 0 for slip along +t, 1 for slip along -t.
         facet: usize,
     },
     /// Force form: z = normal force `F_n` (N), w = gap g (m).
     NormalForce {
-        /// The contact.
+        /// Index of the contact, from 0.
         contact: usize,
     },
     /// Force form: z = part β of the tangential force `F_t = Σ β_j d_j` at one corner of the cone (N), w = `λ - d_j·s` (m).
     TangentialForce {
-        /// The contact.
+        /// Index of the contact, from 0.
         contact: usize,
         /// The corner, see [`PolygonCone`](crate::PolygonCone): in the plane 0 for +t, 1 for -t.
         corner: usize,
     },
     /// Force form: z = size of the slip λ (m), w = unused friction, `μ F_n - Σβ` (N).
     SlipSize {
-        /// The contact.
+        /// Index of the contact, from 0.
         contact: usize,
     },
     /// Force form: one half of an equilibrium equation.
@@ -53,7 +53,7 @@ pub enum Row {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LeftOut {
-    /// The contact.
+    /// Index of the contact, from 0.
     pub contact: usize,
     /// The number of complementary pairs of a kinematic form that are saved: 1 for the gap, 1 for each facet.
     pub rows: usize,

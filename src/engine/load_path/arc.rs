@@ -35,7 +35,7 @@ pub(super) struct Arc<'s, 'g> {
     fixed: PathStiffness,
     /// The part of b from contacts that do not slide, without the rate of the load.
     push: Vector,
-    /// Whether commands change.
+    /// Whether commands change along the leg.
     pub(super) driven: bool,
 }
 

@@ -54,11 +54,11 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 
-/// The result for a load that turns.
+/// The first contact that stops sticking under a load that turns.
 pub(super) enum WhileTurning {
     /// One contact stops sticking before all others.
     First(FirstToLeave),
-    /// Everything keeps sticking.
+    /// All contacts keep sticking.
     Never,
 }
 

@@ -57,7 +57,7 @@ impl Pace {
             // The allowed error grows by this factor, at most twice, since rounding may be the reason for refusals. The path reports the error
             // actually made.
             (self.loosened, self.looser) = (self.loosened + 1, self.looser * 30.0);
-            // First step after the allowed error has grown, as a part of the rest of the leg.
+            // First step after the allowed error has been raised, as a fraction of the rest of the leg.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
         }
         may

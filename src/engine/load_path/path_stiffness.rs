@@ -92,7 +92,7 @@ impl PathStiffness {
         }
     }
 
-    /// The largest entry.
+    /// The largest absolute value of an entry.
     pub(super) fn amax(&self) -> f64 {
         match self {
             Self::Whole(square) => square.amax(),

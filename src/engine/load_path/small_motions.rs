@@ -64,7 +64,7 @@ impl<'g> Pieces<'g> {
         };
         let leg = self.behind.last().map_or(journey.program.leg, |last| last.leg);
         let end = |(fraction, motion): Place| {
-            Some(EndOfSmallMotions { leg, fraction, what: grasp.too_far(&motion)? })
+            Some(EndOfSmallMotions { leg, fraction, what: grasp.too_far(&motion) })
         };
         self.end_of_small_motions = found.and_then(end);
     }

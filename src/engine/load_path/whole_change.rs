@@ -131,24 +131,18 @@ pub(crate) fn whole_changes<const C: usize>(
     let site = |change: &ContactChange<C>| {
         state.contacts.iter().position(|contact| contact.contact == change.contact)
     };
-    let sites: Vec<_> = picked(changes, &|change| Some((site(change)?, change)));
-    let pad_of = |site: usize| state.pads.iter().find(|pad| pad.range().contains(&site));
+    let sites = picked(changes, &|change| Some((site(change)?, change)));
     let mut all = Vec::new();
-    let mut told = Vec::new();
     for (at, change) in &sites {
-        let Some(pad) = pad_of(*at) else {
+        let Some(pad) = state.pads.iter().find(|pad| pad.range().contains(at)) else {
             all.push(WholeChange { contact: change.contact.clone(), what: PadChange::Point(change.what) });
             continue;
         };
-        if told.contains(&pad.first) {
-            continue;
+        let of_pad = picked(&sites, &|(i, change)| pad.range().contains(i).then_some((*i, change.what)));
+        if of_pad[0].0 == *at {
+            let whole = |what| WholeChange { contact: pad.contact.clone(), what };
+            all.extend(PadAtEvent::of(state, pad, &of_pad).doings().into_iter().map(whole));
         }
-        told.push(pad.first);
-        let its_own =
-            |(i, change): &(usize, &ContactChange<C>)| pad.range().contains(i).then_some((*i, change.what));
-        let its_own: Vec<_> = picked(&sites, &its_own);
-        let whole = |what| WholeChange { contact: pad.contact.clone(), what };
-        all.extend(PadAtEvent::of(state, pad, &its_own).doings().into_iter().map(whole));
     }
     all
 }

@@ -74,8 +74,8 @@ impl<const R: usize> Sums<R> {
         sums
     }
 
-    /// Adds the terms of a contact, times `weight`. `seen` maps y to the contact, `hold` is the projection P of its state (`None`: identity), and
-    /// `pushed` holds p_r of each right side.
+    /// Adds the terms of a contact, times `weight`. `seen` is the map from y to the contact, `hold` is the projection P of its state (`None`:
+    /// identity), and `pushed` holds p_r of each right side.
     pub(crate) fn add(
         &mut self,
         seen: &ScaledMap,

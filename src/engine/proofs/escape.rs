@@ -9,6 +9,7 @@ use super::tolerances::{ESCAPE, LEAST_WORK};
 /// the second. `against` is the most work of a generator against y, `data` the size of the data. At the part t of the line the work is `here + t
 /// (past - here)`: from some t on an escape exceeds the data by [`ESCAPE`].
 pub(crate) fn counts_from_here_on(here: f64, past: f64, against: f64, data: f64) -> bool {
-    // Largest such t. Loads before it lie within the rounding of the load at which the path ended.
+    // The condition says that the largest part t without a contradiction is at most 1e-6. Loads before it lie within the rounding of the load at
+    // which the path ended.
     ESCAPE * data * against.max(LEAST_WORK) - here <= 1e-6 * (past - here)
 }

@@ -28,7 +28,7 @@ struct Pushing {
     felt: Vec<(usize, SVector<f64, 3>)>,
     /// μ of a round cone; `None` for a ray along the first axis.
     cone: Option<f64>,
-    /// The multiplier λ_i.
+    /// The multiplier λ_i: the force of this contact in the last round.
     told: SVector<f64, 3>,
 }
 

@@ -66,7 +66,7 @@ pub(super) fn admit(
     // An inequality may be violated by this part of its size, times the amplification of errors by the piece. In symmetric grasps ties are normal: a
     // slack that is exactly zero comes out as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
-        // The piece has a family of solutions. The one of least norm is not admissible, but another one may be.
+        // These states leave a family of solutions. The one of least norm violates an inequality, but another one may satisfy all.
         let free = free_motions.iter().map(|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
         let neutral = neutral_motions.iter().map(|v| (v.clone(), piece.forces_along(problem, v)));
         let motions: Vec<_> = free.chain(neutral).collect();

@@ -79,7 +79,7 @@ pub(super) struct Reaction {
     pub(super) hold: SMatrix<f64, 3, 3>,
     /// The rows of Z, see the top of this file.
     pub(super) multipliers: [SVector<f64, 3>; 3],
-    /// ζ and k of the covering vector.
+    /// ζ and k, the response to z₀.
     pub(super) cover: Jumps,
     /// ζ and k of the perturbation that breaks ties.
     pub(super) tie: Jumps,

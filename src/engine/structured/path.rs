@@ -101,7 +101,7 @@ impl StatePath {
         first.map(|entering| (entering, -least))
     }
 
-    /// The present state of a contact with this law.
+    /// The state that the present basis gives to a contact with this law.
     pub(super) fn state(&self, contact: usize, law: &LocalLaw<'_>) -> State {
         let (active, gap) = (&self.basis.active[contact], self.form.locals[contact].contact.gap);
         if law.is_absent() || (gap && active.has(0)) {

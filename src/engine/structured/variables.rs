@@ -8,7 +8,7 @@ use super::tolerances::TIE;
 use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::object::{Facet, PRICING_MARGIN, Point, slack};
 
-/// The pair outside the basis, both of whose variables are zero, and which of the two enters.
+/// The pair outside the basis whose variables are both zero, and the one of them that enters.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Entering {
     pub(super) contact: u32,

@@ -5,8 +5,8 @@ use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 
-/// Levels of a map with one colour between each two: round numbers, evenly spaced. Where the largest value is several times the smallest, they are
-/// spaced in ratios.
+/// Levels of a map, with one colour between each two. Levels are evenly spaced round numbers. If the largest value is more than four times the
+/// smallest, they are preferred numbers, spaced in roughly equal ratios.
 pub(super) struct Bands {
     /// Lower ends of the bands, and the upper end of the last.
     pub(super) levels: Vec<f64>,
@@ -16,7 +16,7 @@ pub(super) struct Bands {
 
 /// Approximate largest number of bands.
 const MOST_BANDS: f64 = 12.0;
-/// Preferred numbers (ISO 3), ten, five and three per decade, and decades alone.
+/// Preferred numbers (ISO 3): ten, five, three and one per decade.
 const PREFERRED_NUMBERS: [&[f64]; 4] = [
     &[1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0],
     &[1.0, 1.6, 2.5, 4.0, 6.3],
@@ -27,7 +27,7 @@ const PREFERRED_NUMBERS: [&[f64]; 4] = [
 impl Bands {
     /// Bands for finite values from `low` to `high`.
     pub(super) fn new(low: f64, high: f64) -> Self {
-        // From this ratio of the largest to the smallest value on, levels are spaced in ratios.
+        // If the largest value is more than four times the smallest, levels are spaced in ratios.
         if low > 0.0 && high > 4.0 * low { Self::in_ratios(low, high) } else { Self::even(low, high) }
     }
 
@@ -49,7 +49,7 @@ impl Bands {
         while levels.last().is_none_or(|last| *last < high) {
             for number in *series {
                 let level = number * decade;
-                // The last level not above the lowest value becomes the first.
+                // The largest level that does not exceed the lowest value becomes the first level.
                 if level <= low {
                     levels.clear();
                 }
@@ -66,7 +66,7 @@ impl Bands {
         self.levels.len() - 1
     }
 
-    /// The quantity in which contours are interpolated linearly: the value, or its logarithm if levels are spaced in ratios.
+    /// The quantity that is interpolated linearly between directions: the value, or its logarithm if levels are spaced in ratios.
     pub(super) fn measure(&self, value: f64) -> f64 {
         if self.step.is_some() { value } else { value.ln() }
     }

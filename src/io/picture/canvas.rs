@@ -16,14 +16,14 @@ pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// The result of a drawing call of plotters.
 pub(super) type Plotted = Result<(), Box<dyn std::error::Error>>;
 
-/// Magnification while drawing: plotters rounds to whole pixels, and a chart drawn larger and shown at its size has smooth curves.
+/// Magnification while drawing. plotters rounds to whole pixels, so that a chart is drawn larger and shown smaller, with smooth curves.
 pub(super) const FINE: u32 = 4;
 
 /// The range of an axis.
 pub(super) struct AxisRange {
     coordinates: RangedCoordf64,
     step: f64,
-    /// Whether positions on the axis are decimal logarithms of the values at its numbers.
+    /// Whether positions on the axis are decimal logarithms; its numbers are then powers of ten.
     logarithmic: bool,
 }
 

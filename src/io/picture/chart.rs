@@ -11,8 +11,8 @@ use super::legend_corner::{emptiest_corner, legend_width};
 use super::palette::{FONT, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
 
-/// A chart of one or more series: add to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted; a line is
-/// interrupted at such a point.
+/// A chart of one or more series: add series and marks to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted;
+/// a line is interrupted at such a point.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Chart {
     title: String,
@@ -62,7 +62,7 @@ impl Chart {
         self
     }
 
-    /// Labels a point (x, y) with a few letters on a plaque, such as numbers that count events.
+    /// Labels a point (x, y) with a few letters on a plaque, such as the number of an event.
     #[must_use]
     pub fn label(mut self, point: (f64, f64), words: impl Into<String>) -> Self {
         self.labels.push((point, words.into()));
@@ -90,7 +90,7 @@ impl Chart {
         !points.any(|(x, y)| x.is_finite() && y.is_finite())
     }
 
-    /// Makes both axes logarithmic. Points and marks without a logarithm are omitted.
+    /// Makes both axes logarithmic. Points and marks that are not positive are omitted.
     #[must_use]
     pub fn log_log(mut self) -> Self {
         self.logarithmic = true;
@@ -142,7 +142,7 @@ impl Chart {
             return Err(PictureError("no finite point".into()));
         }
         let apart = chart.series.iter().any(|series| !matches!(series.stroke, Stroke::Line | Stroke::Dashed));
-        // Circles and dots have a size in pixels, and need a margin beside and above.
+        // Marks have a size in pixels and need margins around their points. Logarithmic axes need none: they end at whole decades.
         let room = if self.logarithmic { (0.0, 0.0) } else { (if apart { 0.02 } else { 0.0 }, 0.06) };
         let (x0, x1) = range(finite.iter().map(|p| p.0).chain(chart.marks.iter().map(|m| m.0)), room.0);
         let (y0, y1) = range(finite.iter().map(|p| p.1), room.1);
@@ -174,9 +174,9 @@ impl Chart {
 
     fn draw(&self, root: &Area<'_>, window: [f64; 4]) -> Plotted {
         let [x0, x1, y0, y1] = window;
-        // The title is written smaller where it would not fit.
+        // The title has smaller letters if it would not fit.
         let room = f64::from(CHART.size.0 * FINE) / self.title.chars().count() as f64;
-        // The width of a letter relative to the height that plotters assumes for it.
+        // 0.5 is the width of a letter relative to its font size, as plotters assumes it.
         let title = (FONT, f64::from(CHART.title * FINE).min(room / 0.5))
             .into_font()
             .color(&BLACK)
@@ -184,8 +184,7 @@ impl Chart {
         let (wide, _) = root.dim_in_pixel();
         root.draw(&Text::new(self.title.as_str(), (wide.cast_signed() / 2, 26 * FINE.cast_signed()), title))?;
         let below = draw_note(root, self.note.as_deref().unwrap_or_default())?;
-        // Many names would hide the curves, so they are written beside the chart.
-        // The names of more series are written beside the chart.
+        // A legend of many names would hide the curves. With more than `most_inside` series names are written beside the chart.
         let beside =
             (self.series.len() > CHART.most_inside).then(|| legend_width(&self.series, CHART.longest_beside));
         let mut chart = ChartBuilder::on(root)
@@ -204,7 +203,7 @@ impl Chart {
         if let Some((from, label)) = &self.shaded {
             let corners = [(from.max(x0), y0), (x1, y1)];
             chart.draw_series([Rectangle::new(corners, GREY.mix(0.15).filled())])?;
-            // Where there is little room, the label ends at the right edge.
+            // If the shaded area is narrow, the label ends at the right edge of the chart.
             let little = *from > x0 + 0.75 * (x1 - x0);
             let (x, side) = if little { (x1, HPos::Right) } else { (*from, HPos::Left) };
             let shift = 0.01 * (x1 - x0) * if little { -1.0 } else { 1.0 };
@@ -262,13 +261,13 @@ impl Chart {
     }
 }
 
-/// The size of `count` charts of `each` pixels side by side, in fine pixels.
+/// The size of `count` charts of `each` pixels side by side, in fine pixels ([`FINE`] of them are one pixel).
 fn fine_pixels(count: usize, each: u32) -> Result<u32, PictureError> {
     let all = u32::try_from(count).ok().and_then(|count| count.checked_mul(each * FINE));
     all.ok_or_else(|| PictureError(format!("{count} are too many to be drawn")))
 }
 
-/// Smallest and largest value with margins; a range of zero width is widened.
+/// Smallest and largest value with margins on both sides, each `room` times the range; a range of zero width is widened.
 fn range(values: impl Iterator<Item = f64>, room: f64) -> (f64, f64) {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
     let width = if high > low { high - low } else { low.abs().max(1.0) * 0.1 };

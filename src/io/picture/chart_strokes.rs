@@ -18,7 +18,7 @@ const DOTTED_SAMPLE: [(i32, i32); 10] =
 const ARROWED_SAMPLE: [(i32, i32); 10] =
     [(0, -1), (6, -1), (6, -5), (15, -1), (20, -1), (20, 1), (15, 1), (6, 5), (6, 1), (0, 1)];
 
-/// Draws a series and its entry in the legend, with a name of at most `letters` letters.
+/// Draws a series and its entry in the legend, where the name is shortened to `letters` letters.
 pub(super) fn draw_series<'a, 'b: 'a>(
     chart: &mut Canvas<'a, 'b>,
     series: &ChartSeries,
@@ -112,7 +112,7 @@ fn draw_arrows(chart: &mut Canvas, line: &[(f64, f64)], color: RGBColor) -> Plot
         let [a, b] = [ends[0], ends[1]].map(|end| chart.plotting_area().map_coordinate(&end));
         let (x, y) = (f64::from(b.0 - a.0), f64::from(b.1 - a.1));
         let size = x.hypot(y);
-        // A shorter piece of a line has no room for an arrow.
+        // A piece of a line shorter than 14 pixels has no room for an arrow.
         if size < 14.0 * f64::from(FINE) {
             continue;
         }
@@ -169,7 +169,7 @@ pub(super) fn draw_note(root: &Area<'_>, words: &str) -> Result<u32, Box<dyn std
     Ok(CHART.note_line * FINE * u32::try_from(note.len()).unwrap_or(0))
 }
 
-/// Writes a few letters on a plaque.
+/// Writes a short label on a light background at a point of the chart.
 pub(super) fn draw_label(chart: &mut Canvas, point: (f64, f64), words: &str) -> Plotted {
     let (wide, high) = plaque_size(words, f64::from(CHART.plaque * FINE));
     #[expect(clippy::cast_possible_truncation, reason = "some pixels")]

@@ -8,7 +8,7 @@ use crate::equilibrium::{ContactAnswer, ContactState};
 use crate::grasp::Contact;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// Largest slope of a drawn cone: its edges then deviate from the tangent by less than a pixel. An infinite slope could not be drawn.
+/// Largest slope of a drawn cone, whose edges then deviate from the tangent plane by less than a pixel. An infinite slope could not be drawn.
 pub(super) const STEEPEST_CONE: f64 = 1e3;
 
 /// The slope of the cone of a contact in pictures.
@@ -17,7 +17,7 @@ pub(super) fn slope<const C: usize>(contact: &Contact<C>) -> f64 {
 }
 
 /// Height and radius of the drawn friction cone of a contact whose normal force is an arrow of length `arrow`; `None` without friction or force. A
-/// cone wider than `widest` is drawn shorter, because it would hide everything else.
+/// cone with a radius above `widest` is drawn shorter, because it would hide everything else.
 pub(super) fn cone_size(slope: f64, arrow: f64, widest: f64) -> Option<[f64; 2]> {
     let high = MARKS.cone * arrow;
     let wide = (slope * high).min(widest);

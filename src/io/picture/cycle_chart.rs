@@ -3,7 +3,6 @@
 use nalgebra::SVector;
 
 use super::chart::Chart;
-use super::fingertip::{ContactGroup, fingertips};
 use super::friction_chart::{Drawn, MOST_CURVES, some};
 use super::layout::CHART;
 use super::palette::PALETTE;
@@ -11,14 +10,14 @@ use super::series::Stroke;
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{ContactPoints, Wrench};
 use crate::load_path::Leg;
 use crate::numerics::{chosen, increasing, largest, mapped, moved};
 
 /// Two charts of `count` cycles from rest: the slip of each contact against cycles, and its friction against its slip in the last cycle. The area
-/// that the loop encloses is the heat of that cycle. Slip and friction are components along the direction in which the contact slips farthest. For a
-/// soft fingertip they are the mean slip of its points and the sum of their forces. Contacts that never slide are named below the chart. If no
-/// contact slides there is no chart; if none slides in the last cycle there is no second chart.
+/// within the loop is the heat of that cycle. Slip and friction are components along the direction in which the contact slips farthest. For a
+/// soft fingertip they are the mean slip of its points and the sum of their forces. A note names the contacts that never slide. Charts
+/// without a curve are left out: both if no contact slides, the second if none slides in the last cycle.
 ///
 /// ```
 /// use grasp_lcp::picture::charts_of_cycles;
@@ -50,12 +49,12 @@ pub fn charts_of_cycles<const C: usize>(
     let mut path = grasp.follow(base, &legs)?;
     let events = path.run();
     let states = drawn.states(&path, &events);
-    let tips = fingertips(grasp.contacts());
-    let slides: Vec<_> = mapped(&tips, &|tip| Rubbing::of(tip, &states));
+    let tips = grasp.engine.wholes();
+    let slides: Vec<_> = mapped(tips, &|tip| Rubbing::of(tip, &states));
     let farthest = largest(&slides, &|slide| slide.farthest);
-    // Slips below this part of the longest count as zero.
+    // Slips below this fraction of the longest slip count as zero.
     let no_slip = 1e-6;
-    let is_link = |tip: usize| grasp.contacts()[tips[tip].contacts.start].link.is_some();
+    let is_link = |tip: usize| tips[tip].label.link.is_some();
     let mut order: Vec<_> = chosen(tips.len(), &|k| !is_link(*k) && slides[*k].farthest > no_slip * farthest);
     if order.is_empty() {
         return Ok(Vec::new());
@@ -70,7 +69,7 @@ pub fn charts_of_cycles<const C: usize>(
     let mut slips = Chart::new(format!("{title}: slip"), drawn.axis, "slip (mm)");
     let mut loops = Chart::new(format!("{title}: friction in cycle {last}"), "slip (mm)", "friction (N)");
     for (k, tip) in order.iter().enumerate() {
-        let (name, curve) = (tips[*tip].name.clone(), &slides[*tip].curve);
+        let (name, curve) = (tips[*tip].text(), &slides[*tip].curve);
         let stroke = if k < PALETTE.len() { Stroke::Line } else { Stroke::Dashed };
         slips = slips.series(name.clone(), mapped(curve, &|(x, slip, _)| (*x, *slip)), stroke);
         let of_the_last: Vec<_> = curve.iter().filter(|(x, ..)| *x >= last - 1.0).collect();
@@ -80,7 +79,7 @@ pub fn charts_of_cycles<const C: usize>(
         }
     }
     let listed = |those: Vec<usize>| {
-        let names: Vec<_> = mapped(&those, &|tip| tips[*tip].name.as_str());
+        let names: Vec<_> = mapped(&those, &|tip| tips[*tip].text());
         (!names.is_empty()).then(|| some(&names, CHART.listed_names, CHART.listed_letters))
     };
     let rest = listed(chosen(tips.len(), &|tip| !is_link(*tip) && !order.contains(tip)))
@@ -91,12 +90,12 @@ pub fn charts_of_cycles<const C: usize>(
     if !notes.is_empty() {
         slips = slips.note(notes.join(" "));
     }
-    let marks = drawn.marks(&path, &events, &tips);
+    let marks = drawn.marks(&path, &events);
     let slips = marks.into_iter().fold(slips, |chart, (x, label)| chart.mark(x, label));
     Ok(vec![slips, loops].into_iter().filter(|chart| !chart.is_empty()).collect())
 }
 
-/// Slip and friction of a contact along its direction of largest slip.
+/// Slip and friction of a contact along the direction of its largest slip.
 struct Rubbing {
     /// Largest slip from the start, mm.
     farthest: f64,
@@ -105,18 +104,18 @@ struct Rubbing {
 }
 
 impl Rubbing {
-    fn of<const C: usize>(tip: &ContactGroup, states: &[(f64, Equilibrium<C>)]) -> Self {
-        let points = tip.contacts.len() as f64;
+    fn of<const C: usize>(tip: &ContactPoints, states: &[(f64, Equilibrium<C>)]) -> Self {
+        let points = tip.range.len() as f64;
         let tangential = |mut vector: SVector<f64, C>| {
             vector[0] = 0.0;
             vector
         };
         let slip = |state: &Equilibrium<C>| {
-            let slips = state.contacts[tip.contacts.clone()].iter().map(|answer| answer.slip);
+            let slips = state.contacts[tip.range.clone()].iter().map(|answer| answer.slip);
             tangential(slips.sum::<SVector<f64, C>>()) * (1e3 / points)
         };
         let force = |state: &Equilibrium<C>| {
-            tangential(state.contacts[tip.contacts.clone()].iter().map(|answer| answer.force).sum())
+            tangential(state.contacts[tip.range.clone()].iter().map(|answer| answer.force).sum())
         };
         let start = states.first().map_or_else(SVector::zeros, |(_, state)| slip(state));
         let moved = |state: &Equilibrium<C>| slip(state) - start;

@@ -1,23 +1,12 @@
-//! Contacts that pictures show as one: a point contact, or all points of a soft fingertip.
-
-use std::ops::Range;
+//! Force, state and place of a contact in pictures; of a soft fingertip those of its points together.
 
 use nalgebra::SVector;
 
 use super::contact_look::word;
 use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
-use crate::grasp::{Contact, WholeContacts, face_of_struct};
-use crate::numerics::{indexed, summed};
+use crate::grasp::{Contact, ContactPoints, face_of_struct};
+use crate::numerics::summed;
 use crate::words::{LinkKind, Words};
-
-/// Consecutive contacts of a grasp with a common name.
-#[derive(Debug, Clone)]
-pub(super) struct ContactGroup {
-    pub(super) name: String,
-    pub(super) contacts: Range<usize>,
-    /// The kind of link, if the group is a link between bodies.
-    pub(super) link: Option<LinkKind>,
-}
 
 /// Force and state of a fingertip as a whole.
 #[derive(Clone)]
@@ -28,7 +17,7 @@ pub(super) struct Resultant<const C: usize> {
     pub(super) normal_force: f64,
     /// Displacement of the object at that point, m.
     pub(super) displacement: SVector<f64, C>,
-    /// If the whole fingertip slides, the direction of the finger over the object.
+    /// If the whole fingertip slides, the direction in which the finger slides over the object.
     pub(super) slides: Option<SVector<f64, C>>,
     /// The state in a word: "sliding" if no point sticks, "separated" if no point touches.
     pub(super) word: &'static str,
@@ -38,66 +27,55 @@ face_of_struct! {
     Resultant { at, force, normal_force, displacement, slides, word }
 }
 
-/// The groups of contacts of a grasp: point contacts, soft fingertips and links.
-pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<ContactGroup> {
-    let whole = WholeContacts::of(contacts);
-    let group = |(k, range): (usize, &Range<usize>)| ContactGroup {
-        name: whole.label(k),
-        contacts: range.clone(),
-        link: contacts[range.start].link,
-    };
-    indexed(whole.ranges(), &group)
-}
-
-/// A force for pictures and tables, N; zero if it is rounding beside the largest force.
+/// A force for pictures and tables, N; zero if it is only a rounding error of the largest force.
 pub(super) fn without_rounding<const C: usize>(force: f64, state: &Equilibrium<C>) -> f64 {
     Words::default().beside(force, state.largest_force())
 }
 
-impl ContactGroup {
-    /// Whether the group has several points.
+impl ContactPoints {
+    /// Whether the contact has several points.
     pub(super) fn is_soft(&self) -> bool {
-        self.contacts.len() > 1
+        self.range.len() > 1
     }
 
-    /// Whether a point in this state has a dot of its own: among many points only those that do not stick.
+    /// Whether a point in this state gets a dot: of more than sixteen points only those that do not stick.
     pub(super) fn shows(&self, word: &str) -> bool {
-        self.contacts.len() <= 16 || word != "sticking"
+        self.range.len() <= 16 || word != "sticking"
     }
 
-    /// The mean of its contact points, m.
+    /// The mean of the contact's points, m.
     pub(super) fn middle<const C: usize>(&self, contacts: &[Contact<C>]) -> SVector<f64, C> {
-        let points = contacts[self.contacts.clone()].iter().map(|contact| contact.point);
-        points.sum::<SVector<f64, C>>() / self.contacts.len() as f64
+        let points = contacts[self.range.clone()].iter().map(|contact| contact.point);
+        points.sum::<SVector<f64, C>>() / self.range.len() as f64
     }
 
-    /// The ends of a link: those of a line, or its first two bearings. A link with a single point has the same end twice.
+    /// The ends of a link: those of a spring or cable, or else its first two points. A link with a single point has the same end twice.
     pub(super) fn ends_of_link<const C: usize>(
         &self,
         contacts: &[Contact<C>],
     ) -> Option<[SVector<f64, C>; 2]> {
-        let own = &contacts[self.contacts.clone()];
+        let own = &contacts[self.range.clone()];
         let (first, second) = (own.first()?, own.get(1).or(own.first())?);
-        match self.link? {
-            // The normal of a line is the vector from its beginning to its end.
+        match self.label.link? {
+            // The normal of a spring or cable is the vector from its beginning to its end.
             LinkKind::Spring | LinkKind::Cable => Some([first.point, first.point + first.normal]),
             _ => Some([first.point, second.point]),
         }
     }
 
     pub(super) fn resultant(&self, contacts: &[Contact<3>], state: &Equilibrium<3>) -> Resultant<3> {
-        let answers = &state.contacts[self.contacts.clone()];
+        let answers = &state.contacts[self.range.clone()];
         let pressed: f64 = summed(answers, &|answer| answer.normal_force().max(0.0));
         // For a single point the share is exactly one, without rounding.
         let share = |answer: &ContactAnswer<3>| match pressed > 0.0 {
             _ if answers.len() == 1 => 1.0,
-            true if self.link.is_none() => answer.normal_force().max(0.0) / pressed,
+            true if self.label.link.is_none() => answer.normal_force().max(0.0) / pressed,
             _ => 1.0 / answers.len() as f64,
         };
         let words = ["sticking", "about to slide", "sliding", "frictionless", "separated"];
         let does = |what: &&str| answers.iter().any(|answer| word(answer) == *what);
         let word = words.into_iter().find(does).unwrap_or("separated");
-        let points = contacts[self.contacts.clone()].iter().zip(answers);
+        let points = contacts[self.range.clone()].iter().zip(answers);
         let along = answers.iter().filter_map(|answer| match answer.state {
             ContactState::Sliding { direction } => Some(direction * share(answer)),
             _ => None,

@@ -4,20 +4,20 @@ use crate::numerics::least;
 
 use nalgebra::SVector;
 
-/// A contact that carries a force: its place, its unit normal, and its normal force.
+/// A contact that carries a force: its point, m, its unit normal, and its normal force, N.
 pub(super) type PushedContact<const C: usize> = (SVector<f64, C>, SVector<f64, C>, f64);
 
-/// Metres per newton in a picture of size `size` (m) whose largest force is `largest` (N). The scale is as large as the picture allows. No force
-/// passes through the object and out at its back, unless the object is thin.
+/// Metres per newton in a picture of size `size` (m) whose largest force is `largest` (N). The scale is as large as the picture allows. No arrow of a
+/// force reaches the opposite side of the object, unless the object is thin.
 pub(super) fn metres_per_newton<const C: usize>(pushes: &[PushedContact<C>], size: f64, largest: f64) -> f64 {
     let inwards = |(at, normal, force): &PushedContact<C>| {
         let depth = pushes.iter().map(|(other, ..)| normal.dot(&(other - at))).fold(0.0, f64::max);
-        // Below one half, two opposing normal forces do not meet. Contacts less deep than 1e-3 of the size
-        // lie side by side, and the depth is rounding.
+        // With 0.48 of the depth, the arrows of two opposing normal forces do not meet. Contacts with a depth below 1e-3 of the
+        // size lie side by side, and their depth is a rounding error.
         if depth > 1e-3 * size && *force > 0.0 { 0.48 * depth / force } else { f64::INFINITY }
     };
     let inside = least(pushes, &inwards);
     let part = |part: f64| part * size / largest;
-    // The largest force has this part of the size of the picture at most, and 0.12 of it at least.
+    // The arrow of the largest force is 0.12 to 0.4 times the size of the picture.
     if largest > 0.0 { inside.min(part(0.4)).max(part(0.12)) } else { 0.0 }
 }

@@ -1,7 +1,7 @@
-//! The part of its friction that each contact uses along the path of a load; a soft fingertip counts as one contact.
+//! The fraction of its friction that each contact uses along a load path; a soft fingertip counts as one contact.
 
 use super::chart::Chart;
-use super::fingertip::{ContactGroup, fingertips, without_rounding};
+use super::fingertip::without_rounding;
 use super::layout::CHART;
 use super::palette::PALETTE;
 use super::series::{ChartSeries, Stroke};
@@ -9,12 +9,12 @@ use super::words::shortened;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::error::Error;
-use crate::grasp::{Contact, Hold, Wrench};
+use crate::grasp::{Contact, ContactPoints, Hold, WholeContacts, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
 use crate::numerics::{largest, mapped, moved};
 use crate::words::opens;
 
-/// Most curves in a chart: each colour is used for a line and for a dashed line. Further curves are only named.
+/// Largest number of curves in a chart: each colour has a solid and a dashed line. The note below the chart names further curves.
 pub(super) const MOST_CURVES: usize = 2 * PALETTE.len();
 
 /// A load program whose states are drawn against an axis.
@@ -23,7 +23,7 @@ pub(super) struct Drawn<'a, const C: usize> {
     pub(super) start: Wrench<C>,
     pub(super) legs: &'a [Leg<C>],
     pub(super) axis: &'a str,
-    /// The position on the axis of a fraction of a leg.
+    /// The position on the horizontal axis, from the index of a leg and the fraction of it.
     pub(super) place: &'a dyn Fn(usize, f64) -> f64,
 }
 
@@ -32,16 +32,16 @@ impl<const C: usize> Drawn<'_, C> {
     pub(super) fn chart(&self, title: &str) -> Result<Chart, Error> {
         let mut path = self.grasp.follow(self.start, self.legs)?;
         let events = path.run();
-        let tips = fingertips(self.grasp.contacts());
+        let tips = self.grasp.engine.wholes();
         let states = self.states(&path, &events);
-        let curve = |tip: &ContactGroup| -> Vec<(f64, f64)> {
+        let curve = |tip: &ContactPoints| -> Vec<(f64, f64)> {
             let used =
                 |(x, state): &(f64, Equilibrium<C>)| (*x, part_used(tip, self.grasp.contacts(), state));
             mapped(&states, &used)
         };
-        let named = tips.iter().map(|tip| {
-            (tip, ChartSeries { name: tip.name.clone(), points: curve(tip), stroke: Stroke::Line })
-        });
+        let named = tips
+            .iter()
+            .map(|tip| (tip, ChartSeries { name: tip.text(), points: curve(tip), stroke: Stroke::Line }));
         let mut chart = Chart::new(title, self.axis, "friction used, |F_t| / (μ F_n)");
         let Shared { drawn, left_out } = shared(named.collect(), self.grasp.contacts());
         for (k, series) in drawn.iter().enumerate() {
@@ -52,11 +52,11 @@ impl<const C: usize> Drawn<'_, C> {
         if !left_out.is_empty() && !states.is_empty() {
             chart = chart.note(format!("Not drawn: {}.", left_out.join("; ")));
         }
-        let marks = self.marks(&path, &events, &tips);
+        let marks = self.marks(&path, &events);
         Ok(marks.into_iter().fold(chart, |chart, (x, label)| chart.mark(x, label)))
     }
 
-    /// The end of the path: the last leg, and the fraction of it.
+    /// The end of the path: the index of its last leg, and the fraction of that leg up to which it was followed.
     pub(super) fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
         let last = path.end().and_then(|end| Some((end.leg()?, end.fraction()?)));
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
@@ -68,7 +68,7 @@ impl<const C: usize> Drawn<'_, C> {
         let on_leg = |leg: usize| {
             let to = if leg == last { end } else { 1.0 };
             let turns = self.legs.get(leg).is_some_and(Leg::turns);
-            // Little happens between events on straight legs. Events are added.
+            // On straight legs curves are smooth between events, and few points suffice. The events themselves are added.
             let count = if turns { 180 } else { (48 / (last + 1)).max(16) };
             let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).collect();
             fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));
@@ -92,12 +92,8 @@ impl<const C: usize> Drawn<'_, C> {
         on_the_way.chain(at_the_end).collect()
     }
 
-    pub(super) fn marks(
-        &self,
-        path: &LoadPath<C>,
-        events: &[Event<C>],
-        tips: &[ContactGroup],
-    ) -> Vec<(f64, String)> {
+    pub(super) fn marks(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, String)> {
+        let tips = self.grasp.engine.wholes();
         let left = events
             .iter()
             .find_map(|event| Some(((self.place)(event.leg, event.fraction), left_by(event, tips)?)));
@@ -105,10 +101,10 @@ impl<const C: usize> Drawn<'_, C> {
         let to = (self.place)(last, part);
         let end = match path.end() {
             Some(PathEnd::Lost(loss)) => {
-                let edge = |tip: &&ContactGroup| {
-                    loss.contacts.iter().any(|contact| tip.contacts.contains(&contact.index))
+                let edge = |tip: &&ContactPoints| {
+                    loss.contacts.iter().any(|contact| tip.range.contains(&contact.index))
                 };
-                let names: Vec<_> = tips.iter().filter(edge).map(|tip| tip.name.as_str()).collect();
+                let names: Vec<_> = tips.iter().filter(edge).map(ContactPoints::text).collect();
                 let names = some(&names, 2, CHART.mark_letters);
                 let who = if left.is_none() { format!(": {names} on the edge") } else { String::new() };
                 Some((to, format!("lost{who}")))
@@ -117,7 +113,7 @@ impl<const C: usize> Drawn<'_, C> {
             _ => None,
         };
         match (left, end) {
-            // Closer events share one label.
+            // If the first slip and the end are close, they share one label.
             (Some((at, left)), Some((to, end))) if to - at < 0.15 * to => {
                 vec![(at, format!("{left}, {end}"))]
             }
@@ -126,10 +122,10 @@ impl<const C: usize> Drawn<'_, C> {
     }
 }
 
-/// The part of their friction that the points of a fingertip use together: 1 where all of them slide. NaN where it is not defined.
-fn part_used<const C: usize>(tip: &ContactGroup, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
-    let (answers, contacts) = (&state.contacts[tip.contacts.clone()], &contacts[tip.contacts.clone()]);
-    // The ratio is meaningless for forces that are rounding.
+/// Friction forces of a fingertip's points over the sum of their limits μ F_n; 1 if all of them slide, NaN if undefined.
+fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
+    let (answers, contacts) = (&state.contacts[tip.range.clone()], &contacts[tip.range.clone()]);
+    // The ratio is meaningless if the forces are rounding errors.
     let force = largest(answers, &|answer| answer.force.norm());
     if force > 0.0 && without_rounding(force, state) == 0.0 {
         return f64::NAN;
@@ -145,7 +141,7 @@ fn part_used<const C: usize>(tip: &ContactGroup, contacts: &[Contact<C>], state:
             f64::NAN
         };
     }
-    // The margin is the friction left, so that friction and margin add up to the limit.
+    // The margin is μ F_n - |F_t|, so that friction force and margin add up to the limit.
     let (used, all) = answers.iter().filter(rubs).fold((0.0, 0.0), |(used, all), answer| {
         (used + answer.friction_force(), all + answer.friction_force() + answer.margin)
     });
@@ -158,15 +154,15 @@ struct Shared {
     left_out: Vec<String>,
 }
 
-/// All curves, or the highest of them if there are more than colours allow.
-fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &[Contact<C>]) -> Shared {
+/// Selects the curves to draw: all, or the highest ones if there are more than [`MOST_CURVES`].
+fn shared<const C: usize>(curves: Vec<(&ContactPoints, ChartSeries)>, contacts: &[Contact<C>]) -> Shared {
     let most = |series: &ChartSeries| series.points.iter().map(|(_, y)| *y).fold(f64::NEG_INFINITY, f64::max);
     let mut left_out = Vec::new();
     let (mut drawn, none): (Vec<_>, Vec<_>) =
         curves.into_iter().partition(|(_, series)| most(series).is_finite());
     for why in ["no friction", "glued", "friction without limit", "never touches"] {
-        let those = none.iter().filter(|(tip, _)| no_curve(&contacts[tip.contacts.start]) == why);
-        let names: Vec<_> = those.map(|(tip, _)| tip.name.as_str()).collect();
+        let those = none.iter().filter(|(tip, _)| no_curve(&contacts[tip.range.start]) == why);
+        let names: Vec<_> = those.map(|(tip, _)| tip.text()).collect();
         if !names.is_empty() {
             left_out.push(format!("{} ({why})", some(&names, CHART.listed_names, CHART.listed_letters)));
         }
@@ -182,7 +178,7 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
             room -= usize::from(is_kept);
             is_kept
         });
-        let names: Vec<_> = mapped(&lower, &|(tip, _)| tip.name.as_str());
+        let names: Vec<_> = mapped(&lower, &|(tip, _)| tip.text());
         left_out.push(format!(
             "{} that use no more than {least:.3} of their friction: {}",
             names.len(),
@@ -193,10 +189,10 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
     Shared { drawn: moved(drawn, &|(_, series)| series), left_out }
 }
 
-/// Whether two curves coincide on paper. The second is then dashed, so that both are visible.
+/// Whether two curves coincide on paper. The caller then dashes the second, so that both are visible.
 fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
     let near = |(p, q): (&(f64, f64), &(f64, f64))| match (p.1.is_nan(), q.1.is_nan()) {
-        // Closer curves coincide on paper.
+        // A difference of at most 4e-3 is invisible.
         (false, false) => (p.1 - q.1).abs() <= 4e-3,
         (none, neither) => none == neither,
     };
@@ -217,19 +213,18 @@ fn no_curve<const C: usize>(contact: &Contact<C>) -> &'static str {
     }
 }
 
-/// The names joined by commas, each shortened to `letters`; beyond `most` of them only their number.
-pub(super) fn some(names: &[&str], most: usize, letters: usize) -> String {
+/// The first `most` names, joined by commas and each shortened to `letters`, and the number of the others.
+pub(super) fn some(names: &[String], most: usize, letters: usize) -> String {
     let more = names.len().saturating_sub(most);
     let shown: Vec<_> = mapped(&names[..names.len() - more], &|name| shortened(name, letters));
     let shown = shown.join(", ");
     if more > 0 { format!("{shown} and {more} more") } else { shown }
 }
 
-/// The first contact or drive that leaves at an event in words, such as "left slides"; `None` if all of them stay.
-fn left_by<const C: usize>(event: &Event<C>, tips: &[ContactGroup]) -> Option<String> {
-    let name = |index: usize| tips.iter().find(|tip| tip.contacts.contains(&index));
+/// The first contact or drive that slides, opens or yields at an event, in words such as "left slides"; `None` if there is none.
+fn left_by<const C: usize>(event: &Event<C>, tips: &WholeContacts) -> Option<String> {
     let contact = event.changes.iter().find_map(|change| {
-        let tip = name(change.contact.index)?;
+        let tip = tips.at(change.contact.index);
         let does = match (&change.what, tip.is_soft()) {
             (Change::Slides { .. }, false) => "slides",
             (Change::Opens, false) => opens(change.contact.link),
@@ -237,7 +232,7 @@ fn left_by<const C: usize>(event: &Event<C>, tips: &[ContactGroup]) -> Option<St
             (Change::Opens, true) => "begins to open",
             _ => return None,
         };
-        Some(format!("{} {does}", shortened(&tip.name, CHART.mark_letters)))
+        Some(format!("{} {does}", shortened(&tip.text(), CHART.mark_letters)))
     });
     contact.or_else(|| event.drives.first().map(|drive| format!("{} gives way", drive.part.text())))
 }

@@ -1,4 +1,4 @@
-//! Placement of names beside their points, where they hide as little as possible and no other name.
+//! Placement of names beside their points, so that a name covers no other name and as few strokes as possible.
 
 use super::palette::GREY;
 use super::sheet::{Place, Sheet, plaque_size};
@@ -11,10 +11,10 @@ type Plate = (Place, (f64, f64));
 
 pub(super) struct Labels {
     window: Window,
-    /// Places of strokes that names should not cover, with weights.
+    /// Places of strokes that names should not cover, with the cost of covering each.
     ink: Vec<(Place, f64)>,
     taken: Vec<Plate>,
-    /// Number of names without any place.
+    /// Number of names for which there was no free place.
     pub(super) left_out: usize,
 }
 
@@ -138,7 +138,7 @@ impl Labels {
         let ink: f64 = self.ink.iter().filter(|(at, _)| covered(*at)).map(|(_, weight)| weight).sum();
         let (x, y) = aside(point);
         let away = (x - wide / 2.0).max(0.0).hypot((y - high / 2.0).max(0.0));
-        // A pixel of distance counts as more than a pixel of a thin line that the name covers.
+        // A pixel of distance costs more than covering a pixel of a thin line, so that names stay near their points.
         ink + 1.2 * away
     }
 }

@@ -1,6 +1,6 @@
 //! Sizes and places of what is drawn, one list for each kind of figure.
 //!
-//! Lengths are in pixels. Lengths of marks in a grasp are parts of its span, so that they grow with it.
+//! Lengths are in pixels. Lengths of marks in a grasp are fractions of its span, so that they scale with it.
 
 use plotters::style::RGBColor;
 
@@ -14,7 +14,7 @@ pub(super) struct MarkLayout {
     pub(super) shortest_load: f64,
     /// Radius of the arc of a moment in the plane.
     pub(super) moment_arc: f64,
-    /// With more fingertips no names are written.
+    /// Largest number of fingertips whose names are written.
     pub(super) most_named: usize,
 }
 
@@ -23,11 +23,11 @@ pub(super) const MARKS: MarkLayout =
 
 /// A grasp in the plane.
 pub(super) struct PlanarLayout {
-    /// Height of letters.
+    /// Height of letters, pixels.
     pub(super) letters: f64,
-    /// Length of a finger behind its contact, and distance of its name, as parts of the span.
+    /// Length of a finger behind its contact, and distance of its name from the contact, as fractions of the span.
     pub(super) finger: f64,
-    /// With more fingertips their names stand without state and force.
+    /// Largest number of fingertips whose names are written with state and force.
     pub(super) most_told: usize,
 }
 
@@ -35,17 +35,17 @@ pub(super) const PLANAR: PlanarLayout = PlanarLayout { letters: 15.0, finger: 0.
 
 /// A grasp in space.
 pub(super) struct SpatialLayout {
-    /// Length of a finger behind its contact, as a part of the span.
+    /// Length of a finger behind its contact, as a fraction of the span.
     pub(super) finger: f64,
-    /// Length of the arrow of a slip, as a part of the span.
+    /// Length of the arrow of a slip, as a fraction of the span.
     pub(super) slip: f64,
-    /// Half the length of the axis of a free motion, as a part of the span.
+    /// Half the length of the axis of a free motion, as a fraction of the span.
     pub(super) axis: f64,
     /// Radius of a contact.
     pub(super) contact: f64,
     /// Radius of a point of a soft fingertip.
     pub(super) soft_point: f64,
-    /// Lengths of dashes and gaps of lines that have moved.
+    /// Lengths of dashes and gaps of the displaced outline.
     pub(super) moved_dashes: (f64, f64),
 }
 
@@ -61,11 +61,11 @@ pub(super) const SPATIAL: SpatialLayout = SpatialLayout {
 /// A still picture of a grasp in space.
 pub(super) struct StillLayout {
     pub(super) margin: f64,
-    /// Size of the part for the grasp.
+    /// Width and height of the area for the grasp, pixels.
     pub(super) room: (f64, f64),
     /// Letter height of names.
     pub(super) names: f64,
-    /// Size of the part for the coordinate axes and their letters.
+    /// Size of the area for the coordinate axes and their letters, pixels.
     pub(super) axes_room: f64,
 }
 
@@ -74,9 +74,9 @@ pub(super) const STILL: StillLayout =
 
 /// The legend beside a still picture.
 pub(super) struct LegendLayout {
-    /// Its left edge.
+    /// Left edge of the legend.
     pub(super) left: f64,
-    /// Length of samples.
+    /// Length of the samples of lines and arrows.
     pub(super) sample: f64,
     /// Height of a line, and the space between entries.
     pub(super) line: f64,
@@ -96,9 +96,9 @@ pub(super) struct ChartLayout {
     pub(super) plaque: u32,
     /// Line height of a note.
     pub(super) note_line: u32,
-    /// The names of more series are written beside the chart.
+    /// Largest number of series whose legend is inside the chart; otherwise names are written beside the chart.
     pub(super) most_inside: usize,
-    /// Most letters of a name beside the chart, on it, and at a mark.
+    /// Most letters of a name beside the chart, of a name in the legend inside it, and of a name at a mark.
     pub(super) longest_beside: usize,
     pub(super) longest_inside: usize,
     pub(super) mark_letters: usize,
@@ -130,7 +130,7 @@ pub(super) struct PolarLayout {
     /// Left edge of the legend, and length of its samples.
     pub(super) legend: f64,
     pub(super) sample: f64,
-    /// Two texts beside each other do not fit between directions closer than this, rad.
+    /// Least angle between two directions, rad, at which two texts fit beside each other.
     pub(super) beside: f64,
 }
 
@@ -145,7 +145,7 @@ pub(super) struct SphereLayout {
     pub(super) discs: [Place; 2],
     /// Height of the first line of notes.
     pub(super) foot: f64,
-    /// Colours of directions with an infinite value, and without one.
+    /// Colours of directions with an infinite value, and of directions without a value.
     pub(super) unbounded: RGBColor,
     pub(super) missing: RGBColor,
 }

@@ -5,7 +5,7 @@ use plotters::chart::SeriesLabelPosition;
 use super::canvas::FINE;
 use super::series::{ChartSeries, Stroke};
 
-/// Places of the legend: the parts of the free width and height that are to its left and below it.
+/// Places of the legend: the fractions of the remaining width and height that lie to its left and below it.
 const LEGEND_PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
     (SeriesLabelPosition::UpperRight, 1.0, 1.0),
     (SeriesLabelPosition::LowerRight, 1.0, 0.0),
@@ -28,7 +28,7 @@ pub(super) fn emptiest_corner(
     marked: bool,
     shaded: bool,
 ) -> SeriesLabelPosition {
-    // The parts of the plot that the legend covers, estimated from its lines and letters.
+    // Fractions of the plot's width and height that the legend covers, estimated from its lines and letters.
     let height = 0.08 + 0.06 * series.len() as f64;
     let letters = series.iter().map(|s| s.name.chars().count()).max().unwrap_or(0);
     let width = (0.08 + 0.009 * letters as f64).max(0.32);

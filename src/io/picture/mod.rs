@@ -1,4 +1,4 @@
-//! Grasps, load curves and maps over all directions as SVG; grasps also as HTML pages, spatial ones of which can be turned (feature `plot`).
+//! Grasps, load curves and maps over all directions as SVG (feature `plot`). Grasps also as HTML pages; on a page a spatial grasp can be turned.
 //!
 //! Every function returns the text of an SVG or HTML file; the caller writes it to a file.
 

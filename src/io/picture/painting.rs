@@ -8,8 +8,8 @@ use plotters::style::{Color, RGBAColor, RGBColor, colors::WHITE};
 use super::sheet::{Place, Sheet};
 use crate::numerics::{increasing, mapped};
 
-/// Depth in pixels by which a dot lies in front of the lines that end at it; a tenth of it separates the head of an arrow from its line. It is
-/// invisible, and far above the rounding of places on paper.
+/// Depth, pixels, by which a dot lies in front of the lines that end at it; a tenth of it separates the head of an arrow from its line. This depth is
+/// invisible, and far above rounding errors.
 const IN_FRONT: f64 = 1e-2;
 /// Length and half the width of the head of an arrow, in widths of its line.
 const ARROW_HEAD: (f64, f64) = (4.5, 1.6);
@@ -25,7 +25,7 @@ enum Shape {
     Dot { at: Place, radius: f64, ink: RGBColor, open: bool },
 }
 
-/// Strokes with their depths towards the eye.
+/// Strokes with their depths, pixels; a larger depth is nearer to the eye and drawn later.
 #[derive(Default)]
 pub(super) struct Painting {
     strokes: Vec<(f64, Shape)>,
@@ -71,7 +71,7 @@ impl Painting {
     pub(super) fn arrow(&mut self, [from, tip]: [EyePoint; 2], ink: RGBColor, width: f64, heads: usize) {
         let along = (tip - from).xy();
         let size = along.norm();
-        // The direction of a shorter arrow on paper would be rounding.
+        // The direction of a shorter arrow on paper would be a rounding error.
         if size < 1e-6 {
             // The arrow points to the eye or has no length.
             return;
@@ -103,8 +103,8 @@ impl Painting {
         }
     }
 
-    /// Three quarters of a circle with an arrow at its end, clockwise or counterclockwise, with the gap in the direction `gap`, rad from the right
-    /// upwards.
+    /// Three quarters of a circle with an arrow at its end, clockwise or counterclockwise. The open quarter is in the direction `gap`, rad,
+    /// counterclockwise from the right.
     pub(super) fn arc(
         &mut self,
         middle: Place,
@@ -154,7 +154,7 @@ impl Painting {
         }
     }
 
-    /// Places that names should not cover, with weights.
+    /// Places that names should not cover, with the cost of covering each.
     pub(super) fn ink(&self) -> Vec<(Place, f64)> {
         let mut inked = Vec::new();
         for (_, shape) in &self.strokes {
@@ -177,7 +177,7 @@ impl Painting {
     }
 }
 
-/// Places on a line a few pixels apart, each with its share of the ink.
+/// Places on a line about 3 pixels apart, each with its share of the line's area, the cost of covering it.
 fn along(from: Place, to: Place, width: f64) -> impl Iterator<Item = (Place, f64)> {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let size = x.hypot(y);

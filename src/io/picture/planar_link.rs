@@ -3,10 +3,9 @@
 use nalgebra::Vector2;
 
 use super::axes::EqualScales;
-use super::fingertip::ContactGroup;
 use super::painting::{Painting, flat};
 use super::palette::GREY;
-use crate::grasp::Contact;
+use crate::grasp::{Contact, ContactPoints};
 use crate::words::LinkKind;
 
 /// A link with the places of its ends.
@@ -17,9 +16,9 @@ pub(super) struct PlanarLink {
 }
 
 impl PlanarLink {
-    /// The link of a group of contacts; `None` if the group is no link.
-    pub(super) fn of(group: &ContactGroup, contacts: &[Contact<2>]) -> Option<Self> {
-        Some(Self { kind: group.link?, ends: group.ends_of_link(contacts)? })
+    /// The link that a contact represents, if it is one.
+    pub(super) fn of(contact: &ContactPoints, contacts: &[Contact<2>]) -> Option<Self> {
+        Some(Self { kind: contact.label.link?, ends: contact.ends_of_link(contacts)? })
     }
 
     pub(super) fn paint(&self, axes: &EqualScales, painting: &mut Painting) {

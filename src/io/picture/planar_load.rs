@@ -1,4 +1,4 @@
-//! The arrows of a planar load: a force on its line of action, or a force in the middle of the object with a moment.
+//! The arrows of a planar load: a force on its line of action, or a force at the centre of the object with its moment about it.
 
 use nalgebra::Vector2;
 use plotters::style::colors::BLACK;
@@ -22,7 +22,7 @@ pub(super) struct PlanarLoad {
 }
 
 impl PlanarLoad {
-    /// The load on an object of size `size` (m) with this middle.
+    /// The load on an object of size `size` (m) with this centre.
     pub(super) fn new(load: &Wrench, middle: Vector2<f64>, size: f64) -> Self {
         let load = load.components();
         let (force, about_origin) = (Vector2::new(load[0], load[1]), load[2]);
@@ -32,7 +32,7 @@ impl PlanarLoad {
         }
         // The vector from the middle to the nearest point of the line of action.
         let away = Vector2::new(force.y, -force.x) * (moment / force.norm_squared());
-        // A line of action farther away passes beside the object.
+        // Only a line of action within half the object's size passes through the object or near it.
         if away.norm() <= 0.5 * size {
             Self { at: middle + away, force, moment: 0.0 }
         } else {
@@ -51,7 +51,7 @@ pub(super) struct LoadOnPaper<'l> {
     load: &'l PlanarLoad,
     from: Place,
     tip: Place,
-    /// Whether the arrow has the same scale as other forces.
+    /// Whether the arrow has the scale of other forces; a very short one is lengthened.
     is_to_scale: bool,
 }
 

@@ -11,14 +11,16 @@ use crate::planar::{Equilibrium, Grasp, Wrench};
 /// The outline of the object: corners (x, y) in order, m; the last is joined to the first. Outlines affect nothing but the drawing.
 pub type Outline<'a> = &'a [[f64; 2]];
 
-/// A picture of a planar grasp: add to it, then call [`Self::to_svg`]. Without an equilibrium it shows the grasp alone, and the load if given.
+/// A picture of a planar grasp: add an answer to it, then call [`Self::to_svg`]. Without an equilibrium it shows the grasp alone, and the load if
+/// given.
 ///
 /// Arrows are forces on the object. They have one scale, short enough that no force passes through the object. Friction cones are a little longer
-/// than the normal forces in them. The load is drawn on its line of action, which is dashed. If that line does not pass near the grasp, the force is
-/// drawn in the middle of the grasp, with its moment about that point as an arc. A load that is a moment alone is such an arc, too. A force of the
-/// load that would be too short to be visible is drawn longer, and its label says so. All points of a [soft fingertip](crate::planar::SoftFingertip)
-/// have one force and one cone, at their centre of pressure; dots in the colours of their states are the points. Links of a
-/// [hand](crate::grasp::Hand) are drawn at their initial places; joints and tendons that yield at their limit are marked. No name covers another one.
+/// than the arrows of the normal forces in them. The load is drawn on its line of action, which is dashed. If that line does not pass near the grasp,
+/// the force is drawn in the middle of the grasp, with its moment about that point as an arc. A load that is a moment alone is such an arc, too. A
+/// force of the load that would be too short to be visible is drawn longer, and its label says so. All points of a [soft
+/// fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of pressure; dots in the colours of their states are the
+/// points. Links of a [hand](crate::grasp::Hand) are drawn at their initial places; joints and tendons that yield at their limit are marked. No name
+/// covers another one.
 ///
 /// ```
 /// use grasp_lcp::picture::PlanarPicture;
@@ -96,8 +98,8 @@ impl<'a> PlanarPicture<'a> {
         self
     }
 
-    /// Draws the way of the object along a motion, if there is one, such as that of a [loss](crate::hold::Lost::motion): the next position of the
-    /// outline, or of the contact points. Only the direction of the motion matters.
+    /// Draws a motion of the object, if there is one, such as that of a [loss](crate::hold::Lost::motion): the outline, or the contact points, displaced
+    /// along it. Only the direction of the motion matters.
     #[must_use]
     pub fn maybe_leaving(mut self, motion: Option<&'a Motion<2>>) -> Self {
         self.leaving = motion;

@@ -1,4 +1,4 @@
-//! Curves around a point: a number for every direction in the plane.
+//! Polar charts: curves of a number that depends on a direction in the plane.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -14,7 +14,7 @@ use super::series::{ChartSeries, Stroke};
 use super::sheet::{Sheet, sheet};
 use super::words::lines;
 
-/// A polar chart: radius over direction, with angles from x towards y. Add to it, then call [`Polar::to_svg`].
+/// A polar chart: radius against direction, with angles from x towards y. Add curves to it, then call [`Polar::to_svg`].
 ///
 /// Radii that are infinite or beyond the rim appear as an arc along the rim. Where a radius is NaN the curve has a gap.
 ///
@@ -60,7 +60,7 @@ impl Polar {
         self
     }
 
-    /// Names a direction (angle in rad) outside the rim.
+    /// Marks a direction (angle in rad) with an arrow and a name outside the rim.
     #[must_use]
     pub fn ray(mut self, angle: f64, label: impl Into<String>) -> Self {
         self.rays.push((angle, label.into()));
@@ -74,7 +74,7 @@ impl Polar {
         self
     }
 
-    /// Sets the radius that the rim must contain, instead of all finite radii. The rim is the next ring at or outside it.
+    /// Sets the largest radius that must lie inside the rim; otherwise all finite radii do. The rim is the first ring of round radius at or beyond it.
     #[must_use]
     pub fn rim(mut self, radius: f64) -> Self {
         self.rim = Some(radius);
@@ -133,14 +133,14 @@ impl Polar {
                 _ => "",
             };
             let words = if strong { axis.to_owned() } else { format!("{}°", 30 * k) };
-            // The text is moved aside if a direction is named there.
+            // The text is moved aside if a named direction is near.
             let named = |(ray, _): &(f64, String)| turn(angle, *ray).abs() < POLAR.beside;
             let aside = if self.rays.iter().any(named) { 0.17 } else { 0.0 };
             outside(paper, angle + aside, POLAR.radius + 19.0, &words, 14.0);
         }
     }
 
-    /// Draws small arrows outside the arcs, with their names. Where names are long or too close they have letters, which the legend explains.
+    /// Draws small arrows outside the arcs, with their names. If a name is long or two are too close, all have letters that the legend explains.
     fn draw_rays(&self, paper: &mut Sheet) {
         let lettered = self.rays_have_letters();
         for (k, (angle, label)) in self.rays.iter().enumerate() {
@@ -156,7 +156,7 @@ impl Polar {
 
     fn rays_have_letters(&self) -> bool {
         self.rays.iter().enumerate().any(|(k, (angle, label))| {
-            // Longer names do not fit outside the rim.
+            // Names of more than ten letters do not fit outside the rim.
             label.chars().count() > 10 || self.rays[..k].iter().any(|(other, _)| meet(*other, *angle))
         })
     }
@@ -220,7 +220,7 @@ impl Polar {
 }
 
 fn meet(angle: f64, other: f64) -> bool {
-    // Two texts outside the rim do not fit between closer directions.
+    // Labels outside the rim would overlap if their directions were closer than this angle, rad.
     turn(other, angle).abs() < 0.06
 }
 
@@ -243,7 +243,7 @@ fn legend_text(paper: &mut Sheet, y: f64, words: &str) -> f64 {
 }
 
 fn rings(rim: f64, step: f64) -> impl Iterator<Item = f64> {
-    // A ring closer to the rim is the rim itself up to rounding.
+    // A ring this close to the rim is the rim itself, to within rounding.
     (1..100).map(move |k| f64::from(k) * step).take_while(move |radius| *radius < rim * (1.0 - 1e-6))
 }
 

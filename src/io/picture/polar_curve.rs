@@ -25,7 +25,7 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
         Stroke::Dashed => paper.dashes(&line, ink, 2.0),
         _ => paper.line(line, ink, width_of(index)),
     };
-    // Arcs of several curves lie side by side.
+    // Every curve has its own arc radius, so that arcs of several curves lie side by side.
     let arc_radius = POLAR.radius + 3.0 + 4.0 * index as f64;
     let (mut line, mut arc): (Vec<Place>, Vec<Place>) = (Vec::new(), Vec::new());
     for (k, &(angle, radius)) in points.iter().enumerate() {
@@ -60,8 +60,8 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
     draw(paper, line);
 }
 
-/// The fraction of the way between two directions at which the curve crosses the rim. It is linear in the reciprocal of the radius, which is defined
-/// for infinite radii, too.
+/// The fraction of the angle between two points at which the curve crosses the rim. The reciprocal of the radius is interpolated linearly, since it is
+/// finite for infinite radii, too.
 fn crossing(from: f64, to: f64, rim: f64) -> f64 {
     let part = (1.0 / from - 1.0 / rim) / (1.0 / from - 1.0 / to);
     if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.0 }

@@ -1,7 +1,7 @@
 //! The region of a triangle mesh where a function is at least some level, as one area.
 //!
-//! The function is linear on each triangle, and the level cuts a piece off each. Edges shared by two pieces cancel. The remaining edges surround the
-//! whole region, so that no renderer shows seams.
+//! The function is linear on each triangle, so that its part above the level is a polygon. Edges that two of these polygons share cancel. The other
+//! edges surround the whole region, which is drawn as one area and has no visible seams.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ pub(super) type Corner = (Place, f64);
 
 /// The closed lines around `{f >= level}`.
 pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>> {
-    // Number of traversals of each edge in its direction, less the number against it.
+    // For each edge, the number of polygons that traverse it forwards minus the number that traverse it backwards.
     let mut edges: BTreeMap<(Pixel, Pixel), i32> = BTreeMap::new();
     for triangle in triangles {
         let piece = above(triangle, level);
@@ -32,7 +32,7 @@ pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>>
             onward.entry(from).or_default().push(to);
         }
     }
-    // At every corner as many edges end as begin, so that every walk returns to its start.
+    // At every corner as many edges end as begin, so that following edges always leads back to the start.
     let mut loops = Vec::new();
     while let Some((&start, _)) = onward.iter().next() {
         let mut line = vec![start];
@@ -69,7 +69,7 @@ fn above(triangle: &[Corner; 3], level: f64) -> Vec<Pixel> {
     piece
 }
 
-/// The point on an edge where the function has the level; the same bits for both triangles at the edge.
+/// The point on an edge at which the function equals `level`, bit for bit the same for both triangles at the edge.
 fn cut(a: &Corner, b: &Corner, level: f64) -> Place {
     let (low, high) = if a.1 < b.1 { (a, b) } else { (b, a) };
     let part = (level - low.1) / (high.1 - low.1);

@@ -2,12 +2,12 @@
 
 use crate::numerics::tolerances::NEGLIGIBLE;
 
-/// The largest whole number not above x.
+/// The largest whole number not above x, where a number just below a whole number counts as whole.
 pub(super) fn whole_below(x: f64) -> f64 {
     (x + NEGLIGIBLE).floor()
 }
 
-/// The least whole number not below x.
+/// The least whole number not below x, where a number just above a whole number counts as whole.
 pub(super) fn whole_above(x: f64) -> f64 {
     (x - NEGLIGIBLE).ceil()
 }

@@ -10,7 +10,7 @@ pub struct ChartSeries {
     pub name: String,
     /// The points (x, y).
     pub points: Vec<(f64, f64)>,
-    /// The stroke.
+    /// How the points are drawn: by a line, a dashed line, or circles.
     pub stroke: Stroke,
 }
 
@@ -21,7 +21,7 @@ impl ChartSeries {
         mapped(&self.points, &|(x, y)| [(x - 0.48 * wide, 0.0), (x + 0.48 * wide, *y)])
     }
 
-    /// The points that the chart must contain.
+    /// The points that must lie inside the chart.
     pub(super) fn corners(&self) -> Vec<(f64, f64)> {
         if self.stroke == Stroke::Bars { self.bars().concat() } else { self.points.clone() }
     }

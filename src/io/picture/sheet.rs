@@ -7,7 +7,7 @@ use plotters::style::{BLACK, Color, RGBAColor, RGBColor, WHITE};
 use super::palette::FONT;
 use super::words::escaped;
 
-/// Parts of a pixel to which places are rounded: finer than any screen shows.
+/// Number of parts of a pixel to which places are rounded, finer than any screen shows.
 const PARTS_OF_A_PIXEL: f64 = 100.0;
 
 /// A colour, with or without its opacity.
@@ -18,7 +18,7 @@ impl<T: Into<RGBAColor>> Ink for T {}
 /// A place on the paper, pixels to the right and downwards.
 pub(super) type Place = (f64, f64);
 
-/// A length in hundredths of a pixel. Rounding removes −0 and makes shared places equal in all bits.
+/// A length in whole hundredths of a pixel, so that there is no −0, and a place that two shapes share is the same in both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Fine(i32);
 
@@ -32,7 +32,7 @@ pub(super) fn pixel((x, y): Place) -> Pixel {
 
 fn fine(length: f64) -> Fine {
     #[expect(clippy::cast_possible_truncation, reason = "clamped")]
-    // A hundred times the paper, and far below the largest integer.
+    // The limit is a hundred times the size of the paper, and far below the largest integer.
     let whole = (length.clamp(-1e5, 1e5) * PARTS_OF_A_PIXEL).round() as i32;
     Fine(whole)
 }
@@ -120,7 +120,7 @@ impl Sheet {
         self.put(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{style}/>"));
     }
 
-    /// A line of text, vertically centred at the place; `left` (0, 1/2 or 1) is the part of its width to the left of the place.
+    /// A line of text, vertically centred at the place; `left` (0, 1/2 or 1) is the fraction of its width to the left of the place.
     pub(super) fn text(&mut self, place: Place, words: &str, size: f64, left: f64, color: RGBColor) {
         self.letters(place, words, size, left, color, "");
     }
@@ -145,7 +145,7 @@ impl Sheet {
         ));
     }
 
-    /// The title of the picture in its upper left corner, smaller where it would not fit.
+    /// The title of the picture in its upper left corner, in smaller letters if it would not fit.
     pub(super) fn title(&mut self, words: &str) {
         self.title_line(0.0, words);
     }
@@ -170,7 +170,7 @@ impl Sheet {
 
 /// Width and height of a text with its background, pixels.
 pub(super) fn plaque_size(words: &str, size: f64) -> (f64, f64) {
-    // Few letters of a sans serif font are wider, relative to their height.
+    // Hardly a letter of a sans serif font is wider than 0.57 of its font size.
     (0.57 * size * words.chars().count() as f64 + 4.0, 1.24 * size)
 }
 

@@ -1,4 +1,4 @@
-//! A map of a value for every direction in space, with equal areas.
+//! An equal-area map of a value that depends on a direction in space.
 
 use crate::numerics::tolerances::NEGLIGIBLE;
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
@@ -41,8 +41,8 @@ pub struct SphereMap {
 
 impl SphereMap {
     /// A map with one value for each of the grid's [directions](SphereGrid::directions), in their order. `quantity` is written at the colour scale
-    /// (include the unit). An infinite value means that there is no bound in this direction, NaN means that no bound is known. Both have colours of
-    /// their own.
+    /// (include the unit). An infinite value means that there is no bound in this direction, NaN that no bound is known. Each of these has its own
+    /// colour.
     ///
     /// # Errors
     /// [`PictureError`] if the number of values differs from that of directions, or if no value is finite.
@@ -79,7 +79,7 @@ impl SphereMap {
         self
     }
 
-    /// Marks a direction (a non-zero vector) with a cross and a label, for a datum of the map such as a contact normal.
+    /// Marks a direction (a non-zero vector) with a cross and a label, for reference directions such as contact normals.
     #[must_use]
     pub fn ray(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) -> Self {
         self.rays.push((direction.into(), label.into()));
@@ -176,8 +176,8 @@ impl SphereMap {
         paper.text((middle.0, 60.0), words, 15.0, 0.5, BLACK);
     }
 
-    /// The values, where infinite values and NaN are replaced by the mean of their neighbours. These regions are painted over and must not bend
-    /// contours beside them.
+    /// The values, with infinite values and NaN replaced by the mean of their finite neighbours. Their regions are painted over later, and must not
+    /// distort the contours next to them.
     fn filled(&self) -> Vec<f64> {
         let SphereGrid { rings, around } = self.grid;
         let finite = || self.values.iter().copied().filter(|value| value.is_finite());
@@ -208,7 +208,7 @@ impl SphereMap {
         filled
     }
 
-    /// Triangles of one hemisphere with one orientation, with the values of `field` at their corners.
+    /// Triangles that cover one hemisphere, all of the same orientation, with the values of `field` at their corners.
     fn triangles(&self, side: usize, middle: Place, field: impl Fn(usize) -> f64) -> Vec<[Corner; 3]> {
         let SphereGrid { rings, around } = self.grid;
         let corner = |ring: usize, k: usize| {

@@ -1,4 +1,4 @@
-//! Directions covering the sphere, at which a map takes its values.
+//! The directions at which a map of the sphere has its values.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -10,7 +10,7 @@ pub struct SphereGrid {
 }
 
 impl SphereGrid {
-    /// A grid of `rings` steps from the pole to the equator and `around` steps along each circle; smaller numbers than 2 and 8 are raised to these.
+    /// A grid of `rings` steps from the pole to the equator and `around` steps along each circle, at least 2 and 8.
     #[must_use]
     pub fn new(rings: usize, around: usize) -> Self {
         Self { rings: rings.max(2), around: around.max(8) }

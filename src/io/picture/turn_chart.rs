@@ -1,4 +1,4 @@
-//! Charts of the part of its friction that each contact uses while the load turns, grows, or follows a program.
+//! Charts of the fraction of its friction that each contact uses while the load turns, grows, or follows a program.
 
 use super::chart::Chart;
 use super::friction_chart::Drawn;
@@ -7,10 +7,10 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::{Leg, Ramp, Turn};
 
-/// A chart of `|F_t| / (μ F_n)` of each contact against the angle, along the path under a turning load. The path begins at angle 0 and goes to the
-/// last angle, or to its end. The first contact that stops sticking and the end are marked. A [soft fingertip](crate::grasp::SoftFingertip) counts as
-/// one contact by sums over its points: 1 where all of it slides. Contacts without a curve are named below: those that are open, without friction or
-/// glued, and of more than sixteen contacts those that use least friction.
+/// A chart of `|F_t| / (μ F_n)` of each contact against the angle, along the path under a turning load. The path begins at angle 0 and ends at the
+/// angle of the turn, or where the load is lost. The first contact that stops sticking and the end are marked. A [soft
+/// fingertip](crate::grasp::SoftFingertip) counts as one contact, with sums over its points: 1 if all of them slide. A note names the contacts
+/// without a curve: those that never touch, have no friction or are glued, and of more than sixteen contacts those that use least friction.
 ///
 /// ```
 /// use grasp_lcp::picture::chart_of_turn;

@@ -1,4 +1,4 @@
-//! The way out of a planar object: its next position along a motion.
+//! The motion by which a planar object is lost: its outline displaced along this motion.
 
 use std::ops::Range;
 
@@ -11,7 +11,7 @@ use crate::grasp::Motion;
 use crate::numerics::{largest, mapped, moved};
 use crate::planar::Twist;
 
-/// Points of the object, or of several bodies, and their next places.
+/// Points of the object, or of several bodies, before and after the motion.
 pub(super) struct MovedOutlines {
     from: Vec<Vector2<f64>>,
     to: Vec<Vector2<f64>>,
@@ -20,7 +20,7 @@ pub(super) struct MovedOutlines {
 }
 
 impl MovedOutlines {
-    /// Moves the outlines, or else the contact points, in a scene of size `size` (m); `None` without a motion.
+    /// Moves the outlines, or without outlines the contact points, in a scene of size `size` (m); `None` if nothing moves.
     pub(super) fn new(
         motion: &Motion<2>,
         outlines: &[Vec<Vector2<f64>>],
@@ -38,7 +38,7 @@ impl MovedOutlines {
         }
         let speed = |(p, twist): &(Vector2<f64>, &Twist)| Vector2::from(twist.displacement_at(*p)).norm();
         let fastest = largest(&points, &speed);
-        // The fastest point is moved by this part of the size of the scene.
+        // The fastest point moves by 0.13 of the size of the scene.
         let time = 0.13 * size / fastest;
         if !(time.is_finite() && time > 0.0) {
             return None;
@@ -53,7 +53,7 @@ impl MovedOutlines {
         &self.to
     }
 
-    /// Paints the way out and returns the place for its name.
+    /// Paints the moved outlines with arrows, and returns the place of the farthest point, for the name.
     pub(super) fn paint(
         &self,
         painting: &mut Painting,

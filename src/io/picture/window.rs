@@ -1,4 +1,4 @@
-//! A part of the paper.
+//! A rectangle of the paper in which something is drawn.
 
 use super::sheet::Place;
 

@@ -21,7 +21,7 @@ pub(super) fn escaped(text: &str) -> String {
     })
 }
 
-/// A number with five digits, without trailing zeros.
+/// A number with five significant digits, without trailing zeros.
 pub(super) fn short(x: f64) -> String {
     let size = x.abs();
     let written = if size == 0.0 {
@@ -35,7 +35,7 @@ pub(super) fn short(x: f64) -> String {
         format!("{digits}e{}", power.replace('-', "−"))
     } else {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 7")]
-        // The least number with five digits before the point.
+        // Number of digits after the point, so that five digits are significant; 1e4 is the least number with five before it.
         let digits = (1e4 / size).log10().ceil().clamp(0.0, 7.0) as usize;
         let all = format!("{size:.digits$}");
         if digits > 0 { all.trim_end_matches('0').trim_end_matches('.').to_owned() } else { all }

@@ -14,26 +14,26 @@ use super::solved::SolveAnswer;
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Answer<const C: usize> {
-    /// To `hold`.
+    /// The answer to `hold`.
     Hold(HoldAnswer<C>),
-    /// To `need`.
+    /// The answer to `need`.
     Need(NeedAnswer),
-    /// To `improve`.
+    /// The answer to `improve`.
     Improve(ImproveAnswer<C>),
-    /// To `solve`.
+    /// The answer to `solve`.
     Solve(SolveAnswer<C>),
-    /// To `compare`.
+    /// The answer to `compare`.
     Compare(CompareAnswer<C>),
-    /// To `onset`.
+    /// The answer to `onset`.
     Onset(OnsetAnswer<C>),
-    /// To `onset_of_turn`.
+    /// The answer to `onset_of_turn`.
     OnsetOfTurn(TurnAnswer<C>),
-    /// To `follow`.
+    /// The answer to `follow`.
     Follow(PathAnswer<C>),
-    /// To `shake`.
+    /// The answer to `shake`.
     Shake(ShakeAnswer<C>),
-    /// To `shakedown`.
+    /// The answer to `shakedown`.
     Shakedown(ShakedownAnswer<C>),
-    /// To `identify`.
+    /// The answer to `identify`.
     Identify(IdentifyAnswer),
 }

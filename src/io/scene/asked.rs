@@ -1,7 +1,5 @@
 //! Translates the questions of a scene for its grasp, and answers them.
 
-use std::sync::Arc;
-
 use super::answer::Answer;
 use super::held::{IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakedownAnswer};
 use super::labels::SceneNames;
@@ -9,7 +7,7 @@ use super::onset::Factor;
 use super::question::Question;
 use super::setup::Setup;
 use crate::ask::Grasp;
-use crate::error::{ContactLabel, Error, check_contact};
+use crate::error::{Error, check_contact};
 use crate::grasp::{inside, outside};
 use crate::identify::{Identify, LAYOUTS_OF_HANDS};
 use crate::improve::Improve;
@@ -18,20 +16,12 @@ use crate::numerics::tried;
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
-    /// Refuses a question whose lists have not one entry for each contact, drive or joint of this setup, or along which nothing changes.
+    /// Refuses a question with a list whose length is not the number of contacts, drives or joints of this setup, or in which nothing changes.
     ///
     /// # Errors
     /// As for [`Self::answers`].
     pub fn check(&self, question: &Question<C>) -> Result<(), Error> {
         inside(self).check_question(&inside(question))
-    }
-
-    /// The question for the grasp, with the surfaces of the scene's contacts.
-    ///
-    /// # Errors
-    /// [`Error::Fingertip`] for a patch that cannot be built.
-    pub fn improve(&self, asked: &Improve<C>) -> Result<Improve<C>, Error> {
-        inside(self).with_surfaces(&inside(asked)).map(outside)
     }
 
     /// The answer to every question, in order.
@@ -52,19 +42,18 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::improve`] in the plane or in space.
-    pub(super) fn with_surfaces(&self, asked: &Improve<3>) -> Result<Improve<3>, Error> {
-        let (mut question, mut first) = (asked.clone(), 0);
-        for entry in self.entries() {
+    /// [`Self::improve`] of a setup whose vectors have three components, even if it is planar.
+    pub(super) fn with_surfaces(&self, grasp: &Grasp<3>, asked: &Improve<3>) -> Improve<3> {
+        let mut question = asked.clone();
+        for (entry, contact) in self.entries().zip(grasp.engine.wholes().iter()) {
             if let Some(surface) = &entry.surface {
-                question = question.along(first, surface.clone());
+                question = question.along(contact.range.start, surface.clone());
             }
-            first += entry.count()?;
         }
-        Ok(question)
+        question
     }
 
-    /// [`Self::check`] in the plane or in space.
+    /// [`Self::check`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn check_question(&self, question: &Question<3>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
@@ -92,7 +81,7 @@ impl Setup<3> {
         }
     }
 
-    /// Refuses faults that show without building the layouts.
+    /// Refuses faults that can be found without building a grasp for each layout.
     pub(super) fn check_identify(&self, asked: &Identify<3>) -> Result<(), Error> {
         if !asked.layouts.is_empty() && (self.is_held_by_a_hand() || !self.bodies.is_empty()) {
             return Err(LAYOUTS_OF_HANDS);
@@ -118,48 +107,23 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// Numbers of contacts, of drives (joints, then tendons) and of joints. Slides of contacts that are held by a force are the last joints.
+    /// Numbers of contacts, of drives (joints and tendons) and of joints. A contact that is held by a force counts as one more joint, its slide.
     fn lengths(&self) -> [usize; 3] {
         let slides = self.entries().filter(|entry| entry.contact.force.is_some()).count();
         let joints = self.fingers.iter().map(|finger| finger.joints.len()).sum::<usize>() + slides;
         [self.entries().count(), joints + self.tendons.len(), joints]
     }
 
-    /// The scene's names of the contacts of its grasp.
-    pub(super) fn labels(&self) -> Result<SceneNames, Error> {
-        let mut labels = Vec::new();
-        for (index, entry) in self.entries().enumerate() {
-            let label = |point| ContactLabel { point, ..entry.contact.label(index) };
-            if entry.is_spread() {
-                labels.extend((0..entry.count()?).map(Some).map(label));
-            } else {
-                labels.push(label(None));
-            }
-        }
-        let mut number = self.entries().count();
-        for (k, point) in self.points_of_links()?.iter().enumerate() {
-            number += usize::from(k > 0 && point.begins_a_whole());
-            let name = point.whole_name().map(Arc::from);
-            labels.push(ContactLabel { index: number, point: point.point_of_pad, name, link: point.link });
-        }
-        Ok(SceneNames(labels))
-    }
-
-    /// [`Self::answers_in`] in the plane or in space.
+    /// [`Self::answers_in`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn answered(&self, words: Words) -> Result<Vec<Answer<3>>, Error> {
-        let (grasp, labels) = (self.grasp_checked()?, self.labels()?);
-        tried(&self.questions, &|question| self.answer(&grasp, &labels, question, words.in_space(self.space)))
+        let grasp = self.grasp_checked()?;
+        tried(&self.questions, &|question| self.answer(&grasp, question, words.in_space(self.space)))
     }
 
-    fn answer(
-        &self,
-        grasp: &Grasp<3>,
-        labels: &SceneNames,
-        question: &Question<3>,
-        words: Words,
-    ) -> Result<Answer<3>, Error> {
+    fn answer(&self, grasp: &Grasp<3>, question: &Question<3>, words: Words) -> Result<Answer<3>, Error> {
         self.check_question(question)?;
         let grasp = &self.grasp_asked(grasp, question)?;
+        let labels = SceneNames(grasp);
         Ok(match &*self.meant(question)? {
             Question::Hold { .. } => Answer::Hold(labels.verdict(grasp.hold(question.ramp()?)?, words)),
             Question::Need(asked) => {
@@ -167,19 +131,17 @@ impl Setup<3> {
                 Answer::Need(NeedAnswer::of(needed, words))
             }
             Question::Improve(asked) => {
-                Answer::Improve(ImproveAnswer::of(grasp.improve(&self.with_surfaces(asked)?)?, words))
+                Answer::Improve(ImproveAnswer::of(grasp.improve(&self.with_surfaces(grasp, asked))?, words))
             }
-            Question::Solve { load, .. } => {
-                Answer::Solve(labels.solve(grasp, load, grasp.solve(load)?, words)?)
-            }
-            Question::Compare { base, load } => Answer::Compare(labels.compared(grasp, base, load, words)?),
+            Question::Solve { load, .. } => Answer::Solve(labels.solve(load, grasp.solve(load)?, words)?),
+            Question::Compare { base, load } => Answer::Compare(labels.compared(base, load, words)?),
             Question::Onset { .. } => {
                 let onset = grasp.onset(&question.ramp()?)?;
-                Answer::Onset(labels.onset(grasp, &onset, |factor| Factor { factor }))
+                Answer::Onset(labels.onset(&onset, |factor| Factor { factor }))
             }
             Question::OnsetOfTurn(turn) => {
                 let found = grasp.onset_of_turn(turn)?;
-                Answer::OnsetOfTurn(labels.onset_of_turn(grasp, &found))
+                Answer::OnsetOfTurn(labels.onset_of_turn(&found))
             }
             Question::Follow { start, legs, in_steps: None } => {
                 let mut path = grasp.follow(start, legs)?;

@@ -15,18 +15,18 @@ use crate::need::Quantity;
 use crate::numerics::summed;
 
 impl Setup<3> {
-    /// Whether no command presses, and some question has no load at rest and no load that presses contacts on, as a weight or a jamming load does. A
-    /// question that seeks the forces at rest need not state them.
+    /// Whether nothing presses on contacts. Commands may press, the load at rest of a question, or a load that it applies, as a weight or a jamming
+    /// load does. One question for which none of them presses suffices, unless it seeks the forces at rest.
     /// Without a question, the commands alone decide.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
-        // Links alone need no squeeze.
+        // A grasp that has links but no contacts needs no squeeze.
         if grasp.presses() || self.entries().next().is_none() {
             return Ok(false);
         }
         for question in &self.questions {
             let is_solved = matches!(question, Question::Solve { load, .. } if *load != Wrench::ZERO);
             let is_sought = matches!(question, Question::Identify(asked) if asked.seeks_carried());
-            // Farther out a load may jam an object which it does not press on here.
+            // A load that presses on no contact at this arm may jam the object at a longer one.
             let is_arm = matches!(question, Question::Need(asked) if asked.quantity == Quantity::Arm);
             if is_solved || is_sought || is_arm || at_rest(question) != Wrench::ZERO {
                 continue;
@@ -52,7 +52,7 @@ impl Setup<3> {
             for (n, x) in normal.iter().zip(force) {
                 (along, length) = (along + n * x, length.hypot(*n));
             }
-            // A force presses on a contact if its component against the normal is more than this part of it.
+            // A force presses on a contact if its component against the normal is more than 1e-6 of it.
             along < -1e-6 * size * length
         };
         let hangs = |LinkSetup { link, .. }: &LinkSetup<3>| {
@@ -89,15 +89,15 @@ impl Setup<3> {
     fn otherwise_under(&self, grasp: &Grasp<3>, base: &Wrench<3>) -> Result<Vec<Warning>, Error> {
         let Ok(Outcome::Equilibrium(state)) = grasp.solve(base) else { return Ok(Vec::new()) };
         let mut warnings = Vec::new();
-        let (mut first, mut pressed) = (0, 0);
+        let (mut pressed, wholes) = (0, grasp.engine.wholes());
         for (contact, entry) in self.entries().enumerate() {
-            let points = first..first + entry.count()?;
-            first = points.end;
             let Some(told) = entry.contact.press else { continue };
             pressed += 1;
             // A pad that touches a curved part presses along its closing direction.
             let along = entry.contact.frame(contact)?.column(0).into_owned();
-            let force = summed(&state.contacts[points], &|point| point.force_world.dot(&along));
+            let force = summed(&state.contacts[wholes[contact].range.clone()], &|point| {
+                point.force_world.dot(&along)
+            });
             if (force - told).abs() > OTHERWISE_PRESSED * told {
                 let name = entry.contact.label_text(contact);
                 warnings.push(Warning::PressesOtherwise { contact, name, told, force });
@@ -107,14 +107,13 @@ impl Setup<3> {
             // If no contact presses with its force, one common reason is stated instead, if known.
             warnings = self.same_side().map_or(warnings, |why| vec![why]);
         }
+        let contacts = self.entries().count();
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
-            let points = link.contacts_in(self.space, link.kind().name())?.len();
-            let (told, site) = (link.pretension, first);
-            first += points;
+            let told = link.pretension;
             if told == 0.0 || link.tension.is_some() {
                 continue;
             }
-            let force = state.contacts[site].normal_force();
+            let force = state.contacts[wholes[contacts + number].range.start].normal_force();
             if (force - told).abs() > OTHERWISE_PRESSED * told.abs() {
                 let (link, name) = (number, link.called(number));
                 warnings.push(Warning::PullsOtherwise { link, name, told, force });
@@ -124,18 +123,18 @@ impl Setup<3> {
     }
 }
 
-/// Whether a load would be held for a while with more friction, because it presses contacts on.
+/// Whether a load that grows from zero would be held at first if there were more friction, because it presses on contacts.
 fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);
     }
-    // With much friction a trial holds a load that presses contacts on, and jams the object.
+    // With a friction coefficient of 3 or more, a load that presses on contacts jams the object and is held.
     let rough = grasp.with_friction(|_, mu| if mu > 0.0 { mu.max(3.0) } else { mu })?;
     let verdict = rough.hold(Ramp::load(Wrench::ZERO, load))?;
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))
 }
 
-/// The load before the loads of a question are put on; zero for a single equilibrium.
+/// The load at rest, before a question applies its loads; zero for `solve`.
 fn at_rest(question: &Question<3>) -> Wrench<3> {
     match question {
         Question::Hold { base, .. }

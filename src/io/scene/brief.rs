@@ -40,7 +40,7 @@ pub struct Brief {
     pub question: &'static str,
     /// The name of the outcome in the format.
     pub outcome: &'static str,
-    /// The load factor at first slip, or at the loss of a load that is put on. For `need` the amount, for `identify` the first unknown.
+    /// The load factor at first slip, or at the loss of a load that grows from rest. For `need` the amount, for `identify` the first unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// The angle at first slip under a turning load, rad.
@@ -58,7 +58,7 @@ pub struct Brief {
     /// The first contact, joint or tendon that stops sticking, or the contact with the least margin: its name, or its kind and number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first: Option<String>,
-    /// The state change or state of that contact.
+    /// The change of state of [`Self::first`]; in an equilibrium, its state.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub does: Option<&'static str>,
     /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the answer to say much about it. Left out if false.
@@ -80,32 +80,29 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::brief_answers`] in the plane or in space.
+    /// [`Self::brief_answers`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn answered_briefly(&self) -> Result<Vec<Brief>, Error> {
-        let (grasp, labels) = (self.grasp_checked()?, self.labels()?);
-        tried(&self.questions, &|question| self.brief(&grasp, &labels, question))
+        let grasp = self.grasp_checked()?;
+        tried(&self.questions, &|question| self.brief_answer(&grasp, question))
     }
 
     /// The short answer to one question.
     pub(super) fn brief_answer(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Brief, Error> {
-        self.brief(grasp, &self.labels()?, question)
-    }
-
-    fn brief(&self, grasp: &Grasp<3>, labels: &SceneNames, question: &Question<3>) -> Result<Brief, Error> {
         self.check_question(question)?;
         let grasp = &self.grasp_asked(grasp, question)?;
+        let labels = SceneNames(grasp);
         Ok(match &*self.meant(question)? {
             Question::Hold { .. } => held_briefly(&grasp.hold_briefly(&question.ramp()?)?),
             Question::Need(asked) => needed_briefly(&grasp.need(asked)?),
-            Question::Improve(asked) => improved_briefly(&grasp.improve(&self.with_surfaces(asked)?)?),
+            Question::Improve(asked) => improved_briefly(&grasp.improve(&self.with_surfaces(grasp, asked))?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
             Question::Compare { base, load } => {
-                compared_briefly(&labels.compared(grasp, base, load, Words::default())?)
+                compared_briefly(&labels.compared(base, load, Words::default())?)
             }
-            Question::Onset { .. } => labels.onset_briefly("onset", grasp, &grasp.onset(&question.ramp()?)?),
+            Question::Onset { .. } => labels.onset_briefly("onset", &grasp.onset(&question.ramp()?)?),
             Question::OnsetOfTurn(turn) => {
                 let found = grasp.onset_of_turn(turn)?;
-                let mut brief = labels.onset_briefly("onset_of_turn", grasp, &found.onset);
+                let mut brief = labels.onset_briefly("onset_of_turn", &found.onset);
                 brief.angle = brief.factor.take();
                 brief
             }
@@ -149,7 +146,7 @@ impl Brief {
     }
 }
 
-impl SceneNames {
+impl SceneNames<'_> {
     fn solved_briefly(&self, question: &'static str, outcome: &Outcome<3>) -> Brief {
         match outcome {
             Outcome::Equilibrium(state) => self.tightest(Brief::new(question, "equilibrium"), state),
@@ -158,27 +155,27 @@ impl SceneNames {
         }
     }
 
-    /// Adds the contact with the least margin.
+    /// Adds the contact with the least friction margin to a short answer.
     fn tightest(&self, brief: Brief, state: &Equilibrium<3>) -> Brief {
         let vacuum_gone = !state.open_cups.is_empty();
         let brief = Brief { beyond_small_motions: is_far(Some(state)), vacuum_gone, ..brief };
         let margins = state.contacts.iter().enumerate().filter(|(_, contact)| contact.margin.is_finite());
         let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
         let Some((site, contact)) = least else { return brief };
-        let (margin, first) = (Some(contact.margin), Some(self.0[site].text()));
+        let (margin, first) = (Some(contact.margin), Some(self.label(site).text()));
         Brief { margin, first, does: Some(doing(&contact.state)), ..brief }
     }
 
-    fn onset_briefly(&self, question: &'static str, grasp: &Grasp<3>, onset: &Onset<3>) -> Brief {
+    fn onset_briefly(&self, question: &'static str, onset: &Onset<3>) -> Brief {
         match onset {
             Onset::At(event) => {
                 let contact = event
                     .leaving
                     .first()
-                    .map(|leaving| (self.0[leaving.contact.index].text(), leaving.verb()));
+                    .map(|leaving| (self.label(leaving.contact.index).text(), leaving.verb()));
                 let part = || event.drives.first().map(|change| (change.part.text(), drive(change.what)));
                 let (first, does) = contact.or_else(part).unzip();
-                let beyond_small_motions = is_far(grasp.state_at_onset(event).as_ref());
+                let beyond_small_motions = is_far(self.0.state_at_onset(event).as_ref());
                 let factor = Some(event.factor);
                 Brief { factor, first, does, beyond_small_motions, ..Brief::new(question, "at") }
             }
@@ -201,7 +198,7 @@ impl SceneNames {
         match end {
             Some(PathEnd::Completed) => brief("completed"),
             Some(PathEnd::Lost(loss)) => {
-                let first = loss.contacts.first().map(|contact| self.0[contact.index].text());
+                let first = loss.contacts.first().map(|contact| self.label(contact.index).text());
                 Brief { first, ..brief("lost") }
             }
             Some(PathEnd::NoStart(_)) => brief("no_start"),
@@ -214,7 +211,7 @@ fn is_far(state: Option<&Equilibrium<3>>) -> bool {
     state.is_some_and(Equilibrium::is_beyond_small_motions)
 }
 
-/// Whether the load is held, and the load factor at its loss.
+/// Short answer to `hold`: whether the load is held, and the load factor at its loss.
 fn held_briefly(verdict: &Verdict<3>) -> Brief {
     let outcome = match verdict.holding {
         Holding::Sticks => "sticks",
@@ -234,7 +231,7 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
     Brief { factor, first: who, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
-/// The amount that is needed.
+/// Short answer to `need`: the amount that is needed.
 fn needed_briefly(needed: &Needed) -> Brief {
     let outcome = match needed.amount {
         Amount::Bound { .. } => "bound",
@@ -247,7 +244,7 @@ fn needed_briefly(needed: &Needed) -> Brief {
     Brief { factor, angle, ..Brief::new("need", outcome) }
 }
 
-/// First slip or the reserve of the best grasp, with the contact that slides first or has the least reserve.
+/// Short answer to `improve`: first slip or reserve of the best grasp, and the contact that slides first or has the least reserve.
 fn improved_briefly(improved: &Improved<3>) -> Brief {
     let outcome = match improved.search {
         SearchEnd::Optimum => "optimum",
@@ -263,7 +260,7 @@ fn improved_briefly(improved: &Improved<3>) -> Brief {
     Brief { factor: improved.after, first, ..Brief::new("improve", outcome) }
 }
 
-/// The fate of a repeated load, with the contact that slides.
+/// Short answer to `shake`: the kind of repetition, and a contact that slides.
 fn shaken_briefly(shaken: &Shaken<3>) -> Brief {
     let first = |contacts: &[WholeContact]| contacts.first().map(|part| part.label.clone());
     let (outcome, slides, on) = match &shaken.repeats {
@@ -279,7 +276,7 @@ fn shaken_briefly(shaken: &Shaken<3>) -> Brief {
     Brief { leg: on, first: slides, beyond_small_motions, ..Brief::new("shake", outcome) }
 }
 
-/// Whether the grasp comes to rest in any order, with the factor and the contact that would slide beyond it.
+/// Short answer to `shakedown`: whether slipping ceases in any order, the factor, and a contact that would slide beyond it.
 fn shakedown_briefly(found: Option<&Shakedown<3>>) -> Brief {
     let Some(found) = found else { return Brief::new("shakedown", "undecided") };
     let outcome = match found.rests(1.0) {
@@ -291,7 +288,7 @@ fn shakedown_briefly(found: Option<&Shakedown<3>>) -> Brief {
     Brief { factor: Some(found.factor), first, ..Brief::new("shakedown", outcome) }
 }
 
-/// The kind of the comparison, with the multiple of the load up to which both agree.
+/// Short answer to `compare`: the verdict, and the multiple of the load up to which equilibrium and minimum agree.
 fn compared_briefly(answer: &CompareAnswer<3>) -> Brief {
     let outcome = match answer.comparison.verdict {
         ComparisonVerdict::Agree => "agree",
@@ -305,7 +302,7 @@ fn compared_briefly(answer: &CompareAnswer<3>) -> Brief {
     Brief { factor: answer.agrees_up_to, ..Brief::new("compare", outcome) }
 }
 
-/// The end of the search, with the value of the first unknown if the slips determine it.
+/// Short answer to `identify`: the end of the search, and the first unknown if the slips determine it.
 fn identified_briefly(found: &Identified) -> Brief {
     let first = found.estimates.first().filter(|estimate| estimate.is_fixed);
     Brief { factor: first.map(|estimate| estimate.value), ..Brief::new("identify", ended(&found.ending)) }

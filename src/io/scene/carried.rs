@@ -1,4 +1,4 @@
-//! A load by its mass: a body that an arm carries, `{"mass": 0.5, "at": [0.5, 0], "turning": {"velocity_deg": 90}}`.
+//! A load that is given by its mass: a body that an arm carries, `{"mass": 0.5, "at": [0.5, 0], "turning": {"velocity_deg": 90}}`.
 
 use super::wrench::part;
 use crate::grasp::{ArmMotion, Payload, Space, Wrench};
@@ -20,7 +20,7 @@ pub(super) struct WrittenTurning {
     acceleration_rad: Option<Few<Given, 3>>,
 }
 
-/// Fields of a wrench beside force and moment.
+/// Fields of a wrench that describe a carried body.
 pub(super) struct WrittenMass<'w> {
     pub(super) mass: Option<&'w Number<Given>>,
     pub(super) at: Option<&'w Few<Given, 3>>,

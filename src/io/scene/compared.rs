@@ -4,7 +4,6 @@ use serde::{Deserialize, Serialize};
 
 use super::held::said;
 use super::labels::SceneNames;
-use crate::ask::Grasp;
 use crate::energy::Comparison;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -28,16 +27,15 @@ pub struct CompareAnswer<const C: usize> {
     pub comparison: Comparison<C>,
 }
 
-impl SceneNames {
-    /// The comparison under a load beside one at rest, and the range of the load in which both agree.
+impl SceneNames<'_> {
+    /// The comparison under `base + load`, and the multiple of `load` up to which equilibrium and minimum agree.
     pub(super) fn compared(
         &self,
-        grasp: &Grasp<3>,
         base: &Wrench<3>,
         load: &Wrench<3>,
         words: Words,
     ) -> Result<CompareAnswer<3>, Error> {
-        let energy = grasp.energy();
+        let energy = self.0.energy();
         let mut comparison = energy.compare(*base + *load)?;
         let is_loaded = *load != Wrench::ZERO;
         let agrees_up_to =

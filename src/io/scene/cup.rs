@@ -33,7 +33,7 @@ const fn twelve() -> usize {
 }
 
 impl Cup {
-    /// A cup with a lip of this radius, m, under this pressure below that of the air around, Pa.
+    /// A cup with a lip of this radius, m, in which the pressure is this much below that of the surrounding air, Pa.
     #[must_use]
     pub fn of_pressure(radius: f64, pressure: f64) -> Self {
         Self { radius, points: twelve(), pressure: Some(pressure), force: None }
@@ -48,7 +48,7 @@ impl Cup {
     /// The cup for the grasp.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] if a number is out of range, and unless there are axes of space and one of pressure and force.
+    /// [`Error::Fingertip`] for a number out of range, in the plane, and unless exactly one of pressure and force is given.
     pub(super) fn made(&self, space: Space) -> Result<SuctionCup, Error> {
         if space == Space::Planar {
             let (what, allowed) = ("number of axes of the cup", "2: a force, N, as a number");
@@ -68,7 +68,7 @@ impl Cup {
 
 /// The field `suction`: the force of a vacuum, or a cup with its lip.
 pub(super) enum WrittenSuction {
-    /// N.
+    /// Force of the vacuum, N.
     Force(f64),
     Cup(Cup),
 }

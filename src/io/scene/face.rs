@@ -1,4 +1,4 @@
-//! Setups, questions and answers at the door: texts are read and written with three components a vector.
+//! Conversion of planar setups, questions and answers between vectors of two and three components; texts are read and written with three.
 
 use super::answer::Answer;
 use super::body::BodySetup;

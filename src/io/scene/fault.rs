@@ -1,4 +1,4 @@
-//! Scenes in JSON; a faulty one is refused with the place and the reason (feature `json`).
+//! Scenes in JSON: the error for a faulty scene names the place and the reason (feature `json`).
 
 use std::fmt;
 
@@ -23,7 +23,7 @@ pub struct Fault {
     /// The path of the field, `planar.contacts[1].friction`; `None` for the scene as a whole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field: Option<String>,
-    /// The position of the reader when it noticed the fault.
+    /// The position in the text at which the reader noticed the fault.
     #[serde(flatten)]
     pub at: Option<TextPosition>,
 }
@@ -65,12 +65,12 @@ impl fmt::Display for Fault {
         if let Some(field) = &self.field {
             write!(f, "{}: ", printable(field))?;
         }
-        // The message may repeat any text of the input.
+        // The message may repeat any text of the input, also control characters.
         f.write_str(&printable(&self.message))
     }
 }
 
-/// The part of a faulty scene that can still be read.
+/// The fields of a faulty scene that can still be read.
 #[derive(Deserialize)]
 struct Outside {
     format: Option<String>,

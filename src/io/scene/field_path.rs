@@ -1,6 +1,6 @@
 //! The field of a JSON text at which a reader stopped (feature `json`).
 
-/// The beginnings of messages of the reader about a list or an object, and not about a value in it.
+/// Beginnings of serde_json messages that concern a whole list or object, and not one value in it.
 const OF_A_LIST_OR_OBJECT: [&str; 7] = [
     "EOF while parsing a list",
     "EOF while parsing an object",
@@ -20,16 +20,16 @@ pub(super) fn faulty_field(
     message: &str,
 ) -> Option<String> {
     let (before, last) = text.split_at(read.saturating_sub(1));
-    // The last byte that was read is the first that is no JSON, unless the text ended too early or the value is a wrong one. A name that stands
-    // alone where fields must follow is refused at the byte behind it.
+    // At a syntax error the last byte read is the first that is not JSON. If the text ends too early or a value is wrong, all bytes read are JSON.
+    // A name without its fields, a unit variant, is reported at the byte after it.
     let alone = message.starts_with("invalid type: unit variant");
     let json = if error.is_syntax() || alone { before } else { &text[..read] };
-    // A list where none is allowed is refused behind its bracket or just before it.
+    // serde_json reports a list where none is allowed either at its opening bracket or just before it.
     let behind = last.starts_with(b"[") && !last[1..].starts_with(b"[");
     let around = (behind && message.starts_with("invalid type: sequence"))
         || OF_A_LIST_OR_OBJECT.iter().any(|of| message.starts_with(of));
     let mut path = field_path(json, around);
-    // An unknown name is one of the object that it stands in.
+    // An unknown name is a fault of the object that contains it.
     let unknown = message.strip_prefix("unknown variant `").and_then(|rest| rest.split('`').next());
     if let Some(object) = unknown.and_then(|name| path.strip_suffix(name)?.strip_suffix('.')) {
         path.truncate(object.len());
@@ -39,7 +39,7 @@ pub(super) fn faulty_field(
 
 /// A list or an object that is still open.
 struct Open {
-    /// The length of its own path.
+    /// The length of the path of this list or object.
     path: usize,
     /// The number of the present element of a list; `None` for an object.
     element: Option<usize>,
@@ -82,7 +82,7 @@ fn field_path(read: &[u8], around: bool) -> String {
                 }
                 i = read.len().min(i + 1);
                 if name_next {
-                    // A name that ends too early is none.
+                    // A name that the text cuts off does not belong to the path.
                     let Ok(name) = serde_json::from_slice::<String>(&read[start..i]) else { break };
                     if !path.is_empty() {
                         path.push('.');

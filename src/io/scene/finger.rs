@@ -105,7 +105,7 @@ impl<const C: usize> FingerSetup<C> {
 }
 
 impl FingerSetup<3> {
-    /// The finger of a hand. `first` is the index of its first contact in the scene.
+    /// The finger as the hand of the grasp needs it, soft fingertips as points. `first` is the index of its first contact in the scene.
     pub(super) fn spread(&self, first: usize) -> Result<grasp::Finger<3>, Error> {
         let points = |k: usize| self.contacts[k].points(first + k);
         let mut finger = grasp::Finger::new(self.joints.iter().cloned());
@@ -136,7 +136,8 @@ impl FingerSetup<3> {
     }
 }
 
-/// Velocities of a point of a link for each joint, `v + ω × r`, from those of the contact and, below them, angular velocities.
+/// Jacobian of a point of a link, `v + ω × r` for each joint. Rows 0 to 2 of `twists` are the velocities v of the contact, rows 3 to 5 the
+/// angular velocities ω; `arm` is r, from the contact to the point.
 fn moved_at(twists: &DMatrix<f64>, arm: &SVector<f64, 3>) -> DMatrix<f64> {
     DMatrix::from_fn(3, twists.ncols(), |a, j| {
         let (b, c) = ((a + 1) % 3, (a + 2) % 3);

@@ -33,9 +33,9 @@ pub struct Fingertip<const C: usize> {
     /// The pad that closes on the part of the scene, instead of point and normal.
     #[cfg(feature = "mesh")]
     pub touches: Option<super::part::Touches>,
-    /// The curve or surface along which the contact may move where fingers are [improved](crate::improve).
+    /// The curve or surface along which the contact may move if fingers are [improved](crate::improve).
     pub surface: Option<Surface<C>>,
-    /// Whether no stiffness was given and a default takes its place, see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
+    /// Whether no stiffness was given, so that the default takes its place; see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
     pub no_stiffness: bool,
     /// A comment for the reader of the file.
     pub comment: Option<String>,
@@ -75,7 +75,7 @@ impl<const C: usize> From<Contact<C>> for Fingertip<C> {
 
 impl<const C: usize> Fingertip<C> {
     /// This contact spread over a patch: a ring, a disc or a rectangle in space, a pair or a pad in the plane.
-    /// Another patch is an error of [`Setup::grasp`](super::Setup::grasp).
+    /// A patch of the other space is an error of [`Setup::grasp`](super::Setup::grasp).
     #[must_use]
     pub fn soft(self, tip: Tip) -> Self {
         Self { soft: Some(tip), ..self }
@@ -87,13 +87,13 @@ impl<const C: usize> Fingertip<C> {
         Self { cup: Some(cup), soft: None, ..self }
     }
 
-    /// This contact with a curve or surface that it may move along where fingers are [improved](crate::improve).
+    /// This contact with a curve or surface along which it may move if fingers are [improved](crate::improve).
     #[must_use]
     pub fn along(self, surface: Surface<C>) -> Self {
         Self { surface: Some(surface), ..self }
     }
 
-    /// This contact of a finger on another link than the last, or moved by a Jacobian that is given.
+    /// This contact of a finger, on another link than the last or moved by a given Jacobian.
     #[must_use]
     pub fn moved_by(self, moved_by: MovedBy) -> Self {
         Self { moved_by, ..self }
@@ -116,7 +116,7 @@ impl Fingertip<3> {
         patch.contacts_inside(&self.contact.clone().suction(suction))
     }
 
-    /// The patch, and the force of its vacuum, N; `None` for a point. Refuses a patch that the space of the contact does not have.
+    /// The patch, and the force of its vacuum, N; `None` for a point. Refuses a planar patch in space, and a spatial patch in the plane.
     pub(super) fn patch(&self) -> Result<Option<(SoftFingertip<3>, f64)>, Error> {
         let space = self.contact.space;
         if let Some(cup) = &self.cup {

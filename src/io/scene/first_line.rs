@@ -65,7 +65,7 @@ fn at_factor(factor: f64, words: Words) -> String {
 }
 
 impl<const C: usize> Answer<C> {
-    /// [`Question::first_line`] where the question is not at hand: an onset has its factor in place of its load.
+    /// [`Question::first_line`] without the question: the place of an onset is then a load factor and not a load.
     #[must_use]
     pub fn first_line(&self, words: Words) -> String {
         let digits = words.precision();
@@ -92,7 +92,7 @@ impl<const C: usize> Answer<C> {
     }
 }
 
-/// "EQUILIBRIUM under (0, -4) N: everything sticks".
+/// The first line of `solve`, such as "EQUILIBRIUM under (0, -4) N: everything sticks".
 fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) -> String {
     let digits = words.precision();
     let said = match &answer.outcome {
@@ -106,7 +106,7 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     let Some(held) = &answer.from_rest else { return said };
     let from_rest = format!("put on from rest: {:.digits$}", held.verdict);
     match &answer.outcome {
-        // The path is lost, which counts. The search has found no other equilibrium, and has not excluded one.
+        // The path from rest loses the load, which is the verdict. The search has neither found nor excluded another equilibrium.
         Outcome::Undecided(doubt) if held.verdict.holds() == Some(false) => {
             format!("{from_rest}. Whether another equilibrium exists elsewhere is undecided: {doubt}")
         }
@@ -119,7 +119,7 @@ fn beyond_small_motions(far: &TooFar) -> String {
     format!(". CAUTION: {far}, beyond the small motions that this is good for")
 }
 
-/// The contacts that slide, or that everything sticks.
+/// Names the contacts that slide, or says that everything sticks.
 fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
     let (mut slide, mut in_part) = (Vec::new(), Vec::new());
     for contact in state.whole_contacts() {
@@ -141,7 +141,7 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
     }
 }
 
-/// "FIRST SLIP at 10 N: left and right slide; beyond: the grasp holds on".
+/// The first line of `onset`, such as "FIRST SLIP at 10 N: left and right slide; beyond: the grasp holds on".
 fn first_slip<const C: usize, At>(
     onset: &OnsetAnswer<C, At>,
     place: &dyn Fn(&At) -> String,
@@ -168,7 +168,7 @@ fn first_slip<const C: usize, At>(
     }
 }
 
-/// The kind of an onset, and the contacts and drives that leave: "FIRST SLIP", "left and right slide".
+/// The kind of an onset, and the changes of contacts and drives: "FIRST SLIP", "left and right slide".
 fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'static str, String) {
     let changes = event.whole_changes();
     let slides = changes.iter().any(|change| {
@@ -199,7 +199,7 @@ fn plural<T: ToString>(names: &[T], verb: &str) -> String {
     format!("{} {first}{rest}", listed(&names.iter().map(T::to_string).collect::<Vec<_>>()))
 }
 
-/// "LOST at 0.425 of leg 0, (0, 0, -8.5) N: no contact states carry more; first slip at 0.215 of leg 0, (0, 0, -4.3) N".
+/// The first line of `follow`: "LOST at 0.425 of leg 0, (0, 0, -8.5) N: no contact states carry more; first slip at 0.215 of leg 0, (0, 0, -4.3) N".
 fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     let digits = words.precision();
     let place = |leg: usize, fraction: f64, load: &Wrench<C>| {

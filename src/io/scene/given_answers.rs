@@ -1,5 +1,6 @@
-//! Answers that a grasp has already given, in the form in which a scene writes them.
+//! Answers of a grasp in the form in which a scene writes them.
 
+use super::labels::SceneNames;
 use super::onset::{Factor, OnsetAnswer, TurnAnswer};
 use super::setup::Setup;
 use super::solved::SolveAnswer;
@@ -11,8 +12,8 @@ use crate::load_path as path;
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
-    /// The answer of this setup's grasp to [`Grasp::solve`] in the form of [`Self::answers`], for a caller that asks the grasp itself and writes
-    /// only some answers.
+    /// The answer of a setup's grasp to [`Grasp::solve`] in the form of [`Self::answers`], for a caller that asks the grasp itself and writes only
+    /// some answers.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Wrench};
@@ -22,49 +23,37 @@ impl<const C: usize> Setup<C> {
     /// let load = Wrench::force([0.0, -4.0]);
     /// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()]).ask(Question::solve(load));
     /// let grasp = setup.grasp()?;
-    /// let told = setup.tell_outcome(&grasp, &load, &grasp.solve(&load)?)?;
+    /// let told = Setup::tell_outcome(&grasp, &load, &grasp.solve(&load)?)?;
     /// assert_eq!(setup.answers()?, [Answer::Solve(told)]);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::points`] and [`Grasp::hold`].
+    /// As for [`Grasp::hold`].
     pub fn tell_outcome(
-        &self,
         grasp: &Grasp<C>,
         load: &Wrench<C>,
         outcome: &Outcome<C>,
     ) -> Result<SolveAnswer<C>, Error> {
-        let (setup, words) = (inside(self), Words::default().in_space(self.space));
-        setup.labels()?.solve(&inside(grasp), &inside(load), inside(outcome).into_owned(), words).map(outside)
+        let (grasp, words) = (inside(grasp), Words::default().in_space(grasp.space()));
+        SceneNames(&grasp).solve(&inside(load), inside(outcome).into_owned(), words).map(outside)
     }
 
-    /// The answer of this setup's grasp to [`Grasp::onset`], with the settings of the setup. The behaviour beyond first slip and the
-    /// equilibrium there are computed now.
-    ///
-    /// # Errors
-    /// As for [`Self::points`].
-    pub fn tell_onset(&self, grasp: &Grasp<C>, onset: &path::Onset<C>) -> Result<OnsetAnswer<C>, Error> {
-        Ok(outside(inside(self).labels()?.onset(&inside(grasp), &inside(onset), |factor| Factor { factor })))
+    /// The answer of a setup's grasp to [`Grasp::onset`]. The behaviour beyond first slip and the equilibrium there are computed now.
+    #[must_use]
+    pub fn tell_onset(grasp: &Grasp<C>, onset: &path::Onset<C>) -> OnsetAnswer<C> {
+        outside(SceneNames(&inside(grasp)).onset(&inside(onset), |factor| Factor { factor }))
     }
 
-    /// The answer of this setup's grasp to [`Grasp::onset_of_turn`]; otherwise like [`Self::tell_onset`].
-    ///
-    /// # Errors
-    /// As for [`Self::points`].
-    pub fn tell_onset_of_turn(
-        &self,
-        grasp: &Grasp<C>,
-        onset: &path::TurnOnset<C>,
-    ) -> Result<TurnAnswer<C>, Error> {
-        Ok(outside(inside(self).labels()?.onset_of_turn(&inside(grasp), &inside(onset))))
+    /// The answer of a setup's grasp to [`Grasp::onset_of_turn`]; otherwise like [`Self::tell_onset`].
+    #[must_use]
+    pub fn tell_onset_of_turn(grasp: &Grasp<C>, onset: &path::TurnOnset<C>) -> TurnAnswer<C> {
+        outside(SceneNames(&inside(grasp)).onset_of_turn(&inside(onset)))
     }
 
-    /// An equilibrium of this setup's grasp, one of [`Grasp::equilibria`] for instance; its accuracy is left out.
-    ///
-    /// # Errors
-    /// As for [`Self::points`].
-    pub fn tell_equilibrium(&self, state: &Equilibrium<C>) -> Result<Equilibrium<C>, Error> {
-        Ok(outside(inside(self).labels()?.equilibrium(inside(state).into_owned())))
+    /// An equilibrium of a setup's grasp, for example one of [`Grasp::equilibria`]; its accuracy is left out.
+    #[must_use]
+    pub fn tell_equilibrium(grasp: &Grasp<C>, state: &Equilibrium<C>) -> Equilibrium<C> {
+        outside(SceneNames(&inside(grasp)).equilibrium(inside(state).into_owned()))
     }
 }

@@ -9,10 +9,10 @@ use crate::ask::{Grasp, check_growing};
 use crate::error::Error;
 use crate::grasp::{Wrench, inside, outside};
 
-/// The name of a question, its load at rest, the load with which others grow, and those.
+/// The name of a question, its load at rest, its growing load, and the loads on other bodies in proportion to that.
 type Growing<'q> = (&'static str, Wrench<3>, Option<Wrench<3>>, &'q BTreeMap<String, Wrench<3>>);
 
-/// The loads that grow together; `None` for a question without any.
+/// The growing loads of a question; `None` for a kind of question that has none.
 fn growing(asked: &Question<3>) -> Option<Growing<'_>> {
     match asked {
         Question::Hold { base, load, together_with } => Some(("hold", *base, Some(*load), together_with)),
@@ -26,8 +26,8 @@ fn growing(asked: &Question<3>) -> Option<Growing<'_>> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// The grasp of a question, with the loads that grow together unless the question itself adds them. If gravity turns, the grasp has none beside
-    /// the turning load.
+    /// The grasp for a question, with the loads on other bodies that grow in proportion to its load; `need` adds them to its question instead. If
+    /// gravity turns, the grasp has no gravity, since the turning load is the weight.
     ///
     /// # Errors
     /// [`Error::Question`] where nothing can grow together, and as for [`Grasp::growing_together`].
@@ -37,7 +37,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::grasp_of`] in the plane or in space.
+    /// [`Self::grasp_of`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn grasp_asked(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Grasp<3>, Error> {
         self.check_growing(question)?;
         if let Some(tilted) = self.tilted_grasp(question)? {
@@ -51,14 +51,14 @@ impl Setup<3> {
         }
     }
 
-    /// Refuses loads that cannot grow together.
+    /// Refuses loads on other bodies that cannot grow in proportion to the question's load.
     pub(super) fn check_growing(&self, question: &Question<3>) -> Result<(), Error> {
         let Some((name, base, load, others)) = growing(question) else { return Ok(()) };
         others.keys().try_for_each(|name| self.has_body(name))?;
         check_growing(name, base, load, others)
     }
 
-    /// Refuses the name of a loaded body that the scene does not have.
+    /// Refuses a loaded body that the scene does not have.
     pub(super) fn has_body(&self, name: &str) -> Result<(), Error> {
         if self.bodies.iter().any(|body| &*body.name == name) {
             return Ok(());

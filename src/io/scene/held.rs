@@ -12,14 +12,14 @@ use crate::need::Needed;
 use crate::shake::{Shakedown, Shaken};
 use crate::words::Words;
 
-/// The fate of a load that is put on from rest; see [`Verdict`].
+/// Whether the grasp holds a load that grows from rest; see [`Verdict`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct HoldAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The answer.
+    /// The verdict, field by field.
     #[serde(flatten)]
     pub verdict: Verdict<C>,
 }
@@ -51,12 +51,12 @@ pub struct HoldAnswer<const C: usize> {
 pub struct NeedAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The answer.
+    /// The needed amount, field by field.
     #[serde(flatten)]
     pub needed: Needed,
 }
 
-impl SceneNames {
+impl SceneNames<'_> {
     pub(super) fn verdict(&self, mut verdict: Verdict<3>, words: Words) -> HoldAnswer<3> {
         let says = said(&verdict, words);
         let at_the_loss = verdict.lost.as_mut().and_then(|lost| lost.state.as_mut());
@@ -100,7 +100,7 @@ impl NeedAnswer {
 pub struct ImproveAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The answer.
+    /// The better finger places, field by field.
     #[serde(flatten)]
     pub improved: Improved<C>,
 }
@@ -111,7 +111,7 @@ impl<const C: usize> ImproveAnswer<C> {
     }
 }
 
-/// The unknowns with their errors; see [`Identified`].
+/// The identified unknowns with their standard errors; see [`Identified`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -140,7 +140,7 @@ impl<const C: usize> ImproveAnswer<C> {
 pub struct IdentifyAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The answer.
+    /// The estimates, field by field.
     #[serde(flatten)]
     pub identified: Identified,
 }
@@ -151,7 +151,7 @@ impl IdentifyAnswer {
     }
 }
 
-/// The fate of a repeated load; see [`Shaken`].
+/// The response of the grasp to a repeated load; see [`Shaken`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -176,12 +176,12 @@ impl IdentifyAnswer {
 pub struct ShakeAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The answer.
+    /// The fate of the repeated load, field by field.
     #[serde(flatten)]
     pub shaken: Shaken<C>,
 }
 
-/// Whether the grasp comes to rest in any order of the loads; see [`Shakedown`].
+/// Whether slipping ceases whatever the order of the repeated loads; see [`Shakedown`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -207,7 +207,7 @@ pub struct ShakeAnswer<const C: usize> {
 pub struct ShakedownAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// Whether the grasp comes to rest under these loads; left out if the order decides, or if it is unknown.
+    /// Whether slipping ceases under these loads. Left out if that depends on their order, or if it is unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rests: Option<bool>,
     /// The answer, if there is one.
@@ -215,7 +215,7 @@ pub struct ShakedownAnswer<const C: usize> {
     pub found: Option<Shakedown<C>>,
 }
 
-/// The sentence without an answer.
+/// The sentence if no shakedown factor could be computed.
 const NO_SHAKEDOWN: &str = "UNDECIDED: with all contacts closed no slips keep what is there at rest, or nothing resists one of the loads";
 
 impl<const C: usize> ShakedownAnswer<C> {
@@ -225,7 +225,7 @@ impl<const C: usize> ShakedownAnswer<C> {
     }
 }
 
-impl SceneNames {
+impl SceneNames<'_> {
     pub(super) fn shaken(&self, mut shaken: Shaken<3>, words: Words) -> ShakeAnswer<3> {
         let says = said(&shaken, words);
         if let Some(state) = shaken.state.as_mut() {

@@ -4,13 +4,22 @@ use crate::ask::Grasp;
 use crate::equilibrium::{Equilibrium, Outcome, WorkDone};
 use crate::error::ContactLabel;
 
-/// The scene's names of the contacts of its grasp, in the order of the grasp.
-pub(super) struct SceneNames(pub(super) Vec<ContactLabel>);
+/// Writes the answers of a grasp with the labels of its scene, in which a soft fingertip counts as one contact.
+pub(super) struct SceneNames<'g>(pub(super) &'g Grasp<3>);
 
-impl SceneNames {
-    /// Replaces the grasp's name of a contact by the scene's.
+impl SceneNames<'_> {
+    /// The scene's label of a point contact of the grasp.
+    pub(super) fn label(&self, index: usize) -> ContactLabel {
+        let engine = &self.0.engine;
+        ContactLabel {
+            point: engine.contacts()[index].point_of_pad,
+            ..engine.wholes().at(index).label.clone()
+        }
+    }
+
+    /// Replaces the grasp's label of a contact by the scene's.
     pub(super) fn name(&self, contact: &mut ContactLabel) {
-        contact.clone_from(&self.0[contact.index]);
+        *contact = self.label(contact.index);
     }
 
     /// An equilibrium in its written form.
@@ -30,10 +39,10 @@ impl SceneNames {
     }
 
     /// An outcome in its written form, with the accuracy of an equilibrium, and whether working precision distinguishes each contact state.
-    pub(super) fn solved(&self, grasp: &Grasp<3>, mut outcome: Outcome<3>) -> Outcome<3> {
+    pub(super) fn solved(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         if let Outcome::Equilibrium(state) = &mut outcome {
-            state.accuracy = grasp.accuracy(state);
-            let distinct = grasp.distinct(state).into_iter().flatten();
+            state.accuracy = self.0.accuracy(state);
+            let distinct = self.0.distinct(state).into_iter().flatten();
             state.contacts.iter_mut().zip(distinct).for_each(|(contact, told)| contact.distinct = Some(told));
         }
         self.outcome(outcome)

@@ -1,4 +1,4 @@
-//! Stiffness that a scene leaves out: the default in its place, and trials whether answers depend on it.
+//! Stiffness that a scene leaves out: its default, and trials with other values that show whether answers depend on it.
 
 use super::fingertip::Fingertip;
 use super::link::LinkSetup;
@@ -19,7 +19,7 @@ pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 
 impl<const C: usize> Setup<C> {
     /// A warning about contacts without a stiffness if an answer depends on it. Springs between a tenth and ten times the default, different for each
-    /// contact and direction, are tried in their place. Motions always depend on the stiffness, so that every `solve` is listed.
+    /// contact and direction, are tried in their place. Every `solve` is listed, since motions always depend on the stiffness.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -29,7 +29,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::stiffness_left_out`] in the plane or in space.
+    /// [`Self::stiffness_left_out`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn springs_left_out(&self) -> Result<Option<Warning>, Error> {
         let (mut contacts, mut names) = (Vec::new(), Vec::new());
         for (i, entry) in self.entries().enumerate() {
@@ -49,7 +49,7 @@ impl Setup<3> {
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// A warning about links without a stiffness if an answer depends on it by more than a thousandth, found in the same way.
+    /// A warning about links without a stiffness if trial stiffnesses, a tenth to ten times the default, change an answer by more than a thousandth.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -66,13 +66,13 @@ impl Setup<3> {
             return Ok(None);
         }
         let questions =
-            // Links are usually stiff beside the grasped object.
+            // Links are usually much stiffer than the contacts, so that answers depend on their stiffness only slightly.
             self.questions_that_depend(&|trial| self.with_links(trial), &|_| false, 1e-3)?;
         let (depends, stiffness) = (!questions.is_empty(), Link::<3>::STIFF);
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// The questions whose answers change in one of two trials, or for which `is_known` holds.
+    /// Indices of the questions whose answers change by more than `same_within`, relative, in one of two trials; and of those for which `is_known` holds.
     pub(super) fn questions_that_depend(
         &self,
         trial: &dyn Fn(usize) -> Self,
@@ -83,7 +83,8 @@ impl Setup<3> {
         let others = [trial(1), trial(2)];
         let mut questions = Vec::new();
         for (number, question) in self.questions.iter().enumerate() {
-            // Where motions are small depends on stiffness always: it matters where it bounds the answer.
+            // The load at which motions cease to be small always depends on stiffness. Answers are therefore compared without
+            // this limit. If the limit itself changes the answer, the answer depends on stiffness.
             let figures = self.figures(&without_limits(&given), question)?;
             let mut depends =
                 is_known(question) || !same(&figures, &self.figures(&given, question)?, same_within);
@@ -130,7 +131,7 @@ impl Setup<3> {
         setup
     }
 
-    /// The numbers of an answer that are compared.
+    /// The numbers of an answer that trials compare.
     fn figures(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
         let (whole, grasp) = (grasp, &self.grasp_asked(grasp, question)?);
@@ -138,7 +139,7 @@ impl Setup<3> {
             Question::Hold { base, load, .. } => {
                 let verdict = grasp.hold(Ramp::load(*base, *load))?;
                 let (first, lost) = (verdict.first_slip.as_ref(), verdict.lost.as_ref());
-                // First slip is not reported of a load that is lost.
+                // The answer about a load that is lost does not state its first slip.
                 let first = first.filter(|_| verdict.holds() == Some(true));
                 let first = first.map_or(f64::INFINITY, |first| first.factor);
                 let lost = lost.map_or(f64::INFINITY, |lost| lost.factor);
@@ -146,7 +147,7 @@ impl Setup<3> {
             }
             Question::Need(asked) => Ok(vec![grasp.need(asked)?.amount.bound().unwrap_or(f64::INFINITY)]),
             Question::Improve(asked) => {
-                Ok(vec![grasp.improve(&self.with_surfaces(asked)?)?.after.unwrap_or(f64::INFINITY)])
+                Ok(vec![grasp.improve(&self.with_surfaces(grasp, asked))?.after.unwrap_or(f64::INFINITY)])
             }
             Question::Solve { load, .. } => Ok(match grasp.solve(load)? {
                 Outcome::Equilibrium(state) => mapped(&state.contacts, &ContactAnswer::normal_force),
@@ -184,7 +185,7 @@ fn without_limits(grasp: &Grasp<3>) -> Grasp<3> {
     grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }
 
-/// Fractional parts of multiples of the golden ratio fill the interval from 0 to 1 evenly, without repeating.
+/// A number in [0, 1): fractional parts of multiples of the golden ratio fill the interval evenly, without repeating.
 fn part(number: usize) -> f64 {
     (0.618_033_988_749_895 * number as f64).fract()
 }

@@ -1,5 +1,5 @@
-//! Lengths in the text of a scene (feature `json`): those in mm, cm or inches are brought to m before they are read, for only the text distinguishes them from
-//! other numbers; and the points of loads, of which only the moment is left once they are read.
+//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). In the text the field names distinguish lengths from other numbers.
+//! The text also has the points at which loads act, of which a wrench keeps only the moment.
 
 use serde_json::{Map, Value};
 
@@ -12,7 +12,7 @@ use super::written::{Scene, Space};
 use crate::grasp::inside;
 use crate::words::Unit;
 
-/// Fields that are lengths wherever they are numbers, or lists of them.
+/// Fields that are lengths if they are numbers or lists of numbers.
 const LENGTHS: [&str; 32] = [
     "about",
     "at",
@@ -48,7 +48,7 @@ const LENGTHS: [&str; 32] = [
     "width",
 ];
 
-/// The scene of this text, which was read with its numbers as they stand there; its lengths are in this unit.
+/// The scene of this text, with lengths converted from `unit` to m.
 pub(super) fn in_metres(text: &[u8], unit: Unit) -> Result<Scene, Fault> {
     let fault = |error: serde_json::Error| Fault::of_scene(in_plain_words(&message_of(&error), None));
     let mut scene: Value = serde_json::from_slice(text).map_err(fault)?;
@@ -60,14 +60,14 @@ pub(super) fn in_metres(text: &[u8], unit: Unit) -> Result<Scene, Fault> {
     if let Some(fields) = scene.as_object_mut() {
         fields.remove("unit");
     }
-    // Scenes are read from texts alone, so that their reader is compiled once.
+    // The converted value becomes text again, since another deserializer would compile all of the reader a second time.
     let scene: Scene = serde_json::from_slice(&serde_json::to_vec(&scene).map_err(fault)?).map_err(fault)?;
     Ok(Scene { unit, ..scene })
 }
 
 impl Scene {
-    /// A warning about a load far outside of the grasp whose force points at it, so that it has no long arm; `text` is the scene's text. Loads with a long
-    /// arm are among [`Self::warnings`].
+    /// A warning about a load that acts far outside of the grasp, although its force points at the grasp and has no long arm. `text` is the scene's
+    /// text. [`Self::warnings`] reports loads with a long arm.
     #[must_use]
     pub fn far_load_in(&self, text: &[u8]) -> Option<Warning> {
         let scene: Value = serde_json::from_slice(text).unwrap_or_default();
@@ -92,7 +92,7 @@ impl Setup<3> {
     }
 }
 
-/// Looks at every point `at` of a value.
+/// Calls `look` with every list that is a field `at` of the value.
 fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     match value {
         Value::Array(list) => list.iter().for_each(|value| each_at(value, look)),
@@ -108,7 +108,7 @@ fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     }
 }
 
-/// The unit, and what decides whether commands of joints are lengths.
+/// The unit of lengths, and the kinds of joints, on which it depends whether their commands are lengths.
 struct Lengths {
     unit: Unit,
     /// Whether each joint of all fingers is prismatic.
@@ -144,21 +144,21 @@ impl Lengths {
         }
     }
 
-    /// Brings the lengths of an object to m; `of` is the field that holds it.
+    /// Converts the lengths of an object to m; `of` is the field that holds it.
     fn object(&self, fields: &mut Map<String, Value>, of: &str) {
         let is_turning = of == "joints" && !fields.contains_key("prismatic");
         for (name, value) in fields {
             match (name.as_str(), value) {
                 // The command of a revolute joint is an angle.
                 ("command", _) if is_turning => {}
-                // Their fields are names of bodies.
+                // The keys of these objects are names of bodies.
                 ("together_with" | "body_loads_by" | "body_loads_to", Value::Object(loads)) => {
                     for load in loads.values_mut().filter_map(Value::as_object_mut) {
                         self.object(load, "");
                     }
                 }
                 ("joints_by" | "joints_to" | "joint_change", Value::Array(all)) => {
-                    // Behind joints come tendons.
+                    // Entries after those of joints belong to tendons, whose commands are lengths.
                     self.each(all, |joint| self.is_prismatic.get(joint).is_none_or(|is| *is));
                 }
                 ("arms", Value::Array(all)) => {
@@ -182,7 +182,7 @@ impl Lengths {
         }
     }
 
-    /// Brings the numbers of a list to m where they are lengths, by their index.
+    /// Converts the entries of a list to m for whose index `is_length` holds.
     fn each(&self, list: &mut [Value], is_length: impl Fn(usize) -> bool) {
         for (index, value) in list.iter_mut().enumerate() {
             if is_length(index) {
@@ -191,7 +191,7 @@ impl Lengths {
         }
     }
 
-    /// Brings all numbers of a value to m.
+    /// Converts all numbers of a value to m.
     fn all(&self, value: &mut Value) {
         match value {
             Value::Array(list) => list.iter_mut().for_each(|value| self.all(value)),

@@ -269,7 +269,7 @@ impl<const C: usize> Hinge<C> {
 }
 
 impl Setup<3> {
-    /// The point contacts of all links, behind all contacts of the grasp.
+    /// The point contacts that model all links. In the grasp they come after all other contacts.
     pub(super) fn points_of_links(&self) -> Result<Vec<Contact<3>>, Error> {
         let mut points = Vec::new();
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {

@@ -16,12 +16,12 @@
 //! | `id` | a text or a whole number that answers repeat | none |
 //! | `comment` | a text for the reader | none |
 //! | `unit` | the unit of lengths, `"mm"`, `"cm"` or `"in"`, see below | `"m"` |
-//! | `planar` | a setup in the plane: points, normals and commands have 2 numbers | a spatial one |
-//! | `spatial` | a setup in space: they have 3 | a planar one |
+//! | `planar` | a setup in the plane: points, normals and commands have 2 numbers | `spatial` is needed |
+//! | `spatial` | a setup in space: points, normals and commands have 3 numbers | `planar` is needed |
 //!
-//! A scene with `"unit": "mm"` has in mm what is a length: points, outlines, centres of mass, clearances, commands of contacts, prismatic joints and tendons, arms of
-//! tendons at revolute joints, all of `soft`, `suction`, `surface`, `touches` and links that has a length, `at` and `about` of loads, and a mesh without a unit of its own.
-//! All else stays in N, N/m, N m, N m/rad, Pa, kg, kg m² and m/s²: stiffness, compliance, moment, inertia and acceleration. Answers are in m, as in other scenes.
+//! A scene with `"unit": "mm"` has these lengths in mm: points, outlines, centres of mass, clearances; commands of contacts, prismatic joints and tendons;
+//! arms of tendons at revolute joints; lengths in `soft`, `suction`, `surface`, `touches` and links; `at` and `about` of loads; a mesh without its own unit.
+//! Stiffness, compliance, moment, inertia and acceleration stay in N/m, m/N, N m, N m/rad, kg m² and m/s². Answers are in m, as in other scenes.
 //! `Scene::from_json` (feature `json`) reads such a scene.
 //!
 //! The setup:
@@ -54,21 +54,21 @@
 //! | `touches` | a pad that closes on the part, in place of point and normal, see below (feature `mesh`) | | none |
 //! | `tangent` | direction of the first tangent | | chosen from the normal |
 //! | `body_stiffness` | the object's springs: `[normal, tangential]`, in space also `[normal, first tangent, second tangent]`; `"rigid"` for one of them or for all | N/m | rigid, if the finger is not |
-//! | `finger_stiffness` | the finger's springs, in the same ways | N/m | rigid, if the body is not |
-//! | `series_stiffness` or `stiffness` | both in series, in place of the two; one number for all directions | N/m | 1e4 in all directions if there is none at all; [`Setup::stiffness_left_out`] says whether an answer depends on that |
+//! | `finger_stiffness` | the finger's springs, in the same form | N/m | rigid, if the body is not |
+//! | `series_stiffness` or `stiffness` | springs of body and finger in series, in place of both; also one number for all directions | N/m | 1e4 in all directions if no stiffness is given; [`Setup::stiffness_left_out`] says whether an answer depends on it |
 //! | `friction` | coefficient μ, or `"infinite"` | | 0 |
-//! | `kinetic_friction` | coefficient while the contact slides, at most that at rest; see [`Contact::kinetic`](crate::grasp::Contact::kinetic) | | that at rest |
+//! | `kinetic_friction` | coefficient of friction while the contact slides, at most `friction`; see [`Contact::kinetic`](crate::grasp::Contact::kinetic) | | `friction` |
 //! | `command` | displacement of the finger's core in the contact frame, normal part first | m | 0 |
 //! | `command_world` | the same displacement along the coordinate axes, in place of `command` | m | not used |
 //! | `pressed_with` | clamping force, in place of the normal command; see [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) | N | |
-//! | `force` | normal force that stays wherever the object goes, in place of a position; see [`Contact::force`](crate::grasp::Contact::force) | N | not used |
+//! | `force` | constant normal force, whatever the object's motion, in place of a position of the finger; see [`Contact::force`](crate::grasp::Contact::force) | N | not used |
 //! | `clearance` | gap before anything moves, negative for an overlap | m | 0 |
 //! | `hold` | `"unilateral"`, `"kept_closed"` or `"bonded"`, see [`Hold`](crate::grasp::Hold) | | unilateral |
 //! | `suction` | a suction cup in place of the point: `{"radius": …, "pressure": …}` with m and Pa, or a `force`, N, in place of the pressure, and `points`, 12 if left out; see [`SuctionCup`](crate::grasp::SuctionCup). Or a number: the force of a vacuum within a soft fingertip | N | none |
 //! | `soft` | the patch of a soft fingertip in place of the point, see below | | a point |
-//! | `surface` | the curve or surface along which the contact may move where fingers are improved, with its normal: in the plane `segment`, `polyline`, `spline`, `closed_spline` (points), `circle` (`centre`, `radius`), `arc` (also `from_deg`, `over_deg`); in space `rectangle` (`corner`, `sides`), `cylinder` (`axis` from end to end, `radius`), `sphere` (`centre`, `radius`), `triangles` (corners of each) | m, degrees | the contact stays |
+//! | `surface` | the curve or surface along which `improve` may move the contact, with its normal: in the plane `segment`, `polyline`, `spline`, `closed_spline` (points), `circle` (`centre`, `radius`), `arc` (also `from_deg`, `over_deg`); in space `rectangle` (`corner`, `sides`), `cylinder` (`axis` from end to end, `radius`), `sphere` (`centre`, `radius`), `triangles` (corners of each) | m, degrees | the contact stays in its place |
 //!
-//! The patch shares stiffness and has friction, command, clearance and hold of the contact (see
+//! The points of a patch share the stiffness of the contact; each has its friction, command, clearance and hold (see
 //! [`SoftFingertip`](crate::grasp::SoftFingertip)). In space `{"ring": {"radius": …, "points": …}}`,
 //! `{"disc": {"radius": …, "annuli": …, "points": …, "pressure": …}}` or `{"rectangle": {"sides": [a, b], "strips": [1, 1]}}`
 //! with sides along the first and the second tangent, in the plane `{"pair":
@@ -81,12 +81,12 @@
 //! | field of `touches` | value | unit | if left out |
 //! |---|---|---|---|
 //! | `rectangle` or `disc` | sides along the first and the second tangent, or the radius | m | an error |
-//! | `round` or `v_deg` | of a rectangle: it is a round finger of this radius, or a V of this opening angle, along the second tangent | m, degrees | flat |
+//! | `round` or `v_deg` | of a rectangle: radius of a round finger, or opening angle of a V, along the second tangent | m, degrees | flat |
 //! | `from`, `closing` | the middle of the pad before it closes, and the direction | m | an error |
 //! | `layer` | `{"modulus": …, "thickness": …}` in place of a stiffness of the contact | Pa, m | none |
-//! | `strips` | in half of each side, two points each; of a disc annuli, and points on a ring | | `[2, 2]`, `[2, 8]` |
+//! | `strips` | numbers of strips in half of each side, with two points each; of a disc, numbers of annuli and of points on a ring | | `[2, 2]`, `[2, 8]` |
 //!
-//! `pressed_with` is the force along the closing direction.
+//! `pressed_with` of a contact that `touches` is its force along the closing direction.
 //!
 //! A body (see [`Bodies`](crate::grasp::Bodies)):
 //!
@@ -112,7 +112,7 @@
 //! | `on` | the body that the link joins to the ground | | an error with several bodies and no `between` |
 //! | `stiffness` | stiffness along each direction that the link holds | N/m | 1e9; of a spring an error |
 //! | `pretension` | pull of a spring or a cable before anything moves | N | 0 |
-//! | `tension` | in its place the pull once the link is installed, at rest without load, while all else gives way | N | not used |
+//! | `tension` | in place of `pretension`: the pull at rest without load, after all other parts have yielded to it | N | not used |
 //! | `slack` | the length of a cable beyond the distance of its ends | m | 0 |
 //!
 //! Lists with an entry for each contact have no entries for links.
@@ -131,7 +131,7 @@
 //! Its contacts may name the joints that move them: `"moved_by": {"link": 1}`, the number of the finger's joints counted from the palm, or
 //! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint; in space three more rows, angular velocities of the link, may
 //! follow, and must for a soft fingertip. Otherwise all joints of the finger move them. Contacts of
-//! fingers have the numbers behind those of the list `contacts`. Every contact with a `force` has a slide, a joint behind all joints of fingers.
+//! fingers are numbered after those of the list `contacts`. Every contact with a `force` has a slide: a prismatic joint, numbered after all joints of fingers.
 //!
 //! A joint is `"revolute"` – `{"point": [x, y]}` in the plane, `{"point": …, "axis": …}` in space –, `"prismatic"` (a direction), or neither,
 //! and then known by the Jacobians of its contacts alone. A tendon has `arms`, one for each joint of all fingers, m/rad or none:
@@ -139,14 +139,14 @@
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
 //! | `name` | a text | | none |
-//! | `stiffness` | of its drive | N m/rad or N/m, of a tendon N/m | none: only `torque` or `tension` acts |
+//! | `stiffness` | stiffness of its drive | N m/rad or N/m, of a tendon N/m | none: only `torque` or `tension` acts |
 //! | `command`, of a tendon `pull` | commanded position of its drive | rad or m | 0 |
 //! | `torque`, of a tendon `tension` | constant torque or force beside the drive | N m or N | 0 |
 //! | `limit` | `{"saturates": …}` or `{"slips": …}`, see [`Limit`](crate::grasp::Limit) | N m or N | none |
 //! | `pushes`, of a tendon alone | `true` for a rod or a differential, which also pushes | | pulls only |
 //!
 //! A robot (`RobotSetup` of the feature `urdf`) is `{"urdf": "hand.urdf", "joints": {"thumb_base": 20}, "stiffness": {"others": 3}, "contacts":
-//! {"thumb_tip": […]}}`, in space. Its contacts have the numbers behind all others: first those on links that no joint moves, then finger by finger.
+//! {"thumb_tip": […]}}`, in space. Its contacts are numbered after all others: first those on links that no joint moves, then finger by finger.
 //!
 //! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
 //! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; a part that is left out is zero. `"at":
@@ -155,35 +155,36 @@
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
 //! | `mass` | its mass, centred `at` | kg | no body |
-//! | `gravity` | of all axes | m/s² | 9.81 down the last axis |
+//! | `gravity` | acceleration of gravity along every axis | m/s² | 9.81 down the last axis |
 //! | `accelerated` | acceleration of the arm; of a turning arm, that of the point about which it turns | m/s² | none |
 //! | `turning` | `about` a point (m) with `velocity_deg` and `acceleration_deg` or `…_rad`: a number in the plane, in space three along the axis | degrees or rad a second, and a second squared | none |
-//! | `inertia` | about its centre: a number in the plane, in space three about axes along the coordinates | kg m² | an error where it counts |
+//! | `inertia` | about its centre: a number in the plane, in space three about axes along the coordinates | kg m² | an error if the load depends on it |
 //!
 //! A question is an object with one field:
 //!
 //! | field | with | asks for |
 //! |---|---|---|
-//! | `hold` | `base`, `load` (wrenches), `together_with` | whether the grasp holds the load as it grows from zero, and its first slip and loss |
+//! | `hold` | `base`, `load` (wrenches), `together_with` | whether the grasp holds the load as it grows from zero, at which load a contact first slips, and at which load equilibrium is lost |
 //! | `need` | `quantity`, loads, `together_with` | the amount that the grasp needs, see [`Need`](crate::need::Need) |
 //! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`Improve`](crate::improve::Improve) |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under it |
-//! | `compare` | `base`, `load` (wrenches) | whether the minimum of the paper's quadratic program is the equilibrium, and up to which part of the load, see [`energy`](crate::energy) |
+//! | `compare` | `base`, `load` (wrenches) | whether the minimum of the paper's quadratic program is the equilibrium, and up to which fraction of the load, see [`energy`](crate::energy) |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
-//! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; of hundreds of contacts and more in steps, with the error that a leg may add to forces |
-//! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly put on and taken off, or a repeated cycle of legs |
+//! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; with hundreds of contacts in steps, where `in_steps` is the error that a leg may add to forces |
+//! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly applied and removed, or a repeated cycle of legs |
 //! | `identify` | `unknowns`, `slips` (with a `group` where they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`Identify`](crate::identify::Identify) |
 //! | `shakedown` | `base` (a wrench), `loads` | the multiple of the loads up to which the grasp could come to rest, in any order of them |
 //!
-//! With several bodies `together_with` has loads by name, `{"upper": {"force": [-5, 0]}}`, which grow with the load; then without a `base`.
+//! With several bodies `together_with` has loads on other bodies by name, `{"upper": {"force": [-5, 0]}}`, in proportion to the load. `base` is then left out.
 //!
 //! Wrenches that are left out are zero. `command_change` and all other commands are one row for
 //! each contact of the scene (m, in its contact frame); all points of a soft fingertip follow it. A
 //! leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), `joints_by` or `joints_to`, `torques_by` or `torques_to`,
-//! or one of each, or a `turn` alone: the load then changes as the turn does, from what it is when the leg begins. What a leg does not mention stays. Of several bodies
-//! `body_loads_by` or `body_loads_to` have loads by name, each on its own way beside the load. `joint_change` and `joints_by` have one number for each joint and then each
-//! tendon, `torques_by` one for each joint: what holds it whatever it does, N m or N, with the slides of contacts that are held by a force behind all others.
+//! or one of each, or a `turn` alone: the load then changes as the turn does, from its value at the start of the leg. All that a leg does not mention
+//! stays constant. With several bodies `body_loads_by` or `body_loads_to` have loads on bodies by name, which change independently of the load.
+//! `joint_change` and `joints_by` have one number for each joint and then each tendon. `torques_by` has one number for each joint: the change of its
+//! constant torque or force, N m or N. Slides of contacts with a `force` come last.
 //!
 //! A turn (see [`Turn`](crate::load_path::Turn)) is a `weight` while the object is tilted with its grasp, or a `force` that turns, or three
 //! wrenches. In the plane it goes from x to y, in space about the axis by the right-hand rule:
@@ -195,7 +196,7 @@
 //! | `axis` | the axis of the turn in space, of any length but zero | | an error; in the plane there is none |
 //! | `beside` | a constant wrench | N, N m | none |
 //! | `constant`, `cosine`, `sine` | wrenches, in place of all these: `constant + cosine cos θ + sine sin θ` | N, N m | zero; one of the last two is needed |
-//! | none of these | the scene's own `gravity` turns, with the weights of all its bodies: of `onset_of_turn` and `need` | | |
+//! | none of these | the scene's own `gravity` turns, with the weights of all its bodies; only in `onset_of_turn` and `need` | | |
 //! | `angle_deg` or `angle_rad` | the angle of the turn, more than 0 and at most 1e6 rad | degrees or rad | a full turn |
 //! | `reversed` | `true` for the other way round | | `false` |
 //!
@@ -207,9 +208,9 @@
 //! | `polygon` | `{"facets": …, "fit": "inscribed"}`, or `"circumscribed"` or `"balanced"` | 8, inscribed |
 //! | `max_pivots` | limit of pivots | by size |
 //! | `most_states` | most combinations of contact states to try | 20 000 |
-//! | `step_error` | of one step along a sliding arc, between 0 and 1 | 1e-9 |
+//! | `step_error` | relative error of one step along a sliding arc, a piece of a path on which directions of sliding turn; between 0 and 1 | 1e-9 |
 //! | `most_steps` | most steps along sliding arcs and jumps within a leg | 20 000 |
-//! | `small_motions` | `rotation` (rad) and `slip` (part of the grasp's size) up to which motions are small: beyond, nothing is told to hold | 0.1 and 0.1 |
+//! | `small_motions` | `rotation` (rad) and `slip` (part of the grasp's size) up to which motions are small: no load beyond them counts as held | 0.1 and 0.1 |
 //!
 //! Two fingers in the plane:
 //!
@@ -279,7 +280,7 @@
 //!
 //! # Answers
 //!
-//! One [`Answer`] for each question, under the name of the question: `{"solve": {"outcome":
+//! A scene has one [`Answer`] for each question, under the name of the question: `{"solve": {"outcome":
 //! "equilibrium", …}}`. The outcome comes first, and only an equilibrium has forces, with its
 //! residuals:
 //!
@@ -291,19 +292,18 @@
 //! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` ; if that does not decide whether the load is held, `from_rest` has the answer of `hold` | [`SolveAnswer`] |
 //! | `compare` | the sentence `says`, `agrees_up_to`, and as `verdict` one of `agree`, `two_equilibria`, `out_of_equilibrium`, `no_equilibrium`, `unknown`, `no_minimum`, `unsolved` | [`CompareAnswer`] |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
-//! | `onset_of_turn` | the same, with `angle_rad` for the factor, and the edges that are touched | [`TurnAnswer`] |
+//! | `onset_of_turn` | as of `onset`, with `angle_rad` in place of the factor, and the contacts that reach the limit of their state before | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //! | `shake` | the sentence `says`, and as `repeats` one of `rests`, `dies_out`, `alternates`, `walks`, `lost`, `no_rest`, `undecided` | [`ShakeAnswer`] |
 //! | `identify` | the sentence `says`, and as `ending` one of `converged`, `not_converged`, `not_predicted` | [`IdentifyAnswer`] |
-//! | `shakedown` | the sentence `says`, `rests` where the order does not decide, and `factor`, `slips`, `binding` where anything is known | [`ShakedownAnswer`] |
+//! | `shakedown` | the sentence `says`, `rests` if the order does not matter, and `factor`, `slips`, `binding` if known | [`ShakedownAnswer`] |
 //!
-//! The names in the text are those of the fields and variants of these types, in lower case with underscores. They consist of the answers of a grasp,
-//! with the results that a grasp computes on request. Contacts are named by their place in the scene and, for a soft fingertip, the point of its
-//! patch; joints and tendons by their number and name. Motions have the displacements of joints in `joints`. A number that is not finite is written
-//! in words: `"infinite"`, `"-infinite"`,
-//! `"not a number"`. Fields may be added to answers without a new version.
+//! The names in the text are those of the fields and variants of these types, in lower case with underscores. The types contain the answers of a
+//! [`Grasp`](crate::ask::Grasp), and results that it computes on request only. Contacts are named by their index in the scene and, for a soft
+//! fingertip, the point of its patch; joints and tendons by their number and name. Motions have the displacements of joints in `joints`. A number that
+//! is not finite is written in words: `"infinite"`, `"-infinite"`, `"not a number"`. Fields may be added to answers without a new version.
 //!
-//! Numbers come back to the bit if the format keeps them; `serde_json` does so with its feature
+//! Numbers that are written and read again keep every bit if the format does so; `serde_json` needs its feature
 //! `float_roundtrip`.
 //!
 //! # Errors

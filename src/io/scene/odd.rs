@@ -48,7 +48,7 @@ impl Setup<3> {
         let force = |i: usize| entries[i].contact.press.or(entries[i].contact.force).unwrap_or(0.0);
         // Contacts of steel have 1e8 to 1e9 N/m; neighbours ten million times as soft carry nothing.
         let is_stiff = |i: &usize| stiffness(*i).is_finite() && stiffness(*i) >= 1e11_f64.min(1e7 * softest);
-        // The largest presses have less than 1e9 N.
+        // The largest hydraulic presses exert less than 1e9 N.
         let is_strong = |i: &usize| force(*i) >= 1e9;
         for (is_stiffness, those) in
             [(true, chosen(entries.len(), &is_stiff)), (false, chosen(entries.len(), &is_strong))]
@@ -64,10 +64,9 @@ impl Setup<3> {
             }
         }
         warnings.extend(self.outwards(&entries));
-        let (mut first, mut is_wide) = (0, false);
-        for (i, entry) in entries.iter().enumerate() {
-            let points: Vec<_> = mapped(&grasp.contacts()[first..first + entry.count()?], &|c| c.point);
-            first += points.len();
+        let mut is_wide = false;
+        for (i, (entry, contact)) in entries.iter().zip(grasp.engine.wholes().iter()).enumerate() {
+            let points: Vec<_> = mapped(&grasp.contacts()[contact.range.clone()], &|c| c.point);
             let wide = spread(&points);
             if size > 0.0 && wide > 10.0 * size && !is_wide {
                 is_wide = true;
@@ -82,7 +81,7 @@ impl Setup<3> {
         }
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
-            // In space an outline is no surface.
+            // An outline bounds the object in the plane only.
             if self.space == Space::Planar && points_out(self.outline_around(entry), &point, &normal) {
                 warnings.push(Warning::PointsOut { contact, name: entry.contact.label_text(contact) });
             }
@@ -102,21 +101,21 @@ impl Setup<3> {
         let (mut pressed, mut carried) = (0.0, 0.0);
         for entry in self.entries() {
             let force = entry.contact.press.or(entry.contact.force).unwrap_or(0.0);
-            // Normals carry as much as ordinary friction, also where there is hardly any.
+            // With little friction the normals of other contacts may carry the load: a coefficient of 0.3 is assumed at least.
             (pressed, carried) =
                 (pressed + force, carried + force * entry.contact.friction_coefficient().max(0.3));
         }
         let force = |load: &Wrench<3>| load.force_part();
         let mut heaviest = 0.0_f64;
         for question in &self.questions {
-            // Onsets are left out: the size of their direction has no meaning.
+            // The direction of an onset is scaled by the load factor, so that its size has no meaning.
             if !matches!(question, Question::Onset { .. }) {
                 for load in put_on(question) {
                     heaviest = heaviest.max(force(&load).norm());
                 }
             }
         }
-        // Grippers are planned for a small part of what friction carries.
+        // Grippers are designed for loads below the limit of friction; a load of a hundred times this limit is a mistake.
         if carried > 0.0 && heaviest > 100.0 * carried {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }
@@ -128,7 +127,7 @@ impl Setup<3> {
             let force = force(load);
             let about = *load - Wrench::force_through(&centre, &force);
             let moment = about.components()[3..].iter().fold(0.0, |h: f64, m| h.hypot(*m));
-            // A moment alone has no arm.
+            // A pure moment has no arm.
             if force.norm() > 0.0 { moment / force.norm() } else { 0.0 }
         };
         let mut far = 0.0_f64;
@@ -141,7 +140,7 @@ impl Setup<3> {
         warnings
     }
 
-    /// The middle of the contact points, and the size of the grasp.
+    /// The mean of the contact points, m, and the size of the grasp: the largest distance from its first contact, m.
     pub(super) fn middle(&self) -> (SVector<f64, 3>, f64) {
         let points: Vec<_> = self.entries().map(|entry| entry.contact.point).collect();
         let count = points.len() as f64;
@@ -149,14 +148,14 @@ impl Setup<3> {
         (centre, spread(&points))
     }
 
-    /// A warning if all contacts press away from their middle, and no outline shows the object.
+    /// A warning if all contacts press away from their centre, although the object has no outline that explains it.
     fn outwards(&self, entries: &[&Fingertip<3>]) -> Option<Warning> {
         let count = entries.len() as f64;
         let centre =
             entries.iter().fold(SVector::<f64, 3>::zeros(), |sum, entry| sum + entry.contact.point / count);
         let is_so = |entry: &&Fingertip<3>| {
             let (way, normal) = (entry.contact.point - centre, entry.contact.normal);
-            // The cosine to the way from the middle tells a normal that points outwards.
+            // A normal points outwards if it makes less than 60° with the direction from the centre to the contact.
             entry.contact.press.is_some() && way.dot(&normal) > 0.5 * way.norm() * normal.norm()
         };
         let shown = self.outline.len() > 2 || !self.bodies.is_empty();
@@ -179,7 +178,7 @@ impl Setup<3> {
         self.links.is_empty() && self.bodies.is_empty() && entries.iter().all(is_bare)
     }
 
-    /// A warning about contacts that are to press if all normals point the same way, so that they cannot.
+    /// A warning if all normals point to the same side, so that contacts cannot press against each other.
     pub(super) fn same_side(&self) -> Option<Warning> {
         let entries: Vec<_> = self.entries().collect();
         if entries.len() < 2 || !self.links.is_empty() || !self.bodies.is_empty() {
@@ -200,7 +199,7 @@ pub(super) fn far_load(distance: f64, size: f64) -> Option<Warning> {
     is_far.then_some(Warning::ManyMetres { what, length: distance, beside: Some(size) })
 }
 
-/// The loads that a question puts on.
+/// The loads that a question applies in addition to the load at rest.
 pub(super) fn put_on(question: &Question<3>) -> Vec<Wrench<3>> {
     match question {
         Question::Hold { load, .. } | Question::Solve { load, .. } | Question::Compare { load, .. } => {
@@ -216,7 +215,7 @@ pub(super) fn put_on(question: &Question<3>) -> Vec<Wrench<3>> {
     }
 }
 
-/// The largest distance from the first point; the largest of all distances is at most twice as large.
+/// The largest distance from the first point, m; the largest distance between any two points is at most twice this.
 fn spread(points: &[SVector<f64, 3>]) -> f64 {
     largest(points, &|point| (point - points[0]).norm())
 }
@@ -235,7 +234,7 @@ fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVe
         return false;
     }
     let size = largest(outline, &|corner| (corner - outline[0]).norm());
-    // A small step into the object or out of it.
+    // A step of a thousandth of the outline's size.
     let step = normal.normalize() * (1e-3 * size);
     is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
 }

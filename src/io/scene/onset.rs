@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::labels::SceneNames;
-use crate::ask::Grasp;
 use crate::equilibrium::{Doubt, Equilibrium, NoEquilibrium, Undecided, WorkDone};
 use crate::grasp::Wrench;
 use crate::load_path::{
@@ -29,7 +28,7 @@ pub enum OnsetAnswer<const C: usize, At = Factor> {
     },
     /// No equilibrium exists where the load begins.
     NoBase(NoEquilibrium<C>),
-    /// No contact stops sticking, but from here on nothing resists the load's direction.
+    /// No contact stops sticking, but beyond this place no forces can balance the load.
     GivesWay {
         /// The place up to which the grasp holds.
         #[serde(flatten)]
@@ -69,9 +68,9 @@ pub struct OnsetAt<const C: usize, At = Factor> {
     pub at: At,
     /// The load at first slip.
     pub load: Wrench<C>,
-    /// The contacts that leave, all at once.
+    /// The contacts that stop sticking at this load, all at once.
     pub leaving: Vec<Leaving<C>>,
-    /// The joints and tendons that give way.
+    /// The joints and tendons that change their state at this load.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<PartChange>,
     /// The behaviour beyond; rates are per unit of the factor, or per radian.
@@ -103,7 +102,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
     }
 }
 
-/// First slip under a turning load, with the edges that are touched before it; see [`path::TurnOnset`].
+/// First slip under a turning load, and contacts and drives that reach their limit before it; see [`path::TurnOnset`].
 ///
 /// A tray of 4 N between two palms that press with 10 N each, tilted from x to y until it slides:
 ///
@@ -133,22 +132,17 @@ pub struct TurnAnswer<const C: usize> {
     /// The first slip.
     #[serde(flatten)]
     pub onset: OnsetAnswer<C, Angle>,
-    /// Contacts and drives that touch their edge up to rounding without crossing it, before the onset.
+    /// Contacts and drives that reach the limit of their state before the onset, to within rounding, without exceeding it.
     pub touches: Vec<EdgeTouch>,
 }
 
-impl SceneNames {
-    pub(super) fn onset<At>(
-        &self,
-        grasp: &Grasp<3>,
-        onset: &path::Onset<3>,
-        at: impl Fn(f64) -> At,
-    ) -> OnsetAnswer<3, At> {
+impl SceneNames<'_> {
+    pub(super) fn onset<At>(&self, onset: &path::Onset<3>, at: impl Fn(f64) -> At) -> OnsetAnswer<3, At> {
         let undecided = |doubt| OnsetAnswer::Undecided(Undecided { doubt, work: WorkDone::default() });
         match onset {
             path::Onset::At(event) => {
                 // Both exist, since the event belongs to this grasp.
-                let (Some(beyond), Some(state)) = (grasp.beyond(event), grasp.state_at_onset(event)) else {
+                let (Some(beyond), Some(state)) = (self.0.beyond(event), self.0.state_at_onset(event)) else {
                     return undecided(Doubt::Inaccurate);
                 };
                 let (load, drives, state) = (event.load, event.drives.clone(), self.equilibrium(state));
@@ -171,13 +165,13 @@ impl SceneNames {
         }
     }
 
-    pub(super) fn onset_of_turn(&self, grasp: &Grasp<3>, found: &path::TurnOnset<3>) -> TurnAnswer<3> {
+    pub(super) fn onset_of_turn(&self, found: &path::TurnOnset<3>) -> TurnAnswer<3> {
         let mut touches = found.touches.clone();
         for touch in &mut touches {
             if let EdgeOf::Contact(contact) = &mut touch.of {
                 self.name(contact);
             }
         }
-        TurnAnswer { onset: self.onset(grasp, &found.onset, |angle| Angle { angle }), touches }
+        TurnAnswer { onset: self.onset(&found.onset, |angle| Angle { angle }), touches }
     }
 }

@@ -42,7 +42,7 @@ impl<const C: usize> Setup<C> {
         (mass > 0.0).then(|| (mass, (moment / mass).into()))
     }
 
-    /// The body with a mass on which a load acts: the named body, else the loaded one, or any body if all share loads.
+    /// The name of the body on which a load acts, if the body has a mass: the named body, else the loaded one; any body with a mass if all share loads.
     #[must_use]
     pub fn weighty_body(&self, named: Option<&str>) -> Option<&str> {
         self.own_mass()?;
@@ -55,13 +55,13 @@ impl<const C: usize> Setup<C> {
         body.filter(|body| body.mass > 0.0).map(|body| &*body.name)
     }
 
-    /// This setup without gravity, for loads that contain it: loads act on every body with the share of its mass.
+    /// This setup without gravity, for loads that contain the weight. They act on every body with the share of its mass.
     #[must_use]
     pub fn with_gravity_as_load(&self) -> Self {
         Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
     }
 
-    /// The question with the weight of the bodies in it, if their gravity turns; its grasp is that of [`Self::grasp_of`].
+    /// The question that is put to the grasp of [`Self::grasp_of`]. If gravity turns, the turning load is the weight of the bodies.
     ///
     /// # Errors
     /// [`Error::Question`] if gravity should turn but the bodies have no weight, or if a base load acts beside it.
@@ -86,7 +86,7 @@ impl<const C: usize> Setup<C> {
         })
     }
 
-    /// The weight of all bodies while they are tilted, if the turn has no load of its own.
+    /// The turning weight of all bodies, if the turn states no load.
     fn own_turn(&self, turn: &Turn<C>) -> Result<Option<Turn<C>>, Error> {
         let Some(axis) = turn.tilts_bodies_about else { return Ok(None) };
         let (Some(gravity), Some((mass, centre))) = (self.gravity, self.own_mass()) else {
@@ -104,7 +104,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// The grasp of a question in which gravity turns: without gravity, which is its load.
+    /// The grasp for a question in which gravity turns. It has no gravity, since the turning load of the question is the weight.
     pub(super) fn tilted_grasp(&self, question: &Question<3>) -> Result<Option<Grasp<3>>, Error> {
         let turn = match question {
             Question::OnsetOfTurn(turn) => Some(turn),

@@ -100,7 +100,7 @@ impl PartSetup {
         Self { mesh: mesh.into(), vertices, faces, unit, mass: None, density: None, read: None }
     }
 
-    /// The part, from its arrays or from a folder from which relative paths count.
+    /// The part, from its arrays or from its file; a relative path counts from `folder`.
     fn read_from(&self, folder: &Path) -> Result<Part, Error> {
         let part = if self.vertices.is_empty() {
             Part::read(folder.join(&self.mesh), self.unit)?
@@ -145,7 +145,7 @@ impl Touches {
         let strips = self.strips.unwrap_or([2, if self.disc.is_some() { 8 } else { 2 }]);
         let has_another_shape = self.disc.or(self.round).or(self.v_deg).is_some();
         let pad = match (self.rectangle, self.disc, self.round, self.v_deg) {
-            // Before the robot is read, the rectangle stands for its link.
+            // Until the robot is read, a rectangle stands in for the collision shapes of its link.
             _ if self.collision_shapes && !has_another_shape => match &self.shape {
                 Some(shape) => Pad::clone(shape),
                 None => Pad::rectangle(self.rectangle.unwrap_or([1.0; 2]), strips)?,
@@ -168,7 +168,7 @@ impl Touches {
         Ok(self.layer.iter().fold(pad, |pad, layer| pad.of_layer(layer.modulus, layer.thickness)))
     }
 
-    /// The pad on the part, with the data of the contact of this index.
+    /// The pad where it touches the part, with the friction and springs of `contact`; errors name the contact by `index`.
     pub(super) fn touched(&self, index: usize, contact: &Contact<3>) -> Result<Touched, Error> {
         let Some(part) = &self.part else {
             let fault =
@@ -178,7 +178,7 @@ impl Touches {
         Touch::new(self.pad()?, contact.clone()).on_as(index, part)
     }
 
-    /// The contacts of its points.
+    /// One contact for every point at which the pad touches the part.
     pub(super) fn points(&self, index: usize, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
         Ok(self.touched(index, contact)?.into_contacts())
     }
@@ -195,7 +195,7 @@ impl<const C: usize> Fingertip<C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// This setup with its part, m, already read: pads touch it.
+    /// This setup with a part that is already read, with lengths in m, as the part that pads touch.
     #[must_use]
     pub fn on_part(mut self, part: Arc<Part>) -> Self {
         let of_fingers = self.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
@@ -230,7 +230,7 @@ impl Setup<3> {
         Ok(self.on_part(part))
     }
 
-    /// This setup, checked, with a part that is given by arrays; and whether all contacts have their points.
+    /// This setup after a check of its part, which is built if arrays give it; and whether the points of all contacts are known.
     pub(super) fn with_part_of_arrays(self) -> Result<(Self, bool), String> {
         let has_points = self.check_part()?;
         if self.part.as_ref().is_none_or(|part| part.vertices.is_empty()) {
@@ -239,8 +239,8 @@ impl Setup<3> {
         Ok((self.with_part_from(Path::new("")).map_err(|error| error.to_string())?, true))
     }
 
-    /// Refuses pads without a part, and a part in the plane. Returns whether all contacts have their points: those of pads are found once the mesh is
-    /// read.
+    /// Refuses pads without a part, and a part in the plane. Returns whether the points of all contacts are known: those of pads are found once the
+    /// mesh is read.
     fn check_part(&self) -> Result<bool, String> {
         let touches = self.entries().position(|entry| entry.touches.is_some());
         match (&self.part, touches) {
@@ -260,7 +260,7 @@ impl Setup<3> {
         }
     }
 
-    /// Warnings about pads that miss the part in part, or lie over an edge.
+    /// Warnings about pads that touch the part with only a fraction of their area, or that lie over an edge.
     pub(super) fn badly_touching(&self) -> Result<Vec<Warning>, Error> {
         let mut warnings = Vec::new();
         for (contact, entry) in self.entries().enumerate() {

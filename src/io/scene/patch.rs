@@ -69,7 +69,7 @@ impl Tip {
         self.spread_inside(if C == 2 { Space::Planar } else { Space::Spatial }).map(Face::leave)
     }
 
-    /// [`Self::spread`] with three components a vector.
+    /// [`Self::spread`] for vectors of three components, in the plane too.
     pub(super) fn spread_inside(&self, space: Space) -> Result<SoftFingertip<3>, Error> {
         let (patch, of) = match *self {
             Self::Ring { radius, points } => (SoftFingertip::ring(radius, points)?, Space::Spatial),

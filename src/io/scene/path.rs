@@ -18,18 +18,18 @@ pub struct PathAnswer<const C: usize> {
     /// The end of the path.
     #[serde(flatten)]
     pub end: PathOutcome<C>,
-    /// The events on the path, in order; none of a path in steps, which does not look for them.
+    /// The events on the path, in order; empty for a path in steps, which does not locate events.
     pub events: Vec<Event<C>>,
     /// The steps of a path that was followed in steps, in order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub steps: Vec<Step<C>>,
-    /// The place where motions cease to be small, if they do. The answer beyond it belongs to the undeformed geometry, and says little.
+    /// The place where motions cease to be small, if they do. Beyond it the answer, which assumes the undeformed geometry, is inaccurate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
-    /// Energies of every leg that was entered, up to the end of the path; none of a path in steps.
+    /// Energies of every leg that was entered, up to the end of the path; empty for a path in steps.
     pub energies: Vec<BalancedEnergy>,
     /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
-    /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight. Of a path in steps, see
+    /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight. For a path in steps, see
     /// [`SteppedPath::step_error`].
     #[serde(with = "AsComputed::<f64>")]
     pub step_error: f64,
@@ -43,7 +43,7 @@ pub struct PathAnswer<const C: usize> {
 pub enum PathOutcome<const C: usize> {
     /// All legs were followed to their end.
     Completed {
-        /// The equilibrium at the end. It is left out if rounding forbids it, or if no leg was given.
+        /// The equilibrium at the end. It is left out if rounding errors are too large for it, or if no leg was given.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
@@ -54,13 +54,13 @@ pub enum PathOutcome<const C: usize> {
         loss: Loss<C>,
         /// Whether another equilibrium exists just beyond.
         beyond: Beyond<C>,
-        /// The equilibrium at the loss; left out if rounding forbids it.
+        /// The equilibrium at the loss; left out if rounding errors are too large for it.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
     /// The start of the path has no equilibrium.
     NoStart {
-        /// The outcome without an equilibrium.
+        /// The outcome at the start: no equilibrium, or a doubt.
         start: Box<Outcome<C>>,
     },
     /// The path could not be followed further; it holds up to the given place.
@@ -80,7 +80,7 @@ pub enum PathOutcome<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BalancedEnergy {
-    /// The energies, J, without their turnover.
+    /// The energies, J. Their turnover is zero here, since `residual` is already relative to it.
     #[serde(flatten)]
     pub energy: LegEnergy,
     /// The error of the energy balance over the sum of the sizes of all contributions; zero in exact arithmetic.
@@ -88,7 +88,7 @@ pub struct BalancedEnergy {
     pub residual: f64,
 }
 
-impl SceneNames {
+impl SceneNames<'_> {
     /// A path that was followed to its end, and the events on the way.
     pub(super) fn path(&self, path: &LoadPath<'_, 3>, events: Vec<Event<3>>) -> PathAnswer<3> {
         let balanced = |energy: &LegEnergy| BalancedEnergy {

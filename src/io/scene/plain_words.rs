@@ -1,6 +1,6 @@
 //! Messages of the JSON reader in words for the author of a scene.
 
-/// A message of serde or of its JSON. `here` is the byte at the place of the fault, if it is known.
+/// Rewords a message of serde or serde_json. `here` is the byte of the text at the fault, if it is known.
 pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
     if let Some((given, wanted)) = message
         .strip_prefix("invalid type: ")
@@ -46,7 +46,7 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
         {
             "JSON has no comments: scenes, contacts and bodies have a field `comment` for a text"
         }
-        // A number or a list where a name is wanted is no value of this kind, though it is one of JSON.
+        // serde_json reports "expected value" also for a valid number or list where an enum is expected.
         "expected value" | "expected ident" if here.is_some_and(|byte| b"0123456789-[".contains(&byte)) => {
             "this is none of the values that are allowed here, must be a name in double quotes, or an object"
         }
@@ -65,14 +65,14 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
     .to_owned()
 }
 
-/// A found value, in plain words.
+/// Plain words for the value that serde has found.
 fn given(what: &str) -> &str {
     match what {
         "map" => "an object",
         "sequence" => "a list",
         "unit variant" => "a name alone",
         "newtype variant" | "struct variant" | "tuple variant" => "a name with something",
-        // A number or a text is shown as it stands there, the one between backquotes, the other behind the word.
+        // serde writes a number as ``integer `5` `` and a text as `string "abc"`; only the value is kept.
         other => {
             let quoted = other.split_once('`').and_then(|(_, rest)| rest.strip_suffix('`'));
             quoted.or_else(|| other.strip_prefix("string ")).unwrap_or(other)
@@ -80,7 +80,7 @@ fn given(what: &str) -> &str {
     }
 }
 
-/// An expected value, in plain words.
+/// Plain words for the value that serde expects.
 fn wanted(what: &str) -> &str {
     match what {
         "a sequence" => "a list, in [ ]",
@@ -96,14 +96,14 @@ fn wanted(what: &str) -> &str {
     }
 }
 
-/// The allowed name, of those in backquotes, that is nearest to the given one, if it is within one or two typing errors.
+/// The name between backquotes in `allowed` with the least edit distance to `name`, if that is at most one plus a fifth of its length.
 fn alike<'a>(name: &str, allowed: &'a str) -> Option<&'a str> {
     let names = allowed.split('`').skip(1).step_by(2);
     let near = names.map(|known| (slips(name, known), known)).min()?;
     (near.0 <= 1 + name.len() / 5).then_some(near.1)
 }
 
-/// The edit distance of two names: letters inserted, left out or changed.
+/// The edit distance of two names: the number of letters to insert, remove or change.
 fn slips(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let mut row: Vec<usize> = (0..=b.len()).collect();

@@ -20,7 +20,7 @@ use crate::serial::{AsGiven, object};
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Question<const C: usize> {
-    /// Does the grasp hold the load, and what happens as the load is put on? See [`Grasp::hold`](crate::ask::Grasp::hold).
+    /// Does the grasp hold the load, and what happens while the load grows? See [`Grasp::hold`](crate::ask::Grasp::hold).
     Hold {
         /// The load that acts before and stays; zero if left out.
         #[serde(default = "no_load::<C>")]
@@ -31,9 +31,9 @@ pub enum Question<const C: usize> {
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },
-    /// How much of a quantity does the grasp need? See [`Grasp::need`](crate::ask::Grasp::need).
+    /// Which amount of a quantity, such as squeeze or friction, does the grasp need? See [`Grasp::need`](crate::ask::Grasp::need).
     Need(Box<Need<C>>),
-    /// Where should the fingers be? See [`Improve`].
+    /// At which places should the fingers touch? See [`Improve`].
     Improve(Box<Improve<C>>),
     /// The equilibrium under a load; see [`Grasp::solve`](crate::ask::Grasp::solve).
     Solve {
@@ -155,7 +155,7 @@ impl<const C: usize> Question<C> {
     /// The ramp of [`Self::Hold`], [`Self::Compare`] and [`Self::Onset`], without loads that grow together with it.
     ///
     /// # Errors
-    /// [`Error::Question`] for other questions, along whose loads there is no ramp.
+    /// [`Error::Question`] for other questions, whose loads are not a ramp.
     pub fn ramp(&self) -> Result<Ramp<C>, Error> {
         match self {
             Self::Hold { base, load, .. } | Self::Compare { base, load } => Ok(Ramp::load(*base, *load)),

@@ -44,18 +44,18 @@ pub struct RobotSetup<const C: usize> {
     pub contacts: BTreeMap<String, Vec<Fingertip<C>>>,
 }
 
-/// Where the limits of motors come from.
+/// The source of the limits of motors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum MotorLimits {
-    /// From the efforts of the file.
+    /// The `effort` limits of the description file.
     #[serde(rename = "from file")]
     FromFile,
 }
 
 impl RobotSetup<3> {
-    /// The robot in its posture, from a folder from which relative paths count.
+    /// Reads the robot and sets its posture; a relative path counts from `folder`.
     fn read_from(&self, folder: &Path) -> Result<Robot, Error> {
         let mut robot = Robot::read(folder.join(&self.urdf))?;
         let [roll, pitch, yaw] = self.turned_deg.map(f64::to_radians);
@@ -76,7 +76,7 @@ impl RobotSetup<3> {
         Ok(if self.effort.is_some() { robot.limited_by_effort() } else { robot })
     }
 
-    /// The contacts on links that no joint moves, and the fingers of all others.
+    /// The contacts on links that no joint moves, and fingers with all other contacts.
     fn spread(self, folder: &Path) -> Result<(Vec<Fingertip<3>>, Vec<FingerSetup<3>>), Error> {
         let robot = self.read_from(folder)?;
         let (mut links, mut entries) = (Vec::new(), Vec::new());
@@ -105,7 +105,7 @@ impl RobotSetup<3> {
     }
 }
 
-/// A contact from the frame of its link in that of the scene, with the place and the direction of its pad.
+/// Transforms a contact, with the position and direction of its pad, from the frame of its link to that of the scene.
 fn placed(robot: &Robot, link: usize, index: usize, mut entry: Fingertip<3>) -> Result<Fingertip<3>, Error> {
     if let Some(touches) = entry.touches.as_mut().filter(|touches| touches.collision_shapes) {
         let surface = robot.surface(&robot.links()[link])?;
@@ -123,7 +123,7 @@ fn placed(robot: &Robot, link: usize, index: usize, mut entry: Fingertip<3>) -> 
 }
 
 impl Setup<3> {
-    /// Refuses a robot in the plane, and one that touches nothing.
+    /// Refuses a robot in the plane, a robot without contacts, and surfaces of its contacts.
     pub(super) fn check_robot(&self) -> Result<(), String> {
         let Some(robot) = &self.robot else { return Ok(()) };
         let mut entries = robot.contacts.values().flatten();
@@ -139,7 +139,7 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// This setup with the contacts and the fingers of its robot in place of its file.
+    /// This setup with the contacts and fingers of its robot in place of the robot's description file.
     pub(super) fn with_robot_from(mut self, folder: &Path) -> Result<Self, Error> {
         if let Some(robot) = self.robot.take() {
             let (fixed, fingers) = robot.spread(folder)?;

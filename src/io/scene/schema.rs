@@ -1,4 +1,4 @@
-//! The JSON Schema of types without a derived one: numbers with their words, rows, wrenches, and objects that are checked after they are read.
+//! JSON Schemas that are not derived: of numbers that may be words such as "infinite", rows, wrenches, and objects that are checked after they are read.
 
 use std::borrow::Cow;
 
@@ -12,7 +12,7 @@ use crate::grasp::{Space, Twist, Wrench};
 use crate::numerics::mapped;
 use crate::serial::{As, AxisRow, Computed, Friction, Given, Kind, Number, Numeric, SpringStiffness};
 
-/// Bounds of a kind of number beside its words.
+/// A kind of number whose schema states a range.
 trait Bounded: Kind + 'static {
     fn name() -> &'static str;
     fn bounds() -> Schema;
@@ -68,7 +68,7 @@ impl<K: Bounded> JsonSchema for Number<K> {
     }
 }
 
-/// A number within its bounds, or a word for a number.
+/// A number within its range, or a word for a number, such as "infinite".
 fn number<K: Bounded>() -> Schema {
     let mut number = K::bounds();
     number.insert("type".to_owned(), "number".into());
@@ -118,7 +118,7 @@ where
         T::Written::json_schema(generator)
     }
 
-    // The derive asks here whether a field may be left out where the default of a generic field cannot be written.
+    // schemars' derive calls this to learn whether a field is optional, if it cannot write the default of a generic field.
     fn _schemars_private_is_option() -> bool {
         T::Written::_schemars_private_is_option()
     }

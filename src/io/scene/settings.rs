@@ -31,7 +31,7 @@ impl<'de> Deserialize<'de> for PolygonCone {
 struct WrittenPolygon {
     /// Number of facets.
     facets: usize,
-    /// How the polygon lies at the round cone: inside, around, or between.
+    /// Position of the polygon relative to the round cone: inside, around, or between.
     fit: Fit,
 }
 

@@ -43,7 +43,7 @@ use crate::serial::{AsGiven, in_text_of, object, space_of_text};
 #[serde(remote = "Self", deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Setup<const C: usize> {
-    /// The plane or space; a setup of the plane may have three components a vector.
+    /// The plane or space; the vectors of a planar setup may have three components.
     #[serde(skip, default = "space_of_text::<C>")]
     pub(crate) space: Space,
     /// Contacts whose fingers have no joints. Together with those of fingers there must be at least one, else [`Setup::grasp`] is an error.
@@ -100,7 +100,7 @@ fn is_default(settings: &Settings) -> bool {
     *settings == Settings::default()
 }
 
-/// A setup that is read from its fields, before its check.
+/// A setup as it is deserialized field by field, before it is checked.
 struct Fields(Setup<3>);
 
 impl<'de> Deserialize<'de> for Fields {
@@ -121,7 +121,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
             setup.check_bodies()?;
             #[cfg(feature = "urdf")]
             if setup.robot.is_some() {
-                // Its contacts are known, and questions are checked, once its file is read.
+                // The robot's contacts are unknown until its file is read, so that questions are checked when they are answered.
                 return setup.check_robot().map(|()| outside(setup));
             }
             if setup.entries().next().is_none() && setup.links.is_empty() {
@@ -132,7 +132,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
             #[cfg(not(feature = "mesh"))]
             let has_points = true;
             if has_points && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
-                // The numbers of joints depend on their contacts, and are checked with the grasp.
+                // Only a built grasp checks that joints fit the contacts that they move.
                 setup.grasp_checked().map(drop).map_err(|error| error.to_string())?;
             }
             for (index, question) in setup.questions.iter().enumerate() {
@@ -202,21 +202,13 @@ impl<const C: usize> Setup<C> {
         self
     }
 
-    /// All contacts, those of fingers behind the others. The index of an entry is that of the contact in questions and answers.
+    /// All contacts: first [`Self::contacts`], then those of fingers. The index of an entry is that of the contact in questions and answers.
     pub fn entries(&self) -> impl Iterator<Item = &Fingertip<C>> {
         let mut all: Vec<&Fingertip<C>> = self.contacts.iter().collect();
         for finger in &self.fingers {
             all.extend(&finger.contacts);
         }
         all.into_iter()
-    }
-
-    /// Number of point contacts of the grasp: soft fingertips and links count with all their points.
-    ///
-    /// # Errors
-    /// [`Error::Fingertip`] for a patch that cannot be built.
-    pub fn points(&self) -> Result<usize, Error> {
-        inside(self).all_points()
     }
 
     /// Whether there are fingers, tendons or contacts held by a force; the grasp is then that of a [`Hand`], see [`Self::hand`].
@@ -245,13 +237,13 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::points`] in the plane or in space.
+    /// [`Self::points`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn all_points(&self) -> Result<usize, Error> {
         let points = self.entries().map(Fingertip::count).sum::<Result<usize, _>>()?;
         Ok(points + self.points_of_links()?.len())
     }
 
-    /// [`Self::grasp`] in the plane or in space.
+    /// [`Self::grasp`] of a setup whose vectors have three components, even if it is planar.
     pub(super) fn grasp_checked(&self) -> Result<Grasp<3>, Error> {
         let grasp = if !self.bodies.is_empty() {
             self.several_bodies()?.grasp()
@@ -268,7 +260,7 @@ impl Setup<3> {
         Ok(grasp.map_err(|error| self.in_the_scene(error))?.with(&self.settings))
     }
 
-    /// [`Self::hand`] in the plane or in space.
+    /// [`Self::hand`] of a setup whose vectors have three components, even if it is planar.
     fn whole_hand(&self) -> Result<Hand<3>, Error> {
         let mut fingers = Vec::new();
         for (index, entry) in self.contacts.iter().enumerate() {
@@ -321,7 +313,7 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// An error with the index of the contact in the scene instead of the grasp's.
+    /// Replaces the contact index of the grasp in an error by that of the scene: a soft fingertip is several contacts of the grasp.
     fn in_the_scene(&self, error: Error) -> Error {
         let Error::Contact { contact: ContactLabel { index, name, link, .. }, field, value, allowed } = error
         else {

@@ -4,7 +4,6 @@ use serde::{Deserialize, Serialize};
 
 use super::held::HoldAnswer;
 use super::labels::SceneNames;
-use crate::ask::Grasp;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -15,19 +14,18 @@ use crate::words::Words;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SolveAnswer<const C: usize> {
-    /// The outcome.
+    /// The equilibrium, the proof, or the doubt.
     #[serde(flatten)]
     pub outcome: Outcome<C>,
-    /// The answer of `hold` for the same load from rest. It is given for an undecided outcome, and for an equilibrium that has lost a vacuum.
+    /// The answer of `hold` for the same load from rest. It is given if the outcome is undecided, or if a suction cup has lost its vacuum.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from_rest: Option<HoldAnswer<C>>,
 }
 
-impl SceneNames {
-    /// The answer to a question; if the search does not decide whether the load is held, with the answer of a path from rest.
+impl SceneNames<'_> {
+    /// The answer to `solve`. If it does not decide whether the load is held, the answer of `hold` is added.
     pub(super) fn solve(
         &self,
-        grasp: &Grasp<3>,
         load: &Wrench<3>,
         outcome: Outcome<3>,
         words: Words,
@@ -37,7 +35,7 @@ impl SceneNames {
             Outcome::NoEquilibrium(_) => true,
             Outcome::Undecided(_) => false,
         };
-        let from_rest = if tells { None } else { Some(self.verdict(grasp.hold(*load)?, words)) };
-        Ok(SolveAnswer { outcome: self.solved(grasp, outcome), from_rest })
+        let from_rest = if tells { None } else { Some(self.verdict(self.0.hold(*load)?, words)) };
+        Ok(SolveAnswer { outcome: self.solved(outcome), from_rest })
     }
 }

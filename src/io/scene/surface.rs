@@ -72,7 +72,7 @@ enum WrittenSurface<const C: usize> {
 }
 
 impl<const C: usize> WrittenSurface<C> {
-    /// The surface, if it has the given number of axes.
+    /// The surface; an error if it belongs to the other space.
     fn surface(self) -> Result<Surface<C>, String> {
         let (name, axes) = match &self {
             Self::Segment(_) => ("segment", 2),

@@ -4,12 +4,12 @@ use super::setup::Setup;
 use crate::error::Error;
 use crate::grasp::inside;
 
-/// Numbers of an answer that differ by this part depend on the stiffness.
+/// Relative change of a number beyond which an answer depends on the stiffness.
 const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
-    /// The questions, by number, whose answers change by more than 5 % where the tangential stiffness of all contacts is a tenth, or ten times as large.
-    /// Each is answered three times. Where motions stop being small depends on it always, and does not count.
+    /// Indices of the questions whose answers change by more than 5 % if the tangential stiffness of all contacts is a tenth, or ten times as large.
+    /// Each question is answered three times. The load at which motions cease to be small always depends on it, and counts only if it limits the answer.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -19,7 +19,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::depends_on_tangential_stiffness`] in the plane or in space.
+    /// [`Self::depends_on_tangential_stiffness`] of a setup whose vectors have three components, even if it is planar.
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
         let (softer, stiffer) = (self.with_tangential(0.1)?, self.with_tangential(10.0)?);
         let trial = |trial: usize| if trial == 1 { softer.clone() } else { stiffer.clone() };

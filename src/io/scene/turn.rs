@@ -65,7 +65,7 @@ impl<const C: usize> WrittenTurn<C> {
         let turn = if self.reversed { turn.reversed() } else { turn };
         let angle = match (&self.angle_deg, &self.angle_rad) {
             (None, None) => TAU,
-            // Just below the limit of 1e6 rad.
+            // 5.7e7 degrees lie just below 1e6 rad, the largest angle of a turn.
             (Some(degrees), None) if !(degrees.0 > 0.0 && degrees.0 <= 5.7e7) => {
                 return Err(format!("angle_deg is {}, must be more than 0 and at most 5.7e7", degrees.0));
             }
@@ -89,7 +89,7 @@ impl<const C: usize> WrittenTurn<C> {
         self.at.is_none() && wrenches.iter().all(|given| given.is_none())
     }
 
-    /// The axis; in the plane z, which turns x to y.
+    /// The axis of the turn; in the plane z, since the turn goes from x to y.
     fn axis(&self) -> Result<[f64; 3], String> {
         match (space_of_text::<C>().axes(), &self.axis) {
             (3, Some(axis)) => part(Some(axis), 3, "axis"),
@@ -100,7 +100,7 @@ impl<const C: usize> WrittenTurn<C> {
         }
     }
 
-    /// The turn of a force through a point, from x to y or by the right-hand rule.
+    /// The turn of a force that acts at a point: in the plane from x to y, in space by the right-hand rule.
     fn of_force(&self, name: &str, force: &Few<Given, 3>) -> Result<Turn<C>, String> {
         let wrenches = [("constant", &self.constant), ("cosine", &self.cosine), ("sine", &self.sine)];
         if let Some((other, _)) = wrenches.iter().find(|(_, given)| given.is_some()) {

@@ -29,7 +29,7 @@ use crate::words::{Words, listed, printable};
 pub enum Warning {
     /// A question begins without load, and no command, clearance or drive presses a contact on.
     NothingPresses,
-    /// At rest a contact presses with another force than its `pressed_with`. That force sets the stretch of its spring, and the object gives way.
+    /// At rest a contact presses with another force than its `pressed_with`, which only sets the stretch of its spring before the object gives way.
     PressesOtherwise {
         /// The contact of the scene, from 0.
         contact: usize,
@@ -44,7 +44,7 @@ pub enum Warning {
     SameName {
         /// The contacts of the scene, from 0.
         contacts: Vec<usize>,
-        /// The common name.
+        /// The name that these contacts share.
         name: String,
     },
     /// Contacts have no stiffness, and answers depend on the default.
@@ -64,7 +64,7 @@ pub enum Warning {
         link: usize,
         /// The name of the link in messages.
         name: String,
-        /// The pretension, N.
+        /// The given pretension, N.
         told: f64,
         /// The pull at rest, N.
         force: f64,
@@ -84,7 +84,7 @@ pub enum Warning {
     ManyMetres {
         /// The length in words, with a verb.
         what: String,
-        /// The length, m.
+        /// The length in doubt, m.
         length: f64,
         /// The distance of the contacts, m, if the length is too large beside it.
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -98,7 +98,7 @@ pub enum Warning {
         names: Vec<String>,
         /// Whether it is a stiffness, N/m, in place of a force, N.
         is_stiffness: bool,
-        /// The number of the first of these contacts, N/m or N.
+        /// The stiffness, N/m, or the force, N, of the first of these contacts.
         value: f64,
     },
     /// All normals point the same way, so that contacts cannot press with their given forces.
@@ -122,17 +122,17 @@ pub enum Warning {
         /// The sum of the forces with which contacts press, N.
         pressed: f64,
     },
-    /// A pad misses the part with some of its area.
+    /// Some of a pad's area does not meet the grasped part.
     #[cfg(feature = "mesh")]
     MissesInPart {
         /// The contact of the scene, from 0.
         contact: usize,
         /// The name of the contact in messages.
         name: String,
-        /// The part of the pad's area that misses.
+        /// The fraction of the pad's area that does not meet the grasped part.
         missing: f64,
     },
-    /// A pad presses where its surface and that of the part meet at an angle that friction does not bridge.
+    /// A pad presses where its surface and that of the grasped part meet at an angle larger than the friction angle.
     #[cfg(feature = "mesh")]
     OverAnEdge {
         /// The contact of the scene, from 0.
@@ -302,7 +302,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::warnings`] in the plane or in space.
+    /// [`Self::warnings`] of a setup whose vectors have three components, even if it is planar.
     pub(crate) fn all_warnings(&self) -> Result<Vec<Warning>, Error> {
         let grasp = self.grasp_checked()?;
         let mut warnings = self.odd_contacts(&grasp)?;

@@ -1,4 +1,4 @@
-//! Weights in the text of a question that the scene's gravity counts already (feature `json`).
+//! Refuses weights in the text of a question that the scene's gravity already contains (feature `json`).
 
 use serde_json::Value;
 
@@ -41,7 +41,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::refuse_weight_twice`] in the plane or in space.
+    /// [`Self::refuse_weight_twice`] of a setup whose vectors have three components, even if it is planar.
     fn refuse_twice(&self, question: &Value, path: &str) -> Result<(), Fault> {
         match self.own_mass().and_then(|_| self.weight_twice(question, path, None)) {
             Some((field, message)) => {

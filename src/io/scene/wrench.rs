@@ -2,7 +2,6 @@
 //!
 //! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}`
 //! in space. Parts that are left out are zero. `"at": [0.1, 0]` lets the force act at a point other than the origin; its moment is added.
-//! For a grasp by a hand, `"joints": [0.1, 0, …]` are the components of its joints; a shorter list belongs to the first joints.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
@@ -31,7 +30,7 @@ fn write<S: Serializer>(
     out.end()
 }
 
-/// A part of `expected` components, zero if it is left out.
+/// The `expected` components of the part `name` of a wrench or a twist; zero if it is left out.
 pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) -> Result<[f64; 3], String> {
     let mut part = [0.0; 3];
     if let Some(given) = given.map(Few::as_slice) {
@@ -45,7 +44,7 @@ pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) ->
     Ok(part)
 }
 
-/// The linear and the angular part in one row.
+/// The linear and the angular part in one vector.
 fn join<K>(space: Space, parts: [Option<&Few<K, 3>>; 2], names: [&str; 2]) -> Result<Vector, String> {
     let (axes, turns) = (space.axes(), space.planes().len());
     let (linear, angular) = (part(parts[0], axes, names[0])?, part(parts[1], turns, names[1])?);

@@ -26,7 +26,7 @@ pub struct Scene {
     pub id: Option<Id>,
     /// A comment for the reader of the file.
     pub comment: Option<String>,
-    /// The unit of lengths in the text that was read, [`Scene::from_json`]; in this value, and where it is written, they are in m.
+    /// The unit of lengths in the text that [`Scene::from_json`] has read. In this value, and where it is written, lengths are in m.
     pub unit: Unit,
     /// Contacts, questions and settings.
     pub space: Space,
@@ -47,9 +47,9 @@ pub enum Space {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Id {
-    /// A number.
+    /// A whole number.
     Number(i64),
-    /// A text.
+    /// A string.
     Text(String),
 }
 
@@ -119,7 +119,7 @@ impl Serialize for Answers {
     }
 }
 
-/// Answers of the plane or of space with three components a vector; they are written as [`Answers`] are.
+/// Answers whose vectors have three components, even if they are planar. They are written like [`Answers`].
 #[cfg(feature = "json")]
 pub(crate) struct AnswersInside(pub(crate) numerics::Space, pub(crate) Vec<Answer<3>>);
 
@@ -251,7 +251,7 @@ impl Serialize for Scene {
     }
 }
 
-/// A scene whose lengths are in its unit, as they stand in its text.
+/// A scene whose lengths are not yet converted to m: they are in the unit of its text.
 pub(super) struct InItsUnit(pub(super) Scene);
 
 impl<'de> Deserialize<'de> for InItsUnit {
@@ -271,7 +271,7 @@ impl<'de> Deserialize<'de> for InItsUnit {
     }
 }
 
-/// Refuses lengths in another unit than m: [`Scene::from_json`] reads them.
+/// Refuses lengths in another unit than m, which only [`Scene::from_json`] converts.
 impl<'de> Deserialize<'de> for Scene {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let InItsUnit(scene) = InItsUnit::deserialize(deserializer)?;

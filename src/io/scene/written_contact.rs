@@ -271,10 +271,10 @@ impl<const C: usize> Fingertip<C> {
         })
     }
 
-    /// Refuses data that no grasp accepts. If the finger's compliance replaces the springs, the finger checks them.
+    /// Refuses data that no grasp accepts. Springs are checked only if `springs` is true, since the compliance of a finger may replace them.
     fn checked(self, springs: bool) -> Result<Self, String> {
         let contact = &self.contact;
-        // Only the list knows the number of the contact.
+        // The index of the contact in its list is unknown here, so that the message has the name alone.
         let fault = |error| match error {
             Error::Contact { contact: ContactLabel { name, .. }, field, value, allowed } => {
                 format!("{}{field} is {value}, must be {allowed}", named(name.as_deref()))
@@ -298,7 +298,7 @@ fn named(name: Option<&str>) -> String {
 }
 
 impl<const C: usize> Written<C> {
-    /// The point and the normal, or place and direction of the pad that touches.
+    /// The point and the normal; of a contact that touches the part, the start and the closing direction of its pad.
     fn place(&self) -> Result<(SVector<f64, C>, SVector<f64, C>), String> {
         #[cfg(feature = "mesh")]
         if let Some(touches) = &self.touches {

@@ -1,6 +1,6 @@
-//! One line of the stream.
+//! One line of input of the stream.
 
-/// Longest line, bytes. A longer one is not kept, and its answer is an error.
+/// Longest line, bytes. A longer line is discarded, and its answer is an error.
 pub const LONGEST_LINE: usize = 1 << 26;
 
 /// One line of input.

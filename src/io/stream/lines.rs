@@ -1,8 +1,8 @@
 //! Answers lines of input in order, on all cores, in bounded memory.
 //!
-//! One thread reads lines and hands them out in blocks, workers answer blocks, and the caller's thread writes them in order. A queue of
-//! bounded length carries, for each block, the place where its answer will be put; the reader waits while it is full. A block is closed
-//! when it is full or when no further line has arrived yet. Output is flushed before waiting, so that a user who types gets an answer to each line.
+//! One thread reads lines and sends them in blocks to workers; the caller's thread writes the answers in order. For each block a queue of bounded
+//! length holds the receiving end of a channel for its answer; the reader waits while the queue is full. A block ends when it is full, or when no
+//! further line has arrived yet. Output is flushed before waiting, so that a user who types gets an answer to each line.
 
 use std::io::{self, BufReader, Read, Write};
 use std::sync::Mutex;
@@ -18,25 +18,25 @@ const LINES_OF_A_BLOCK: usize = 64;
 /// Size at which a block is full, bytes.
 pub const BLOCK_BYTES: usize = 1 << 16;
 
-/// Number of lines read and answered.
+/// Numbers of lines that were read and answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Tally {
     /// Lines read, empty ones included.
     pub lines: usize,
-    /// Lines with answers.
+    /// Lines that were answered.
     pub answered: usize,
-    /// Lines with an error.
+    /// Lines with an error in place of answers.
     pub errors: usize,
 }
 
-/// Largest number of lines that have been read and whose answers are not yet written, except those in the input buffer of [`BLOCK_BYTES`].
+/// Upper bound on the number of lines that are read but whose answers are not yet written; lines in the input buffer of [`BLOCK_BYTES`] do not count.
 #[must_use]
 pub const fn most_ahead(threads: usize) -> usize {
-    // Blocks in the queue, one block of the reader that waits for a place in it, and one of the writer.
+    // Blocks in the queue, one block with which the reader waits for room in the queue, and one that is written.
     (queue(threads) + 2) * LINES_OF_A_BLOCK
 }
 
-/// Largest number of blocks in the queue, in work or done, behind the one that is written.
+/// Length of the queue: blocks whose answers are computed, or wait for the block that is written.
 const fn queue(threads: usize) -> usize {
     4 * threads
 }
@@ -61,7 +61,7 @@ pub fn answer_lines(
     options: &StreamOptions,
 ) -> io::Result<Tally> {
     let threads = options.threads.max(1);
-    // The channel of jobs needs no bound: every job has a place in the bounded queue.
+    // The channel of jobs needs no bound, since every job has an entry in the bounded queue.
     let (put_job, take_job) = channel::<Job>();
     let (put_place, take_place) = sync_channel::<Receiver<io::Result<Answered>>>(queue(threads));
     let take_job = &Mutex::new(take_job);
@@ -76,7 +76,7 @@ pub fn answer_lines(
             });
         }
         let written = write_blocks(&take_place, &mut output);
-        // The reader stops when its queue has no receiver.
+        // Without its receiver the queue is closed, and the reader stops.
         drop(take_place);
         let read = reader.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         written.and_then(|tally| read.map(|lines| Tally { lines, ..tally }))
@@ -127,7 +127,7 @@ fn read_blocks(
     }
 }
 
-/// The next line without its end; of a line that is too long, the beginning.
+/// The next line without its newline; if it is too long, its beginning.
 fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Option<InputLine>> {
     use io::BufRead;
     let mut line = InputLine { number, text: Vec::new(), too_long: false };
@@ -145,7 +145,7 @@ fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Opti
         let part = &arrived[..end.unwrap_or(arrived.len())];
         line.too_long |= line.text.len() + part.len() > LONGEST_LINE;
         if line.too_long {
-            // The kept beginning of a line that is too long, bytes.
+            // The first 1024 bytes of a line that is too long are kept.
             line.text.truncate(1 << 10);
             line.text.shrink_to_fit();
         } else {
@@ -165,7 +165,7 @@ fn write_blocks(
 ) -> io::Result<Tally> {
     let mut tally = Tally::default();
     while let Some(place) = receive(places, output)? {
-        // If a worker has panicked, its sender is gone, and the thread scope reports the panic.
+        // If a worker has panicked, its sender is dropped, and the thread scope reports the panic.
         let Some(block) = receive(&place, output)?.transpose()? else { break };
         output.write_all(&block.text)?;
         tally.answered += block.tally.answered;
@@ -175,7 +175,7 @@ fn write_blocks(
     Ok(tally)
 }
 
-/// The next item. Output is flushed before waiting for it.
+/// The next item of a channel, `None` if the channel is closed. Output is flushed before waiting.
 fn receive<T>(from: &Receiver<T>, output: &mut impl Write) -> io::Result<Option<T>> {
     match from.try_recv() {
         Ok(item) => Ok(Some(item)),

@@ -6,17 +6,17 @@
 //! |---|---|
 //! | `line` | number of the line in this input, from 1 |
 //! | `id` | the `id` of the scene, if it has one |
-//! | `hash` | where there is no id: 64 bits of FNV-1a over the bytes of the line, without white space at its ends, in 16 hexadecimal digits |
+//! | `hash` | if there is no id: 64 bits of FNV-1a over the bytes of the line, without white space at its ends, in 16 hexadecimal digits |
 //! | `answers` | one answer for each question, in order |
-//! | `brief` | the same in short ([`Brief`](crate::scene::Brief)), where [`StreamOptions::brief`] asks for it |
-//! | `warnings` | what the scene says and hardly means ([`Warning`](crate::scene::Warning)), if anything |
-//! | `error` | in place of the answers: `kind`, `message`, `field`, `column`; see [`Fault`](crate::scene::Fault). Of kind `internal` where this library failed: all other lines are answered |
-//! | `begins` | of a line that is no scene and has no id: its first characters |
+//! | `brief` | short answers ([`Brief`](crate::scene::Brief)) in their place, if [`StreamOptions::brief`] is set |
+//! | `warnings` | probable mistakes in the scene ([`Warning`](crate::scene::Warning)), if there are any |
+//! | `error` | in place of the answers: `kind`, `message`, `field`, `column`; see [`Fault`](crate::scene::Fault). Its kind is `internal` if this library failed; all other lines are answered nevertheless |
+//! | `begins` | the first characters of a line that is no scene and has no id |
 //! | `blank` | `true` for a line of white space, with nothing else |
 //!
-//! The `id` or `hash` identifies a line behind a pipe that splits its input, where numbers start anew in every part.
+//! The `id` or `hash` identifies a line if its input was split between several processes, each of which counts lines from 1.
 //!
-//! [`answer_line`] answers a single line where there are no threads, as in a web page.
+//! [`answer_line`] answers a single line without threads, as in a web page.
 //! In [`answer_lines`], one thread reads lines into blocks, workers answer blocks, and the caller's thread writes the answers in order.
 
 mod line;

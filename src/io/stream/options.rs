@@ -22,13 +22,13 @@ pub struct StreamOptions {
     pub threads: usize,
     /// Whether answers are [short](crate::scene::Brief).
     pub brief: bool,
-    /// Largest number of points of contact. A scene with more is refused, because all later lines would wait for it. 2 000 by default.
+    /// Largest number of contact points. A scene with more is refused, because all later lines would wait for it. 2 000 by default.
     pub most_points: usize,
-    /// No scene tries more combinations of contact states than this, whatever its settings say. 20 000 unless said otherwise.
+    /// Largest number of combinations of contact states that a scene may try, even if its settings allow more. 20 000 by default.
     pub most_states: usize,
-    /// No leg takes more steps along sliding arcs than this, whatever the settings of a scene say. 20 000 unless said otherwise.
+    /// Largest number of steps along sliding arcs within a leg, even if the settings of a scene allow more. 20 000 by default.
     pub most_steps: usize,
-    /// A scene whose line number is a multiple of this panics: tests look at what becomes of the other lines. None does where it is 0.
+    /// For tests of panics: answering a scene panics if its line number is a multiple of this number; 0 for no panics.
     #[doc(hidden)]
     pub fails_every: usize,
 }

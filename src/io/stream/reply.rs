@@ -13,7 +13,7 @@ use crate::scene::{AnswersInside, Brief, Fault, Id, Scene, Space, Warning};
 use crate::sweep::fault_in;
 use crate::words::Words;
 
-/// See [the stream](super).
+/// One line of output; [the stream](super) explains its fields.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct Reply {
@@ -86,7 +86,7 @@ impl Reply {
         }
     }
 
-    /// Whether it has answers; `None` for a blank line.
+    /// Whether the reply has answers and no error; `None` for a blank line.
     pub(super) fn is_answered(&self) -> Option<bool> {
         if self.blank { None } else { Some(self.error.is_none()) }
     }
@@ -121,12 +121,12 @@ impl Reply {
 }
 
 fn beginning(text: &[u8]) -> String {
-    // The reply repeats the beginning of a line that nothing else identifies.
+    // Without an id, the first 60 characters of the line identify it.
     let beginning = 60;
     String::from_utf8_lossy(&text[..text.len().min(4 * beginning)]).chars().take(beginning).collect()
 }
 
-/// The hash of G. Fowler, L. C. Noll and K.-P. Vo, *The FNV Non-Cryptographic Hash Algorithm*: short in any language.
+/// The hash FNV-1a (G. Fowler, L. C. Noll and K.-P. Vo, *The FNV Non-Cryptographic Hash Algorithm*), which users can write in a few lines of any language.
 fn fnv1a(text: &[u8]) -> u64 {
     text.iter()
         .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))

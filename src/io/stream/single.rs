@@ -1,11 +1,11 @@
-//! Answers one line for callers without threads or without a stream.
+//! Answers a single line, for callers without threads.
 
 use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
-/// The line of output for one line of input, with the number 1 and without its end, as [`answer_lines`](super::answer_lines) writes it. It is
-/// computed on the caller's thread; [`StreamOptions::threads`] has no effect.
+/// The line of output for one line of input, as [`answer_lines`](super::answer_lines) writes it, with line number 1 and without a newline. The
+/// caller's thread computes it; [`StreamOptions::threads`] has no effect.
 ///
 /// ```
 /// use grasp_lcp::stream::{StreamOptions, answer_line};
@@ -16,7 +16,7 @@ use super::reply::Reply;
 /// ```
 ///
 /// # Errors
-/// The error of writing the answer in JSON. A line that is no scene is answered by an error in it.
+/// The error of writing the answer in JSON. If the line is no scene, the returned line contains the fault.
 pub fn answer_line(text: &[u8], options: &StreamOptions) -> serde_json::Result<String> {
     let line = InputLine { number: 1, text: text.to_vec(), too_long: text.len() > LONGEST_LINE };
     serde_json::to_string(&Reply::to(&line, options))

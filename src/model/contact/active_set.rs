@@ -31,7 +31,7 @@ impl ActiveSet {
         !self.apex && self.facets.is_empty()
     }
 
-    /// Clears the set.
+    /// Empties the set: the contact leaves all its edges.
     pub(crate) fn leave(&mut self) {
         self.facets.clear();
         self.apex = false;

@@ -20,7 +20,7 @@ pub(crate) enum Law {
     Absent,
     /// The springs push and pull without limit: no conditions.
     Bonded,
-    /// The friction cone.
+    /// The contact force stays in a friction cone.
     Cone {
         /// Whether the contact may also open.
         gap: bool,

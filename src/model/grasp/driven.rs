@@ -102,11 +102,11 @@ impl Engine {
         let mut all = Cow::Borrowed(rows);
         if rows.len() != self.len() {
             let (mut points, mut count) = (Vec::with_capacity(self.len()), 0);
-            for (i, contact) in self.contacts.iter().enumerate() {
-                let is_link = contact.link.is_some();
-                count += usize::from(!is_link && (count == 0 || contact.begins_a_whole()));
-                let row = if is_link { Some(links(i)) } else { rows.get(count - 1).copied() };
-                points.push(row.unwrap_or_default());
+            for contact in self.wholes().iter() {
+                let is_link = contact.label.link.is_some();
+                let row = rows.get(count).copied().unwrap_or_default();
+                points.extend(contact.range.clone().map(|i| if is_link { links(i) } else { row }));
+                count += usize::from(!is_link);
             }
             if rows.len() != count {
                 return Err(Error::Size { what, given: rows.len(), expected: count });

@@ -8,6 +8,7 @@ use super::hand::{Drive, HandPart, Linkage};
 use super::remembered::Remembered;
 use super::site::Site;
 use super::vacuum::Vacuum;
+use super::whole_contact::WholeContacts;
 use super::wrench::Wrench;
 use crate::error::{Error, LARGEST};
 use crate::numerics::Space;
@@ -22,6 +23,8 @@ pub(crate) struct Engine {
     size: Size,
     pub(super) contacts: Vec<Contact<3>>,
     pub(super) sites: Vec<Site>,
+    /// The contacts, each with its points.
+    wholes: WholeContacts,
     /// Centroid of the contact points, m. The engine refers moments and rotations to it, so that a distant origin of the caller costs no digits.
     pub(super) origin: SVector<f64, 3>,
     /// Root mean square distance of the contact points from their centroid, m. The engine uses it as the unit of length of arms, so that
@@ -123,7 +126,8 @@ impl Engine {
         let site = |(index, contact)| Site::new(space, size, (contact, index), (&origin, length));
         let sites = contacts.iter().enumerate().map(site).collect::<Result<Vec<_>, Error>>()?;
         let (vacuum, trial) = (Vacuum::of(space, &contacts, &sites), Remembered::default());
-        Ok(Self { space, size, contacts, sites, origin, length, linkage: None, vacuum, trial })
+        let wholes = WholeContacts::of(&contacts);
+        Ok(Self { space, size, contacts, sites, wholes, origin, length, linkage: None, vacuum, trial })
     }
 
     /// Plane or space.
@@ -146,6 +150,11 @@ impl Engine {
     /// Implements [`Grasp::contacts`](crate::ask::Grasp::contacts).
     pub(crate) fn contacts(&self) -> &[Contact<3>] {
         &self.contacts
+    }
+
+    /// The contacts as users count them, each with its points.
+    pub(crate) fn wholes(&self) -> &WholeContacts {
+        &self.wholes
     }
 
     /// Frame of one contact; see [`Grasp::frames`](crate::ask::Grasp::frames).

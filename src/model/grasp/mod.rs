@@ -81,7 +81,7 @@ pub(crate) use stiffness::Stiffness;
 pub use suction_cup::SuctionCup;
 pub(crate) use vacuum::vacuum_is_gone;
 pub use whole_contact::WholeContact;
-pub(crate) use whole_contact::WholeContacts;
+pub(crate) use whole_contact::{ContactPoints, WholeContacts};
 pub use wrench::{Twist, Wrench};
 
 pub use crate::words::LinkKind;

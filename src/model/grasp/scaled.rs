@@ -1,8 +1,7 @@
 //! The parts of a grasp that press, and copies of the grasp with the press of one part scaled.
 
-use super::contact::Contact;
 use super::engine::Engine;
-use super::whole_contact::WholeContacts;
+use super::whole_contact::ContactPoints;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::numerics::mapped;
@@ -28,8 +27,8 @@ impl Engine {
     /// Whether a joint or a tendon has a nonzero command or constant torque. The slides of contacts with a constant force do not count.
     pub(crate) fn is_driven(&self) -> bool {
         let is_pushed =
-            |contact: &&Contact<3>| contact.force.unwrap_or(0.0) != 0.0 && contact.begins_a_whole();
-        let slides = self.contacts.iter().filter(is_pushed).count();
+            |contact: &&ContactPoints| self.contacts[contact.range.start].force.unwrap_or(0.0) != 0.0;
+        let slides = self.wholes().iter().filter(is_pushed).count();
         self.linkage().is_some_and(|linkage| {
             let held = linkage.joints.iter().filter(|joint| joint.held != 0.0).count();
             held > slides || linkage.commands.iter().any(|command| *command != 0.0)
@@ -80,13 +79,11 @@ impl Engine {
             bodies.given[body] = given * factor;
             return Ok((of(true, given.measure()), self.with_bodies(bodies)));
         }
-        let parts = WholeContacts::of(&self.contacts).with(&|_| true);
-        if let Some(part) = parts.iter().find(|part| *part.label == *name) {
+        let parts = self.wholes();
+        if let Some(part) = parts.iter().find(|part| part.text() == *name) {
             let mut contacts = self.contacts.clone();
             let (mut size, mut presses) = (Some(0.0), false);
-            let first: usize =
-                parts.iter().take_while(|other| other.contact < part.contact).map(|p| p.of).sum();
-            for contact in &mut contacts[first..first + part.of] {
+            for contact in &mut contacts[part.range.clone()] {
                 let force = contact
                     .force
                     .unwrap_or(contact.suction + contact.stiffness.series()[0] * contact.command[0]);
@@ -115,7 +112,7 @@ impl Engine {
             return Ok((of(false, None), grasp));
         }
         let mut pressing = self.loaded_bodies();
-        let labels = parts.into_iter().map(|part| part.label.clone());
+        let labels = parts.iter().map(ContactPoints::text);
         pressing.extend(labels.filter(|label| label != name));
         let all: Vec<_> = mapped(&pressing, &|name| printable(name));
         Err(Error::Part { name: name.to_owned(), allowed: listed(&all) })

@@ -20,7 +20,7 @@ pub(crate) struct Site {
     pub(crate) map: Map,
     /// Rounding error of G_i for the given point and frame: the exact map minus G_i.
     pub(crate) map_rest: Map,
-    /// Norm of G_i.
+    /// Norm of the grasp map G_i.
     size: f64,
     /// Coordinates in which G_i is not zero.
     pub(crate) support: Support,

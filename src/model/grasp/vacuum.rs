@@ -3,7 +3,7 @@
 use super::contact::Contact;
 use super::engine::Engine;
 use super::site::Site;
-use super::whole_contact::{WholeContact, WholeContacts};
+use super::whole_contact::WholeContact;
 use super::wrench::Wrench;
 use crate::error::ContactLabel;
 use crate::numerics::Space;
@@ -60,7 +60,7 @@ impl Engine {
             return Vec::new();
         }
         let of_a_cup = |i: usize| self.contacts()[i].suction > 0.0;
-        let mut cups = WholeContacts::of(self.contacts()).with(&|i| of_a_cup(i) && is_open(i));
+        let mut cups = self.wholes().with(&|i| of_a_cup(i) && is_open(i));
         cups.retain(WholeContact::is_whole);
         cups
     }
@@ -68,13 +68,12 @@ impl Engine {
     /// The first suction cup, if any.
     pub(crate) fn first_cup(&self) -> Option<ContactLabel> {
         let cups = self.cups_open(|_| true);
-        cups.first().map(|cup| WholeContacts::of(self.contacts()).whole(cup.contact))
+        cups.first().map(|cup| self.wholes()[cup.contact].label.clone())
     }
 
     /// Indices of all contact points that belong to these parts.
     pub(crate) fn points_of(&self, parts: &[WholeContact]) -> Vec<usize> {
-        let whole = WholeContacts::of(self.contacts());
-        parts.iter().flat_map(|part| whole.ranges()[part.contact].clone()).collect()
+        parts.iter().flat_map(|part| self.wholes()[part.contact].range.clone()).collect()
     }
 
     /// The caller's load plus the pull of the vacuums.

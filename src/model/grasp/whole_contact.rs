@@ -3,13 +3,13 @@
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
 use core::fmt;
-use core::ops::Range;
+use core::ops::{Deref, Range};
 
 use nalgebra::SVector;
 
 use super::contact::Contact;
 use crate::error::ContactLabel;
-use crate::numerics::mapped;
+use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
@@ -53,78 +53,77 @@ impl fmt::Display for WholeContact {
     }
 }
 
-/// The contacts of a grasp, grouped so that the points of a soft fingertip form one part.
-pub(crate) struct WholeContacts<'c, const C: usize> {
-    contacts: &'c [Contact<C>],
-    ranges: Vec<Range<usize>>,
+/// A contact of a grasp with its points: all points of a soft fingertip or of a link, or the one point of any other contact.
+#[derive(Debug)]
+pub(crate) struct ContactPoints {
+    /// Number and name of the contact, where a soft fingertip counts as one: as in a scene.
+    pub(crate) label: ContactLabel,
+    /// Indices of its points.
+    pub(crate) range: Range<usize>,
 }
 
-impl<'c, const C: usize> WholeContacts<'c, C> {
-    pub(crate) fn of(contacts: &'c [Contact<C>]) -> Self {
-        let mut ranges: Vec<Range<usize>> = Vec::new();
-        for (i, contact) in contacts.iter().enumerate() {
-            match ranges.last_mut() {
-                Some(range) if !contact.begins_a_whole() => range.end = i + 1,
-                _ => ranges.push(i..i + 1),
+impl ContactPoints {
+    /// The name of the contact, or "contact" and its number.
+    pub(crate) fn text(&self) -> String {
+        self.label.text()
+    }
+
+    /// Mean of a vector over its points.
+    pub(crate) fn mean(&self, of: &dyn Fn(usize) -> SVector<f64, 3>) -> SVector<f64, 3> {
+        self.range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / self.range.len() as f64
+    }
+
+    /// The contact in an answer about this number of its points.
+    pub(crate) fn with(&self, points: usize) -> WholeContact {
+        let ContactLabel { index: contact, link, .. } = self.label;
+        WholeContact { contact, label: self.text(), link, points, of: self.range.len() }
+    }
+}
+
+/// The contacts of a grasp, each with its points; made once, where the grasp is checked.
+#[derive(Debug, Clone)]
+pub(crate) struct WholeContacts(Arc<[ContactPoints]>);
+
+impl Deref for WholeContacts {
+    type Target = [ContactPoints];
+
+    fn deref(&self) -> &[ContactPoints] {
+        &self.0
+    }
+}
+
+impl WholeContacts {
+    pub(super) fn of(points: &[Contact<3>]) -> Self {
+        let mut all: Vec<ContactPoints> = Vec::with_capacity(points.len());
+        for (i, point) in points.iter().enumerate() {
+            match all.last_mut() {
+                Some(contact) if !point.begins_a_whole() => contact.range.end = i + 1,
+                _ => {
+                    let (index, name) = (all.len(), point.whole_name());
+                    let label = ContactLabel { index, point: None, name, link: point.link };
+                    all.push(ContactPoints { label, range: i..i + 1 });
+                }
             }
         }
-        Self { contacts, ranges }
+        Self(all.into())
     }
 
-    /// Range of contact points of each part.
-    pub(crate) fn ranges(&self) -> &[Range<usize>] {
-        &self.ranges
+    /// The contact to which a point belongs.
+    pub(crate) fn at(&self, point: usize) -> &ContactPoints {
+        &self.0[self.0.partition_point(|contact| contact.range.end <= point)]
     }
 
-    /// The parts that have points for which `is_meant` is true, in order.
+    /// The contacts with points for which `is_meant` is true, in order.
     pub(crate) fn with(&self, is_meant: &dyn Fn(usize) -> bool) -> Vec<WholeContact> {
-        let mut parts = Vec::new();
-        for (contact, range) in self.ranges.iter().enumerate() {
-            let points = range.clone().filter(|i| is_meant(*i)).count();
-            if points > 0 {
-                let (label, link) = (self.label(contact), self.link(contact));
-                parts.push(WholeContact { contact, label, link, points, of: range.len() });
-            }
-        }
-        parts
+        picked(self, &|contact| {
+            let points = contact.range.clone().filter(|i| is_meant(*i)).count();
+            (points > 0).then(|| contact.with(points))
+        })
     }
 
-    /// Label of a part in answers.
-    pub(crate) fn whole(&self, number: usize) -> ContactLabel {
-        ContactLabel {
-            index: number,
-            point: None,
-            name: self.name(number).map(Arc::from),
-            link: self.link(number),
-        }
-    }
-
-    /// Mean of a vector over the points of each part.
-    pub(crate) fn mean(&self, of: &dyn Fn(usize) -> SVector<f64, C>) -> Vec<SVector<f64, C>> {
-        let mean = |range: &Range<usize>| {
-            range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / range.len() as f64
-        };
-        mapped(&self.ranges, &mean)
-    }
-
-    /// Sum of a number over the points of each part.
-    pub(crate) fn sum(&self, of: &dyn Fn(usize) -> f64) -> Vec<f64> {
-        mapped(&self.ranges, &|range| range.clone().map(of).sum())
-    }
-
-    /// Kind of link that a part represents, if any.
-    fn link(&self, number: usize) -> Option<LinkKind> {
-        self.contacts[self.ranges[number].start].link
-    }
-
-    /// The user's name of a part, if any.
-    fn name(&self, number: usize) -> Option<&str> {
-        self.contacts[self.ranges[number].start].whole_name()
-    }
-
-    /// The user's name of a part, or its number.
-    pub(crate) fn label(&self, number: usize) -> String {
-        self.name(number).map_or_else(|| format!("contact {number}"), |name| printable(name).into_owned())
+    /// Mean of a vector over the points of each contact.
+    pub(crate) fn mean(&self, of: &dyn Fn(usize) -> SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
+        mapped(self, &|contact| contact.mean(of))
     }
 }
 
@@ -134,10 +133,10 @@ impl<const C: usize> Contact<C> {
         self.point_of_pad.unwrap_or(0) == 0
     }
 
-    /// The user's name; for a point of a soft fingertip, the name of the fingertip.
-    pub(crate) fn whole_name(&self) -> Option<&str> {
-        let name = self.name.as_deref()?;
+    /// Its name; for a point of a soft fingertip that of the fingertip.
+    pub(crate) fn whole_name(&self) -> Option<Arc<str>> {
+        let name = self.name.as_ref()?;
         let of_the_pad = self.point_of_pad.and_then(|point| name.strip_suffix(&format!(" {point}")));
-        Some(of_the_pad.unwrap_or(name))
+        Some(of_the_pad.map_or_else(|| Arc::clone(name), Arc::from))
     }
 }

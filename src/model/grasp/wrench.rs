@@ -169,7 +169,7 @@ impl<const C: usize> Wrench<C> {
         Self::among(space, &space.wrench_of(point, force))
     }
 
-    /// Its force, N.
+    /// The force of the wrench, N.
     pub(crate) fn force_part(&self) -> SVector<f64, C> {
         SVector::from_column_slice(&self.0.as_slice()[..C])
     }

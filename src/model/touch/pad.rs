@@ -39,9 +39,9 @@ enum Outline {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Profile {
     Flat,
-    /// Radius, m.
+    /// A convex cylinder of this radius, m.
     Round(f64),
-    /// Slope of both flanks.
+    /// A V with flanks of this slope.
     V(f64),
 }
 

@@ -10,8 +10,8 @@ use super::statics::Statics;
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::{Error, check_contact};
 use crate::grasp::{
-    Bodies, Contact, Engine, Face, Finger, Hand, HandPart, WholeContact, WholeContacts, Wrench,
-    assert_plane_or_space, frame_outside, inside, outside,
+    Bodies, Contact, Engine, Face, Finger, Hand, HandPart, WholeContact, Wrench, assert_plane_or_space,
+    frame_outside, inside, outside,
 };
 use crate::hold::{Extent, Verdict};
 use crate::load_path::Ramp;
@@ -149,16 +149,16 @@ impl<const C: usize> Grasp<C> {
     /// The contacts with a point for which `is_meant` is true. A soft fingertip counts as one contact, with the number of such points in it.
     #[must_use]
     pub fn whole_contacts(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
-        WholeContacts::of(self.contacts()).with(&is_meant)
+        self.engine.wholes().with(&is_meant)
     }
 
     /// Indices of the points of these contacts, where a soft fingertip counts as one contact.
     pub(crate) fn points_of(&self, contacts: &[usize]) -> Result<Vec<usize>, Error> {
-        let parts = WholeContacts::of(self.contacts());
+        let parts = self.engine.wholes();
         let mut points = Vec::new();
         for contact in contacts {
-            check_contact(*contact, parts.ranges().len())?;
-            points.extend(parts.ranges()[*contact].clone());
+            check_contact(*contact, parts.len())?;
+            points.extend(parts[*contact].range.clone());
         }
         Ok(points)
     }
@@ -223,6 +223,7 @@ impl<const C: usize> Grasp<C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
+    /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50; [`Error::KineticFriction`] if a contact slides whose [kinetic
     /// friction](crate::grasp::Contact::kinetic) is lower.
     pub fn solve(&self, load: impl Into<Wrench<C>>) -> Result<Outcome<C>, Error> {
@@ -279,16 +280,6 @@ impl<const C: usize> Grasp<C> {
     /// The least friction margin at rest in the elastic trial state, relative to the largest force; `None` where nothing presses or resists.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
         self.engine.sticking_margin(&inside(base), &self.settings)
-    }
-
-    /// A motion along which `load` and the constant loads do work that no contact forces can balance: a proof. `None` if there is no such motion.
-    pub(crate) fn unbalanced_along(&self, load: &Wrench<C>) -> Result<Option<Vec<f64>>, Error> {
-        self.engine.unbalanced_along(&inside(load), &self.settings)
-    }
-
-    /// The work of `load` and of the constant loads along a motion from [`Self::unbalanced_along`].
-    pub(crate) fn work_along(&self, load: &Wrench<C>, motion: &[f64]) -> Result<f64, Error> {
-        self.engine.work_along(&inside(load), motion)
     }
 
     /// Static questions: which loads some contact forces could balance, whatever the springs and commands.

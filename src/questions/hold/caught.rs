@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::words::amount_of;
-use crate::grasp::{Contact, Engine, WholeContact, WholeContacts};
+use crate::grasp::{Engine, WholeContact, WholeContacts};
 use crate::load_path::{Event, Jump, JumpSlip, Leg, PathEnd, Ramp};
 use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -70,7 +70,7 @@ pub struct MovesTo {
 }
 
 impl MovesTo {
-    fn of(parts: &WholeContacts<3>, jump: &Jump<3>) -> Option<Self> {
+    fn of(parts: &WholeContacts, jump: &Jump<3>) -> Option<Self> {
         let contacts = parts.with(&|i| jump.reaches.iter().any(|contact| contact.index == i));
         let farthest = jump.moved.iter().max_by(|a, b| a.speed().total_cmp(&b.speed()))?;
         let (distance, angle) = (farthest.middle_moves().norm(), farthest.twist.parts().1.size());
@@ -129,18 +129,17 @@ impl Caught {
     }
 
     /// The jumps among the events of one leg. The leg applies the whole load, so that its fraction is the multiple of the load.
-    pub(super) fn among(contacts: &[Contact<3>], events: &[Event<3>]) -> Vec<Self> {
-        let parts = WholeContacts::of(contacts);
+    pub(super) fn among(parts: &WholeContacts, events: &[Event<3>]) -> Vec<Self> {
         let jumps = events.iter().filter_map(|event| Some((event.fraction, event.jump.as_deref()?)));
         let caught = |(factor, jump): (f64, &Jump<3>)| {
             let whole = parts.with(&|i| jump.slips.iter().any(|slip| slip.contact.index == i)).into_iter();
             let far = |contact: WholeContact| {
-                let range = &parts.ranges()[contact.contact];
+                let range = &parts[contact.contact].range;
                 let of_it = |slip: &&JumpSlip<3>| range.contains(&slip.contact.index);
                 let distances = jump.slips.iter().filter(of_it).map(|slip| slip.slip.norm());
                 SlippedBy { distance: distances.fold(0.0, f64::max), contact }
             };
-            let (slips, moves) = (whole.map(far).collect(), MovesTo::of(&parts, jump));
+            let (slips, moves) = (whole.map(far).collect(), MovesTo::of(parts, jump));
             Self { factor, slips, moves, energy_lost: jump.energy_lost }
         };
         jumps.map(caught).collect()

@@ -2,7 +2,7 @@
 
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ContactState, Equilibrium, TooFar};
-use crate::grasp::{Engine, WholeContact, WholeContacts};
+use crate::grasp::{Engine, WholeContact};
 use crate::load_path::{Loss, LossKind};
 
 use super::verdict::Lost;
@@ -26,7 +26,6 @@ impl Engine {
             slides(i)
                 && leaving.is_none_or(|(sides, motion)| comes_apart(&self.contacts()[i], sides[i], motion))
         };
-        let parts = WholeContacts::of(self.contacts());
         let cups = if loss.kind == LossKind::LetsGo { self.cups_open(at_its_edge) } else { Vec::new() };
         if !cups.is_empty() {
             return Lost::without_vacuum(factor, cups, state);
@@ -34,9 +33,9 @@ impl Engine {
         Lost {
             factor,
             kind: loss.kind,
-            way_out: way_out(self.contacts(), sides, loss.motion.as_ref(), &touches),
+            way_out: way_out(self, loss.motion.as_ref(), &touches),
             too_far: None,
-            slide: parts.with(&slides_out),
+            slide: self.wholes().with(&slides_out),
             falls_at_once: false,
             then_takes: None,
             snaps: false,
@@ -62,7 +61,7 @@ impl Engine {
         };
         Lost {
             too_far: Some(what.clone()),
-            slide: WholeContacts::of(self.contacts()).with(&slides),
+            slide: self.wholes().with(&slides),
             is_gross_slip: everything_slides,
             ..Lost::alone(factor, LossKind::TooFar, WayOut::NotKnown, state)
         }

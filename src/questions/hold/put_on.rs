@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::contact::Polygon;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
-use crate::grasp::{Coordinates, Engine, WholeContacts, Wrench};
+use crate::grasp::{Coordinates, Engine, Wrench};
 use crate::load_path::{
     Beyond, Change, ContactChange, Departure, EndOfSmallMotions, Event, Leaving, Leg, LoadPath, Loss,
     LossKind, Onset, PathEnd, Ramp,
@@ -124,7 +124,7 @@ impl Engine {
             path.state_at(0, 0.0).filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
         verdict.left_out =
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
-        verdict.caught = Caught::among(self.contacts(), &events);
+        verdict.caught = Caught::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, farthest))
     }
@@ -184,7 +184,7 @@ impl Engine {
         if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }
-        let parts = WholeContacts::of(self.contacts()).with(&has_slid);
+        let parts = self.wholes().with(&has_slid);
         if parts.is_empty() && jumps().count() == 0 && first_slip.is_none_or(|first| first.factor > 1.0) {
             Holding::Sticks
         } else {
@@ -193,7 +193,7 @@ impl Engine {
     }
 
     fn first_slip(&self, onset: &Onset<3>, events: &[Event<3>]) -> Option<FirstSlip> {
-        let parts = WholeContacts::of(self.contacts());
+        let parts = self.wholes();
         let slides_at_rest = |i: usize, state: &Equilibrium<3>| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
         };

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts};
+use crate::grasp::{BodyMotion, Contact, Engine, Hold, Motion, Twist, WholeContact};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{chosen, largest, mapped, summed};
 use crate::prelude::*;
@@ -101,18 +101,17 @@ fn slides_out(along: &SVector<f64, 3>, spin: f64) -> Option<WayOut<3>> {
         .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
 }
 
-/// The name of a motion, from the contacts that touch. With several bodies `sides` has the indices of both bodies of each contact, `None` for the
-/// ground.
+/// The name of a motion, from the contacts that touch.
 pub(super) fn way_out(
-    contacts: &[Contact<3>],
-    sides: Option<&[(usize, Option<usize>)]>,
+    engine: &Engine,
     motion: Option<&Motion<3>>,
     touches: &dyn Fn(usize) -> bool,
 ) -> WayOut<3> {
     let Some(motion) = motion else { return WayOut::NotKnown };
-    let Some(sides) = sides else {
-        return seen_from(contacts, &motion.object, &|_| 1.0, touches);
+    let Some(bodies) = engine.bodies() else {
+        return seen_from(engine, &motion.object, &|_| 1.0, touches);
     };
+    let sides = &bodies.sides;
     let fastest = largest(&motion.bodies, &BodyMotion::speed);
     let moves = |body: &BodyMotion<3>| body.speed() > STANDS * fastest;
     let mut bodies: Vec<_> = motion.bodies.iter().filter(|body| moves(body)).map(BodyWay::of).collect();
@@ -128,7 +127,7 @@ pub(super) fn way_out(
             let (on, against) = (is_one_of_them(sides[i].0), sides[i].1.is_some_and(is_one_of_them));
             f64::from(i8::from(on) - i8::from(against))
         };
-        let way = seen_from(contacts, &first.twist, &sign, touches);
+        let way = seen_from(engine, &first.twist, &sign, touches);
         if matches!(way, WayOut::TipsOver { .. } | WayOut::TurnsAbout { .. }) {
             for body in &mut bodies {
                 body.way = way.clone();
@@ -158,13 +157,13 @@ fn difference(a: &Twist<3>, b: &Twist<3>) -> Twist<3> {
 /// The name of the motion of an object with this twist, from the contacts that touch it. `sign` is 1 for a contact whose normal points into the object,
 /// -1 for one whose normal points out of it, and 0 for contacts of other objects.
 fn seen_from(
-    contacts: &[Contact<3>],
+    engine: &Engine,
     twist: &Twist<3>,
     sign: &dyn Fn(usize) -> f64,
     touches: &dyn Fn(usize) -> bool,
 ) -> WayOut<3> {
     let velocity = |point: &SVector<f64, 3>| twist.moves(point);
-    let parts = WholeContacts::of(contacts);
+    let (contacts, parts) = (engine.contacts(), engine.wholes());
     let touches = |i: usize| sign(i) != 0.0 && touches(i);
     let touching = parts.with(&touches);
     let places = parts.mean(&|i| contacts[i].point);
@@ -183,7 +182,7 @@ fn seen_from(
     // A velocity v leads away from the finger if it is more than 45° above its surface.
     let goes_away = |v: &SVector<f64, 3>, n: &SVector<f64, 3>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
     let opens = |part: &WholeContact| {
-        let may_open = contacts[parts.ranges()[part.contact].start].hold == Hold::Unilateral;
+        let may_open = contacts[parts[part.contact].range.start].hold == Hold::Unilateral;
         may_open && !stays(part) && goes_away(&moves[part.contact], &normals[part.contact])
     };
     let point_stays = |i: usize| velocity(&contacts[i].point).norm() <= STANDS * fastest;

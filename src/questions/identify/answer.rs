@@ -18,7 +18,7 @@ pub struct Identified {
     /// How the search ended.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub ending: Ending,
-    /// Number of slips.
+    /// Number of slips from which the unknowns are estimated.
     pub slips: usize,
     /// Number of groups of slips that may share errors; `None` if all slips are independent.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -51,7 +51,7 @@ pub struct Identified {
     pub iterations: usize,
 }
 
-/// One unknown.
+/// The estimate of one unknown, with its error.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -92,14 +92,14 @@ pub enum Ending {
     Converged,
     /// The limit of steps was reached before convergence: the estimates may still change.
     NotConverged {
-        /// The limit.
+        /// The limit of steps.
         iterations: usize,
     },
     /// The model does not predict a slip at the start of the search, or where the search had to stop.
     NotPredicted {
         /// The slip, from 0.
         slip: usize,
-        /// The reason.
+        /// The reason why the model predicts no slip.
         says: String,
     },
 }

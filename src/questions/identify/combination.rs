@@ -79,7 +79,7 @@ impl FreeCombination {
 enum Law {
     /// A product or ratio, for steps of any length.
     Powers,
-    /// The sum.
+    /// The sum of the unknowns.
     Sum,
     /// Another function with the same first derivatives.
     Nearby,

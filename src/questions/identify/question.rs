@@ -12,7 +12,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 #[cfg(feature = "serde")]
 use crate::grasp::Wrench;
-use crate::grasp::{WholeContacts, inside, outside};
+use crate::grasp::{inside, outside};
 use crate::numerics::mapped;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -237,13 +237,13 @@ impl Grasp<3> {
         if self.refuse_hands("identify").is_err() {
             return Err(LAYOUTS_OF_HANDS);
         }
-        let parts = WholeContacts::of(self.contacts());
+        let parts = self.engine.wholes();
         let middles = parts.mean(&|i| self.contacts()[i].point);
         let (mut contacts, mut count) = (self.contacts().to_vec(), 0);
-        for (range, middle) in parts.ranges().iter().zip(middles) {
-            if contacts[range.start].link.is_none() {
+        for (part, middle) in parts.iter().zip(middles) {
+            if part.label.link.is_none() {
                 let point = points.get(count).copied().unwrap_or(middle);
-                for contact in &mut contacts[range.clone()] {
+                for contact in &mut contacts[part.range.clone()] {
                     // For a contact of a single point the difference in brackets is zero. It is formed first, so that no digit of the new point is
                     // lost.
                     contact.point = point + (contact.point - middle);

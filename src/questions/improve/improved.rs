@@ -10,9 +10,9 @@ use super::question::Improve;
 use super::tolerances::ROUNDED_MULTIPLIER;
 use crate::ask::Grasp;
 use crate::error::Error;
-use crate::grasp::{WholeContacts, inside, outside};
+use crate::grasp::{inside, outside};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Draw, in_order, increasing};
+use crate::numerics::{Draw, in_order, increasing, indexed, moved};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -163,29 +163,21 @@ impl Improved<3> {
 
 fn placed(choice: &Choice<'_>, held: &Held) -> Vec<Placed<3>> {
     let contacts = choice.contacts(&held.placing);
-    let parts = WholeContacts::of(&choice.given);
-    let mut all = Vec::with_capacity(contacts.len());
-    for (i, contact) in contacts.iter().enumerate() {
-        for part in parts.with(&|k| k == i) {
-            all.push(Placed {
-                contact: part,
-                surface: choice.question.surface_of(i).map(|surface| surface.name().to_owned()),
-                point: contact.point,
-                normal: contact.normal.normalize(),
-                tangent: held.placing.tangents[i],
-                command: contact.command,
-                moved: (contact.point - choice.given[i].point).norm(),
-                pressed_with: held.placing.presses[i],
-                normal_force: held.sticking.at_rest(i)[0],
-            });
-        }
-    }
-    all
+    indexed(&contacts, &|(i, contact)| Placed {
+        contact: choice.wholes.at(i).with(1),
+        surface: choice.question.surface_of(i).map(|surface| surface.name().to_owned()),
+        point: contact.point,
+        normal: contact.normal.normalize(),
+        tangent: held.placing.tangents[i],
+        command: contact.command,
+        moved: (contact.point - choice.given[i].point).norm(),
+        pressed_with: held.placing.presses[i],
+        normal_force: held.sticking.at_rest(i)[0],
+    })
 }
 
 fn in_the_way(choice: &Choice<'_>, held: &Held, last: &LastStep) -> Vec<InTheWay> {
     let LastStep { step, events, bounds, rooms } = last;
-    let parts = WholeContacts::of(&choice.given);
     let mut all: Vec<(usize, Binds)> = Vec::new();
     let mut shares: Vec<(usize, Option<usize>, f64)> = Vec::new();
     for (event, share) in events.iter().zip(&step.events) {
@@ -229,11 +221,5 @@ fn in_the_way(choice: &Choice<'_>, held: &Held, last: &LastStep) -> Vec<InTheWay
             }
         }
     }
-    let mut told = Vec::with_capacity(all.len());
-    for (contact, binds) in all {
-        for contact in parts.with(&|k| k == contact) {
-            told.push(InTheWay { contact, binds });
-        }
-    }
-    told
+    moved(all, &|(point, binds)| InTheWay { contact: choice.wholes.at(point).with(1), binds })
 }

@@ -9,7 +9,7 @@ use super::tolerances::OFF_THE_SURFACE;
 use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::Error;
-use crate::grasp::{Contact, Hold, Space};
+use crate::grasp::{Contact, Hold, Space, WholeContacts};
 use crate::numerics::{Draw, largest, numbered};
 use crate::prelude::*;
 
@@ -34,7 +34,9 @@ pub(super) enum DesignKind {
 #[derive(Debug)]
 pub(super) struct Choice<'q> {
     pub(super) question: &'q Improve<3>,
-    pub(super) given: Vec<Contact<3>>,
+    pub(super) given: &'q [Contact<3>],
+    /// The given contacts, each with its points.
+    pub(super) wholes: &'q WholeContacts,
     pub(super) settings: &'q Settings,
     /// The first tangents of the given contacts.
     tangents: Vec<SVector<f64, 3>>,
@@ -54,7 +56,7 @@ pub(super) struct Placing {
 impl<'q> Choice<'q> {
     /// The variables of a question, and their values in the given grasp. A contact that does not lie on its surface is refused.
     pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, Placing), Error> {
-        let given = grasp.contacts().to_vec();
+        let given = grasp.contacts();
         let tangents: Vec<SVector<f64, 3>> =
             grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
         let length = grasp.engine.length();
@@ -92,7 +94,8 @@ impl<'q> Choice<'q> {
             }
         }
         let (settings, tangents_given) = (grasp.settings(), tangents.clone());
-        let choice = Self { question, given, settings, tangents: tangents_given, variables };
+        let wholes = grasp.engine.wholes();
+        let choice = Self { question, given, wholes, settings, tangents: tangents_given, variables };
         Ok((choice, Placing { spots, tangents, presses }))
     }
 

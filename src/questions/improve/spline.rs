@@ -74,7 +74,7 @@ impl Spline {
         if self.points.len() < 2 { 0.0 } else { least }
     }
 
-    /// The last parameter.
+    /// The parameter of the last point.
     pub(super) fn end(&self) -> f64 {
         self.at.last().copied().unwrap_or(0.0)
     }

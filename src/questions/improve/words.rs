@@ -16,7 +16,7 @@ impl<const C: usize> fmt::Display for Improved<C> {
 }
 
 impl Improved<3> {
-    /// Writes the sentence.
+    /// Writes the answer as a sentence.
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let is_reserve = self.goal == ImproveGoal::Reserve;

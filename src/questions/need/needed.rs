@@ -13,8 +13,8 @@ use super::tried::{Look, Tried};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
-use crate::grasp::{WholeContacts, Wrench, inside};
-use crate::numerics::largest;
+use crate::grasp::{ContactPoints, Wrench, inside};
+use crate::numerics::{largest, mapped, summed};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
@@ -215,16 +215,16 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
 fn presses(grasp: &Grasp<3>, squeeze: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
     let squeezed = grasp.squeezed(squeeze)?;
     let Outcome::Equilibrium(state) = squeezed.solve(Wrench::ZERO)? else { return Ok(Default::default()) };
-    let parts = WholeContacts::of(grasp.contacts());
-    let forces = parts.sum(&|i| state.contacts[i].force[0]);
-    let mut presses = Vec::new();
-    for part in parts.with(&|_| true) {
-        let force = forces[part.contact];
-        let points = parts.ranges()[part.contact].clone();
-        let pressure = pressure_of_cup(&squeezed.contacts()[points.clone()]);
-        let is_set = points.into_iter().any(|point| grasp.is_set_by_itself(point));
-        presses.push(Press { part, force, is_set, pressure });
-    }
+    let press = |contact: &ContactPoints| {
+        let points = contact.range.clone();
+        Press {
+            part: contact.with(points.len()),
+            force: summed(&state.contacts[points.clone()], &|point| point.force[0]),
+            pressure: pressure_of_cup(&squeezed.contacts()[points.clone()]),
+            is_set: points.into_iter().any(|point| grasp.is_set_by_itself(point)),
+        }
+    };
+    let presses = mapped(grasp.engine.wholes(), &press);
     // Contacts held by a constant force are at their limit by design and are not listed.
     let mut at_their_limit = Vec::new();
     for joint in &state.joints {

@@ -62,9 +62,11 @@ impl Range {
         for _ in 0..60 {
             let here = loading(at)?;
             let load = here.to_balance()[which];
-            let Some(motion) = here.grasp.unbalanced_along(&load)? else { break };
+            let Some(motion) = here.grasp.engine.unbalanced_along(&load, here.grasp.settings())? else {
+                break;
+            };
             let there = loading(end)?;
-            let works = |of: &Loading| of.grasp.work_along(&of.to_balance()[which], &motion);
+            let works = |of: &Loading| of.grasp.engine.work_along(&of.to_balance()[which], &motion);
             let (work, beyond) = (works(&here)?, works(&there)?);
             // The load does positive work along the motion at both ends, so that no forces balance it between them.
             if beyond >= 0.0 || at == end {
@@ -92,8 +94,8 @@ impl Range {
         let left = |amount: f64| {
             let here = loading(amount)?;
             for load in here.to_balance() {
-                if let Some(motion) = here.grasp.unbalanced_along(&load)? {
-                    return Ok::<_, Error>(Some(here.grasp.work_along(&load, &motion)?));
+                if let Some(motion) = here.grasp.engine.unbalanced_along(&load, here.grasp.settings())? {
+                    return Ok::<_, Error>(Some(here.grasp.engine.work_along(&load, &motion)?));
                 }
             }
             Ok(None)

@@ -6,7 +6,7 @@ use super::round::Round;
 use super::tolerances::{NEAR_THE_LIMIT, NEAR_THE_LIMIT_ON_ARCS};
 use super::verdict::{Repeats, Shaken};
 use crate::error::Error;
-use crate::grasp::{BodyMotion, Engine, WholeContact, WholeContacts, Wrench};
+use crate::grasp::{BodyMotion, Engine, WholeContact, Wrench};
 use crate::load_path::{CycleState, Cycles, Leg, PathEnd, Ramp};
 use crate::numerics::mapped;
 use crate::prelude::*;
@@ -235,7 +235,7 @@ impl<'g> Shaking<'g, '_> {
     }
 
     fn parts(&self, is_meant: &dyn Fn(usize) -> bool) -> Vec<WholeContact> {
-        WholeContacts::of(self.engine.contacts()).with(is_meant)
+        self.engine.wholes().with(is_meant)
     }
 
     /// The verdict from a cycle that repeats itself. `number` counts it from rest; it is `None` for the limit of a sequence of cycles.

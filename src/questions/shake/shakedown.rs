@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector, Matrix, SVector};
 use crate::contact::{Edges, Fit, PolygonCone};
 use crate::equilibrium::StickingResponse;
 use crate::error::Error;
-use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
+use crate::grasp::{Engine, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{indexed, largest, mapped};
@@ -53,7 +53,7 @@ pub struct BindingContact {
     /// The number of the load, from 0; `None` for the load at rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub load: Option<usize>,
-    /// The contact.
+    /// The contact at its limit of friction.
     pub contact: WholeContact,
 }
 
@@ -113,7 +113,6 @@ impl Engine {
         for (((i, axis), _), size) in slips.iter().zip(&sizes) {
             told[*i][*axis] = *size;
         }
-        let parts = WholeContacts::of(self.contacts());
         let most = multipliers.iter().copied().fold(0.0, f64::max);
         let mut binding = Vec::new();
         for k in 0..=under.len() {
@@ -123,7 +122,7 @@ impl Engine {
                 };
                 program.of.iter().zip(&multipliers).any(of)
             };
-            let of = parts.with(&binds).into_iter();
+            let of = self.wholes().with(&binds).into_iter();
             binding.extend(of.map(|contact| BindingContact { load: k.checked_sub(1), contact }));
         }
         let normal = slips.iter().flat_map(|(_, forces)| forces).map(|f| f[0].abs()).fold(0.0, f64::max);

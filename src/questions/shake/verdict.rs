@@ -16,7 +16,7 @@ use crate::serial::AsComputed;
 pub struct Shaken<const C: usize> {
     /// The load at rest, where every cycle begins and ends.
     pub base: Wrench<C>,
-    /// The verdict.
+    /// The behaviour in the long run.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub repeats: Repeats<C>,
     /// The period in cycles; amounts per cycle refer to it. It is 1 unless [friction falls](crate::grasp::Contact::kinetic) as contacts begin to

@@ -25,7 +25,7 @@ pub enum LeastSqueeze<const C: usize> {
     NoFactor {
         /// The contact, from 0.
         contact: usize,
-        /// The load.
+        /// The load under which the contact does not stick.
         load: Wrench<C>,
         /// The least factor that other conditions need.
         factor: f64,

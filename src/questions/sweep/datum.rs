@@ -1,27 +1,19 @@
 //! The data that are not known exactly, one by one.
 
-use core::ops::Range;
-
 use super::off::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;
 use crate::equilibrium::Parameter;
 use crate::error::Error;
-use crate::grasp::Engine;
+use crate::grasp::{ContactPoints, Engine};
 use crate::numerics::unit;
 use crate::prelude::*;
 
 /// One datum, with its error of one σ.
 pub(super) enum UncertainDatum {
-    /// Errors of a contact, or of all points of the soft fingertip whose first point it is.
+    /// Errors of all points of a contact.
     OfContact(usize, ContactErrors),
     /// The logarithm of the stiffness of a joint.
     OfJoint(usize, f64),
-}
-
-/// Indices of this contact, or of all points of the soft fingertip whose first point it is.
-fn points(of: &Engine, contact: usize) -> Range<usize> {
-    let further = of.contacts().iter().skip(contact + 1).take_while(|point| !point.begins_a_whole());
-    contact..contact + 1 + further.count()
 }
 
 impl UncertainDatum {
@@ -29,7 +21,7 @@ impl UncertainDatum {
     pub(super) fn engine(&self, of: &Engine, z: f64) -> Result<Engine, Error> {
         let mut contacts = of.contacts().to_vec();
         if let Self::OfContact(contact, errors) = self {
-            for point in &mut contacts[points(of, *contact)] {
+            for point in &mut contacts[of.wholes()[*contact].range.clone()] {
                 *point = errors.times(z).applied_to(point);
             }
         }
@@ -43,7 +35,8 @@ impl UncertainDatum {
     pub(super) fn parameters(&self, of: &Engine) -> Vec<(Parameter, f64)> {
         match self {
             Self::OfContact(contact, errors) => {
-                points(of, *contact).flat_map(|point| errors.parameters(of, point)).collect()
+                let points = of.wholes()[*contact].range.clone();
+                points.flat_map(|point| errors.parameters(of, point)).collect()
             }
             &Self::OfJoint(joint, sigma) => {
                 let drive = of.drives_of(joint).next();
@@ -61,8 +54,9 @@ impl Engine {
         let none = ContactErrors::default();
         let axes = self.space().axes();
         let mut data = Vec::new();
-        for (i, given) in self.contacts().iter().enumerate().filter(|(_, given)| given.begins_a_whole()) {
-            let mut add = |errors| data.push(UncertainDatum::OfContact(i, errors));
+        for ContactPoints { label, range } in self.wholes().iter() {
+            let given = &self.contacts()[range.start];
+            let mut add = |errors| data.push(UncertainDatum::OfContact(label.index, errors));
             if stiffness != 0.0 {
                 add(ContactErrors { stiffness, ..none });
             }

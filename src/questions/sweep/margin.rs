@@ -39,7 +39,7 @@ pub(super) struct UncertainForce<'a> {
     pub(super) changes: &'a [Effect],
     /// The standard deviations in reserve.
     pub(super) sigmas: f64,
-    /// σ of friction.
+    /// Standard deviation σ of the logarithm of friction.
     pub(super) friction: f64,
 }
 

@@ -10,9 +10,9 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Progress {
-    /// Questions answered so far.
+    /// Number of questions answered so far.
     pub answered: usize,
-    /// Questions in all.
+    /// Number of questions in all.
     pub of: usize,
 }
 

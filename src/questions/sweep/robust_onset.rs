@@ -131,8 +131,7 @@ impl Engine {
         let Uncertainty { friction, load, .. } = *uncertainty;
         let mut data = self.data(uncertainty);
         let rubs = ContactErrors { friction, ..ContactErrors::default() };
-        let wholes = (0..self.len()).filter(|i| self.contacts()[*i].begins_a_whole());
-        data.extend(wholes.map(|contact| UncertainDatum::OfContact(contact, rubs)));
+        data.extend((0..self.wholes().len()).map(|contact| UncertainDatum::OfContact(contact, rubs)));
         let mut moves = Vec::with_capacity(data.len() + 1);
         for datum in data {
             let mut sum = vec![0.0; leavers];

@@ -147,14 +147,14 @@ impl Engine {
             let (moved, tilt) = (displaced(uncertainty.position), displaced(uncertainty.normal));
             ContactErrors { friction, stiffness, squeeze, moved, tilt }
         };
-        let mut off = ContactErrors::default();
-        let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
-            if contact.begins_a_whole() {
-                off = drawn(i);
+        let mut contacts = self.contacts().to_vec();
+        for contact in self.wholes().iter() {
+            let off = drawn(contact.range.start);
+            for point in &mut contacts[contact.range.clone()] {
+                *point = off.applied_to(point);
             }
-            off.applied_to(contact)
-        });
-        self.with_data(contacts.collect(), &|drive| factor(drawn(self.len() + drive).stiffness))
+        }
+        self.with_data(contacts, &|drive| factor(drawn(self.len() + drive).stiffness))
     }
 
     /// Implements [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).

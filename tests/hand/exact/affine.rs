@@ -43,7 +43,7 @@ impl Affine {
     }
 }
 
-/// What a system of equations `row · x + constant = 0` determines.
+/// Result of a system of equations `row · x + constant = 0`.
 pub(super) enum Solved {
     Point(Vec<Q>),
     Nothing,

@@ -1,7 +1,7 @@
-//! A hand as plain numbers, and its equilibria by enumeration.
+//! The data of a hand as plain numbers, and its equilibria by enumeration.
 //!
-//! The oracle knows nothing of the library's coordinates: a joint is at one of its bounds or holds, a tendon is slack, taut or at its bound, a contact
-//! is open, sticks or slides either way. Every combination is a linear system for the twist and the joint displacements.
+//! This oracle does not use the library's coordinates. A joint holds or is at one of its bounds. A tendon is slack, taut or at its bound. A contact
+//! is open, sticks, or slides in either direction. Every combination is a linear system for the twist and the joint displacements.
 
 use grasp_lcp::Limit;
 use grasp_lcp::nalgebra::DMatrix;
@@ -49,7 +49,7 @@ pub(super) struct Scene {
     pub(super) load: [f64; 3],
 }
 
-/// What one part does: the force it exerts, and what must not be negative.
+/// One possible state of a part: the force that it exerts, and the quantities that must not be negative.
 struct Choice {
     forces: Vec<Affine>,
     conditions: Vec<Affine>,

@@ -1,4 +1,4 @@
-//! Planar hands and exhaustive enumeration in rationals say the same.
+//! The library agrees with exhaustive enumeration in rational arithmetic on planar hands.
 
 mod affine;
 mod census;

@@ -2,7 +2,7 @@
 
 use super::Integers;
 
-/// What is known about a problem.
+/// The known answer of a problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Known {
     Solvable,

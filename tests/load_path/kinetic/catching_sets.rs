@@ -1,7 +1,7 @@
-//! Where a jump ends, against every combination of contact states in exact rational arithmetic.
+//! A jump of slip ends in an equilibrium that enumeration of all contact states in exact rational arithmetic also finds.
 //!
-//! A jump must end in one of those that hold, with no more contacts sliding than any other one has; where something opens, which is no straight way, that is
-//! counted. Where a jump is not caught none of them holds, unless the library says that something does elsewhere.
+//! No other equilibrium has fewer sliding contacts. Jumps during which a contact opens are only counted, because the motion is then not straight. If
+//! a jump has no end, no combination is an equilibrium, unless the library reports that one exists elsewhere.
 
 use grasp_lcp::planar::{Beyond, Change, ContactState, Grasp, Jump, Leg, PathEnd};
 use num_traits::ToPrimitive;
@@ -78,7 +78,7 @@ fn jumps_end_where_rationals_say() {
         let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{looked}: {:?}", path.end()) };
         assert!((loss.fraction - 0.5).abs() < 1e-12);
         if loss.jumped.is_empty() {
-            // With friction of rest nothing goes on either.
+            // No rates continue it with static friction either.
             tally.at_the_edge += 1;
         } else {
             match path.beyond() {

@@ -1,4 +1,4 @@
-//! Two feet and a slider, in closed form.
+//! Jumps of slip of two feet and of a slider agree with closed forms.
 
 use grasp_lcp::load_path::Parameter;
 use grasp_lcp::planar::{Change, PathEnd};
@@ -137,7 +137,7 @@ fn a_load_that_turns_jumps_as_a_straight_one() {
     assert!(matches!(events[1].changes[0].what, Change::Sticks) && (events[1].fraction - 0.5).abs() < 1e-9);
 }
 
-/// In steps with pauses, a slider sticks and slips: each time the foot is at rest it takes 5 N to go on, and drops to 4 N.
+/// In steps with pauses, a slider sticks and slips: after each rest of the foot it takes 5 N to move on, and friction drops to 4 N.
 #[test]
 fn a_pause_lets_friction_of_rest_come_back() {
     let grasp = slider(1000.0);

@@ -1,4 +1,4 @@
-//! A contact that closes sliding has no friction to lose: it slides with the lower one from the beginning, and nothing jumps.
+//! A contact that closes while it slides has no static friction to lose. It slides with the kinetic coefficient at once, without a jump.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};

@@ -1,4 +1,4 @@
-//! A planar grasp in space, turned anyhow, on the round cone and on a polygon: it jumps at the same load to the same forces.
+//! A planar grasp placed in space in any orientation jumps at the same load to the same forces, on the round cone and on a polygon.
 
 use grasp_lcp::{planar, spatial};
 use nalgebra::{Rotation3, Vector3};

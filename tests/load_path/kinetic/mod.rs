@@ -1,4 +1,4 @@
-//! Friction that is lower once contacts slide.
+//! Friction that falls from a static to a kinetic value when a contact slides.
 
 mod catching_sets;
 mod closed_forms;

@@ -1,10 +1,10 @@
-//! As friction of sliding comes near that of rest, paths and their events come near those without, in proportion.
+//! If the kinetic coefficient approaches the static one, paths and events converge, in proportion, to those with one coefficient.
 
 use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd, Ramp};
 use support::kinetic::{Datum, Scene};
 use support::samples::{assert_met, samples, seeded};
 
-/// Who does what, in order.
+/// Contacts and kinds of their changes, in order.
 fn story(events: &[Event]) -> Vec<(usize, std::mem::Discriminant<Change>)> {
     events
         .iter()

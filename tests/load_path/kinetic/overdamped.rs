@@ -1,11 +1,10 @@
-//! What a jump stands for: an object that moves through something viscous, followed in small steps of time.
+//! A jump of slip ends where an object in a viscous medium comes to rest. The motion is integrated in small time steps:
 //!
 //! ```text
 //! q' = W + Σ G_i F_i,      F_i by the law of each contact: at rest up to μ_s F_n, sliding with μ_k F_n until it comes to rest
 //! ```
 //!
-//! Nothing here is shared with the library but the state at the first slip. Which way an object takes depends on what it moves through; where it comes to
-//! rest mostly does not.
+//! Only the state at the first slip comes from the library. The path of the object depends on the medium; its place of rest mostly does not.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Wrench;
@@ -17,7 +16,7 @@ use support::splitmix::Random;
 
 /// So many steps of time are made at most.
 const STEPS: usize = 60_000;
-/// Farther than so many times the squeeze nothing comes back.
+/// Displacement, relative to the squeeze, beyond which the object counts as lost.
 const FAR: f64 = 1e3;
 
 /// A contact in time.
@@ -167,7 +166,7 @@ fn compare<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
     tally
 }
 
-/// Tells the tally, and the median, the ninth tenth and the most of the differences.
+/// Prints and returns the counts, and the median, the ninth decile and the maximum of the differences.
 fn told<const D: usize, const C: usize>(count: usize, seed: u64) -> (Tally, [f64; 3]) {
     let tally = compare::<D, C>(count, seed);
     let last = tally.apart.len() - 1;

@@ -1,12 +1,13 @@
-//! A pad of many points: they slide one after the other, and each leaves to the others what it loses.
+//! On a pad of many points each point that starts to slide passes the lost friction on to the others. The limit load is a closed form.
 //!
-//! Points that are pressed with `p = 1 - ξ²` under a rigid block stretch by the same x. At `y = k x / μ_s` those beyond `ξ_s² = 1 - y` slide, and all together carry
+//! Points pressed with `p = 1 - ξ²` under a rigid block have the same tangential stretch x. At `y = k x / μ_s` the points beyond `ξ_s² = 1 - y`
+//! slide. All points together carry
 //!
 //! ```text
 //! F / μ_s = 2 y ξ_s + 2 r (2/3 - ξ_s + ξ_s³/3),      r = μ_k/μ_s,      most at ξ_s² = (1 - r)/(3 - r)
 //! ```
 //!
-//! At rest alone it would be `4/3 μ_s`. A pad of finitely many points is lost near that load, and the nearer the more there are.
+//! With static friction alone the limit is `4/3 μ_s`. A pad of n points is lost close to this maximum, and closer with growing n.
 
 use grasp_lcp::planar::{Contact, Grasp, Leg, PathEnd, Wrench};
 

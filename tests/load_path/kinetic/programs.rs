@@ -1,4 +1,5 @@
-//! Programs of several legs, to and fro: at every event and at the end what sticks is within its friction of rest, and what slides has that of sliding.
+//! In programs of several legs to and fro, at every event and at the end, sticking contacts are within static friction and sliding contacts have
+//! kinetic friction.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
@@ -49,7 +50,7 @@ fn programs<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
         let mut begun = true;
         for event in path.by_ref() {
             let context = format!("{number}: leg {} at {}", event.leg, event.fraction);
-            // At the very start states are those with which it goes on.
+            // At the very start of a path, states are those after the first event.
             if !begun {
                 obeys(&event.state, &friction, &mut tally, &context);
             }

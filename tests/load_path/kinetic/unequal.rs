@@ -1,4 +1,4 @@
-//! Contacts whose friction falls unequally as they begin to slide together: symmetric grasps, where several reach their edge at one load.
+//! Jumps are followed if several contacts start to slide at one load and their friction falls by different amounts. The scenes are symmetric grasps.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -32,7 +32,7 @@ fn contact<const C: usize>(random: &mut Random) -> grasp_lcp::grasp::Contact<C> 
 /// Of fingers that press with some newtons.
 const NOTHING: f64 = 1e-12;
 
-/// Whether every contact is in its cone of rest, and forces balance. Where nothing presses any more what is left of forces is rounding.
+/// Whether every contact is inside its static cone, and forces balance. If nothing presses any more, remaining forces are rounding.
 fn obeys<const C: usize>(grasp: &ask::Grasp<C>, state: &Equilibrium<C>) -> bool {
     let largest = state.largest_force();
     let inside = grasp.contacts().iter().zip(&state.contacts).all(|(contact, answer)| {

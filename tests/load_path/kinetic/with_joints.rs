@@ -1,4 +1,4 @@
-//! Two feet that jump at 7.5 N from 5 and 2.5 N to 4 and 3.5 N, as compliant fingers of a hand and as feet between two bodies.
+//! Two feet jump at 7.5 N from 5 and 2.5 N to 4 and 3.5 N. The result is the same for compliant fingers of a hand and for feet between two bodies.
 
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::hand::{Finger, Hand};

@@ -23,7 +23,7 @@ pub struct Scene<const C: usize> {
     load: Wrench<C>,
 }
 
-/// What presses a finger, N.
+/// How a finger is pressed, N.
 #[derive(Clone, Copy)]
 enum Press {
     Command(f64),
@@ -174,7 +174,7 @@ pub fn arm<const C: usize>() -> Quantity<C> {
     )
 }
 
-/// What a metre more adds to the load: a moment.
+/// Change of the load for one more metre of arm: a moment.
 fn metre<const C: usize>(scene: &Scene<C>) -> Wrench<C> {
     let size = scene.load.components()[..C].iter().map(|x| x * x).sum::<f64>().sqrt();
     let moment: Vec<_> =

@@ -9,7 +9,7 @@ const LEANS: f64 = 0.436;
 const APART: f64 = 0.002;
 const GRAVITY: f64 = 9.81;
 
-/// A point where a card stands on another card or on the table, or leans on it.
+/// A point where a card touches another card or the table.
 struct Touching {
     on: usize,
     against: Option<usize>,

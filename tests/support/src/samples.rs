@@ -33,7 +33,7 @@ pub fn config(default: usize) -> Config {
     }
 }
 
-/// What draws the scenes of a property outside of `proptest!`, the same in every run.
+/// The random generator for scenes of a property outside of `proptest!`, the same in every run.
 pub fn runner(config: Config) -> TestRunner {
     let rng = match variable("GRASP_LCP_SEED") {
         None => TestRng::deterministic_rng(RngAlgorithm::ChaCha),

@@ -1,5 +1,5 @@
-//! The paper's second example along its load, by complementarity and by the paper's own quadratic program. Both are equal while everything sticks;
-//! beyond, the program returns numbers without an equilibrium.
+//! The paper's second example under its growing load, by complementarity and by the paper's quadratic program. Both agree while everything sticks;
+//! beyond, the minimum of the program is no equilibrium.
 //!
 //! `cargo run --release -p reports --bin compare_with_energy_qp`
 
@@ -45,7 +45,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
         }
         println!("   {:.6}       {}", minimum.out_of_balance().0, comparison.verdict);
 
-        // The same program in all displacements, by Lemke's method and by an interior-point method.
+        // The program as printed in the paper, in all displacements, by Lemke's method and by an interior-point method.
         let printed = grasp.energy().printed_qp(load, &settings.cone)?;
         let QpOutcome::Minimum(lemke) = printed.program.solve()? else { return Err("no minimum".into()) };
         let Oracle::Minimum(interior, _) = interior_point(&printed.program) else {
@@ -70,7 +70,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
     Ok(())
 }
 
-/// The next power of ten: digits below the tolerance of an iterative method have no meaning.
+/// The next larger power of ten, since digits below the tolerance of an iterative method have no meaning.
 fn ceil(x: f64) -> f64 {
     10f64.powf(x.log10().ceil())
 }
@@ -89,7 +89,7 @@ fn beyond_first_order(grasp: &Grasp) -> Result<()> {
     Ok(())
 }
 
-/// The minimum power principle with given normal forces, beside Coulomb's law. Fingers slide over an object that settles on soft rests.
+/// The minimum power principle with given normal forces, compared with Coulomb's law. Fingers slide over an object that settles on soft rests.
 fn power() -> Result<()> {
     println!(
         "\nMinimum power principle, normal forces given: two sliding fingers and soft rests, W = 0.5 N\n"
@@ -151,7 +151,7 @@ fn power() -> Result<()> {
     Ok(())
 }
 
-/// Forces of the fingers, and the load that they have to carry.
+/// Draws the forces of the fingers against the load that they must balance.
 fn picture(grasp: &Grasp, onset: f64) -> Result<()> {
     let (mut coulomb, mut program, mut missing) = (vec![], vec![], vec![]);
     for step in 0..=32 {

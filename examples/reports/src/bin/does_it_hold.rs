@@ -1,8 +1,8 @@
-//! Are verdicts on everyday grippers decided around the load at which they are lost, and how long do they take?
+//! Does `hold` decide everyday grippers under loads close to the largest one that they hold, and how long does it take?
 //!
 //! `cargo run --release -p reports --bin does_it_hold [how many]`
 //!
-//! Opposed soft jaws that are pulled along their faces keep their normal forces: they hold 2 μ N. Each gripper gets loads around that.
+//! Opposed soft jaws that are pulled along their faces keep their normal forces N, so that they hold 2 μ N. Each gripper gets loads around this.
 
 use std::time::Instant;
 
@@ -48,7 +48,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Two rings that face each other, and the load that they hold.
+/// Two ring-shaped soft pads that face each other, and the load that they hold, N.
 fn gripper(random: &mut Random, points: usize) -> Result<(Grasp, f64), grasp_lcp::Error> {
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
     let (friction, press, radius) = (between(0.1, 1.0), between(1.0, 100.0), between(0.003, 0.015));

@@ -1,5 +1,5 @@
-//! A finger drags a body round a corner: its sliding direction turns, and the dragged body follows a tractrix. The load path on the round cone
-//! against paths on polygons: error and run time, beside Leibniz's curve.
+//! A finger drags a body round a corner: the direction of sliding turns, and the body follows a tractrix, Leibniz's curve. Compares error and run time
+//! of the load path on the round cone with those of paths on polygons.
 //!
 //! `cargo run --release -p reports --bin dragged_body`
 

@@ -1,8 +1,8 @@
-//! Everyday grasps in space far beyond the onset: how many equilibria and load paths are decided, and how long they take.
+//! Everyday grasps in space far beyond the onset of sliding: how many equilibria and load paths are decided, and how long does it take?
 //!
 //! Three to twelve fingers in a ring, on two faces or over a ball, with a growing weight, a push or a twist, and default settings. Loads are
 //! multiples of the load at the onset of sliding. Each path goes from no load until it ends, or to ten times the squeeze. Pinches of soft fingertips
-//! follow. Then come odd programs: fingers at unequal heights, uneven friction and stiffness, a weight held before, forces with moments, fingers
+//! follow, and odd load programs: fingers at unequal heights, uneven friction and stiffness, a weight held before, forces with moments, fingers
 //! released and pressed on again. For these the state is computed at 2 001 fractions.
 //!
 //! `cargo run --release -p reports --bin everyday_grasps [-- number of grasps of each kind]` (4 by default)
@@ -84,7 +84,7 @@ fn load(load: Load, numbers: &mut Random) -> Wrench {
     }
 }
 
-/// Times in ms, and the number of answers of each kind.
+/// Run times, ms, and the number of answers of each kind.
 #[derive(Default)]
 struct Tally {
     times: Vec<f64>,
@@ -179,7 +179,7 @@ fn main() -> Result<(), Failure> {
 /// Number of states requested of each odd path, over all legs.
 const FRACTIONS: usize = 2001;
 
-/// Follows `count` odd programs of each family: how they end, and whether every passed fraction has a state.
+/// Follows `count` odd programs of each family, and prints how they end and whether the state is known at every fraction that was passed.
 fn odd_paths(count: usize) -> Result<(), Failure> {
     println!("\n  odd programs                     paths     median     99 %  longest");
     let mut untold = [0, 0];
@@ -224,8 +224,8 @@ fn followed<const C: usize>(
     Ok(())
 }
 
-/// Pinches of two or three soft fingertips, 12 to 96 springs, sheared and twisted until they are lost: by every event and in steps. Beyond the limit
-/// an object that has turned far and wedged itself may be held again, so there is seldom a proof.
+/// Pinches of two or three soft fingertips with 12 to 96 springs are sheared and twisted until they are lost: from event to event, and in steps.
+/// Beyond the limit load an object that has turned far may wedge and be held again, so that a proof of non-existence is rare.
 fn soft_tips(count: usize) -> Result<(), Failure> {
     let (mut events, mut steps, mut loads) = (Tally::default(), Tally::default(), Tally::default());
     let (mut random, mut apart) = (Random(1), 0.0_f64);

@@ -1,4 +1,4 @@
-//! From a mesh to a verdict: the time that a mug of 10⁵ triangles takes, and the points that a line contact takes.
+//! From a mesh to a verdict: the run time for a mug of 10⁵ triangles, and the number of points that a line contact needs.
 //!
 //! `cargo run --release -p reports --bin from_mesh`
 
@@ -11,12 +11,12 @@ use support::best_time::timed;
 
 type Failure = Box<dyn Error>;
 
-/// Sides of the mug around its axis.
+/// Number of sides of the mug, a prism around its axis.
 const SIDES: usize = 500;
-/// A rubber layer, Pa and m.
+/// Young's modulus, Pa, and thickness, m, of a rubber layer.
 const LAYER: (f64, f64) = (2e6, 0.003);
 
-/// Triangles of a surface of revolution about z: each line of the section gives a strip.
+/// Triangles of a surface of revolution about z: each line segment of the section gives a strip around the axis.
 fn revolved(section: &[[f64; 2]], sides: usize) -> Vec<[[f64; 3]; 3]> {
     let point = |[r, z]: [f64; 2], i: usize| {
         let angle = TAU * (i % sides) as f64 / sides as f64;
@@ -101,7 +101,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The force along x on a part that stays in place, N, and the number of rows of points that press.
+/// The force of the jaw along x on a fixed part, N, and the number of rows of points that press.
 fn pressed(touched: Touched) -> Result<(f64, usize), Failure> {
     let anchor =
         |y: f64, z: f64| Contact::new([0.0, y, z], [0.0, 0.0, 1.0]).series_stiffness(1e15, 1e15).bonded();

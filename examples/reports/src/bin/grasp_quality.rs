@@ -1,5 +1,5 @@
-//! Measures of grasp planners beside the behaviour of these fingers. First force closure, the measure of Ferrari and Canny, and limit analysis; then
-//! the onset of sliding and the limit load of the same fingers as springs, with their squeeze.
+//! Quality measures of grasp planners, compared with the loads that the same fingers hold. The measures are force closure, that of Ferrari and Canny,
+//! and limit analysis; the loads are the onset of sliding and the limit load of elastic fingers with their squeeze.
 //!
 //! `cargo run --release -p reports --bin grasp_quality`
 
@@ -17,7 +17,7 @@ const WEIGHT: f64 = 5.0;
 /// Largest normal force of a finger, N.
 const MOST: f64 = 20.0;
 
-/// Fingers in a ring at these angles (degrees) and heights (m); they press so that the jar stays in place.
+/// Fingers in a ring at these angles (degrees) and heights (m); their squeeze is balanced.
 fn ring(fingers: &[(f64, f64)], press: f64) -> Result<Grasp, grasp_lcp::Error> {
     let tip = |&(degrees, height): &(f64, f64)| {
         let (sin, cos) = f64::to_radians(degrees).sin_cos();
@@ -29,7 +29,7 @@ fn ring(fingers: &[(f64, f64)], press: f64) -> Result<Grasp, grasp_lcp::Error> {
     Grasp::new(fingers.iter().map(tip))
 }
 
-/// Three fingers under its bottom, which carry it without a squeeze.
+/// Three fingers under the bottom of the jar, which carry it without a squeeze.
 fn from_below() -> Result<Grasp, grasp_lcp::Error> {
     let tip = |degrees: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();

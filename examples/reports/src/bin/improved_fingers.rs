@@ -1,4 +1,4 @@
-//! Does the placement of fingers reach an optimum from any start, and how long does that take?
+//! Does `improve` reach the best placement of fingers from any start, and how long does it take?
 
 use std::f64::consts::TAU;
 use std::time::Instant;
@@ -8,7 +8,7 @@ use grasp_lcp::planar::{Contact, Grasp, Loads, Wrench};
 use grasp_lcp::spatial;
 use rayon::prelude::*;
 
-/// Random starts of each case, and steps of the grid around the circle.
+/// Number of random starts of each case, and of steps of the grid around the circle.
 const STARTS: usize = 200;
 const STEPS: usize = 120;
 const RADIUS: f64 = 0.05;
@@ -27,7 +27,7 @@ fn told(what: &str, after: Option<f64>, exact: f64, residual: Option<f64>) {
     println!("{what:42} {after:13.9} N {off:11.1e} {residual:10.1e}");
 }
 
-/// A load at the distance e is balanced if one jaw is higher by 2 μ e: both carry half, 2 μ N in all.
+/// Two jaws under a load at the distance e. If one jaw is higher by 2 μ e, both carry half, and the grasp holds 2 μ N.
 fn pinch() -> Result<(), grasp_lcp::Error> {
     let jaw =
         |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(8.0);
@@ -41,7 +41,7 @@ fn pinch() -> Result<(), grasp_lcp::Error> {
     Ok(())
 }
 
-/// Three fingers at thirds of a disc, under a force of any direction: 3 N sin α.
+/// Three fingers on a disc under a force of any direction. The best grasp has them 120° apart and holds 3 N sin α.
 fn disc() -> Result<(), grasp_lcp::Error> {
     let fingers = [0.3, 1.9, 4.4].map(|angle| finger(angle, 1e3));
     let any = Loads::AnyForce { base: Wrench::ZERO, size: 1.0, point: [0.0; 2] };
@@ -50,7 +50,7 @@ fn disc() -> Result<(), grasp_lcp::Error> {
     Ok(())
 }
 
-/// Three fingers on a can under its weight: 3 μ N.
+/// Three fingers on a can under its weight; the best grasp holds 3 μ N.
 fn can() -> Result<(), grasp_lcp::Error> {
     let finger = |angle: f64, height: f64| {
         let (sin, cos) = angle.sin_cos();
@@ -77,7 +77,7 @@ fn around(loads: impl Into<Loads>) -> Improve<2> {
     Improve::new(loads).along(0, disc()).along(1, disc()).along(2, disc())
 }
 
-/// Random starts on a disc under two loads, beside the best of a grid of angles.
+/// Random starts on a disc under two loads, compared with the best grasp on a grid of angles.
 fn against_a_grid() -> Result<(), grasp_lcp::Error> {
     let loads = [Wrench::force([0.0, -1.0]), Wrench::new([0.5, 0.0], 0.01)];
     let first_slip = |angles: [f64; 3]| {

@@ -1,4 +1,4 @@
-//! How fast is the complementarity solver, and how exact?
+//! How fast and how accurate is the solver of linear complementarity problems?
 //!
 //! `cargo run --release -p reports --bin lcp_benchmark` prints a row for each family and size: the best time of several solves, the pivots, the
 //! largest scaled residual, and the time to verify the solution (a dash if that fails). With a directory as argument it also writes every problem there, as
@@ -73,7 +73,7 @@ fn timed(family: &str, problem: &Lcp, workspace: &mut Workspace) {
     println!("{family:<26} {:>5} {time:>12.2} {pivots:>7} {residual:>10.1e} {verified:>14}", problem.len());
 }
 
-/// A series with definite M whose q moves just far enough to change the basis by one pair.
+/// A series of problems with definite M, in which q changes just enough to change the basis by one pair.
 fn neighbours() -> Result<(), Box<dyn std::error::Error>> {
     let n = 100;
     let problem = definite(n, &mut Random(n as u64));
@@ -136,8 +136,8 @@ fn semidefinite(n: usize, random: &mut Random) -> Lcp {
     lcp(m.clone(), w - m * z)
 }
 
-/// A rigid body on n/5 springs with Coulomb friction in the plane, the free twist eliminated by a soft ground: per
-/// contact a normal force, two friction directions, their slip and a second spring; copositive, not symmetric.
+/// A rigid body on n/4 springs with Coulomb friction in the plane, on a soft ground that makes its motion unique. Each
+/// contact has a normal force, two friction directions and a slip rate; M is copositive and not symmetric.
 fn planar_contact(n: usize, random: &mut Random) -> Lcp {
     let contacts = n / 4;
     let size = 4 * contacts;
@@ -149,7 +149,7 @@ fn planar_contact(n: usize, random: &mut Random) -> Lcp {
             [[nx, ny, x * ny - y * nx], [ny, -nx, -x * nx - y * ny]]
         })
         .collect();
-    // Forces along a direction move the body by the compliance of the ground, and the contact by its own.
+    // A force displaces the body by the compliance of the ground, and the contact also by its own compliance.
     let compliance = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let mut m = DMatrix::zeros(size, size);
     let mut q = DVector::zeros(size);

@@ -1,8 +1,8 @@
-//! Limit surface of a round patch: the largest combined shear and torsion of a fingertip, and the cost of following the path to it.
+//! Limit surface of a round patch: the largest combined shear and torsion of a fingertip, and the run time of the path to it.
 //!
 //! `cargo run --release -p reports --bin limit_surface [most springs]` presses a disc of springs on a body that a stiff arm drags and turns, on the round cone.
 //!
-//! While everything slides the friction at a point is μp against its velocity, and the velocities are those of a rigid motion about some centre.
+//! While everything slides, the friction at a point is μp opposite to its velocity, and the velocities are those of a rigid rotation about a centre.
 //! Force and moment then lie on a closed surface, nearly an ellipse (Goyal, Ruina & Papadopoulos 1991; Howe & Cutkosky 1996). Under the pressure of
 //! Hertz it has `F = μN` in pure shear and `M = 3π/16 μN R` in pure torsion. In pure torsion rings of springs slide one after the other, which has a
 //! closed form.
@@ -20,11 +20,11 @@ use support::best_time::repeats;
 const RADIUS: f64 = 0.006; // m
 const PRESSED: f64 = 10.0; // N
 const FRICTION: f64 = 0.5;
-/// Tangential stiffness of the whole patch, N/m; that along the normal is 1.25 times as large.
+/// Tangential stiffness of the whole patch, N/m; the normal stiffness is 1.25 times as large.
 const SHEAR: f64 = 5e4;
-/// Stiffness of the arm over that of the patch.
+/// Stiffness of the arm relative to that of the patch.
 const ARM: f64 = 1e6;
-/// Way of the arm, in units of `μN / SHEAR`: springs have then lost the memory of their initial state.
+/// Displacement of the arm in units of `μN / SHEAR`, so large that forces no longer depend on the initial state of the springs.
 const FAR: f64 = 300.0;
 /// Directions between shear and torsion.
 const DIRECTIONS: usize = 24;
@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// A disc of springs under a body, and the ends of an arm that is fixed to it.
 struct Patch {
     grasp: Grasp,
-    /// Places (m) and normal forces (N).
+    /// Places (m) and normal forces (N) of the springs.
     springs: Vec<([f64; 2], f64)>,
 }
 
@@ -102,7 +102,7 @@ impl Patch {
         })
     }
 
-    /// The pull while everything slides with a rigid motion.
+    /// Shear force (N) and moment (N m) while all springs slide in a rigid motion.
     fn sliding(&self, (shift, turn): Motion) -> (f64, f64) {
         self.springs.iter().fold((0.0, 0.0), |(force, moment), ([x, y], press)| {
             let (vx, vy) = (shift - turn * y, turn * x);
@@ -111,7 +111,7 @@ impl Patch {
         })
     }
 
-    /// Force over μN and moment over 3π/16 μN R at the end of a drag in each direction.
+    /// Force over μN and moment over 3π/16 μN R at the end of a displacement in each direction.
     fn limit_surface(&self) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
         let far = FAR * FRICTION * PRESSED / SHEAR;
         let largest = (FRICTION * PRESSED, 3.0 * PI / 16.0 * FRICTION * PRESSED * RADIUS);
@@ -139,7 +139,7 @@ impl Patch {
         Ok(points)
     }
 
-    /// Pure torsion, ring by ring: `M(θ) = Σ r min(k r θ, μ F_n)`, the way back by Masing's rule.
+    /// Compares pure torsion, in which rings slide one by one, with `M(θ) = Σ r min(k r θ, μ F_n)` and, on the way back, Masing's rule.
     fn torsion(&self) -> Result<(), Box<dyn Error>> {
         let (mut worst, most) = (0.0_f64, 2.0 * FRICTION * PRESSED / SHEAR / RADIUS);
         let k = SHEAR / self.springs.len() as f64;
@@ -172,7 +172,7 @@ impl Patch {
     }
 }
 
-/// A jar in a ring of springs that all slide at once, drawn along its axis beyond its limit.
+/// A jar in a ring of springs that all slide at once, pulled along its axis beyond its limit load.
 fn ring() -> Result<(), grasp_lcp::Error> {
     for count in [64, 1_024] {
         let spring = |i: usize| {
@@ -199,7 +199,7 @@ fn ring() -> Result<(), grasp_lcp::Error> {
     Ok(())
 }
 
-/// The same limit: the onset found directly, the path followed to it, and the answers beyond it and above it.
+/// Times at this limit load: the onset, the load path to it, the behaviour beyond it, and the equilibrium under a load a quarter larger.
 fn at_once(jar: &Grasp, limit: f64) -> Result<(), grasp_lcp::Error> {
     let pull = |part: f64| Wrench::force([0.0, 0.0, -part * limit]);
     let start = Instant::now();
@@ -229,13 +229,13 @@ fn at_once(jar: &Grasp, limit: f64) -> Result<(), grasp_lcp::Error> {
     Ok(())
 }
 
-/// Places where the arm is fixed, m.
+/// Places at which the arm is attached to the body, m.
 fn end(i: usize) -> [f64; 2] {
     let (sin, cos) = (TAU * i as f64 / 3.0).sin_cos();
     [RADIUS * cos, RADIUS * sin]
 }
 
-/// Error against run time for a load without the arm: shear, then torsion in addition, back past the start, and to rest.
+/// Error against run time for a load without the arm: shear, then torsion in addition, back beyond the start, and to zero.
 fn cost(surface: &[(f64, f64)], most: usize) -> Result<(), Box<dyn Error>> {
     let load = |(shear, torsion): (f64, f64)| {
         let most = FRICTION * PRESSED;

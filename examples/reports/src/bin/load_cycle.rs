@@ -1,5 +1,5 @@
-//! A bar between three pairs of fingers is pulled, released and pulled again until it is lost: every event with its exact
-//! load, the hysteresis loop, the energy balance.
+//! A bar between three pairs of fingers is pulled, released and pulled again until it is lost. The report prints every event with
+//! its exact load and the energy balance, and draws the hysteresis loop.
 //!
 //! `cargo run --release -p reports --bin load_cycle`
 
@@ -92,14 +92,14 @@ struct Happens {
     pairs: Vec<usize>,
 }
 
-/// The forces and the loop, with the numbers of the events.
+/// Charts of the finger forces and of the hysteresis loop, with numbered events.
 struct Pictures<'a> {
     path: &'a LoadPath<'a>,
     legs: usize,
     happens: &'a [Happens],
 }
 
-/// Coordinates of a drawn point, from a state.
+/// Coordinates on a chart of an equilibrium.
 type Point<'a> = &'a dyn Fn(&Equilibrium) -> (f64, f64);
 
 impl Pictures<'_> {
@@ -132,14 +132,14 @@ impl Pictures<'_> {
         Ok(())
     }
 
-    /// Between events everything is linear: the knots determine the curve.
+    /// The curve of a leg. Everything is linear between events, so that the points at events and leg ends determine it.
     fn leg(&self, leg: usize, point: Point) -> Vec<(f64, f64)> {
         let events = self.happens.iter().filter(|event| event.leg == leg).map(|event| event.fraction);
         let knots = [0.0].into_iter().chain(events).chain([1.0]);
         knots.filter_map(|fraction| self.path.state_at(leg, fraction)).map(|state| point(&state)).collect()
     }
 
-    /// Adds the numbers of all events, or of those of a pair of fingers; several at one point share a label.
+    /// Labels all events, or those of a pair of fingers, with their numbers; events at one point share a label.
     fn numbered(&self, chart: Chart, pair: Option<usize>, point: Point) -> Chart {
         let mut labels: Vec<((f64, f64), String)> = Vec::new();
         for (number, event) in self.happens.iter().enumerate() {

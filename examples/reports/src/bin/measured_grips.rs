@@ -1,4 +1,4 @@
-//! Measured grips, and rules of makers, beside the least squeeze that is needed.
+//! Measured grips and rules of manufacturers, compared with the least squeeze that `need` finds.
 //!
 //! `cargo run --release -p reports --bin measured_grips`
 //!
@@ -6,7 +6,7 @@
 //! moisture*, Ergonomics 31, 1988, 317–325): seven people pinched a dynamometer between two fingers with 19.6 N or 39.2 N until it slipped out. It
 //! was covered with seven materials (summary: cdc.gov, NIOSHTIC-2 no. 00180748). The coefficients, with standard deviations, are those that one of
 //! the authors has published (websites.umich.edu/~tja/frictionDataMethods.html). Their means are over both forces, though friction of skin falls with
-//! force, as the authors also found. The table does not say which part of the deviation this is.
+//! force, as the authors also found. The table does not say how much of the deviation this causes.
 //!
 //! **Makers' rules.** Robotiq (Hand-E, instruction manual, 6 *Payload and force*): W = 2 F μ / S, with S = 2.4 and μ = 0.3 in its example of silicone
 //! on oily steel: 32.5 N for 130 N. IAI (RCP2 grippers, technical reference 74, *Selection guide*): the sum of all forces at least 10 to 20 times the
@@ -21,7 +21,7 @@ use std::error::Error;
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 
-/// Materials, dry or moist or both; mean and standard deviation. For dry paper the table has the deviation 0.0.
+/// Materials, dry or moist or both, with mean and standard deviation of μ. For dry paper the published deviation is 0.0.
 const SKIN: [(&str, f64, f64); 10] = [
     ("sandpaper #320", 0.61, 0.10),
     ("smooth vinyl", 0.53, 0.18),
@@ -54,7 +54,7 @@ fn pinch(friction: f64, press: f64) -> Result<Grasp, grasp_lcp::Error> {
     Grasp::new([finger(-0.02), finger(0.02)])
 }
 
-/// Press that each finger needs, N: with friction as given, and with friction less by this part.
+/// The force with which each finger must press, N: with the given friction, and with friction reduced by the fraction `less`.
 fn needed(grasp: &Grasp, press: f64, load: f64, less: f64) -> Result<[f64; 2], Box<dyn Error>> {
     let need = Need::squeeze(Wrench::force([0.0, -load])).if_lower_by(less, 0.0);
     let needed = grasp.need(&need)?;
@@ -99,7 +99,7 @@ fn pinches() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The example of a manual: 130 N, silicone on oily steel.
+/// Robotiq's example: 130 N, silicone on oily steel.
 fn robotiq() -> Result<(), Box<dyn Error>> {
     let (force, mu, factor) = (130.0, 0.3, 2.4);
     let payload = 2.0 * force * mu / factor;
@@ -121,7 +121,7 @@ fn robotiq() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Rules without friction: a multiple of the weight, for all jaws together.
+/// Rules that ignore friction: the sum of all jaw forces as a multiple of the weight.
 fn multiples_of_the_weight() -> Result<(), Box<dyn Error>> {
     println!("Rules of so many times the weight: what two jaws need together, in weights\n");
     println!("{:<8}{:>10}{:>14}{:>22}{:>12}", "μ", "needs", "μ 10 % less", "2 g more, 10 % less", "IAI");

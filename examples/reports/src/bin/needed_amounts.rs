@@ -1,8 +1,8 @@
-//! Are the amounts that `need` answers right beside brute force, and how many verdicts does an answer cost?
+//! Are the amounts that `need` finds right, compared with brute force, and how many verdicts does it compute for one?
 //!
 //! `cargo run --release -p reports --bin needed_amounts [scenes [amounts [family]]]`
 //!
-//! In random scenes of each quantity, amounts around each answer are put on by `hold` one by one. The family `cards` has houses of cards.
+//! In random scenes of each quantity, `hold` tries many amounts around each answer of `need`. The family `cards` has houses of cards.
 
 use grasp_lcp::Error;
 use grasp_lcp::need::Need;
@@ -46,7 +46,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The least friction of houses of cards, beside a linear program (HiGHS: balance of each card, `|F_t| <= μ F_n`).
+/// The least friction of houses of cards, compared with a linear program (HiGHS: balance of each card, `|F_t| <= μ F_n`).
 fn cards() -> Result<(), Failure> {
     println!("\nhouse of cards      least friction    by a linear program    run time, s");
     for (rows, least) in [(2, 0.332_787), (4, 0.399_078), (8, 0.432_130)] {
@@ -59,7 +59,7 @@ fn cards() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Prints a line for a quantity, and a line for each scene with a wrong claim.
+/// Prints a line for a quantity, and a line for each scene in which an answer of `need` is wrong.
 fn survey<const C: usize>(
     family: &str,
     (quantity, space): (&str, &str),

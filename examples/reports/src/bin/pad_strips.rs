@@ -2,8 +2,9 @@
 //!
 //! `cargo run --release -p reports --bin pad_strips [MOST]`
 //!
-//! A gripper with two pads of 20 mm by 30 mm, 120 N and friction 0.35 carries 1.8 kg, 25 mm below the pads, while the arm accelerates sideways. The load pulls and
-//! turns the pads at once, so that the answer depends on how the pressure is spread. Errors are against the finest pad; times are the best of five, over that of one strip.
+//! A gripper with two pads of 20 mm by 30 mm, 120 N and friction 0.35 carries 1.8 kg, 25 mm below the pads, while the arm accelerates sideways. The
+//! load shears and twists the pads at once, so that the answer depends on the distribution of pressure. Errors are relative to the finest pad; times
+//! are the best of five, relative to that of one strip.
 
 use std::time::Instant;
 
@@ -11,7 +12,7 @@ use grasp_lcp::load_path::Ramp;
 use grasp_lcp::spatial::{Contact, Grasp, SoftFingertip, Wrench};
 use support::Failure;
 
-/// The most strips in half of each side, unless another number is given.
+/// Largest number of strips in half of each side, unless another number is given.
 const MOST: usize = 4;
 
 fn main() -> Result<(), Failure> {
@@ -22,7 +23,7 @@ fn main() -> Result<(), Failure> {
     for strips in 1..=most {
         let grasp = gripper(strips)?;
         let (mut best, mut times) = (f64::INFINITY, [0.0; 2]);
-        // Where only whether it runs is asked, once.
+        // A test that only checks that the program runs sets ONE_CALL; otherwise the best of five runs counts.
         for _ in 0..if std::env::var_os("ONE_CALL").is_some() { 1 } else { 5 } {
             let start = Instant::now();
             let verdict = grasp.hold(Ramp::load(Wrench::ZERO, load))?;
@@ -44,7 +45,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The gripper, whose motions count as small however far they go.
+/// The gripper. Its limits of small motions are so large that none ends the path.
 fn gripper(strips: usize) -> Result<Grasp, Failure> {
     let pad = SoftFingertip::rectangle([0.02, 0.03], [strips, strips])?;
     let mut contacts = Vec::new();

@@ -1,4 +1,4 @@
-//! Both printed tables of the paper, row by row: printed value, ours, difference; misprints marked with *.
+//! Both tables of the paper, row by row: printed value, computed value, and difference; misprints are marked with *.
 //!
 //! `cargo run --release -p reports --bin paper_tables`
 
@@ -61,7 +61,7 @@ fn disk_tables() -> Result<(), Box<dyn std::error::Error>> {
     println!("\nratio F_t / F_n   printed   of the printed forces   as computed   unit normals");
     for (i, (ratio, contact)) in DISK_RATIOS.iter().zip(computed.contacts()).enumerate() {
         let (a, b) = (states.0.contacts[i].ratio(), states.1.contacts[i].ratio());
-        // From the printed force and the contact's own normal and tangent; their length cancels.
+        // The ratio F_t/F_n of the printed force, with normal and tangent from the contact point; their length cancels.
         let (f, p) = (DISK_FORCES[0].1[i].force, contact.point());
         let of_printed = (-p[1] * f[0] + p[0] * f[1]) / -(p[0] * f[0] + p[1] * f[1]);
         println!(

@@ -1,11 +1,11 @@
-//! A rubber fingertip pressed and sheared: partial slip grows from the rim inwards, against Cattaneo and Mindlin.
+//! A rubber fingertip is pressed and sheared: partial slip grows from the rim inwards, compared with Cattaneo and Mindlin.
 //!
 //! `cargo run --release -p reports --bin patch` follows a pad of 10⁴ springs through a whole cycle of shear in steps.
 //!
 //! A sphere of radius R pressed by d into an elastic half-space makes a contact of radius `a = √(R d)`. The method of dimensionality reduction (Popov
 //! & Heß, 2015) replaces the half-space by a row of independent springs, E* and G* a unit of length, pressed by `d - x²/R`. Normal force, shear
-//! force, displacement and the radius of the stick zone of the row equal those of the sphere. So a planar pad represents the round one, and these are
-//! exact (Cattaneo 1938, Mindlin 1949, Mindlin & Deresiewicz 1953):
+//! force, displacement and the radius of the stick zone of the row equal those of the sphere. So a planar pad represents the round one, and the
+//! following results are exact (Cattaneo 1938, Mindlin 1949, Mindlin & Deresiewicz 1953):
 //!
 //! ```text
 //! P = 4/3 E* √R d^(3/2)        c/a = (1 - Q/μP)^(1/3)        u = μ E*/G* d (1 - (1 - Q/μP)^(2/3))
@@ -28,12 +28,12 @@ const SHEAR: f64 = NORMAL * 2.0 / 3.0; // G*, Pa: rubber, ν = 1/2
 const FRICTION: f64 = 0.8;
 /// The largest shear force in units of μP.
 const MOST: f64 = 0.95;
-/// Error of forces that a leg may add, over the largest force.
+/// Error that a leg may add to forces, relative to the largest force.
 const ERROR: f64 = 1e-4;
-/// Ends of the legs: the way of the cycle (there, back, there again) and Q/μP.
+/// Ends of the legs: the part of the cycle (0 loading, 1 unloading, 2 reloading), and Q/μP.
 const ENDS: [(usize, f64); 9] =
     [(0, 0.3), (0, 0.6), (0, 0.9), (0, MOST), (1, 0.4), (1, -0.3), (1, -0.9), (1, -MOST), (2, MOST)];
-/// Those that are shown.
+/// Indices of the leg ends whose zones are drawn.
 const SHOWN: [usize; 6] = [0, 1, 2, 4, 5, 6];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -88,7 +88,7 @@ struct Pad {
     limit: f64,
 }
 
-/// The cycle at the end of a step.
+/// Quantities at the end of a step.
 struct Look {
     way: usize,
     /// Q/μP.
@@ -98,11 +98,11 @@ struct Look {
     off: f64,
     residual: f64,
     edge: Option<Edge>,
-    /// Kept at the end of a leg.
+    /// The equilibrium, if the step ends a leg.
     state: Option<Equilibrium>,
 }
 
-/// The radius c/a of the stick zone.
+/// The radius c/a of the stick zone, found and exact.
 #[derive(Clone, Copy)]
 struct Edge {
     way: usize,
@@ -123,7 +123,7 @@ impl Pad {
                 .friction(FRICTION)
                 .command([press(x), 0.0])
         };
-        // Total force of the springs; 4/3 E* √R d^(3/2) as their number grows.
+        // Total force of the springs, N. It converges to 4/3 E* √R d^(3/2) as their number grows.
         let force = places().map(|x| NORMAL * width * press(x)).sum::<f64>();
         Ok(Self { grasp: Grasp::new(places().map(spring))?, a, press: force, limit: FRICTION * force })
     }
@@ -132,17 +132,17 @@ impl Pad {
         self.grasp.contacts()[contact].point()[0]
     }
 
-    /// Load that presses the pad, and shears it by a part of μP.
+    /// The load that presses the pad with P and shears it with `part` times μP.
     fn load(&self, part: f64) -> Wrench {
         Wrench::new([part * self.limit, -self.press], 0.0)
     }
 
-    /// The displacement when Q has grown to this part of μP for the first time.
+    /// The displacement on first loading, m, at Q = `part` μP.
     fn virgin(part: f64) -> f64 {
         FRICTION * NORMAL / SHEAR * DEPTH * (1.0 - (1.0 - part).powf(2.0 / 3.0))
     }
 
-    /// The displacement on each of the three legs: later ones double the first (Masing).
+    /// The displacement on loading, unloading and reloading, m. Later curves are the first one, doubled in both directions (Masing).
     fn displacement(leg: usize, part: f64) -> f64 {
         match leg {
             0 => Self::virgin(part),
@@ -151,7 +151,7 @@ impl Pad {
         }
     }
 
-    /// The area of the loop: eight times the work of the first way up to Q₁, less four times that of a straight one.
+    /// The heat of a cycle, J: eight times the area between the curve of first loading up to Q₁ and its chord (Masing).
     fn loss(&self) -> f64 {
         let scale = FRICTION * NORMAL / SHEAR * DEPTH;
         let beside = scale * (MOST - 0.6 * (1.0 - (1.0 - MOST).powf(5.0 / 3.0)));
@@ -162,7 +162,7 @@ impl Pad {
         ENDS.map(|(_, part)| Leg::load_to(self.load(part)))
     }
 
-    /// The cycle at the end of each step.
+    /// Follows the cycle, and returns the quantities at the end of each step.
     fn looks(&self) -> Result<Vec<Look>, Box<dyn Error>> {
         let mut path = self.grasp.follow_in_steps(self.load(0.0), &self.legs(), ERROR)?;
         let mut looks = Vec::new();
@@ -178,7 +178,7 @@ impl Pad {
         Ok(looks)
     }
 
-    /// The innermost spring that slips on this way, at the edge of the stick zone.
+    /// The edge of the stick zone on loading or unloading: the place of the innermost spring that slips.
     fn edge(&self, way: usize, part: f64, state: &Equilibrium) -> Option<Edge> {
         let exact = [1.0 - part, 1.0 - (MOST - part) / 2.0].get(way)?.cbrt();
         let slips = |i: &usize| match state.contacts[*i].state {
@@ -218,7 +218,7 @@ impl Pad {
             .series("Mindlin-Deresiewicz", exact, Stroke::Circles)
     }
 
-    /// Shear traction of the sphere from the springs: `τ(r) = -1/π ∫ q'(x) / √(x² - r²) dx` over r < x < a.
+    /// Shear traction of the sphere at radius r, from the spring forces q per unit of length: `τ(r) = -1/π ∫ q'(x) / √(x² - r²) dx` over r < x < a.
     fn traction(&self, state: &Equilibrium, r: f64) -> f64 {
         let width = 2.0 * self.a / SPRINGS as f64;
         let right = &state.contacts[SPRINGS / 2..];
@@ -231,7 +231,7 @@ impl Pad {
         lines.sum()
     }
 
-    /// The equilibria at the ends of the legs that are shown, with Q/μP.
+    /// The equilibria at the leg ends of [`SHOWN`], with Q/μP.
     fn shown(looks: &[Look]) -> Result<Vec<(f64, &Equilibrium)>, Box<dyn Error>> {
         let ends: Vec<_> = looks.iter().filter_map(|look| look.state.as_ref()).collect();
         let at = |&end: &usize| Ok((ENDS[end].1, *ends.get(end).ok_or("the cycle ended early")?));
@@ -264,13 +264,13 @@ impl Pad {
         let shown = Self::shown(looks)?;
         let mut dots = [const { Vec::new() }; 3];
         for (k, (_, state)) in shown.iter().enumerate() {
-            // Distances that make the zones round on the chart, with the legend between the rows.
+            // Centres of the six zones, in two rows with the legend between them.
             let centre = [4.0 * (k % 3) as f64, if k < 3 { 3.5 } else { 0.0 }];
             for i in 0..450 {
                 let (r, angle) =
                     (((f64::from(i) + 0.5) / 450.0).sqrt(), f64::from(i) * 2.399_963_229_728_653);
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-                // between 0 and the number of springs
+                // The index lies between 0 and the number of springs.
                 let contact = &state.contacts[((0.5 + 0.5 * r) * SPRINGS as f64) as usize];
                 let zone = match contact.state {
                     ContactState::Sliding { direction } if direction[0] < 0.0 => 1,

@@ -1,4 +1,4 @@
-//! When does the paper's two-finger grasp start to slide? Its table recomputed, the onset found directly, two pictures.
+//! At which load does the paper's two-finger grasp start to slide? Recomputes its table, finds the onset directly, and draws two pictures.
 //!
 //! `cargo run --release -p reports --bin predict_sliding`
 
@@ -90,7 +90,7 @@ fn main() -> Result<(), Failure> {
     let title = format!("The paper's two-finger grasp at its onset of sliding, W* = {:.6} N", event.factor);
     support::save("predict_sliding_grasp.svg", &draw_grasp(&grasp, &state, Some(&outline), &title)?)?;
 
-    // Forces are linear in the load up to the onset: two solves draw the exact lines.
+    // Forces are linear in the load up to the onset, so that two equilibria determine the lines.
     let start = grasp.solve(Wrench::ZERO)?;
     let start = start.equilibrium().ok_or("holds without load")?;
     let (first, last) = (&start.contacts[0], &state.contacts[0]);

@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release -p reports --bin reserve [samples [directions]]`
 //!
-//! Random grasps are pulled in random directions, and two scenes in directions all around. The reserve is compared with the quantile of samples, and
-//! with the onset less three of its standard deviations to first order.
+//! Random grasps are pulled in random directions, and two scenes in directions all around. The load with reserve is compared with the quantile of
+//! sampled onsets, and with the first-order estimate: the onset minus three of its standard deviations.
 
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
@@ -19,7 +19,7 @@ use support::splitmix::Random;
 
 const GRASPS: usize = 100;
 const SIGMAS: f64 = 3.0;
-/// Φ(-3).
+/// Probability Φ(-3) that a normal variable lies three standard deviations or more below its mean.
 const TAIL: f64 = 0.001_349_898_031_630_094_5;
 
 fn main() -> Result<(), Failure> {
@@ -106,7 +106,7 @@ fn all_around(name: &str, off: &Uncertainty, samples: u64, directions: usize) ->
         Space::Spatial(setup) => {
             let grasp = setup.grasp()?;
             for k in 0..directions {
-                // A spiral over the sphere.
+                // Directions on a spiral over the sphere.
                 let z = 1.0 - (2 * k + 1) as f64 / directions as f64;
                 let (sin, cos) = (PI * (3.0 - 5.0_f64.sqrt()) * k as f64).sin_cos();
                 let r = (1.0 - z * z).sqrt();
@@ -118,7 +118,7 @@ fn all_around(name: &str, off: &Uncertainty, samples: u64, directions: usize) ->
     Ok(())
 }
 
-/// A number between two.
+/// A random number between `low` and `high`.
 fn between(random: &mut Random, low: f64, high: f64) -> f64 {
     low + (high - low) * random.uniform()
 }
@@ -134,7 +134,7 @@ struct Tally {
 }
 
 impl Tally {
-    /// Adds a grasp, unless nothing ever slides along this direction.
+    /// Adds a grasp, unless no contact ever slides under a load in this direction.
     fn add<const C: usize>(
         &mut self,
         grasp: &Grasp<C>,

@@ -1,4 +1,4 @@
-//! Several bodies: are everyday piles decided, how long do walls take, and how thick must an arch be?
+//! Several bodies: are equilibria of everyday piles decided, how long do walls take, and how thick must an arch be?
 //!
 //! `cargo run --release -p reports --bin several_bodies [piles of each kind [rows of bricks]]` (400 and 32 by default)
 
@@ -48,7 +48,7 @@ fn piles(each: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Walls that stand and are pushed at the top, and rows of books that are carried between hands: number of contacts and times.
+/// Walls that are pushed at the top, and rows of books that are carried between hands: prints numbers of contacts and run times.
 fn walls(rows: usize) -> Result<(), Failure> {
     println!("\n{:<24}{:>10}{:>12}{:>12}{:>14}", "", "contacts", "solve ms", "hold ms", "ms a body");
     for rows in [3, 6, 9, 10, 14, 20, 32].into_iter().filter(|side| *side <= rows) {
@@ -66,7 +66,7 @@ fn walls(rows: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The same in space, with half a brick on four points.
+/// Walls in space, where each half of a brick rests on four points.
 fn spatial_walls(rows: usize) -> Result<(), Failure> {
     for rows in [3, 6, 10, 14, 17].into_iter().filter(|side| 2 * *side <= rows) {
         let push = spatial::Wrench::force_at([5.0, 0.0, 0.0], [0.5, 0.0, 0.5 * rows as f64 - 0.1]);
@@ -75,7 +75,7 @@ fn spatial_walls(rows: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Walls that cannot stand: they are tilted by 45°, where friction holds up to 31°.
+/// Walls that cannot stand: they are tilted by 45°, while friction holds up to 31° only.
 fn falling_walls(rows: usize) -> Result<(), Failure> {
     println!("\n{:<24}{:>10}{:>12}", "tilted by 45°", "contacts", "solve ms");
     for rows in [3, 6, 10, 14, 20, 32].into_iter().filter(|side| *side <= rows) {
@@ -87,7 +87,7 @@ fn falling_walls(rows: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Time to prove that nothing holds them.
+/// Prints the time to prove that the bodies have no equilibrium.
 fn fall<const C: usize>(name: &str, bodies: Bodies<C>) -> Result<(), Failure> {
     let grasp = bodies.grasp()?;
     let (outcome, time) = once(|| Ok(grasp.solve(Wrench::ZERO)?))?;
@@ -116,7 +116,7 @@ fn timed<const C: usize>(
     Ok(())
 }
 
-/// Semicircular arches under their own weight, with friction that never fails: thickness over mean radius, by the line of thrust and by equilibria.
+/// Semicircular arches under their own weight, without sliding: least thickness over mean radius, by the line of thrust and by equilibria.
 fn arches() -> Result<(), Failure> {
     println!(
         "\n{:<12}{:>20}{:>20}   (Milankovitch: 0.1075 for many stones)",

@@ -1,4 +1,4 @@
-//! Loads that repeat: do verdicts agree with cycles that are followed one after the other, how long do they take, and when does a rocked roller cease to
+//! Repeated loads: do verdicts agree with cycles that are followed one by one, how long do they take, and from which load on does a rocked roller never
 //! come to rest?
 //!
 //! `cargo run --release -p reports --bin shaken [cycles of each kind [grasps of the shake test]]` (60 and 2 000 by default)
@@ -43,7 +43,7 @@ fn main() -> Result<(), Failure> {
     shake_test(grasps)
 }
 
-/// Verdicts of one kind.
+/// Compares the verdicts on one kind of scenes with followed cycles, and prints their number and times.
 fn kind<const C: usize>(
     name: &str,
     each: usize,
@@ -80,7 +80,7 @@ fn kind<const C: usize>(
     Ok(())
 }
 
-/// Three fingers on balls, a weight, and 2 g to and fro along three axes: how many grasps survive, and how many verdicts there are per second.
+/// Three fingers on balls under a weight and accelerations of 2 g to and fro along three axes: prints how many grasps survive, and verdicts a second.
 fn shake_test(grasps: usize) -> Result<(), Failure> {
     let mut random = Random(45);
     let drawn: Vec<_> = (0..grasps).map(|_| three_fingers(&mut random)).collect::<Result<_, _>>()?;

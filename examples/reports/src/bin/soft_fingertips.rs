@@ -1,5 +1,5 @@
-//! A card pinched by two soft fingertips: its turn about the line of the pinch, the moments at which the rims and everything slide, for four
-//! distributions of the same springs over a tip.
+//! A card between two soft fingertips is turned about the line through them. The report has its rotation, and the moments at which first the rims and
+//! then all points slide, for four distributions of the same total stiffness over a tip.
 //!
 //! `cargo run --release -p reports --bin soft_fingertips`
 
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let resisted = if spun.equilibrium().is_some() { "something resists" } else { "nothing resists" };
     println!("Two point contacts under a moment about their line: {resisted}.\n");
 
-    // Four points on a ring slide along corners of the default polygon under pure spin: there it is the round cone.
+    // Under pure spin the four points of a ring slide along corners of the default polygon, where the polygon touches the round cone.
     let tips = [
         ("ring", SoftFingertip::ring(RADIUS, 4)?),
         ("uniform disc", SoftFingertip::disc(RADIUS, 4, 4, Pressure::Uniform)?),
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         );
         let mut curve = Vec::new();
         for step in 0..=100 {
-            // In this order of operations the last fraction is `reached` itself.
+            // With this order of operations the last fraction equals `reached` exactly.
             let fraction = reached * (f64::from(step) / 100.0);
             let state = path.state_at(0, fraction).ok_or("on the way")?;
             curve.push((state.twist.rotation()[0].to_degrees(), 1.5 * fraction));

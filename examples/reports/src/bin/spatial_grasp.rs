@@ -1,6 +1,6 @@
-//! A bottle held by a thumb and three fingers in space: its onset of sliding on the round cone, an answer beyond it on the round cone with its
-//! bracket of polygons, and the onset on polygons of 4 … 64 facets, inscribed, balanced and circumscribed. Also a picture of the bottle at its onset,
-//! and a page on which the reader can turn it.
+//! A bottle held by a thumb and three fingers in space. The report has its onset of sliding on the round cone, an equilibrium beyond it with bounds
+//! from polygons, and the onset on polygons of 4 … 64 facets, inscribed, balanced and circumscribed. It draws the bottle at its onset, and writes a
+//! page on which the reader can turn it.
 //!
 //! `cargo run --release -p reports --bin spatial_grasp`
 
@@ -8,7 +8,7 @@ use grasp_lcp::picture::{Chart, SpatialPage, Stroke, View};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
 use grasp_lcp::{Error, Fit, PolygonCone, Settings};
 
-/// Load of the answer beyond the onset, over the onset.
+/// Load of the equilibrium beyond the onset, as a multiple of the load at the onset.
 const BEYOND: f64 = 1.02;
 /// Index of the answer on the page that the picture shows.
 const ONSET: usize = 2;
@@ -38,7 +38,7 @@ fn bottle() -> Result<Grasp, Error> {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let grasp = bottle()?;
-    // The bottle is poured from: the weight (N) hangs below and to the side, and turns it as it grows.
+    // The bottle is tilted for pouring: its weight (N) acts below and beside the fingers, and turns the bottle as it grows.
     let base = Wrench::ZERO;
     let direction = Wrench::force_at([0.25, 0.1, -1.0], [0.01, -0.012, 0.02]);
     let ramp = Ramp::load(base, direction);

@@ -1,4 +1,4 @@
-//! How much squeeze carries a given load with a given reserve, and which parameter matters most?
+//! Which squeeze carries a given load with a given reserve, and which parameter has the largest influence?
 //!
 //! `cargo run --release -p reports --bin squeeze_design`
 
@@ -26,11 +26,11 @@ fn hand(squeeze: f64) -> Result<Grasp, Error> {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let settings = Settings::default();
-    // A weight of 4 N, 4 mm off the middle, to be carried with a reserve of 1.5 against sliding.
+    // A weight of 4 N, 4 mm off the centre, to be carried with a safety factor of 1.5 against sliding.
     let weight = Wrench::force_at([0.0, -4.0], [0.004, 0.0]);
     let reserve = 1.5;
 
-    // The commands for 1 mm, and their least factor.
+    // The least factor of commands of 1 mm is the needed command in mm.
     let by_millimetres = hand(1e-3)?;
     let needed = |loads: Loads| -> Result<_, Failure> {
         match by_millimetres.with(&settings).least_squeeze(&loads)? {
@@ -50,7 +50,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let any = Loads::AnyForce { base: weight, size: 1.0, point: [0.0, 0.0] };
     println!("  the weight alone and 1 N of any direction beside it: {:.9} mm", 1e3 * needed(any)?.0);
 
-    // Check: with that squeeze the onset along the weight is at the required reserve.
+    // Check: with this squeeze the onset factor along the weight equals the required safety factor.
     let grasp = hand(least)?;
     let ramp = Ramp::load(Wrench::ZERO, weight);
     let onset = grasp.with(&settings).onset(&ramp)?;

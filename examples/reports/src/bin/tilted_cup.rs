@@ -1,5 +1,5 @@
-//! How far can a cup be tilted in the hand? The angle at which the first finger slides, for every direction of the tilt; the friction that each
-//! finger uses on the way; answers with chords in place of the turn; and run times.
+//! How far can a cup be tilted in the hand? The report has the angle at which the first finger slides, for every direction of the tilt; the fraction
+//! of friction that each finger uses; the errors if straight loads replace the turn; and run times.
 //!
 //! `cargo run --release -p reports --bin tilted_cup`
 
@@ -15,7 +15,7 @@ use support::best_time::best_in_turns;
 const RADIUS: f64 = 0.035;
 const HALF: f64 = 0.045;
 
-/// A thumb opposite three fingers at two thirds of the height. Each finger presses with `press` newtons, the thumb balances them.
+/// A thumb opposite three fingers at two thirds of the height. Each finger presses with `press`, N; the thumb balances them.
 fn hand(press: f64) -> Result<Grasp, grasp_lcp::Error> {
     let tip = |name: &str, degrees: f64, press: f64| {
         let (sin, cos) = f64::to_radians(degrees).sin_cos();
@@ -26,7 +26,7 @@ fn hand(press: f64) -> Result<Grasp, grasp_lcp::Error> {
             .pressed_with(press)
     };
     let fingers = [("index", -25.0), ("middle", 0.0), ("ring", 25.0)].map(|(name, at)| tip(name, at, press));
-    // The outer fingers press at an angle; their part along the thumb has the cosine.
+    // The outer fingers press at 25° to the thumb's direction, so that the cosine of their forces counts.
     let sum = press * (1.0 + 2.0 * f64::to_radians(25.0).cos());
     Grasp::new([&[tip("thumb", 180.0, sum)], &fingers[..]].concat())
 }
@@ -42,7 +42,7 @@ fn angle_of(onset: &Onset) -> Result<f64, Failure> {
     onset.factor().ok_or_else(|| "the cup is held upright".into())
 }
 
-/// Directions, every half degree, and the angle at which the first finger slides, if one does (degrees).
+/// For directions every half degree, the direction and the angle at which the first finger slides, degrees.
 fn slides_towards(grasp: &Grasp, weight: f64, height: f64) -> Result<Vec<(f64, f64)>, Failure> {
     let directions: Vec<f64> = (0..=720).map(|k| f64::from(k) / 2.0).collect();
     let turns: Result<Vec<_>, _> =

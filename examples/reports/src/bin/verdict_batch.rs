@@ -1,10 +1,10 @@
-//! How many verdicts, onsets of pads and needed amounts a second do batches give, and are they those of single grasps?
+//! How many verdicts, onsets of pads and needed amounts do batches compute a second, and do they equal those of single grasps?
 //!
 //! `cargo run --release -p reports --bin verdict_batch [how many] [how many needed amounts are compared]`
 //!
-//! Three fingers on a bottle and parallel jaws with pads of sixteen points, under loads from light to too heavy. The pace is that of all cores, the
-//! best of several; of at most 10 000 rows each the outcome is compared with that of the grasp alone, and of three needed amounts, which take some ten
-//! milliseconds alone.
+//! Three fingers on a bottle and parallel jaws with pads of sixteen points, under loads from light to too heavy. Rates are those of
+//! all cores, the best of several runs. For at most 10 000 rows of each batch the outcome is compared with that of the single grasp, and for three
+//! needed amounts, each of which takes some ten milliseconds.
 
 use grasp_lcp::Settings;
 use grasp_lcp::hold::{How, ShortVerdict};
@@ -25,7 +25,7 @@ fn main() -> Result<(), Failure> {
     for load in [0.3, 1.0, 2.0] {
         report("triples in space", load, &|row, contacts| triple(row, load, contacts), count)?;
     }
-    // Where contacts slide each path counts.
+    // Where contacts slide, each row needs a whole load path, so that there are fewer rows.
     report("triples in space", 3.0, &|row, contacts| triple(row, 3.0, contacts), count / 20)?;
     report("triples in space", 10.0, &|row, contacts| triple(row, 10.0, contacts), count / 200)?;
     let tip = SoftFingertip::disc(0.006, 1, 8, Pressure::Uniform)?;
@@ -54,7 +54,7 @@ fn triple(row: usize, load: f64, contacts: &mut Vec<Contact>) -> [Wrench; 2] {
     [Wrench::ZERO, Wrench::force([0.1, 0.2, -1.0]) * load]
 }
 
-/// Two jaws with these pads; the weight hangs beside their line.
+/// Two jaws with these pads; the weight acts beside the line through them.
 fn jaws(tip: &SoftFingertip, row: usize, load: f64, contacts: &mut Vec<Contact>) -> [Wrench; 2] {
     for (x, datum) in [(-0.03, 0), (0.03, 1)] {
         let jaw = Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(2e4, 1e4);
@@ -65,7 +65,7 @@ fn jaws(tip: &SoftFingertip, row: usize, load: f64, contacts: &mut Vec<Contact>)
     [Wrench::ZERO, Wrench::new([0.0, 0.0, down], [0.0, 0.003 * down * number(row, 3), 0.0])]
 }
 
-/// A number between 0 and 1 for each datum of each row.
+/// A reproducible number between 0 and 1 for each quantity of each row.
 fn number(row: usize, datum: usize) -> f64 {
     ((row as f64 + 1.0) * 0.618_033_988_749_894_9 + datum as f64 * 0.137).fract()
 }
@@ -94,7 +94,7 @@ fn report(family: &str, load: f64, row: Row<'_>, count: usize) -> Result<(), Fai
     Ok(())
 }
 
-/// Onsets of grasps with pads on one thread, from contacts to answers and from a batch that is ready.
+/// Times onsets of grasps with pads on one thread: with the preparation of the batch, and without it.
 fn pads(tip: &SoftFingertip, count: usize) -> Result<(), Failure> {
     let made = || {
         let (mut batch, mut pulls, mut points) =

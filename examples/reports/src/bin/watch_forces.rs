@@ -1,4 +1,4 @@
-//! How long does a watch over measured forces take at worst?
+//! How long does the watch over measured contact forces take in the worst case?
 //!
 //! `cargo run --release -p reports --bin watch_forces` evaluates the watch for a million random states of five fingers in space, from well held to
 //! torn off. It prints the mean and the worst time of an evaluation.
@@ -10,9 +10,9 @@ use grasp_lcp::spatial::{Contact, Fingers, Wrench};
 use support::splitmix::Random;
 
 const STATES: usize = 1_000_000;
-/// Number of states for one grasp.
+/// Number of random force states for each grasp.
 const OF_EACH: usize = 100;
-/// Number of repetitions of each evaluation; the shortest time counts, since interruptions of the process are not the watch's.
+/// Number of repetitions of each evaluation; the shortest time counts, since longer ones contain interruptions of the process.
 const REPEATS: usize = 3;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -1,4 +1,4 @@
-"""The onset of sliding as one program of array operations, for accelerators: the mathematics of ``screening`` in Rust, scene by scene.
+"""The onset of sliding as one program of array operations, for accelerators, with the equations of ``screening`` in Rust. A scene is one grasp.
 
-Every function takes a namespace of arrays ``xp``: ``jax.numpy``, ``torch`` or ``numpy``. None of them is imported here.
+Every function takes an array namespace ``xp``: ``jax.numpy``, ``torch`` or ``numpy``. This package imports none of them.
 """

@@ -1,7 +1,7 @@
-"""Forces along the lines between contacts, in compliances: of a pair in the plane, and of three contacts in space.
+"""Contact forces by the force method, in compliances: of a pair in the plane, and of three contacts in space.
 
-Balance leaves few unknowns, forces along the edges; the distances of the points on the object stay constant, which fixes them. The equations are
-those of ``screening/pair.rs`` and ``screening/triangle.rs``.
+Forces along the edges between contacts are all that balance leaves unknown. They follow from the condition that the object is rigid: distances of
+its contact points are constant. The equations are those of ``screening/pair.rs`` and ``screening/triangle.rs``.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from .sites import Row, Sites, Vector, across, cross, dot, moment, sum_of, sum_o
 
 
 class Pair:
-    """Two contacts in the plane and the line through them. Arrays have an entry a contact."""
+    """Two contacts in the plane and the line through them. Lists have one entry for each contact."""
 
     def __init__(self, sites: Sites) -> None:
         xp, over = sites.xp, sites.over
@@ -24,8 +24,8 @@ class Pair:
         self.n = [dot(normal, line) for normal, line in zip((m, n), lines, strict=True)]
         self.t = [across(normal, line)[0] for normal, line in zip((m, n), lines, strict=True)]
         self.midpoint = (0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]))
-        # A contact without friction has an infinite tangential compliance: only its ratio to all others, one, stays in the equations. Two such
-        # contacts hold nothing, nor does one whose normal points along the line.
+        # A contact without friction has an infinite tangential compliance. The equations are divided by it, which leaves one for this compliance
+        # and zero for all others. The pair holds nothing if both contacts are frictionless, or if one is and its normal points along the line.
         slippery = [k_t == 0 for _, k_t in sites.springs]
         some = slippery[0] | slippery[1]
         along = [t * t <= sites.tolerances.dependent * square for t in self.t]
@@ -50,14 +50,14 @@ class Pair:
         self.size_of_force = self.size_of_moment * sum_of_sizes(self.midpoint) + scale
 
     def squeezed(self) -> Forces:
-        """Forces of the commands alone, which act along the line through both contacts."""
+        """Forces of the commands without a load. They act along the line through both contacts."""
         force = self.commanded * self.one_over_give
         return self._forces(
             [force * n for n in self.n], [force * t for t in self.t], self.sites.tolerances.on_the_edge * self.size_of_commands
         )  # fmt: skip
 
     def loaded(self, load: Vector) -> Forces:
-        """Forces of a load alone."""
+        """Forces of a load without commands."""
         s = (load[2] - moment(self.midpoint, load[:2])[0]) * self.one_over_square
         half = (-0.5 * load[0], -0.5 * load[1])
         along = [dot(normal, half) for normal in self.sites.normal]
@@ -106,7 +106,7 @@ class Triangle:
         self._measure(square)
 
     def _measure(self, square: Row) -> None:
-        """Scales of the rounding of forces, and where these are small enough for forces along edges; see ``screening/method.rs``."""
+        """Bounds of rounding errors of forces, and the scenes in which they are small enough for this method; see ``screening/method.rs``."""
         sites, xp = self.sites, self.sites.xp
         length = [sites.length(edge) for edge in self.edge]
         scale: Row = 1.0
@@ -131,10 +131,10 @@ class Triangle:
         has_friction = (sites.springs[0][1] > 0) & (sites.springs[1][1] > 0) & (sites.springs[2][1] > 0)
         is_tame = (self.factors.free == 0) & (self.size_of_moment * longest <= 1e3) & (square > 0)
         self.is_fit = is_tame & has_friction & (most <= 1e3 * least)
-        """Where forces are found along edges; elsewhere by motions of the object."""
+        """The scenes whose forces this method finds; in all others the motion of the object is solved for."""
 
     def squeezed(self) -> Forces:
-        """Forces of the commands alone."""
+        """Forces of the commands without a load."""
         sites = self.sites
         taken = self._along_normals(sites.pressed)
         for k in range(3):
@@ -143,7 +143,7 @@ class Triangle:
         return self._forces(self.factors.solve(taken), None, sites.tolerances.on_the_edge * self.size_of_commands)
 
     def loaded(self, load: Vector) -> Forces:
-        """Forces of a load alone."""
+        """Forces of a load without commands."""
         share = tuple(x * (-1.0 / 3.0) for x in load[:3])
         turning = tuple(self.one_over_square * (m - a) for m, a in zip(load[3:], cross(self.centre, load[:3]), strict=True))
         twist = 0.5 * dot(self.across, turning)
@@ -159,11 +159,11 @@ class Triangle:
         return self._forces(self.factors.solve(taken), (borne, pressed), self.sites.tolerances.slack * size)
 
     def _along_normals(self, way: list[Row]) -> list[Row]:
-        """The stretch of the edges if the contacts move along their normals."""
+        """The change of each edge length, times the length, if contact i moves by ``way[i]`` along its normal."""
         return [way[(k + 2) % 3] * self.ends[(k + 2) % 3] - way[(k + 1) % 3] * self.begins[(k + 1) % 3] for k in range(3)]
 
     def _forces(self, along: list[Row], borne: tuple[list[Vector], list[Row]] | None, rounding: Row) -> Forces:
-        """The sum of forces along the edges and of those that balance the load, given with their normal parts."""
+        """Contact forces: those along the edges plus ``borne``, forces that balance the load with their normal components."""
         normal, tangential = [], []
         unbalanced = self.sites.xp.zeros_like(along[0])
         for i in range(3):

@@ -8,7 +8,7 @@ from .sites import Row, Sites, Vector
 
 
 class AlongTheLine:
-    """The exchange of a rotation with the last coordinate, for two contacts in space; see ``screening/pinch.rs``."""
+    """For two contacts in space, exchanges the rotation about the axis nearest to their line with the last coordinate; see ``screening/pinch.rs``."""
 
     def __init__(self, sites: Sites, point: list[Vector]) -> None:
         self.sites = sites
@@ -17,7 +17,7 @@ class AlongTheLine:
         self.is_axis: list[tuple[int, Any]] = [(3, is_x), (4, ~(z > y) & ~is_x)]
 
     def exchange(self, t: list[list[Row]]) -> None:
-        """Exchanges both coordinates in a matrix given on and below its diagonal."""
+        """Exchanges both coordinates in a symmetric matrix, of which only the lower triangle is given."""
         for k, here in self.is_axis:
             for other in range(5):
                 (r, c), (s, d) = ((k, k), (5, 5)) if other == k else ((max(k, other), min(k, other)), (5, other))
@@ -36,7 +36,7 @@ class AlongTheLine:
 
 
 class Factors:
-    """L below the diagonal, and ``1/d`` of each pivot; zero where the pivot is rounding."""
+    """L below the diagonal, and ``1/d`` of each pivot d; zero for a pivot that is a rounding error."""
 
     def __init__(self, sites: Sites, t: list[list[Row]], line: AlongTheLine | None = None) -> None:
         """Factorises the matrix given on and below its diagonal. Where the contacts lie on a line its last pivot is known to be rounding."""
@@ -47,7 +47,7 @@ class Factors:
         self.below: list[list[Row]] = [[None] * len(t) for _ in rows]
         self.inverse: list[Row] = []
         self.free: Row = 0.0
-        """The number of pivots that are rounding."""
+        """The number of pivots that are rounding errors: the number of free motions."""
         scaled: list[list[Row]] = [[None] * len(t) for _ in rows]
         for column in rows:
             whole = pivot = t[column][column]
@@ -66,7 +66,7 @@ class Factors:
                 self.below[row][column] = rest * self.inverse[column]
 
     def solve(self, w: list[Row]) -> list[Row]:
-        """``T⁻¹ w``; rows whose pivot is rounding contribute zero."""
+        """``T⁻¹ w``; components whose pivot is a rounding error are zero."""
         q, rows = list(w) if self.line is None else self.line.exchanged(w), range(len(w))
         for row in rows:
             for column in range(row):

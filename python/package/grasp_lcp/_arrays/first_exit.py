@@ -1,6 +1,6 @@
-"""Where forces that grow in proportion to the load leave their friction cones, and the status of each scene.
+"""The factor at which forces that change in proportion to the load leave their friction cones, and the status of each scene.
 
-The equations, and the bounds by which a sure answer is told from an unclear one, are those of ``screening/cone.rs`` and ``screening/first_exit.rs``.
+The equations, and the bounds beyond which rounding errors make an answer unclear, are those of ``screening/cone.rs`` and ``screening/first_exit.rs``.
 """
 
 from __future__ import annotations
@@ -11,21 +11,21 @@ from .forces import Forces
 from .sites import Row, Sites, cross, dot, sum_of
 
 LEAVES, NEVER, NOT_STICKING, GIVES_WAY, UNCLEAR, NOT_A_NUMBER, MALFORMED = 0, 1, 2, 3, 4, 7, 8
-"""Numbers of :class:`grasp_lcp.OnsetStatus`, which has words for them."""
+"""Numbers of :class:`grasp_lcp.OnsetStatus`."""
 
 
 class FirstExit(NamedTuple):
     """The first contact of each scene to stop sticking."""
 
     factor: Row
-    """Finite, infinite if no contact leaves, NaN where that is not known."""
+    """The factor at first slip: infinite if no contact ever stops sticking, NaN if unknown."""
     status: Any
     contact: Any
-    """The first contact that leaves, -1 where there is none."""
+    """The index of the first contact that stops sticking, -1 if there is none."""
 
 
 def first_exit(sites: Sites, base: Forces, rates: Forces) -> FirstExit:
-    """The exit from the forces at factor zero and their rates."""
+    """The first exit, from the forces at factor zero and their rates per unit of the factor."""
     xp, tolerances = sites.xp, sites.tolerances
     factors, margins, sures, all_lost = [], [], [], []
     for i, mu in enumerate(sites.friction):
@@ -37,7 +37,7 @@ def first_exit(sites: Sites, base: Forces, rates: Forces) -> FirstExit:
         rate = (alpha * rates.normal[i], tuple(beta * t for t in rates.tangential[i]))
         factor, margin, lost = exit(sites, force, rate, noise)
         factors.append(factor)
-        # Nothing is certain of a contact whose squares over- or underflow; another one may clearly not stick.
+        # A contact whose squares overflow or underflow decides nothing. Another contact may still clearly not stick.
         margins.append(xp.where(lost, float("inf"), margin))
         sures.append(xp.where(lost, float("inf"), margin - weight * base.rounding[i]))
         all_lost.append(xp.where(lost, 1.0, 0.0))
@@ -46,7 +46,7 @@ def first_exit(sites: Sites, base: Forces, rates: Forces) -> FirstExit:
     is_sure = (first > 0) & (sure >= 0) & (sites.most(all_lost) == 0) & (base.unbalanced + rates.unbalanced < tolerances.solved)
     status = xp.where(is_sure, status, UNCLEAR)
     status = xp.where(rates.free, GIVES_WAY, status)
-    # The rounding of the least margin is at most `margin - sure`.
+    # The rounding error of the least margin is at most `margin - sure`.
     status = xp.where(sure - margin > margin, NOT_STICKING, status)
     status = xp.where(base.free, GIVES_WAY, status)
     until = (1.0 + tolerances.solved) * first
@@ -57,7 +57,7 @@ def first_exit(sites: Sites, base: Forces, rates: Forces) -> FirstExit:
 
 
 def _known(sites: Sites, factor: Row, closing: Row, noise: Row) -> Row:
-    """Infinite if the margin does not close beyond rounding, negative if its rate is close to rounding."""
+    """The factor; infinite if the margin closes no faster than its rounding error, and negative, that is unclear, unless it closes much faster."""
     factor = sites.xp.where(closing > sites.tolerances.sharp * noise, factor, -3.0)
     return sites.xp.where(closing > noise, factor, float("inf"))
 
@@ -68,7 +68,7 @@ def _ratio(sites: Sites, a: Row, b: Row) -> Row:
 
 
 def _exit_in_plane(sites: Sites, force: Any, rate: Any, noise: Row) -> tuple[Row, Row, Any]:
-    """The margin is the least of two straight lines."""
+    """The exit in the plane, where the margin is the smaller of two linear functions of the factor."""
     (n, (t,)), (dn, (dt,)) = force, rate
     one, two = n - t, n + t
     closing_one, closing_two = dt - dn, -(dt + dn)
@@ -80,7 +80,7 @@ def _exit_in_plane(sites: Sites, force: Any, rate: Any, noise: Row) -> tuple[Row
 
 
 def _exit_in_space(sites: Sites, force: Any, rate: Any, noise: Row) -> tuple[Row, Row, Any]:
-    """The root of ``c + 2 b τ - a τ² = 0`` at which the line leaves the cone; see ``screening/cone.rs``."""
+    """The root of ``c + 2 b τ - a τ² = 0`` at which the force, linear in τ, leaves the cone; see ``screening/cone.rs``."""
     xp, tolerances = sites.xp, sites.tolerances
     (n, t), (dn, dt) = force, rate
     friction, friction_rate = sites.length(t), sites.length(dt)
@@ -90,7 +90,7 @@ def _exit_in_space(sites: Sites, force: Any, rate: Any, noise: Row) -> tuple[Row
     twist = cross(t, dt)
     gap = sum_of(x * x - y * y for x, y in zip(turn, twist, strict=True))
     root = xp.where(gap > 0, xp.sqrt(xp.where(gap > 0, gap, 1.0)), 0.0)
-    # Of the two forms of the root, that without cancellation.
+    # Of the two equivalent forms of the root, the one without cancellation.
     last = _ratio(sites, xp.where(b > 0, root + b, c), xp.where(b > 0, a, root - b))
     product = (abs(n) + friction) * (abs(dn) + friction_rate)
     in_range = (product > tolerances.least_product) & ~(product > tolerances.most_product)

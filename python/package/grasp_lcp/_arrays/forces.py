@@ -1,8 +1,8 @@
-"""The forces of contacts that all stick, found by motions of the object.
+"""The forces of contacts that all stick, by the displacement method.
 
-The commands stretch the springs with the object held in place. The object then moves by ``q = T⁻¹ w``, with w the wrench that was not balanced and
-``T = Σ G K Gᵀ`` the stiffness of the object about the centroid of its contacts. Motions that stretch no spring have a pivot of rounding: they stay
-zero.
+First the commands stretch the springs while the object is fixed. Then the object moves by ``q = T⁻¹ w``, with w the unbalanced wrench and
+``T = Σ G K Gᵀ`` the stiffness of the object about the centroid of its contacts. A motion that stretches no spring has a pivot that is a rounding
+error; its component stays zero.
 """
 
 from __future__ import annotations
@@ -17,19 +17,19 @@ from .sites import Each, Row, Sites, Vector, across, dot, kept, moment, sum_of, 
 
 @dataclass(frozen=True)
 class Forces:
-    """The forces of all contacts, or their rates."""
+    """The forces of all contacts, or their rates per unit of the factor."""
 
     normal: Each
     tangential: list[Vector]
     rounding: Each
-    """A bound of the rounding of each force."""
+    """A bound on the rounding error of each force."""
     unbalanced: Row
     """The part of the load that the forces leave unbalanced."""
     free: Any
-    """Where the load works on a motion that no contact resists."""
+    """The scenes in which the load does work on a motion that no contact resists."""
 
     def plus(self, others: Forces, rounding: float) -> Forces:
-        """The sum, with the rounding of the others multiplied by ``rounding``."""
+        """The sum of both, with the rounding errors of ``others`` multiplied by ``rounding``."""
         return Forces(
             [a + b for a, b in zip(self.normal, others.normal, strict=True)],
             [tuple(x + y for x, y in zip(a, b, strict=True)) for a, b in zip(self.tangential, others.tangential, strict=True)],
@@ -41,7 +41,7 @@ class Forces:
 
 @dataclass(frozen=True)
 class Commands:
-    """Commanded displacements along and across the normals."""
+    """Commanded displacements along the normals and perpendicular to them."""
 
     pressed: Each
     sheared: list[Vector]
@@ -87,18 +87,18 @@ class Body:
         return [[sites.total(*terms[r, c]) for c in range(r + 1)] for r in rows]
 
     def carried(self, load: Vector) -> Vector:
-        """The load with its moment about the centroid instead of the origin."""
+        """The load with its moment about the centroid of the contacts instead of the origin."""
         axes = self.sites.axes
         about = moment(self.centre, load[:axes])
         return (*load[:axes], *(m - a for m, a in zip(load[axes:], about, strict=True)))
 
     def displacements(self, q: list[Row]) -> list[Vector]:
-        """How a motion of the object displaces its contacts."""
+        """The displacements of the contacts by a motion of the object."""
         axes = self.sites.axes
         return [tuple(x + t for x, t in zip(q[:axes], turned(q[axes:], arm), strict=True)) for arm in self.arm]
 
     def unbalanced(self, normal: Each, tangential: list[Vector], load: Vector) -> tuple[list[Row], Row]:
-        """The residual of the balance, and its size relative to forces and moments."""
+        """The residual of balance of forces and moments, and its size relative to them."""
         sites, axes = self.sites, self.sites.axes
         forces = [world(*each) for each in zip(sites.normal, normal, tangential, strict=True)]
         moments = [moment(arm, force) for arm, force in zip(self.arm, forces, strict=True)]
@@ -113,8 +113,8 @@ class Body:
     def let_go(self, commands: Commands | None, load: Vector, refined: int) -> tuple[Each, list[Vector], list[Row], Row]:
         """Normal and tangential forces at the equilibrium, the motion of the object, and the unbalanced part of the load.
 
-        Where stiffnesses differ much, T loses the contribution of soft contacts. The balance of forces shows the loss, and its residual is solved
-        for again, at most ``refined`` times.
+        If stiffnesses differ by many orders of magnitude, T loses the contribution of soft contacts to rounding. Iterative refinement restores it:
+        the residual of balance is solved for again, at most ``refined`` times.
         """
         sites = self.sites
         zero = sites.xp.zeros_like(sites.springs[0][0])
@@ -146,7 +146,7 @@ class Body:
         return normal, tangential, moved, part
 
     def sticking(self, commands: Commands | None, load: Vector, refined: int) -> Forces:
-        """The forces of commands alone, or of a load about the origin alone."""
+        """The forces of commands without a load, or of a load (about the origin) without commands."""
         if commands is None:
             load = self.carried(load)
         normal, tangential, moved, part = self.let_go(commands, load, refined)
@@ -154,9 +154,9 @@ class Body:
         return Forces(normal, tangential, self._rounding(commands, load, moved, normal, tangential), part, free)
 
     def _rounding(self, commands: Commands | None, load: Vector, moved: list[Row], normal: Each, tangential: list[Vector]) -> Each:
-        """A part of each force, and a part of the force that its spring would have over the whole displacement that stretches and slackens it.
-
-        The second part is limited by the size of all forces: displacements that ought to cancel leave forces only between two contacts or more.
+        """Bounds of rounding errors: a fraction of each force plus a fraction of the force that the total displacement would give its spring.
+        
+        The second force is limited by the sum of all forces, since displacements that should cancel leave forces only between several contacts.
         """
         sites, axes = self.sites, self.sites.axes
         span = sum_of_sizes(moved[:axes]) + self.reach * sum_of_sizes(moved[axes:])

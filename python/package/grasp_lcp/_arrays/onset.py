@@ -11,14 +11,14 @@ from .forces import Body, Commands, Forces
 from .sites import OPENS_ONLY, STAYS, Row, Sites, Tolerances, Vector, across, dot
 
 REFINED = 3
-"""How often residuals are solved for again where the first pass is not accurate."""
+"""Number of refinements of the thorough pass."""
 
 
 class Scenes:
-    """Scenes of one shape, each with its data and loads.
+    """Scenes (grasps) with the same number of contacts, each with its data and loads.
 
     ``data`` holds points (B, n, c), unit normals (B, n, c), friction (B, n), normal and tangential stiffness (B, n, 2), commands along the
-    coordinate axes (B, n, c), base loads (B, d) and directions (B, d). ``hold`` has a word a contact.
+    coordinate axes (B, n, c), base loads (B, d) and directions (B, d). ``hold`` has one word for each contact.
     """
 
     def __init__(self, xp: Any, epsilon: float, data: Sequence[Any], hold: Sequence[str], *, loaded: bool, stacked: bool) -> None:
@@ -53,7 +53,7 @@ class Scenes:
         self.sites = Sites(xp, tolerances, count, self.point, self.normal, springs, pressed, sheared, codes, number, stacked)
 
     def fault(self) -> Any:
-        """The status of scenes with a datum that is NaN or out of range, of the first such datum; -1 for all others."""
+        """The status of scenes with a number that is NaN or out of range, as the first such number determines it; -1 for all others."""
         xp, fault = self.xp, None
         most = self.sites.tolerances.largest
         loads = [_outside(xp, x, most) for x in (*self.base, *self.direction)]
@@ -72,14 +72,14 @@ class Scenes:
         frames = [xp.where(sum(n) != sum(n), NOT_A_NUMBER, xp.where(dot(n, n) > 0.5, -1, MALFORMED)) for n in self.normal]
         if self.sites.stacked:
             contacts, frames = (_one_by_one(xp, each, self.sites.count) for each in (contacts, frames))
-        # The crate looks at the frames of contacts after all other numbers of them.
+        # The crate checks the frames of contacts after all other numbers of contacts.
         kinds = [*loads, xp.where(is_zero, MALFORMED, -1), *contacts, *frames]
         for kind in reversed(kinds):
             fault = kind if fault is None else xp.where(kind >= 0, kind, fault)
         return fault
 
     def by_motions(self, refined: int) -> tuple[Forces, Forces]:
-        """The forces at factor zero, and their rates, by motions of the object."""
+        """The forces at factor zero and their rates, by the displacement method."""
         sites, body = self.sites, Body(self.sites)
         nothing = tuple(0.0 * x for x in self.direction)
         base = body.sticking(Commands(sites.pressed, sites.sheared), nothing, refined)
@@ -88,14 +88,14 @@ class Scenes:
         return base, body.sticking(None, self.direction, refined)
 
     def along_edges(self, edges: Pair | Triangle) -> tuple[Forces, Forces]:
-        """The forces at factor zero, and their rates, along the lines between contacts."""
+        """The forces at factor zero and their rates, by the force method."""
         base = edges.squeezed()
         if self.loaded:
             base = base.plus(edges.loaded(self.base), self.sites.tolerances.on_the_edge / self.sites.tolerances.slack)
         return base, edges.loaded(self.direction)
 
     def quickly(self) -> tuple[FirstExit, Any]:
-        """The onsets by single passes, and the scenes that these do not settle, as Rust would refine them or choose another method."""
+        """The onsets by a single pass, and the scenes that need more: in these Rust would refine the forces or use another method."""
         sites = self.sites
         if (sites.axes, sites.count) == (2, 2):
             pair = Pair(sites)
@@ -106,11 +106,11 @@ class Scenes:
             return self._checked(first_exit(sites, *self.along_edges(triangle))), ~triangle.is_fit
         base, rates = self.by_motions(0)
         improvable = sites.tolerances.improvable
-        # Forces under the base load alone are improved alone.
+        # Forces at factor zero and rates are refined independently in Rust, so that either may need it.
         return self._checked(first_exit(sites, base, rates)), (base.unbalanced > improvable) | (rates.unbalanced > improvable)
 
     def thoroughly(self) -> FirstExit:
-        """The onsets by motions of the object, refined."""
+        """The onsets by the displacement method with refinement."""
         return self._checked(first_exit(self.sites, *self.by_motions(REFINED)))
 
     def _checked(self, found: FirstExit, is_held: Any = None) -> FirstExit:
@@ -122,7 +122,7 @@ class Scenes:
 
 
 def _is(xp: Any, hold: Sequence[str], word: str, number: Row) -> Any:
-    """Whether the contact of each number is held in this way."""
+    """Whether the contact with this number has ``word`` in ``hold``."""
     told = number < 0
     for i, each in enumerate(hold):
         if each == word:
@@ -135,7 +135,7 @@ def _outside(xp: Any, x: Row, most: float) -> Any:
 
 
 def _one_by_one(xp: Any, kinds: list[Any], count: int) -> list[Any]:
-    """The first fault of each contact."""
+    """The first fault of each contact, as a list of rows."""
     first = kinds[-1]
     for kind in reversed(kinds[:-1]):
         first = xp.where(kind >= 0, kind, first)

@@ -16,10 +16,10 @@ class Pads:
     """The points of all contacts of a grasp, in order."""
 
     def __init__(self, points: Sequence[tuple[Sequence[Sequence[float]], Sequence[float]]]) -> None:
-        """From the offsets along the tangents of the points of each contact, m, and their shares of its springs."""
+        """``points`` has, for each contact, the offsets of its points along the tangents, m, and their shares of its springs."""
         self.counts = [len(shares) for _, shares in points]
         self.owner = [i for i, count in enumerate(self.counts) for _ in range(count)]
-        """The contact of each point."""
+        """The index of the contact to which each point belongs."""
         self.offset = np.array([offset for offsets, _ in points for offset in offsets])
         self.share = np.array([share for _, shares in points for share in shares])
 
@@ -28,7 +28,7 @@ class Pads:
         return np.cumsum([0, *self.counts[:-1]])
 
     def spread(self, xp: Any, data: Sequence[Any], tangents: Any = None) -> list[Any]:
-        """The data of :class:`.onset.Scenes` with points in place of contacts."""
+        """The data of :class:`.onset.Scenes`, with one entry for each point instead of each contact."""
         points, normals, friction, stiffness, command, base, direction = data
         arms = self.arms(xp, normals, tangents)
         share = points[..., :1, :1] * 0.0 + _like(xp, self.share[:, None], points)
@@ -50,7 +50,7 @@ class Pads:
         return arms
 
     def gathered(self, slopes: Sequence[Any], normals: Any, arms: Any) -> list[Any]:
-        """Derivatives by the data of contacts, from those by the data of their points; points move with the frames that tilt. In numpy."""
+        """Derivatives with respect to data of contacts, from those of points, which move if contact frames tilt. For numpy arrays only."""
         points, tilts, friction, stiffness, command, *loads = slopes
         n = normals[..., self.owner, :]
         if n.shape[-1] == 2:
@@ -64,14 +64,14 @@ class Pads:
 
 
 def takes_array_program(native: bool | None, soft: Any, is_far: Callable[[], bool]) -> bool:
-    """Whether the array program answers: on an accelerator, where it is asked for, and always for pads."""
+    """Whether the array program answers: if ``native`` is true, for pads, and by default on an accelerator."""
     if soft is not None and native is False:
         raise ValueError("native: False given beside soft, must be True or left out: pads are for the array program")
     return soft is not None or (is_far() if native is None else native)
 
 
 def spread(xp: Any, soft: Any, data: Sequence[Any], words: tuple[str, ...]) -> tuple[list[Any], tuple[str, ...]]:
-    """Data, and a word a contact, with the points of pads. A program that differentiates it has derivatives by whole contacts."""
+    """Data and words of ``hold`` with the points of pads in place of contacts. Its derivatives are with respect to data of whole contacts."""
     text = text_of_pads(soft, len(words))
     if text is None:
         return list(data), words
@@ -80,7 +80,7 @@ def spread(xp: Any, soft: Any, data: Sequence[Any], words: tuple[str, ...]) -> t
 
 
 def frames(xp: Any, normals: Any, hints: Any = None) -> list[Any]:
-    """The tangents of contacts with these unit normals: next to the hints, or to the axis that is farthest from the normal."""
+    """Unit tangents of contacts with these unit normals. The first is the projection of the hint, or of the axis farthest from the normal."""
     n = [normals[..., k] for k in range(normals.shape[-1])]
     if len(n) == 2:
         tangent = xp.stack([n[1], -n[0]], axis=-1)
@@ -100,5 +100,5 @@ def frames(xp: Any, normals: Any, hints: Any = None) -> list[Any]:
 
 
 def _like(xp: Any, numbers: Any, like: Any) -> Any:
-    """Numbers as an array of the kind of another one."""
+    """Numbers as an array of the type and device of ``like``."""
     return like.new_tensor(numbers) if hasattr(like, "new_tensor") else xp.asarray(numbers, dtype=like.dtype)

@@ -1,4 +1,4 @@
-"""The whole program: a quick pass for all scenes, and a thorough one for those that it leaves open."""
+"""The whole program: a quick pass for all scenes, and a thorough pass for those that the quick one does not decide."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from .onset import Scenes
 from .slopes import slopes
 
 Again = Callable[[list[Any]], list[Any]]
-"""A thorough answer for the scenes with these data."""
+"""Type of the function that computes thorough answers from the data of some scenes."""
 Among = Callable[[Any, list[Any], list[Any], Again], list[Any]]
-"""Puts thorough answers in the place of quick ones in the scenes that are open, from their data."""
+"""Type of the function that replaces quick answers of undecided scenes by thorough ones, computed from their data."""
 
 UNROLLED = 8
-"""The largest number of contacts that have an array each on an accelerator."""
+"""The largest number of contacts for which each contact has arrays of its own on an accelerator."""
 
 
 class Kind(NamedTuple):
-    """What a program is compiled for."""
+    """The properties of a batch for which a program is compiled."""
 
     hold: tuple[str, ...]
-    """A word a contact."""
+    """One word for each contact, as in :func:`grasp_lcp.onsets`."""
     loaded: bool
     """Whether there is a base load."""
     stacked: bool
-    """Whether contacts are the first axis of arrays in place of an array each."""
+    """Whether contacts are the first axis of common arrays; otherwise each contact has arrays of its own."""
 
 
 def onsets(xp: Any, epsilon: float, kind: Kind, data: list[Any], among: Among) -> FirstExit:
@@ -40,20 +40,20 @@ def onsets(xp: Any, epsilon: float, kind: Kind, data: list[Any], among: Among) -
 
     count, axes = data[0].shape[-2:]
     if (axes, count) == (3, 2):
-        # Two contacts in space leave a motion free, which only refined forces tell from a load that works on it.
+        # Two contacts in space leave a motion free. Only refined forces show reliably whether the load does work on it.
         return of(data, kind.stacked).thoroughly()
-    # The closed forms for two and three contacts have an array for each of them.
+    # The closed forms for two and three contacts need separate arrays for each contact.
     closed = (axes, count) in ((2, 2), (3, 3))
     found, is_open = of(data, kind.stacked and not closed).quickly()
     return found if is_open is None else FirstExit(*among(is_open, list(found), data, again))
 
 
 def gradients(xp: Any, epsilon: float, kind: Kind, data: list[Any], found: FirstExit) -> list[Any]:
-    """Derivatives by each array of ``data``, zero in scenes without a finite factor.
+    """Derivatives with respect to each array of ``data``, zero in scenes without a finite factor.
 
     One refinement makes them as accurate as the factor unless stiffnesses differ by more than a million within a grasp.
     """
-    # Elsewhere data may be NaN, which would reach second derivatives.
+    # Data of scenes without a factor may be NaN, which would enter second derivatives; they are replaced by ones.
     leaves = found.contact >= 0
     data = [xp.where(leaves.reshape(*leaves.shape, *(1,) * (each.ndim - leaves.ndim)), each, 1.0) for each in data]
     scenes = Scenes(xp, epsilon, data, kind.hold, loaded=kind.loaded, stacked=kind.stacked)
@@ -63,7 +63,7 @@ def gradients(xp: Any, epsilon: float, kind: Kind, data: list[Any], found: First
 
 
 def among_rows(is_open: Any, found: list[Any], data: list[Any], again: Again) -> list[Any]:
-    """Answers the open scenes alone, where the number of rows may depend on the data: in numpy and in PyTorch."""
+    """Answers only undecided scenes. Their number depends on the data, which numpy and PyTorch allow."""
     if bool(is_open.any()):
         for whole, part in zip(found, again([each[is_open] for each in data]), strict=True):
             whole[is_open] = part.to(whole.dtype) if hasattr(part, "to") else part

@@ -1,7 +1,7 @@
-"""The contacts of many scenes, datum by datum, and the sums over them.
+"""The contacts of many scenes, one array for each quantity, and sums over contacts.
 
-An array has one number a scene. Contacts are a list of such arrays, which a compiler fuses into one pass that keeps its numbers in registers. Or
-they are a list of one array with the contacts as its first axis, which needs few operations, however many contacts there are.
+An array has one number for each scene. Contacts are a list of such arrays; a compiler fuses them into one pass with its numbers in registers. Or they
+are a list of a single array with the contacts as first axis, which needs few operations for any number of contacts.
 """
 
 from __future__ import annotations
@@ -13,22 +13,22 @@ from operator import add
 from typing import Any, NamedTuple
 
 Row = Any
-"""One number a scene, or one a contact and scene."""
+"""One number for each scene, or for each contact and scene."""
 Vector = tuple[Row, ...]
 Each = list[Row]
-"""One entry a contact, or a single one with the contacts as first axis."""
+"""One entry for each contact, or a single entry with the contacts as first axis."""
 
 OPENS_ONLY = -1.0
-"""In place of a friction coefficient: the contact stops sticking only by opening."""
+"""Code in place of a friction coefficient: the contact stops sticking only by opening."""
 STAYS = 0.0
-"""In place of a friction coefficient: the contact never leaves."""
+"""Code in place of a friction coefficient: the contact never stops sticking."""
 
 
 class Tolerances(NamedTuple):
     """The numbers of ``screening/tolerances.rs``, and their counterparts in single precision.
 
-    Parts of the data grow with the rounding of a number. In single precision a margin must close at thirty times its rounding, so that factors
-    have two digits there.
+    Tolerances relative to the data grow with the rounding unit. In single precision a margin must close thirty times as fast as its rounding error,
+    so that factors have at least two correct digits.
     """
 
     dependent: float
@@ -47,7 +47,7 @@ class Tolerances(NamedTuple):
 
     @classmethod
     def of(cls, epsilon: float) -> Tolerances:
-        """The tolerances of numbers with this rounding."""
+        """The tolerances for floating-point numbers with this rounding unit."""
         if epsilon < 1e-10:
             return cls(1e-13, 1e-12, 5e-14, 1e-12, 1e-14, 1e-6, 1e-9, 1e6, 1e-140, 1e150, 2.2250738585072014e-308, 1e50)
         return cls(5e-6, 5e-5, 5e-6, 5e-5, 5e-6, 1e-3, 1e-4, 3e1, 1e-14, 1e18, 1.1754944e-38, 1e30)
@@ -66,13 +66,13 @@ class Sites:
     springs: list[tuple[Row, Row]]
     """Normal and tangential stiffness; the second is zero without friction."""
     pressed: Each
-    """Commands along the normals."""
+    """Commanded displacements along the normals."""
     sheared: list[Vector]
-    """Commands across the normals."""
+    """Commanded displacements perpendicular to the normals."""
     friction: Each
     """Friction coefficients, or one of the codes above."""
     number: Each
-    """Which contact an entry is."""
+    """The index of the contact to which an entry belongs."""
     stacked: bool
 
     @property
@@ -86,7 +86,7 @@ class Sites:
         return 3 * (self.axes - 1)
 
     def total(self, *terms: Each, start: Row = None) -> Row:
-        """The sum over contacts of one or several terms of each, added in the order in which the crate adds them."""
+        """The sum over contacts of one or several terms for each contact, in the order in which the crate adds them."""
         if self.stacked:
             summed = kept(self.xp, self.xp.sum(sum_of(each[0] for each in terms), axis=0))
             return summed if start is None else start + summed
@@ -94,15 +94,15 @@ class Sites:
         return sum_of(rows if start is None else [start, *rows])
 
     def most(self, of: Each) -> Row:
-        """The largest number of a contact."""
+        """The largest entry over all contacts."""
         return self.xp.amax(of[0], axis=0) if self.stacked else reduce(self.larger, of)
 
     def least(self, of: Each) -> Row:
-        """The smallest number of a contact."""
+        """The smallest entry over all contacts."""
         return self.xp.amin(of[0], axis=0) if self.stacked else reduce(self.smaller, of)
 
     def second(self, of: Each) -> Row:
-        """The second largest number of a contact; none may be negative."""
+        """The second largest entry over all contacts; no entry may be negative."""
         if self.stacked:
             at = self.xp.argmax(of[0], axis=0)
             return self.most([self.xp.where(self.number[0] == at, 0.0, of[0])])
@@ -113,11 +113,11 @@ class Sites:
         return second
 
     def larger(self, a: Row, b: Row) -> Row:
-        """The larger of two numbers; the second where one is NaN."""
+        """The larger of two numbers; the second if one of them is NaN."""
         return self.xp.where(a > b, a, b)
 
     def smaller(self, a: Row, b: Row) -> Row:
-        """The smaller of two numbers; the second where one is NaN."""
+        """The smaller of two numbers; the second if one of them is NaN."""
         return self.xp.where(a < b, a, b)
 
     def over(self, a: Row, b: Row) -> Row:
@@ -132,14 +132,14 @@ class Sites:
         return self.xp.where(some, self.xp.sqrt(self.xp.where(some, square, 1.0)), 0.0)
 
     def chosen(self, here: Each, of: Each) -> Row:
-        """The number of the contact at which ``here`` holds; zero where it holds nowhere."""
+        """The entry of the contact for which ``here`` is true; zero if it is true for none."""
         return self.total([self.xp.where(at, each, 0.0) for at, each in zip(here, of, strict=True)])
 
 
 def kept(xp: Any, rows: Any) -> Any:
-    """Rows that a compiler shall compute once. Left to itself it may compute them again for each of their uses, which are many.
-
-    A namespace without such a compiler has no function ``kept``.
+    """The same rows, which the compiler then computes only once. Otherwise it may compute them again for each of their many uses.
+    
+    A namespace without a compiler has no function ``kept``.
     """
     return xp.kept(rows) if hasattr(xp, "kept") else rows
 
@@ -170,12 +170,12 @@ def moment(arm: Sequence[Row], force: Sequence[Row]) -> Vector:
 
 
 def turned(turn: Sequence[Row], arm: Sequence[Row]) -> Vector:
-    """The displacement at the end of an arm by a small rotation; it has one component in the plane."""
+    """The displacement at the end of an arm by a small rotation, which has one component in the plane."""
     return cross(turn, arm) if len(arm) == 3 else (-turn[0] * arm[1], turn[0] * arm[0])
 
 
 def across(normal: Sequence[Row], v: Sequence[Row]) -> Vector:
-    """The part of a vector across the normal: a vector in space, in the plane the component along (n_y, -n_x)."""
+    """The tangential part of a vector: in space a vector, in the plane its component along (n_y, -n_x)."""
     if len(normal) == 2:
         return (normal[1] * v[0] - normal[0] * v[1],)
     along = dot(normal, v)
@@ -183,7 +183,7 @@ def across(normal: Sequence[Row], v: Sequence[Row]) -> Vector:
 
 
 def world(normal: Sequence[Row], along: Row, aside: Sequence[Row]) -> Vector:
-    """The vector with these parts along and across the normal, along the coordinate axes."""
+    """The vector along the coordinate axes with this normal component and this tangential part."""
     if len(normal) == 2:
         aside = (normal[1] * aside[0], -normal[0] * aside[0])
     return tuple(n * along + t for n, t in zip(normal, aside, strict=True))

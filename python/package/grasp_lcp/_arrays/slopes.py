@@ -1,8 +1,8 @@
-"""Derivatives of the factor by all data, in closed form: one more solve of the springs; see ``screening/gradient.rs``.
+"""Derivatives of the factor with respect to all data, in closed form from one adjoint solve; see ``screening/gradient.rs``.
 
-The factor is where the margin m of the leaving contact vanishes, so that ``dτ = -dm / m'``. All derivatives follow from the forces F and the motion
-(u, ω) at the onset, and from the forces P and the motion (v, ω̄) with ∂m/∂F of that contact as the only command. They are written in array operations
-of the data and the factor, so that they can be differentiated in turn.
+At the factor the margin m of the contact that stops sticking vanishes, so that ``dτ = -dm / m'``. All derivatives follow from the forces F and the
+motion (u, ω) at the onset, and from the forces P and the motion (v, ω̄) with ∂m/∂F of that contact as the only command. They are written in array
+operations of the data and the factor, so that they can be differentiated in turn.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from .sites import Row, Vector, cross, dot, kept, moment, sum_of_sizes, turned, 
 
 
 def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]:
-    """Derivatives by points, unit normals, friction, stiffness, commands along the coordinate axes and base load.
+    """Derivatives with respect to points, unit normals, friction, stiffness, commands along the coordinate axes and base load.
 
     They are zero in scenes where no contact leaves, and NaN by points, normals and loads where a motion of the object is free.
     """
@@ -31,7 +31,7 @@ def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]
     alpha, beta = abs(mu), xp.where(mu > 0, 1.0, 0.0)
     friction = [sites.chosen(here, [t[k] for t in tangential]) for k in range(len(tangential[0]))]
     stretch = body.displacements(moved)
-    # The sizes of the terms that a force is the sum of.
+    # Sizes of the terms whose sum is a contact force.
     terms = [
         k_n * (abs(a) + sum_of_sizes(u)) + k_t * (sum_of_sizes(s) + sum_of_sizes(u))
         for (k_n, k_t), a, s, u in zip(sites.springs, sites.pressed, sites.sheared, stretch, strict=True)
@@ -45,7 +45,7 @@ def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]
     )  # fmt: skip
     nothing = tuple(xp.zeros_like(each) for each in moved)
     answered, aside, virtual, _ = body.let_go(probe, nothing, refined)
-    # The margin closes at the rate of the virtual work of the load.
+    # The rate of the margin is the virtual work of the load's direction on the motion (v, ω̄).
     scale = sites.over(1.0, dot(virtual, body.carried(scenes.direction)))
     virtual = kept(xp, [scale * each for each in virtual])
     answered, aside = kept(xp, ([scale * p for p in answered], [tuple(scale * t for t in each) for each in aside]))
@@ -57,7 +57,7 @@ def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]
         force, reply, u, v = kept(xp, (world(n, normal[i], tangential[i]), world(n, answered[i], aside[i]), u, v))
         points.append(tuple(a + b for a, b in zip(turned(virtual_turn, force), turned(turn, reply), strict=True)))
         tilt = _tilt(n, [a + b for a, b in zip(moment(v, force), moment(u, reply), strict=True)])
-        # Commands along the coordinate axes stay where the normal tilts.
+        # Commands along the coordinate axes are constant while the normal tilts.
         command = scenes.command[i]
         along, pressed = dot(command, n), dot(reply, n)
         normals.append(tuple(t - (r * along - a * pressed) for t, r, a in zip(tilt, reply, command, strict=True)))
@@ -90,7 +90,7 @@ def slopes(scenes: Scenes, factor: Row, contact: Any, refined: int) -> list[Any]
 
 
 def _tilt(normal: Vector, moments: list[Row]) -> Vector:
-    """The change of a normal per unit of a moment on its frame."""
+    """The derivative with respect to a normal, from that with respect to a rotation of its contact frame."""
     if len(normal) == 2:
         return (-moments[0] * normal[1], moments[0] * normal[0])
     return cross(moments, normal)

@@ -22,7 +22,7 @@ pub(super) fn chart<const C: usize>(
             let (ramp, verdict) = (question.ramp()?, &answer.verdict);
             let first_slip = verdict.first_slip.as_ref().map(|first| first.factor);
             let marks = [first_slip, verdict.lost.as_ref().map(|lost| lost.factor)];
-            // The path beyond this load factor would fill the chart.
+            // A first slip or loss beyond five times the load is left out, since it would shrink the part of interest.
             let farthest = marks.into_iter().flatten().filter(|factor| *factor <= 5.0).fold(1.0, f64::max);
             let chart = chart_of_load(grasp, &ramp, CHART_END * farthest, title)?;
             let reaches = verdict.held_to >= 1.0;
@@ -46,7 +46,7 @@ pub(super) fn chart<const C: usize>(
     })
 }
 
-/// Slips under a repeated load, cycle by cycle from rest, and the loop that remains.
+/// Charts of a repeated load: slips cycle by cycle from rest, and the loops of friction against slip in the last cycle.
 pub(super) fn cycles<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,

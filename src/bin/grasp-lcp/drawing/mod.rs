@@ -32,12 +32,12 @@ pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
 #[cfg(feature = "mesh")]
 const SHARP: f64 = 0.5;
 
-/// The end of a picture's name: empty for the first question, its number for later ones, then `besides`.
+/// The end of a picture's file name: for later questions than the first `_` and the number, then `besides`, then `.svg`.
 fn ending(number: usize, besides: &str) -> String {
     if number == 1 { format!("{besides}.svg") } else { format!("_{number}{besides}.svg") }
 }
 
-/// The reason why there is no equilibrium to show: the first line of the answer.
+/// Removes and returns the first line of the answer: the reason why there is no equilibrium to show.
 fn said_first(says: &mut Vec<String>) -> String {
     if says.is_empty() { String::new() } else { says.remove(0) }
 }
@@ -137,7 +137,7 @@ fn spatial(setup: &Setup<3>, answers: Vec<Answer<3>>, pictures: &Pictures) -> Re
     Ok(())
 }
 
-/// The share of friction that each contact uses, one chart below the other for each question with a load path.
+/// Saves the charts of the fraction of friction that each contact uses, one below the other for each question with a load path; and charts of cycles.
 fn charts<const C: usize>(
     setup: &Setup<C>,
     answers: &[Answer<C>],

@@ -25,18 +25,18 @@ pub(super) struct Shown<const C: usize> {
 
 /// The content of a picture.
 pub(super) enum What<const C: usize> {
-    /// An equilibrium, and the motion of the object as it is lost, if it is.
+    /// An equilibrium, and the motion of the object if it is lost there.
     State { state: Box<Equilibrium<C>>, leaving: Option<Motion<C>> },
-    /// The grasp without an equilibrium, and the load.
+    /// The grasp without an equilibrium, and the load if it is known.
     Nothing { load: Option<Wrench<C>> },
 }
 
-/// The states to one question; of a program one for each event, and its end.
+/// The states that illustrate the answer to one question; for a load program one for each event and one for its end.
 pub(super) struct ShownAnswers<const C: usize>(pub(super) Vec<Shown<C>>);
 
 impl<const C: usize> ShownAnswers<C> {
-    /// The states that represent the question, and the ends of their pictures' names: the first of a hold, the last of a program. Improved fingers
-    /// also have a picture of the grasp before.
+    /// The states that become pictures of their own, by index, with the ends of their file names: the last state of a program, the first of other
+    /// questions. Improved fingers also have a picture of the grasp before.
     pub(super) fn keys(&self) -> Vec<(usize, &'static str)> {
         let begins = |shown: &Shown<C>, with| shown.label.starts_with(with);
         let key = self.0.first().map(|first| if begins(first, EVENT_LABEL) { self.0.len() - 1 } else { 0 });
@@ -50,7 +50,7 @@ const EVENT_LABEL: &str = "leg ";
 /// The label of a grasp before its improvement.
 const BEFORE_LABEL: &str = "before";
 
-/// The states to show for an answer. The first line of the answer stands beside the state that represents it.
+/// The states that illustrate an answer. The state that [`ShownAnswers::keys`] lists first gets the first line of the answer.
 pub(super) fn shown<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,
@@ -134,7 +134,7 @@ fn shaken<const C: usize>(shaken: Shaken<C>) -> Shown<C> {
     }
 }
 
-/// The grasp with the needed amount, under the load that uses most of it.
+/// The grasp with the needed amount, in the equilibrium under the load that uses most of it.
 fn needed<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, needed: &Needed) -> Result<Shown<C>, Failure> {
     let (amount, label) = match &needed.amount {
         Amount::Bound { does, .. } => (Some(*does), "with what it needs"),
@@ -157,7 +157,7 @@ fn improved<const C: usize>(
     let base = asked.base();
     let (times, when): (fn(f64) -> f64, _) = match improved.goal {
         ImproveGoal::Reserve => (|_| 1.0, "under the load"),
-        // At first slip itself, rounding would decide whether a contact slides.
+        // Exactly at first slip, rounding errors would decide whether a contact slides.
         _ => (|factor| factor * (1.0 - 1e-9), "at first slip"),
     };
     let seen = |grasp: &Grasp<C>, label: &str, value: Option<f64>| {
@@ -176,7 +176,7 @@ fn improved<const C: usize>(
     Ok(vec![Shown { grasp: Some(other), ..after }, before])
 }
 
-/// The equilibrium; where there is none, the state at the loss on the way from rest.
+/// The equilibrium; if there is none, the state where a load that grows from rest is lost.
 fn solved<const C: usize>(
     grasp: &Grasp<C>,
     load: &Wrench<C>,
@@ -197,7 +197,7 @@ fn solved<const C: usize>(
     Ok(vec![shown])
 }
 
-/// The grasp at first slip; at the end of the path if nothing slides.
+/// The grasp at first slip, or at the end of the path if nothing slides.
 fn first_slip<const C: usize, At>(
     grasp: &Grasp<C>,
     onset: OnsetAnswer<C, At>,

@@ -9,7 +9,7 @@ use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 use crate::failure::Failure;
 
-/// The constant load beside the force.
+/// The constant load in addition to the force: the base load of the scene's first onset, or zero.
 pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
     let asked = setup.questions.iter().find_map(|question| match question {
         Question::Onset { base, .. } => Some(*base),
@@ -20,9 +20,9 @@ pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
 
 /// First slip in one direction.
 pub(crate) struct First {
-    /// The force at first slip, N; infinite for never, not a number if it is not known.
+    /// The force at first slip, N; infinite if no contact ever slips, NaN if unknown.
     pub(crate) factor: f64,
-    /// The contacts that leave, and their motion.
+    /// The contacts that stop sticking and what they do, in words; or why there is no first slip.
     pub(crate) who: String,
 }
 
@@ -44,7 +44,7 @@ pub(crate) fn weakest<const C: usize>(
     })
 }
 
-/// The grasp for questions in many directions: if no equilibrium is found, combinations of contact states are not searched.
+/// The grasp for questions in many directions: to save time, it never enumerates combinations of contact states.
 pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
     grasp.with(&grasp.settings().with_most_states(0))
 }
@@ -56,7 +56,7 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
             let mut verbs: Vec<_> = event.leaving.iter().map(Leaving::verb).collect();
             verbs.sort_unstable();
             verbs.dedup();
-            // Points of a soft fingertip leave by the dozen, and count as one contact.
+            // Many points of a soft fingertip stop sticking at once, and count as one contact.
             let who = verbs.into_iter().rev().flat_map(|verb| {
                 let does = |i: usize| {
                     event.leaving.iter().any(|left| left.contact.index == i && left.verb() == verb)
@@ -65,7 +65,7 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
             });
             let drives = event.drives.iter().map(|drive| format!("{} gives way", drive.part.text()));
             let mut who: Vec<_> = who.chain(drives).collect();
-            // More contacts are counted instead of named.
+            // If more than four contacts stop sticking, only the first is named and the others are counted.
             if who.len() > 4 {
                 let others = who.len() - 1;
                 who = vec![format!("{} and {others} others", who[0])];
@@ -78,7 +78,7 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
     })
 }
 
-/// An error with its reason if no sticking equilibrium exists under the base load: then no direction has a first slip.
+/// Fails with the reason if no sticking equilibrium exists under the base load, since then no direction has a first slip.
 pub(crate) fn check_base<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<(), Failure> {
     match grasp.onset(ramp)? {
         Onset::NoBase(none) => {
@@ -95,7 +95,7 @@ pub(crate) fn check_base<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Re
     }
 }
 
-/// Lines that state the point of the force, and the constant load.
+/// Two lines of text: the point of the force, and the constant load.
 pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>) -> Vec<String> {
     let point = at.map(|x| x.to_string()).join(", ");
     let load = base.components();

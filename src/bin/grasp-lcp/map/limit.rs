@@ -10,19 +10,19 @@ use grasp_lcp::{ask::Grasp, grasp::Wrench};
 pub(crate) enum LimitEnd {
     /// No equilibrium exists beyond: a limit load.
     Limit,
-    /// This equilibrium ends, but others exist: a snap.
+    /// The path has no equilibrium beyond, but others exist elsewhere: the grasp snaps to one of them.
     Snap,
-    /// This equilibrium ends; whether others exist is not known.
+    /// The path has no equilibrium beyond; whether others exist is not known.
     Ends,
     /// A suction cup is open all around, and a contact lets go.
     LetsGo,
-    /// Nothing resists the load from there on.
+    /// No contact resists the load any further.
     GivesWay,
     /// The motions of the path cease to be small.
     TooFar,
     /// The load is held up to the end of the path.
     Held,
-    /// Rounding stopped the path, or the path did not begin.
+    /// Rounding errors stopped the path, or the path has no start.
     Unknown,
 }
 
@@ -55,18 +55,18 @@ impl LimitEnd {
 /// The end of a load path.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Last {
-    /// The force at the end, N; infinite if the whole path is held, not a number if the end is not known.
+    /// The force at the end, N; infinite if the whole path is held, NaN if the end is not known.
     pub(crate) factor: f64,
     pub(crate) end: LimitEnd,
 }
 
-/// Load paths are followed up to this multiple of the largest force at first slip. Later ends would hardly be in the picture.
+/// Load paths are followed up to this multiple of the largest force at first slip. Larger forces would lie outside of the picture.
 pub(crate) const FOLLOWED_TO: f64 = 5.0;
 
-/// Error of one step along sliding arcs, relative to the largest force: a picture shows no finer one, and smaller steps cost most of the time.
+/// Error of one step along sliding arcs, relative to the largest force. It is invisible in a picture, and smaller steps would take most of the time.
 pub(crate) const STEP_ERROR: f64 = 1e-6;
 
-/// Follows the load from `base` by `most` times `direction`.
+/// Follows the load path from `base` to `base + most * direction`, and returns its end.
 pub(crate) fn last<const C: usize>(
     grasp: &Grasp<C>,
     base: Wrench<C>,
@@ -98,7 +98,7 @@ pub(crate) fn last<const C: usize>(
 }
 
 impl Last {
-    /// The force at the end in words, for a table of paths that were followed up to `most`.
+    /// The force at the end as text, for a table of paths that were followed up to `most`, N.
     pub(crate) fn words(&self, most: f64) -> String {
         let number = |x: f64| Words::default().number(x);
         match self.end {

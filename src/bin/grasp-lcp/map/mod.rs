@@ -1,8 +1,9 @@
 //! Forces in every direction at first slip and at the end of the load path, with the weakest direction.
 //!
-//! First slip and the weakest direction are found directly. Beside first slip, the map has the force with standard deviations in reserve for
-//! uncertain friction, stiffness and squeeze. The limit is where the load path in a direction is lost, followed from event to event with slip memory.
-//! The answer distinguishes limit loads, beyond which no equilibrium exists, from snaps, beyond which the grasp may or may not reach another one.
+//! First slip and the weakest direction are computed directly. The map also has the smaller force that leaves a number of standard deviations in
+//! reserve for uncertain friction, stiffness and squeeze. The limit is where the load path in a direction is lost, followed from event to event with
+//! slip memory. The answer distinguishes limit loads, beyond which no equilibrium exists, from snaps, beyond which the grasp may or may not reach
+//! another one.
 
 mod ask;
 mod limit;
@@ -22,8 +23,8 @@ use crate::loads::point;
 pub(crate) use unsure::Unsure;
 pub(crate) use watch::MapProgress;
 
-/// Prints a table and draws the maps of a scene, for a force at a point, on top of the base load of the first onset among the questions of the scene.
-/// Without a place for pictures, prints the map as JSON.
+/// Prints a table and draws the maps of a scene for a force at a point, in addition to the base load of the first onset among the scene's questions.
+/// If `pictures` is `None`, prints the map as JSON.
 pub(crate) fn map(
     scene: &Scene,
     at: Option<&Numbers>,

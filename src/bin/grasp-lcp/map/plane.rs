@@ -30,7 +30,7 @@ pub(crate) fn map(
     let grasp = setup.grasp()?;
     let base = ask::base(setup);
     let pull = |angle: f64| {
-        // Exact quarter turns, so that symmetric grasps have symmetric answers.
+        // Quarter turns have exact sine and cosine, so that symmetric grasps have symmetric answers.
         let (sin, cos) = quarter(angle).unwrap_or_else(|| angle.sin_cos());
         Wrench::force_at([cos, sin], at)
     };
@@ -86,7 +86,7 @@ pub(crate) fn map(
     Ok(())
 }
 
-/// (sin, cos) of whole quarter turns.
+/// The exact (sin, cos) of a whole number of quarter turns; `None` for other angles.
 fn quarter(angle: f64) -> Option<(f64, f64)> {
     let values = [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)];
     values.into_iter().zip([0.0, 0.25, 0.5, 0.75]).find(|(_, turns)| angle == turns * TAU).map(|(v, _)| v)
@@ -130,7 +130,7 @@ impl Drawing<'_> {
         let most = |radii: &mut dyn Iterator<Item = f64>| radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
         let onsets = || firsts.iter().map(|first| first.factor);
         let (onset, limit) = (most(&mut onsets()), most(&mut lasts.iter().map(|last| last.factor)));
-        // The picture ends at three times the force at first slip.
+        // The rim of the picture is at most three times the largest force at first slip.
         let rim = onset.max(limit).min(3.0 * onset) * 1.05;
         let mut polar = Polar::new(format!("{title}: what a force in every direction does"), "N")
             .rim(rim)

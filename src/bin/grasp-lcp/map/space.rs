@@ -17,7 +17,7 @@ use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
-/// Rings and directions around of the grid of load paths.
+/// Rings of the grid of load paths, and directions on each ring.
 const PATH_GRID: (usize, usize) = (16, 42);
 /// Time limit of a sweep over load paths.
 const MOST_PATH_TIME: Duration = Duration::from_secs(120);
@@ -35,8 +35,8 @@ pub(crate) fn map(
     ask::check_base(&grasp, &ramp([0.0, 0.0, -1.0]))?;
     let quick = ask::quick(&grasp);
 
-    // Load paths take a thousand times as long as onsets, so that their grid is coarser; it also serves
-    // onsets of many contacts.
+    // Load paths take a thousand times as long as onsets, so that their grid is coarser. Onsets of grasps with many
+    // contacts have this grid, too.
     let (rings, around) = if grasp.len() > MOST_NAMED_POINTS { PATH_GRID } else { (45, 120) };
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
@@ -104,7 +104,7 @@ fn load_paths(
         return Ok(None);
     }
     let quick = ask::quick(grasp);
-    // The search for equilibria beyond the end takes most of the time. It is made only where the end is unknown without it.
+    // Enumerating contact states takes most of the time. It is used only in directions whose end is unknown without it.
     Ok(watch.sweep("load paths", ways, MOST_PATH_TIME, |d| {
         let last = limit::last(&quick, base, pull(*d), most)?;
         let known = last.end != LimitEnd::Unknown;
@@ -112,7 +112,7 @@ fn load_paths(
     })?)
 }
 
-/// Prints how far load paths were followed, and how many ended in which way.
+/// Prints the force up to which load paths were followed, and the number of paths by kind of end.
 fn print_paths(grasp: &Grasp, lasts: Option<&[Last]>, (ways, most): (usize, f64)) {
     match lasts {
         Some(lasts) => println!(
@@ -127,7 +127,7 @@ fn print_paths(grasp: &Grasp, lasts: Option<&[Last]>, (ways, most): (usize, f64)
     }
 }
 
-/// The grasp, the place of pictures and the texts that all its maps share.
+/// The grasp, the files of its pictures, and the texts that all its maps share.
 struct Drawing<'a> {
     grasp: &'a Grasp,
     pictures: &'a Pictures,
@@ -185,7 +185,7 @@ impl Drawing<'_> {
     }
 }
 
-/// Number of points of contact above which their names would cover the map, and load paths would take minutes.
+/// Largest number of contact points whose names are drawn. Names of more would cover the map, and load paths would take minutes.
 const MOST_NAMED_POINTS: usize = 8;
 
 fn print_table(
@@ -199,7 +199,7 @@ fn print_table(
     let back = |d: [f64; 3]| d.map(|x: f64| 0.0 - x);
     let names = ["+x", "−x", "+y", "−y", "+z", "−z", "weakest"];
     let ways = [x, back(x), y, back(y), z, back(z), weakest];
-    // With many contacts, a proof that no equilibrium exists beyond takes seconds, and is hardly ever found.
+    // With many contacts, the search for a proof that no equilibrium exists beyond takes seconds, and hardly ever succeeds.
     let quick = if grasp.len() > MOST_NAMED_POINTS { &ask::quick(grasp) } else { grasp };
     let lasts = watch
         .sweep("load paths of the table", &ways, MOST_PATH_TIME, |d| {

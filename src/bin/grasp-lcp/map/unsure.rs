@@ -1,4 +1,4 @@
-//! Uncertainty of a map's data, and the reserve that is kept for it.
+//! Uncertainty of friction, stiffness and squeeze in a map, and the number of standard deviations that are kept in reserve.
 
 use clap::Args;
 use grasp_lcp::sweep::Uncertainty;
@@ -34,7 +34,7 @@ impl Unsure {
         Uncertainty::seeded(0).with_friction(friction).with_stiffness(stiffness).with_squeeze(squeeze)
     }
 
-    /// The assumption in words, for tables and pictures: the reserve, and the uncertain data.
+    /// Reserve and standard deviations in words, for tables and pictures.
     pub(super) fn words(&self) -> [String; 2] {
         let words = Words::default();
         let number = |x: f64| words.number(x);
@@ -46,7 +46,7 @@ impl Unsure {
         ]
     }
 
-    /// The assumption as relative numbers in JSON.
+    /// Reserve and relative standard deviations in JSON.
     pub(super) fn written(&self) -> serde_json::Value {
         let [friction, stiffness, squeeze] = self.parts();
         serde_json::json!({ "friction": friction, "stiffness": stiffness, "squeeze": squeeze, "sigmas": self.sigmas })

@@ -1,4 +1,4 @@
-//! Progress of a sweep on a terminal or in lines, and its end if it takes too long.
+//! Shows the progress of a sweep over directions, and stops it if it takes too long.
 
 use std::io::{self, IsTerminal};
 use std::ops::ControlFlow;
@@ -12,7 +12,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 /// Time limit of one sweep over onsets or reserves, or over load paths in the plane.
 pub(crate) const MOST_SWEEP_TIME: Duration = Duration::from_secs(300);
 
-/// The display of progress: a bar on a terminal; elsewhere one line each second, if `lines` is set.
+/// The display of progress: a bar on a terminal; otherwise, if `lines` is set, one line each second.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MapProgress {
     pub(crate) lines: bool,
@@ -37,7 +37,7 @@ impl MapProgress {
         let seconds_told = AtomicU64::new(0);
         let answers = map_watched(items, f, |progress| {
             let seconds = start.elapsed().as_secs();
-            // A shorter sweep shows no progress bar.
+            // The progress bar appears only if the sweep takes more than a second.
             if bar.is_hidden() && start.elapsed() > Duration::from_secs(1) && is_seen {
                 bar.set_draw_target(ProgressDrawTarget::stderr());
             }
@@ -48,7 +48,7 @@ impl MapProgress {
             if start.elapsed() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         bar.finish_and_clear();
-        // `None` if an answer is missing.
+        // An answer is missing if the time limit has stopped the sweep.
         let answered: Option<Vec<_>> = answers.into_iter().collect();
         answered.map(|answers| answers.into_iter().collect()).transpose()
     }

@@ -7,7 +7,7 @@ use super::limit::{Last, LimitEnd};
 use super::unsure::Unsure;
 use grasp_lcp::grasp::Wrench;
 
-/// The content of a map.
+/// All numbers of a map, to be written as JSON.
 pub(super) struct WrittenMap<'a, const C: usize> {
     pub(super) at: [f64; C],
     pub(super) base: Wrench<C>,
@@ -22,7 +22,7 @@ pub(super) struct WrittenMap<'a, const C: usize> {
 }
 
 impl<const C: usize> WrittenMap<'_, C> {
-    /// Prints one JSON object; a force that is never reached is "never", an unknown one is null.
+    /// Prints the map as one JSON object. An infinite force is "never" or "further", an unknown one null.
     pub(super) fn print(&self) {
         let onset = |(direction, first): &([f64; C], &First)| {
             json!({

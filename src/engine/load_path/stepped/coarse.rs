@@ -43,8 +43,8 @@ impl Coarse {
         // states, and errors that decay would be added up.
         let by = 10.0 * distance + to.apart(at_once);
         let step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
-        // At a distance of at most this part of the largest force both paths are equal, up to the tolerance of Newton's method. So are their next
-        // steps made at once. With a larger part, errors that decay would be added up.
+        // If the paths differ by less than this part of the largest force, the difference is below the tolerance of Newton's method, and the second
+        // path moves to `at_once`. With a larger part, errors that decay would be added up.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.apart(at_once) <= by {
             core::mem::swap(&mut self.standing, beside);
         } else {

@@ -5,13 +5,13 @@ mod names;
 use nalgebra::{Matrix2, Vector2};
 use plotters::style::{Color, RGBColor};
 
-use crate::grasp::{inside, outside};
-use crate::numerics::{mapped, moved, tried};
+use crate::grasp::{ContactPoints, inside, outside};
+use crate::numerics::{mapped, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
 use crate::picture::contact_look::{cone_size, ink, slope, word};
 use crate::picture::error::PictureError;
-use crate::picture::fingertip::{ContactGroup, Resultant, fingertips};
+use crate::picture::fingertip::Resultant;
 use crate::picture::force_scale::metres_per_newton;
 use crate::picture::layout::PLANAR;
 use crate::picture::painting::{Painting, flat};
@@ -27,7 +27,7 @@ use crate::picture::words::{caution, lines};
 /// Layout of a picture, pixels.
 struct Paper {
     size: Place,
-    /// The part for the grasp, before it is moved down for sentences below the title.
+    /// The part for the grasp. Sentences below the title move it down.
     window: Window,
     /// Margins for names: to either side, and above and below the grasp.
     border: (f64, f64),
@@ -52,7 +52,7 @@ const OF_A_PAGE: Paper = Paper {
 pub(super) struct Picture<'a> {
     of: &'a PlanarPicture<'a>,
     actuators: Actuators,
-    tips: Vec<Tip>,
+    tips: Vec<Tip<'a>>,
     load: Option<PlanarLoad>,
     way_out: Option<MovedOutlines>,
     /// Size of the scene, m.
@@ -74,9 +74,9 @@ pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, Pict
     tried(&pictures, &|picture| picture.draw_on(&OF_A_PAGE, &points))
 }
 
-/// A fingertip with its contact frame, and its resultant if there is an equilibrium.
-struct Tip {
-    of: ContactGroup,
+/// A fingertip with its contact frame, and its resultant force if there is an equilibrium.
+struct Tip<'a> {
+    of: &'a ContactPoints,
     middle: Vector2<f64>,
     frame: Matrix2<f64>,
     slope: f64,
@@ -99,18 +99,18 @@ impl<'a> Picture<'a> {
         let span = size(bounds([held, grasp.links().concat()].concat()));
         let frames: Vec<_> = grasp.frames().copied().collect();
         let (grasp_inside, answer) = (inside(*grasp), state.map(inside));
-        let does = |tip: &ContactGroup| {
+        let does = |tip: &ContactPoints| {
             answer.as_ref().map(|answer| outside(tip.resultant(grasp_inside.contacts(), answer)))
         };
-        let tip = |tip: ContactGroup| Tip {
+        let tip = |tip: &'a ContactPoints| Tip {
             middle: tip.middle(contacts),
-            frame: frames[tip.contacts.start],
-            slope: slope(&contacts[tip.contacts.start]),
-            link: PlanarLink::of(&tip, contacts),
-            does: does(&tip),
+            frame: frames[tip.range.start],
+            slope: slope(&contacts[tip.range.start]),
+            link: PlanarLink::of(tip, contacts),
+            does: does(tip),
             of: tip,
         };
-        let tips: Vec<_> = moved(fingertips(contacts), &tip);
+        let tips: Vec<_> = mapped(grasp.engine.wholes(), &tip);
         let loaded = load.as_ref().map_or(0.0, |load| load.force.norm());
         let doing = || tips.iter().filter_map(|tip| Some((tip, tip.does.as_ref()?)));
         let most = doing().map(|(_, does)| does.force.norm()).fold(loaded, f64::max);
@@ -174,7 +174,7 @@ impl<'a> Picture<'a> {
         }))
     }
 
-    /// The points that the picture must contain.
+    /// All points that must lie inside the picture, m.
     fn points(&self) -> Vec<Vector2<f64>> {
         let mut points = [self.of.outlines.concat(), self.of.grasp.links().concat()].concat();
         for tip in &self.tips {
@@ -185,7 +185,7 @@ impl<'a> Picture<'a> {
             points.extend(self.finger(tip));
             if let Some(does) = &tip.does {
                 points.extend([does.at, does.at + does.force * self.scale]);
-                if self.of.grasp.contacts()[tip.of.contacts.start].against.is_some() {
+                if self.of.grasp.contacts()[tip.of.range.start].against.is_some() {
                     points.push(does.at - does.force * self.scale);
                 }
                 points.extend(self.cone(tip, does).into_iter().flatten());
@@ -230,7 +230,7 @@ impl<'a> Picture<'a> {
         let place = |point| axes.place(point);
         if let Some(link) = &tip.link {
             link.paint(axes, painting);
-        } else if self.of.grasp.contacts()[tip.of.contacts.start].against.is_none() {
+        } else if self.of.grasp.contacts()[tip.of.range.start].against.is_none() {
             painting.area(self.finger(tip).map(place), RGBColor(176, 176, 176).to_rgba(), -2.0);
         }
         let Some(does) = &tip.does else {
@@ -245,11 +245,11 @@ impl<'a> Picture<'a> {
             }
         }
         painting.arrow([at, at + force * self.scale].map(|end| flat(place(end))), ink(what), 3.0, 1);
-        if self.of.grasp.contacts()[tip.of.contacts.start].against.is_some() {
+        if self.of.grasp.contacts()[tip.of.range.start].against.is_some() {
             // The body on the other side feels the opposite force.
             painting.arrow([at, at - force * self.scale].map(|end| flat(place(end))), ink(what), 1.5, 1);
         }
-        for i in tip.of.contacts.clone().filter(|_| tip.of.is_soft()) {
+        for i in tip.of.range.clone().filter(|_| tip.of.is_soft()) {
             let point = self.of.grasp.contacts()[i].point;
             let what = self.of.state.map_or("", |state| word(&state.contacts[i]));
             painting.dot(flat(place(point)), 2.5, ink(what), false);

@@ -15,7 +15,7 @@ use crate::picture::words::short;
 use crate::words::printable;
 
 impl Picture<'_> {
-    /// Writes all names, including the load and the way out. The number of names without room is written below the picture.
+    /// Writes all names, also of the load and of the motion of loss. Names without room are counted, and the number is written below the picture.
     pub(super) fn write_names(
         &self,
         axes: &EqualScales,
@@ -65,20 +65,21 @@ impl Picture<'_> {
         }
     }
 
-    /// Writes name, state and force of a fingertip behind the finger, away from the object.
+    /// Writes the name, state and force of a fingertip at the outer end of the finger.
     fn write_tip(&self, tip: &Tip, axes: &EqualScales, paper: &mut Sheet, labels: &mut Labels) {
         let at = axes.place(tip.middle - tip.frame.column(0) * (PLANAR.finger * self.span));
+        let name = tip.of.text();
         match &tip.does {
-            // With more fingertips only names are written, without state and force.
+            // Beyond this number of fingertips only names are written, without state and force.
             Some(does) if self.tips.len() <= PLANAR.most_told && tip.link.is_some() => {
                 let force = format!("{} N", short(does.force.norm()));
-                labels.write(paper, at, &[&tip.of.name, &force], PLANAR.letters);
+                labels.write(paper, at, &[&name, &force], PLANAR.letters);
             }
             Some(does) if self.tips.len() <= PLANAR.most_told => {
                 let force = format!("|F| = {} N", short(does.force.norm()));
-                labels.write(paper, at, &[&tip.of.name, does.word, &force], PLANAR.letters);
+                labels.write(paper, at, &[&name, does.word, &force], PLANAR.letters);
             }
-            _ => labels.write(paper, at, &[&tip.of.name], PLANAR.letters),
+            _ => labels.write(paper, at, &[&name], PLANAR.letters),
         }
     }
 }

@@ -14,7 +14,7 @@ impl Drawing<'_> {
     /// | key | meaning |
     /// |---|---|
     /// | `view` | yaw and pitch at first |
-    /// | `centre`, `reach` | the middle of the grasp, and the distance from there to the farthest mark of all answers, m |
+    /// | `centre`, `reach` | the centre of the grasp, and its distance from the farthest mark of all answers, m |
     /// | `force`, `shortest` | scale of forces, m/N; the least length of the arrow of a load, pixels |
     /// | `grey`, `face`, `contour` | colours of axes and scale, and of the object |
     /// | `contacts` | the middle of each fingertip, m |
@@ -45,7 +45,7 @@ impl Drawing<'_> {
             hex(GREY),
             hex(FACE),
             hex(CONTOUR),
-            json_list(&self.tips, &|tip| json_row(tip.middle(contacts).as_slice()))?,
+            json_list(self.tips, &|tip| json_row(tip.middle(contacts).as_slice()))?,
             json_list(&grasp, &Mark::json)?,
             json_list(&frames, &|marks| json_list(marks, &Mark::json))?,
         ))

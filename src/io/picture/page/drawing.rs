@@ -1,14 +1,14 @@
-//! Common geometry of page and still: places in the coordinates of the grasp, and the scales that turn newtons into metres.
+//! Geometry that page and still share: points in the coordinates of the grasp, and the scales of forces, moments and displacements.
 
 use nalgebra::{Vector3, Vector6};
 
 use super::frame::Frame;
 use super::solid::bodies;
 use super::spatial_page::SpatialPage;
+use crate::grasp::ContactPoints;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::picture::error::PictureError;
-use crate::picture::fingertip::{ContactGroup, fingertips};
 use crate::picture::force_scale::metres_per_newton;
 use crate::picture::round_numbers::round_down;
 use crate::picture::words::short;
@@ -16,21 +16,21 @@ use crate::spatial::{Contact, ContactState, Equilibrium, Twist, Wrench};
 
 pub(super) struct Drawing<'p> {
     pub(super) page: &'p SpatialPage,
-    pub(super) tips: Vec<ContactGroup>,
+    pub(super) tips: &'p [ContactPoints],
     /// Convex parts of the object.
     pub(super) bodies: Vec<Vec<[f64; 3]>>,
     pub(super) centre: Vector3<f64>,
     /// Largest extent of the contacts and outlines along an axis, m.
     pub(super) span: f64,
-    /// The span, or the distance of the farthest load if that is larger, m.
+    /// The span, or the distance from the centre to the farthest load if that is larger, m.
     pub(super) size: f64,
     /// Scale of forces, m/N.
     pub(super) force: f64,
     /// Scale of moments, m/(N m).
     pub(super) moment: f64,
-    /// Magnification of displacements; 0 where they are not drawn.
+    /// Magnification of displacements; 0 if they are not drawn.
     pub(super) displacement: f64,
-    /// The largest displacement where it would have to be made smaller than it is, m.
+    /// The largest displacement, m, if displacements are too large to be drawn: their magnification would be below 1.
     undrawn: Option<f64>,
 }
 
@@ -42,13 +42,13 @@ struct Largest {
     displacement: f64,
 }
 
-/// The arrows of a load: a force on its line of action, at the point nearest to the middle of the grasp, and the remaining moment. If that line is
-/// far away, the force in the middle, with the moment about it.
+/// The arrows of a load: a force on its line of action, at the point nearest to the centre of the grasp, and the moment about that line. If the line
+/// is far away, the force is drawn at the centre, with the moment about the centre.
 pub(super) struct LoadArrow {
     pub(super) at: Vector3<f64>,
     pub(super) force: Vector3<f64>,
     pub(super) moment: Vector3<f64>,
-    /// Whether the force is drawn in the middle instead of on its line of action.
+    /// Whether the force is drawn at the centre of the grasp instead of on its line of action.
     pub(super) is_moved: bool,
 }
 
@@ -93,7 +93,7 @@ impl<'p> Drawing<'p> {
         let span = if high == low { 1.0 } else { (high - low).amax() };
         let mut drawing = Self {
             page,
-            tips: fingertips(page.grasp.contacts()),
+            tips: page.grasp.engine.wholes(),
             bodies: bodies(&page.outlines),
             centre: (low + high) / 2.0,
             span,
@@ -137,7 +137,7 @@ impl<'p> Drawing<'p> {
     fn largest<'s>(&self, states: impl IntoIterator<Item = &'s Equilibrium>) -> Largest {
         let mut most = Largest::default();
         for state in states {
-            for tip in &self.tips {
+            for tip in self.tips {
                 let resultant = tip.resultant(self.page.grasp.contacts(), state);
                 most.force = most.force.max(resultant.force.norm());
                 most.displacement = most.displacement.max(resultant.displacement.norm());
@@ -151,16 +151,16 @@ impl<'p> Drawing<'p> {
         most
     }
 
-    /// The largest scale, in metres per newton, that suits every one of these answers.
+    /// The scale of forces of the answer that needs the smallest one, m/N.
     fn force_scale<'s>(&self, states: impl Iterator<Item = &'s Equilibrium>, largest: f64) -> f64 {
         let grasp = &self.page.grasp;
         let frames: Vec<_> = grasp.frames().collect();
         let scale = |state: &Equilibrium| {
-            let push = |tip: &ContactGroup| {
+            let push = |tip: &ContactPoints| {
                 let pushed = tip.resultant(grasp.contacts(), state).normal_force;
-                (tip.middle(grasp.contacts()), frames[tip.contacts.start].column(0).into_owned(), pushed)
+                (tip.middle(grasp.contacts()), frames[tip.range.start].column(0).into_owned(), pushed)
             };
-            let pushes: Vec<_> = mapped(&self.tips, &push);
+            let pushes: Vec<_> = mapped(self.tips, &push);
             metres_per_newton(&pushes, self.size, largest)
         };
         // Without an equilibrium the load is the only force.
@@ -195,7 +195,7 @@ impl<'p> Drawing<'p> {
         }
         let along = force / size;
         let away = along.cross(&(about_centre / size));
-        // A line of action farther away is not drawn at its place, because the grasp would become a dot.
+        // A line of action that is farther away would make the grasp a dot in the picture.
         if away.norm() > 1.5 * self.span {
             return in_the_middle(true);
         }

@@ -7,11 +7,11 @@ use nalgebra::{Vector2, Vector3};
 use crate::picture::error::PictureError;
 use crate::picture::window::Window;
 
-/// The direction from which a spatial grasp is seen. The eye is at infinity, so that parallel lines stay parallel, and the middle of the grasp is at
-/// its centre of view. The z axis points upwards on paper unless it points to the eye.
+/// The direction from which a spatial grasp is seen. The eye is at infinity, so that parallel lines stay parallel, and the centre of the grasp is in
+/// the middle of the picture. The z axis points upwards on paper unless it points to the eye.
 ///
-/// At first the eye is on the side of −y: x points to the right, z upwards. `yaw` turns it around z, counterclockwise seen from above. `pitch` then
-/// raises it. Both are in rad. The direction from the grasp to the eye is
+/// With yaw and pitch zero the eye is on the side of −y: x points to the right, z upwards. `yaw` turns the eye around z, counterclockwise seen from
+/// above. `pitch` then raises it. Both are in rad. The direction from the grasp to the eye is
 ///
 /// ```text
 /// (sin yaw cos pitch, −cos yaw cos pitch, sin pitch)
@@ -31,26 +31,26 @@ use crate::picture::window::Window;
 pub struct View {
     /// Turn of the eye around z, from −y towards x, rad.
     pub yaw: f64,
-    /// Height of the eye above the plane of x and y, rad.
+    /// Angle of the eye above the plane of x and y, rad.
     pub pitch: f64,
 }
 
 impl View {
-    /// From −y: x to the right, z upwards.
+    /// Seen from −y: x to the right, z upwards.
     pub const FRONT: Self = Self { yaw: 0.0, pitch: 0.0 };
-    /// From x: y to the right, z upwards.
+    /// Seen from x: y to the right, z upwards.
     pub const RIGHT: Self = Self { yaw: FRAC_PI_2, pitch: 0.0 };
-    /// From z: x to the right, y upwards.
+    /// Seen from z: x to the right, y upwards.
     pub const ABOVE: Self = Self { yaw: 0.0, pitch: FRAC_PI_2 };
 
-    /// Sets the turn around z, rad.
+    /// Sets the turn of the eye around z, rad.
     #[must_use]
     pub fn with_yaw(mut self, yaw: f64) -> Self {
         self.yaw = yaw;
         self
     }
 
-    /// Sets the height above the plane of x and y, rad.
+    /// Sets the angle of the eye above the plane of x and y, rad.
     #[must_use]
     pub fn with_pitch(mut self, pitch: f64) -> Self {
         self.pitch = pitch;
@@ -78,7 +78,7 @@ pub(super) struct Eye {
 }
 
 impl Eye {
-    /// An eye that sees all these points in the window as large as possible, but never a length of `span` larger than the window.
+    /// The projection with the largest scale at which all points lie inside the window, and a length of `span` is not longer than the window.
     pub(super) fn new(
         view: View,
         window: Window,
@@ -113,7 +113,7 @@ impl Eye {
         Ok(Self { right, up, towards, target, window, scale })
     }
 
-    /// Pixels to the right and downwards on paper, and towards the eye.
+    /// The projection of a point: pixels to the right and downwards on paper, and its depth towards the eye, pixels.
     pub(super) fn see(&self, point: &Vector3<f64>) -> Vector3<f64> {
         let (x, y) = self.window.middle();
         let away = point - self.target;

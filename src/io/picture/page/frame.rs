@@ -14,7 +14,7 @@ pub(super) struct Frame<const C: usize> {
     pub(super) shown: Result<Box<Equilibrium<C>>, String>,
     /// Sentences beside the answer.
     pub(super) says: Vec<String>,
-    /// The motion on the way out of the object.
+    /// The motion by which the object is lost.
     pub(super) leaving: Option<Motion<C>>,
     /// The load, if there is no equilibrium.
     pub(super) load: Option<Wrench<C>>,
@@ -37,7 +37,7 @@ impl<const C: usize> Frame<C> {
         self.shown.as_deref().ok()
     }
 
-    /// The load of the equilibrium, or the load set without one.
+    /// The load of the equilibrium; without an equilibrium the load that the caller has set.
     pub(super) fn load(&self) -> Option<&Wrench<C>> {
         self.state().map(|state| &state.load).or(self.load.as_ref())
     }
@@ -54,7 +54,7 @@ impl<const C: usize> Frame<C> {
 }
 
 impl Frame<2> {
-    /// What tables show of the answer, with three components a vector.
+    /// The answer with vectors of three components, as far as tables show it.
     pub(super) fn widened(&self) -> Frame<3> {
         let shown = match &self.shown {
             Ok(state) => Ok(state.entered()),

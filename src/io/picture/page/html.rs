@@ -6,13 +6,13 @@ use super::drawing::Drawing;
 use super::frame::Frame;
 use super::spatial_page::SpatialPage;
 use super::table;
+use crate::grasp::ContactPoints;
 use crate::picture::contact_look::{STATES, ink};
 use crate::picture::error::PictureError;
-use crate::picture::fingertip::ContactGroup;
 use crate::picture::palette::{PINK, SKY, hex};
 use crate::picture::words::escaped;
 
-/// Parts of one script, which share their names.
+/// Script of the choice of answers, which planar and spatial pages share. Parts of a script see each other's names.
 pub(super) const ANSWERS_SCRIPT: &str = include_str!("view/answers.js");
 const VIEW_SCRIPTS: [&str; 5] = [
     ANSWERS_SCRIPT,
@@ -42,11 +42,11 @@ impl SpatialPage {
         page += "<p class=\"hint\">Drag to turn, wheel or two fingers to enlarge, double click to reset.</p>\n</div>\n<aside>\n";
         write_choice(&mut page, &self.frames);
         page += include_str!("legend.html");
-        if drawing.tips.iter().any(ContactGroup::is_soft) {
+        if drawing.tips.iter().any(ContactPoints::is_soft) {
             page += POINTS_CHOICE;
         }
         let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", escaped(&scales));
-        table::write(&mut page, &self.grasp, &drawing.tips, &self.actuators, &self.frames)?;
+        table::write(&mut page, &self.grasp, &self.actuators, &self.frames)?;
         let _ = writeln!(page, "<script type=\"application/json\" id=\"grasp\">{}</script>", drawing.json()?);
         closed(&mut page, &VIEW_SCRIPTS.concat());
         Ok(page)

@@ -1,4 +1,4 @@
-//! The way out of a spatial object: its next position along a motion.
+//! The motion by which a spatial object is lost: its lines displaced along this motion.
 
 use nalgebra::{Point3, Vector3};
 
@@ -8,21 +8,21 @@ use crate::grasp::Motion;
 use crate::numerics::{largest, mapped};
 use crate::spatial::{Contact, Twist};
 
-/// Lines on the object in their next places, and arrows that lead there.
+/// Lines on the object after the motion, and arrows from the old to the new places.
 pub(super) struct MovedLines {
     pub(super) lines: Vec<Vec<Vector3<f64>>>,
     pub(super) arrows: Vec<[Vector3<f64>; 2]>,
 }
 
 impl Drawing<'_> {
-    /// The way out of the outlines, each moved with its body, or else of the contacts.
+    /// The outlines after the motion, each moved with its body; without outlines arrows at the contacts.
     pub(super) fn way_out(&self, motion: &Motion<3>) -> MovedLines {
         let moving = |line: &MovingLine| {
             let twist = *motion.of_body(line.body);
             mapped(&line.corners, &|corner| (Vector3::from(*corner), twist))
         };
         let lines: Vec<Vec<_>> = mapped(&self.page.outlines, &moving);
-        // With several bodies the body of a contact is not known here, so that contacts are not drawn.
+        // With several bodies a page does not know the body of a contact, so that arrows at contacts are omitted.
         let of_object = motion.bodies.is_empty().then_some(motion.object);
         let contacts = self.page.grasp.contacts().iter().map(Contact::point);
         let contacts =
@@ -32,7 +32,7 @@ impl Drawing<'_> {
         let speed =
             |(point, twist): &(Vector3<f64>, Twist)| Vector3::from(twist.displacement_at(*point)).norm();
         let fastest = largest(&points, &speed);
-        // The fastest point is moved by this part of the span.
+        // The fastest point moves by 0.15 of the span.
         let time = 0.15 * self.span / fastest;
         if !(time.is_finite() && time > 0.0) {
             return MovedLines { lines: Vec::new(), arrows: Vec::new() };

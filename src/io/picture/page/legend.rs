@@ -1,12 +1,13 @@
-//! The legend of a still: the meaning of its marks, and its scales in words.
+//! The legend of a still picture: the meaning of its marks, and its scales in words.
 
 use plotters::style::{Color, RGBColor, colors::BLACK};
 
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
+use crate::grasp::ContactPoints;
 use crate::numerics::mapped;
 use crate::picture::contact_look::{STATES, ink, word};
-use crate::picture::fingertip::{ContactGroup, Resultant};
+use crate::picture::fingertip::Resultant;
 use crate::picture::layout::{LEGEND, SPATIAL};
 use crate::picture::painting::{Painting, flat};
 use crate::picture::palette::{BROWN, GREY, PINK, SKY, VERMILION};
@@ -87,7 +88,7 @@ impl Entry {
     }
 
     fn lines(&self) -> Vec<String> {
-        // Words without a sample are smaller, and have the whole width.
+        // Texts without a sample have smaller letters and the whole width.
         let letters = if matches!(self.sample, Sample::None) { 32 } else { 24 };
         lines(&self.words, letters)
     }
@@ -99,7 +100,7 @@ fn entry(sample: Sample, words: &str) -> Entry {
 
 /// A round force or moment and its arrow, at a scale of `pixels` pixels per unit.
 fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
-    // The longest arrow of a scale, pixels.
+    // The arrow of a scale is at most 100 pixels long.
     let shown = 100.0 / pixels;
     (pixels > 0.0 && shown > 0.0 && shown.is_finite()).then(|| {
         let round = round_down(shown);
@@ -108,14 +109,14 @@ fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
     })
 }
 
-/// The states of fingertips and their points, each once.
+/// Legend entries of the states of fingertips and their points, one for each state that occurs.
 fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
-    let resultant = |tip: &ContactGroup| tip.resultant(contacts, state);
-    let tips: Vec<Resultant<3>> = mapped(&drawing.tips, &resultant);
+    let resultant = |tip: &ContactPoints| tip.resultant(contacts, state);
+    let tips: Vec<Resultant<3>> = mapped(drawing.tips, &resultant);
     let mut points = Vec::new();
     for tip in drawing.tips.iter().filter(|tip| tip.is_soft()) {
-        points.extend(state.contacts[tip.contacts.clone()].iter().map(word).filter(|what| tip.shows(what)));
+        points.extend(state.contacts[tip.range.clone()].iter().map(word).filter(|what| tip.shows(what)));
     }
     let mut entries = Vec::new();
     for what in STATES {
@@ -134,7 +135,7 @@ fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     entries
 }
 
-/// The marks of object and load that occur in this answer.
+/// Legend entries of the marks of object and load that occur in this answer.
 fn of_object(drawing: &Drawing, frame: &Frame<3>) -> Vec<Entry> {
     let state = frame.state();
     let load = frame.load().map(|load| drawing.load(load));

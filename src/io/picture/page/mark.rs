@@ -1,4 +1,4 @@
-//! One mark of a spatial picture: its shape in the coordinates of the grasp, and its JSON for the script of a page.
+//! One graphical mark of a spatial picture: its shape in the coordinates of the grasp, and its JSON for the script of a page.
 
 use std::fmt::Write;
 
@@ -70,15 +70,15 @@ pub(super) enum MarkShape {
         radii: [Vector3<f64>; 2],
         ink: RGBColor,
     },
-    /// The arrow of a load, lengthened if it would be too short to be visible.
+    /// The arrow of a load. It is lengthened, and so not to scale, if it would be too short to be visible.
     Load {
         from: Vector3<f64>,
         along: Vector3<f64>,
         width: f64,
         heads: usize,
-        /// Its name where the arrow is to scale; empty if another arrow has the name.
+        /// The name of an arrow that is to scale; empty if another arrow has the name.
         name: &'static str,
-        /// Its name and size where the arrow is not to scale.
+        /// Name and size of an arrow that is not to scale.
         otherwise: String,
     },
     /// An edge of the object, darker where it is nearer to the eye.
@@ -131,7 +131,7 @@ impl Mark {
         }
     }
 
-    /// The mark as a JSON object; the key of its place names its kind.
+    /// The mark as a JSON object. Its first key names the kind of mark, and has the position as value.
     pub(super) fn json(&self) -> Result<String, PictureError> {
         let line = |corners: &[Vector3<f64>]| json_list(corners, &row);
         let mut parts = match &self.shape {

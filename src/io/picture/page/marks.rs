@@ -8,15 +8,16 @@ use super::frame::Frame;
 use super::leaving::MovedLines;
 use super::mark::{Mark, MarkLayer, MarkShape};
 use super::paint::hull;
+use crate::grasp::ContactPoints;
 use crate::numerics::mapped;
 use crate::picture::contact_look::{cone_size, ink, slope, word};
-use crate::picture::fingertip::{ContactGroup, Resultant};
+use crate::picture::fingertip::Resultant;
 use crate::picture::layout::{MARKS, SPATIAL};
 use crate::picture::palette::{BROWN, FIXTURE, GREY, PINK, SKY, VERMILION};
 use crate::picture::words::short;
 use crate::spatial::{Contact, ContactState, Equilibrium, Wrench};
 
-/// The marks of the grasp, whatever the answer: the object, what is at rest, fingers and their names.
+/// The marks that all answers share: the object, fixtures, fingers and their names.
 pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
     let page = drawing.page;
     let mut marks: Vec<Mark> =
@@ -30,12 +31,12 @@ pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
     let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
     let names = if drawing.tips.len() > MARKS.most_named { MarkLayer::Pointed } else { MarkLayer::Names };
     for (k, tip) in drawing.tips.iter().enumerate() {
-        // The finger behind its contact, or a link.
+        // A contact is drawn with a finger behind it, a link by its ends.
         let at = tip.middle(contacts);
-        let tail = at - frames[tip.contacts.start].column(0) * (SPATIAL.finger * drawing.span);
+        let tail = at - frames[tip.range.start].column(0) * (SPATIAL.finger * drawing.span);
         let corners = tip.ends_of_link(contacts).map_or(vec![tail, at], |ends| ends.to_vec());
         marks.push(MarkShape::Line { corners, ink: GREY, width: 5.0, dashes: None }.always());
-        marks.push(MarkShape::Name { at: tail, words: tip.name.clone() }.on(names).of(k));
+        marks.push(MarkShape::Name { at: tail, words: tip.text() }.on(names).of(k));
     }
     marks
 }
@@ -57,7 +58,7 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame<3>>) -
     }
     let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
     for (k, tip) in drawing.tips.iter().enumerate() {
-        let first = tip.contacts.start;
+        let first = tip.range.start;
         let ink = state.map_or(GREY, |state| ink(tip.resultant(contacts, state).word));
         marks.extend(rim(contacts, frames[first], tip, ink).map(|mark| mark.of(k)));
         if let (Some(frame), Some(state)) = (frame, state) {
@@ -128,22 +129,22 @@ fn marks_of_a_fingertip(
 }
 
 /// The points of a fingertip, each in the colour of its state.
-fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactGroup) -> Vec<Mark> {
+fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactPoints) -> Vec<Mark> {
     let radius = if tip.is_soft() { SPATIAL.soft_point } else { SPATIAL.contact };
     let dot = |i: usize| {
         let answer = &state.contacts[i];
         let open = answer.state == ContactState::Separated;
         MarkShape::Dot { at: contacts[i].point(), radius, ink: ink(word(answer)), open }.always()
     };
-    tip.contacts.clone().filter(|i| tip.shows(word(&state.contacts[*i]))).map(dot).collect()
+    tip.range.clone().filter(|i| tip.shows(word(&state.contacts[*i]))).map(dot).collect()
 }
 
-/// The rim of a soft fingertip, around its points as seen along its normal.
-fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactGroup, ink: RGBColor) -> Option<Mark> {
-    if !tip.is_soft() || tip.link.is_some() {
+/// The rim of a soft fingertip: the convex hull of its points, seen along its normal.
+fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactPoints, ink: RGBColor) -> Option<Mark> {
+    if !tip.is_soft() || tip.label.link.is_some() {
         return None;
     }
-    let places = contacts[tip.contacts.clone()].iter().map(|contact| {
+    let places = contacts[tip.range.clone()].iter().map(|contact| {
         let across = frame.tr_mul(&contact.point());
         ((across[1], across[2]), contact.point())
     });

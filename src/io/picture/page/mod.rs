@@ -1,5 +1,5 @@
-//! Grasps as HTML pages. A spatial grasp can be turned with the mouse, or drawn as a still picture. The answers of a planar grasp are selected with a
-//! slider.
+//! Grasps as HTML pages. On a page a spatial grasp can be turned with the mouse; it can also be drawn as a still picture. A slider selects the answers
+//! of a planar grasp.
 
 mod data;
 mod drawing;

@@ -37,7 +37,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
             MarkShape::Load { from, along, width, heads, .. } => {
                 let (ends, _) = load_ends(eye, from, along);
                 let long = (ends[1] - ends[0]).xy().norm();
-                // A load that is shorter on paper, in pixels, points to the eye or away from it.
+                // A load whose arrow is shorter than 8 pixels on paper points to the eye or away from it.
                 if long < 8.0 {
                     painting.end_on(ends[0], ends[1].z > ends[0].z, BLACK, *width);
                 } else {
@@ -60,7 +60,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
             MarkShape::Body { corners } => {
                 let corners = corners.iter().map(|corner| eye.see(corner)).map(|seen| (seen.x, seen.y));
                 let corners = hull(corners.collect());
-                // Bodies are behind everything. Only the half of the contour outside all bodies remains visible.
+                // Bodies are behind all other marks. Faces hide contours, of which only the outer half, outside all bodies, remains visible.
                 painting.contour(corners.clone(), CONTOUR, 2.4, f64::NEG_INFINITY);
                 painting.area(corners, FACE.to_rgba(), f64::MIN);
             }
@@ -74,7 +74,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
 pub(super) fn load_ends(eye: &Eye, from: &Vector3<f64>, along: &Vector3<f64>) -> ([EyePoint; 2], bool) {
     let long = along.norm() * eye.scale;
     let is_to_scale = long >= MARKS.shortest_load;
-    // The vector is divided by its largest component first, because the square of a tiny one is zero.
+    // The vector is divided by its largest component first, because the square of a tiny component underflows to zero.
     let size = along.amax();
     let unit = if size > 0.0 { (along / size).normalize() } else { *along };
     let along = if is_to_scale { *along } else { unit * (MARKS.shortest_load / eye.scale) };
@@ -95,8 +95,7 @@ fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> RGBColor + use<> {
     }
 }
 
-/// Paints a cone as two faces, the side towards the eye and the side away from it, so that the force is drawn between them. Smaller faces would show
-/// seams.
+/// Paints a cone as two faces, a near one and a far one, so that the arrow of the force is drawn between them. More and smaller faces would show seams.
 fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColor) {
     let sides = rim.len();
     let next = |k: usize| (k + 1) % sides;
@@ -126,7 +125,7 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColo
 
 /// Corners of the convex hull of these places (Andrew's monotone chain), the first one last again.
 pub(super) fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    // By the first coordinate, and by the second among places of the same first.
+    // Sorts by the first coordinate, and places with the same first coordinate by the second; the sort is stable.
     for coordinate in [|place: &(f64, f64)| place.1, |place: &(f64, f64)| place.0] {
         let values: Vec<f64> = mapped(&places, &coordinate);
         places = moved(increasing(&values), &|i| places[i]);

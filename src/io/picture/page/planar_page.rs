@@ -5,16 +5,15 @@ use std::fmt::Write;
 use super::frame::{Frame, change_last};
 use super::html::{ANSWERS_SCRIPT, closed, opened, write_choice};
 use super::table;
-use crate::grasp::{Motion, inside};
+use crate::grasp::{ContactPoints, Motion, inside};
 use crate::numerics::mapped;
 use crate::picture::actuators::Actuators;
 use crate::picture::error::PictureError;
-use crate::picture::fingertip::{ContactGroup, fingertips};
 use crate::picture::grasp_picture::stills_of_a_page;
 use crate::picture::planar_picture::{Outline, PlanarPicture};
 use crate::planar::{Equilibrium, Grasp, Wrench};
 
-/// A planar grasp and one or more of its answers as a single self-contained HTML file. Its first line is the answer in a sentence. Buttons select an
+/// A planar grasp and one or more of its answers as a single self-contained HTML file. Its first line states the answer in a sentence. Buttons select an
 /// answer, and a slider if there are more than two. All pictures have one scale, so that growing forces are visible. Each picture is that of a
 /// [`PlanarPicture`], and a table has the numbers of the answer shown.
 ///
@@ -84,14 +83,14 @@ impl PlanarPage {
         self
     }
 
-    /// Draws the way out of the object from the last answer, if there is one. Only the direction of the motion matters.
+    /// Draws a motion of the object in the last answer, if there is one, such as that of a loss. Only the direction of the motion matters.
     #[must_use]
     pub fn maybe_leaving(mut self, motion: Option<&Motion<2>>) -> Self {
         change_last(&mut self.frames, |frame| frame.leaving = motion.cloned());
         self
     }
 
-    /// Sets the load of the last answer, which is drawn if that has no equilibrium.
+    /// Sets the load of the last answer. It is drawn if the answer has no equilibrium.
     #[must_use]
     pub fn under(mut self, load: Wrench) -> Self {
         change_last(&mut self.frames, |frame| frame.load = Some(load));
@@ -107,8 +106,7 @@ impl PlanarPage {
         let (grasp, frames) = (inside(&self.grasp), mapped(&self.frames, &Frame::widened));
         table::write_says(&mut page, &frames);
         write_choice(&mut page, &frames);
-        let tips = fingertips(self.grasp.contacts());
-        if tips.iter().any(ContactGroup::is_soft) {
+        if grasp.engine.wholes().iter().any(ContactPoints::is_soft) {
             page.push_str(super::html::POINTS_CHOICE);
         }
         let pictures: Vec<_> =
@@ -120,7 +118,7 @@ impl PlanarPage {
             let _ =
                 writeln!(page, "<section class=\"still\" data-frame=\"{k}\"{hidden}>\n{picture}</section>");
         }
-        table::write(&mut page, &grasp, &tips, &Actuators::of(&grasp), &frames)?;
+        table::write(&mut page, &grasp, &Actuators::of(&grasp), &frames)?;
         closed(&mut page, &format!("{ANSWERS_SCRIPT}onChoice(choose);\n"));
         Ok(page)
     }

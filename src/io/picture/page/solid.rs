@@ -1,20 +1,20 @@
-//! Convex parts of the object between its outlines, so that it looks like a body instead of wire.
+//! Convex parts of the object between its outlines, so that it looks like a solid instead of a wire frame.
 
 use super::spatial_page::MovingLine;
 use crate::numerics::mapped;
 
-/// Convex parts: every ring by itself, and the hull of two consecutive round rings. A ring is an outline, or a part of it that returns to its
-/// beginning.
+/// Convex parts of the object: every ring, and the convex hull of two consecutive rings of at least eight corners. A ring is an outline, or a part of
+/// it that returns to its start.
 pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
-    // There is no part between two bodies.
+    // No convex part spans two bodies.
     let of_one_body = outlines.chunk_by(|a, b| a.body == b.body);
     of_one_body.map(solids).collect::<Vec<_>>().concat()
 }
 
 fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
     let rings = mapped(outlines, &|outline| rings(&outline.corners)).concat();
-    // A ring of fewer corners is a face of an edged body, or the line of a handle, and the space to the next
-    // ring may be empty.
+    // A ring of fewer than eight corners may be a face of a polyhedron or the line of a handle, and the space up to
+    // the next ring may be empty.
     let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= 8));
     let mut solids: Vec<_> = between.map(<[Vec<_>]>::concat).collect();
     solids.extend(rings);

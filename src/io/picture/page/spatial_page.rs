@@ -1,4 +1,4 @@
-//! The content of a page: a grasp, lines on and beside the object, and answers.
+//! The content of a page: a spatial grasp, outlines of the object and of fixtures, and answers.
 
 use super::frame::{Frame, change_last};
 use crate::grasp::Motion;
@@ -20,7 +20,7 @@ use crate::spatial::{Equilibrium, Grasp, Outcome, Wrench};
 /// * the moment of the load about that line (the whole moment of a load without force), with two heads. If the line is far from the grasp, the force
 ///   is drawn in the middle of the grasp, with the moment about that point;
 /// * displacements u_c of the object with one magnification for all answers, which is written beside the picture;
-/// * axes of the motions that no contact resists, and the next position of the object on its way out;
+/// * axes of the motions that no contact resists, and the object displaced along the motion by which it is lost;
 /// * links of a [hand](crate::grasp::Hand) at their initial places, and its joints that yield at their limit.
 ///
 /// A table on the page has the numbers of the answer shown, in N, m and rad; for a soft fingertip sums, and its points on request. On narrow screens
@@ -61,7 +61,7 @@ pub struct SpatialPage {
     pub(super) actuators: Actuators,
 }
 
-/// A closed line on the object, or on one of several bodies.
+/// A closed line on the object, or on one of several bodies, which moves with that body.
 #[derive(Debug, Clone)]
 pub(super) struct MovingLine {
     /// The index of the body; 0 if there is a single object.
@@ -139,15 +139,15 @@ impl SpatialPage {
         self
     }
 
-    /// Draws the way out of the object from the last answer, if there is one, such as that of a [loss](crate::hold::Lost::motion). Only the direction
-    /// of the motion matters.
+    /// Draws a motion of the object in the last answer, if there is one, such as that of a [loss](crate::hold::Lost::motion). Only the direction of the
+    /// motion matters.
     #[must_use]
     pub fn maybe_leaving(mut self, motion: Option<&Motion<3>>) -> Self {
         change_last(&mut self.frames, |frame| frame.leaving = motion.cloned());
         self
     }
 
-    /// Sets the load of the last answer, which is drawn if that has no equilibrium.
+    /// Sets the load of the last answer. It is drawn if the answer has no equilibrium.
     #[must_use]
     pub fn under(mut self, load: Wrench) -> Self {
         change_last(&mut self.frames, |frame| frame.load = Some(load));

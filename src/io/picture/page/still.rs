@@ -22,7 +22,7 @@ use crate::picture::words::{caution, lines};
 impl SpatialPage {
     /// Draws one of the answers from one side, as the page shows it, with a legend. `answer` is its index from 0 in the order of adding; `None` draws
     /// the grasp alone. All answers of a page seen from the same side have the same scales of forces, moments, displacements and lengths, so that
-    /// their pictures can be compared. Everything of every answer is inside.
+    /// their pictures can be compared. The marks of all answers lie inside the picture.
     ///
     /// A cone that would fill the picture (μ far above 1) is drawn shorter than the normal force in it.
     ///
@@ -66,7 +66,7 @@ impl SpatialPage {
         });
         let top = 20.0 + 24.0 * title.len() as f64 + 20.0 * label.len() as f64;
         let window = Window { left: STILL.margin, top, wide: STILL.room.0, high: STILL.room.1 };
-        // The view contains everything of every answer, so that stills can be compared.
+        // The view contains the marks of all answers, so that stills have one scale and can be compared.
         let mut marks = marks_of_the_grasp(&drawing);
         let mut everything = mapped(&marks, &Mark::points).concat();
         for frame in [None].into_iter().chain(self.frames.iter().map(Some)) {
@@ -122,7 +122,7 @@ fn draw_axes(paper: &mut Sheet, eye: &Eye, (x, y): Place) {
     for (axis, name) in axes.iter().zip(["x", "y", "z"]) {
         let end = axis * 32.0;
         paper.line([(x, y), (x + end.x, y + end.y)], GREY, 1.5);
-        // An axis towards the eye is a point; its name is written opposite to the other axes.
+        // An axis along the line of sight is a point; its name is written opposite to the other axes.
         let way = if axis.norm() > 0.2 { *axis } else { axis - axes.iter().sum::<Vector2<f64>>() };
         // The distance of the letters from the ends of the axes.
         let off = 11.0;

@@ -11,11 +11,11 @@ use crate::numerics::{Space, mapped};
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::word;
 use crate::picture::error::PictureError;
-use crate::picture::fingertip::{ContactGroup, without_rounding};
+use crate::picture::fingertip::without_rounding;
 use crate::picture::words::{caution, escaped, short};
 use crate::words::{LinkKind, Words};
 
-/// Headings and their explanations.
+/// Headings of the table's columns, and their explanations.
 const TABLE_COLUMNS: [(&str, &str); 9] = [
     ("contact", "name"),
     ("state", "what the contact does"),
@@ -58,7 +58,6 @@ fn open(page: &mut String, frame: usize) {
 pub(super) fn write(
     page: &mut String,
     grasp: &Grasp<3>,
-    tips: &[ContactGroup],
     actuators: &Actuators,
     frames: &[Frame<3>],
 ) -> Result<(), PictureError> {
@@ -67,7 +66,7 @@ pub(super) fn write(
         let _ = writeln!(page, "<h2>{}</h2>", escaped(&frame.label));
         if let Ok(state) = &frame.shown {
             write_words(page, grasp.space(), actuators, state, &frame.says);
-            write_rows(page, grasp, tips, frame, state)?;
+            write_rows(page, grasp, frame, state)?;
         }
         page.push_str("</section>\n");
     }
@@ -106,7 +105,6 @@ fn write_words(
 fn write_rows(
     page: &mut String,
     grasp: &Grasp<3>,
-    tips: &[ContactGroup],
     frame: &Frame<3>,
     state: &Equilibrium<3>,
 ) -> Result<(), PictureError> {
@@ -116,7 +114,8 @@ fn write_rows(
         let _ = write!(page, "<th title=\"{}\">{}</th>", escaped(meaning), escaped(heading));
     }
     page.push_str("</tr></thead>\n<tbody>\n");
-    for ((number, tip), whole) in tips.iter().enumerate().zip(state.whole_contacts()) {
+    for (tip, whole) in grasp.engine.wholes().iter().zip(state.whole_contacts()) {
+        let (number, name) = (tip.label.index, tip.text());
         let resultant = tip.resultant(grasp.contacts(), state);
         let mut row =
             |class: &str, name: &str, points: Range<usize>, answer: WholeAnswer<'_, 3>, look, moves: f64| {
@@ -127,8 +126,8 @@ fn write_rows(
                 write_row(page, contact, answer, look, numbers)
                     .map_err(|fault| PictureError(format!("{fault} of {name}")))
             };
-        row("", &tip.name, tip.contacts.clone(), whole, resultant.word, resultant.displacement.norm())?;
-        for i in tip.contacts.clone().filter(|_| tip.is_soft()) {
+        row("", &name, tip.range.clone(), whole, resultant.word, resultant.displacement.norm())?;
+        for i in tip.range.clone().filter(|_| tip.is_soft()) {
             let (name, answer) = (grasp.contacts()[i].label_text(i), &state.contacts[i]);
             let point = WholeAnswer::Point(answer);
             row(" class=\"point\"", &name, i..i + 1, point, word(answer), answer.body_core.norm())?;
@@ -138,7 +137,7 @@ fn write_rows(
     Ok(())
 }
 
-/// The numbers of a row in the order of the columns. The gap or slip is the largest of its points.
+/// The numbers of a row in the order of the columns. The gap or slip is the largest one among the points of the fingertip.
 fn numbers(
     answer: WholeAnswer<'_, 3>,
     points: &[ContactAnswer<3>],

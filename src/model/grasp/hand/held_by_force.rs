@@ -7,7 +7,6 @@ use super::finger::Finger;
 use super::joint::Joint;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
-use crate::prelude::*;
 
 impl<const C: usize> Finger<C> {
     /// Number of slides of the finger's contacts; the points of a soft fingertip share one slide.
@@ -43,7 +42,7 @@ impl Assembly {
         let along: [f64; 3] = frame.column(0).into_owned().into();
         if begins_a_slide(contact) {
             let whole = self.contacts.iter().filter(|before| before.begins_a_whole()).count();
-            let name = contact.whole_name().map_or_else(|| format!("contact {whole}"), str::to_owned);
+            let name = contact.whole_name().unwrap_or_else(|| format!("contact {whole}").into());
             self.joints.push(Joint::prismatic(along).name(format!("slide of {name}")));
         }
         let slide = self.joints.len() - 1;

@@ -1,4 +1,4 @@
-//! Answers in space checked from the question alone.
+//! Checks of answers in space that use only the question, and nothing of the solver.
 
 use grasp_lcp::spatial::{ContactState, Equilibrium, Grasp, Wrench};
 use nalgebra::{Vector3, Vector6};
@@ -6,7 +6,7 @@ use nalgebra::{Vector3, Vector6};
 use support::Failure;
 use support::loaded::Scene;
 
-/// The onset from two elastic states and a quadratic equation for each contact.
+/// The onset of sliding, from two states in which everything sticks and a quadratic equation for each contact.
 pub(crate) fn onset_by_hand(scene: &Scene) -> Result<f64, Failure> {
     let (from, to) = (scene.trial(0.0)?, scene.trial(1.0)?);
     let mut first = f64::INFINITY;
@@ -18,7 +18,7 @@ pub(crate) fn onset_by_hand(scene: &Scene) -> Result<f64, Failure> {
         let b = f.yz().dot(&change.yz()) - mu * mu * f[0] * change[0];
         let c = f.yz().norm_squared() - (mu * f[0]).powi(2);
         let root = (b * b - a * c).max(0.0).sqrt();
-        // Both roots, without cancellation; c < 0 inside the cone.
+        // Both roots, computed without cancellation; inside the cone c < 0.
         let q = -b - root.copysign(b);
         for factor in [q / a, c / q] {
             if factor > 0.0 {
@@ -39,7 +39,7 @@ pub(crate) fn residual(grasp: &Grasp, load: &Wrench, answer: &Equilibrium) -> f6
             (contact.point(), contact.series_stiffness_of_axes(), contact.friction_coefficient());
         let u = frame.tr_mul(&Vector3::from(answer.twist.displacement_at(p)));
         let held = k.component_mul(&(contact.commanded() - u));
-        // What the springs would carry more if nothing had slipped: k s.
+        // The force k s by which slip s has relieved the springs.
         let slipped = (held - c.force).yz();
         let friction = c.force.yz();
         let violation = match c.state {

@@ -1,9 +1,9 @@
-//! Error and run time of polygonal cones with 4 … 128 facets in space, beside the default, Newton's method on the round cone.
+//! Error and run time of polygonal cones with 4 … 128 facets in space, compared with the default, Newton's method on the round cone.
 //!
 //! Three grasps, two questions each: the load at which the first contact slides, and the contact forces far beyond it. The reference answers are
 //! checked here from the question alone: the onset by solving the quadratic equations again, the sliding state by its balance and its contact law.
 //!
-//! Last come the costs of the round cone beside a polygon, on random grasps with 3 to 20 contacts.
+//! The last table compares run times on the round cone and on a polygon, for random grasps with 3 to 20 contacts.
 //!
 //! `cargo run --release -p reports --bin cone_error`
 
@@ -19,9 +19,9 @@ use support::best_time::{best_in_turns, once, timed};
 use support::loaded::{Scene, dragged_block, four_fingers, three_fingers};
 
 const FACETS: [u32; 6] = [4, 8, 16, 32, 64, 128];
-/// Most contacts for which the finest polygon is affordable.
+/// Largest number of contacts for which the finest polygon does not take too long.
 const MANY: usize = 4;
-/// Errors below this are rounding.
+/// Errors below this are rounding errors.
 const ROUNDING: f64 = 1.1e-16;
 
 /// Names of the methods; the polygons first.
@@ -29,20 +29,20 @@ const METHODS: [&str; 4] = ["inscribed", "circumscribed", "balanced", "turned"];
 
 fn polygon(facets: u32, method: usize) -> Result<Settings, Failure> {
     let fit = [Fit::Inscribed, Fit::Circumscribed, Fit::Balanced, Fit::Inscribed][method];
-    // No proofs and no search of states beyond the question.
+    // Neither proofs of non-existence nor an enumeration of contact states are included in the time.
     let settings = Settings::default().with_most_states(0).on_the_polygon();
     Ok(settings.with_cone(PolygonCone::new(usize::try_from(facets)?, fit)?))
 }
 
-/// Error and time, s, of each method at each number of facets, and of the default. Undecided answers have no error.
+/// Number of facets, error and time, s, of each method, and error and time of the default. Undecided answers have no error.
 struct Measured {
     polygons: Vec<Vec<(u32, f64, f64)>>,
     default: (f64, f64),
-    /// Times of eight turned facets, and of the default, s.
+    /// Times of a polygon with eight turned facets, and of the default, s.
     proposal: Option<(f64, f64)>,
 }
 
-/// The onset on a turned polygon: the first polygon's tractions at its onset give the directions.
+/// The onset on a polygon that is turned so that its corners lie along the tractions at the onset of the unturned polygon.
 fn turned_onset(scene: &Scene, settings: &Settings) -> Result<f64, Failure> {
     let first = Grasp::new(scene.contacts.clone())?.with(&settings.on_the_polygon()).onset(scene.ramp())?;
     let there = scene.turned(first.factor().ok_or("a sticking base")?)?;
@@ -128,7 +128,7 @@ fn measure_sliding(scene: &Scene) -> Result<Measured, Failure> {
     Ok(Measured { polygons, default: (residual, time), proposal })
 }
 
-/// The least-squares slope of -log error against log m: errors fall like 1/m^p.
+/// The order p of convergence, errors ~ 1/m^p with m facets, by least squares in logarithms.
 fn order(row: &[(u32, f64, f64)]) -> f64 {
     let points: Vec<_> =
         row.iter().filter(|r| r.1 > 100.0 * ROUNDING).map(|r| (f64::from(r.0).ln(), r.1.ln())).collect();

@@ -1,8 +1,8 @@
-//! Costs of the round cone beside polygons, on random grasps in which some contacts slide.
+//! Run times on the round cone compared with polygons, for random grasps in which some contacts slide.
 //!
-//! For each scene four times are measured, in turns. The first is pivoting: the kinematic form and Lemke's method on it.
-//! The others are whole answers: on the polygon, with corners along the trial tractions; on the round cone, by
-//! Newton's method; and with every contact bonded, which needs neither.
+//! For each scene four times are measured alternately. The first is Lemke's method on the kinematic form, with its
+//! assembly. The others are those of whole answers: on the polygon, with corners along the trial tractions; on the round
+//! cone, by Newton's method; and with every contact bonded, which needs neither.
 
 use std::hint::black_box;
 
@@ -16,7 +16,7 @@ use support::loaded::random_fingers;
 use support::splitmix::Random;
 
 const CONTACTS: [usize; 5] = [3, 5, 8, 13, 20];
-/// Scenes of each number of contacts; their medians are printed.
+/// Number of scenes for each number of contacts; the medians of their times are printed.
 const SCENES: usize = 25;
 
 pub(crate) fn print() -> Result<(), Failure> {
@@ -59,7 +59,7 @@ struct Times {
     bonded: f64,
 }
 
-/// `None` if nothing slides, the polygon took more than one path of pivots, or Newton's method did not converge.
+/// The times of a random scene. `None` if nothing slides, Lemke's method needed more than one run, or Newton's method did not converge.
 fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
     let scene = random_fingers(count, random);
     let (grasp, _) = scene.at(0.0)?;

@@ -1,7 +1,7 @@
 //! The friction cone in space: polygons with ever more facets, and the round cone itself.
 //!
-//! The sliding state is constructed: the object is moved by a twist, every contact has the force of Coulomb's law for it, and the load balances them.
-//! So the forces are known before anything is solved.
+//! The sliding state is constructed: the object is displaced by a twist, every contact has the force of Coulomb's law for this displacement, and the
+//! load balances these forces. So the exact forces are known in advance.
 
 use grasp_lcp::spatial::{ContactAnswer, ContactState, Equilibrium, Grasp, Outcome, Ramp, Twist, Wrench};
 use grasp_lcp::{Fit, PolygonCone, Settings};
@@ -24,7 +24,7 @@ const TWIST: [f64; 6] = [0.00216, 0.00036, -0.00792, 0.243, -0.00315, 0.063];
 /// Number of fingers that slide.
 const SLIDE: usize = 2;
 
-/// No proofs and no search of states beyond the question.
+/// Settings for a polygon, without the enumeration of contact states, which would add to the time.
 fn on(facets: usize, fit: Fit) -> Result<Settings, Failure> {
     Ok(Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit)?))
 }
@@ -111,7 +111,7 @@ fn balanced(grasp: &Grasp, twist: &Twist) -> (Wrench, Vec<Vector3<f64>>) {
         if force[0] <= 0.0 {
             force = Vector3::zeros();
         }
-        // The tangential stiffnesses are equal, so the excess is cut off along the traction.
+        // Both tangential stiffnesses are equal, so that the force is reduced to the limit without a change of direction.
         let (limit, friction) = (contact.friction_coefficient() * force[0], force.yz().norm());
         if friction > limit {
             (force[1], force[2]) = (force[1] * (limit / friction), force[2] * (limit / friction));

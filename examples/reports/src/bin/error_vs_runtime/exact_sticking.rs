@@ -15,12 +15,12 @@ type Rational = BigRational;
 /// A contact in space whose data are exact.
 pub(crate) struct Contact {
     pub(crate) point: [f64; 3],
-    /// Into the object, of integer length.
+    /// Normal into the object, of integer length.
     pub(crate) normal: [i32; 3],
     pub(crate) length: i32,
-    /// Series stiffness: normal, tangential.
+    /// Series stiffness, normal and tangential, N/m.
     pub(crate) stiffness: [f64; 2],
-    /// Along the normal.
+    /// Commanded displacement along the normal, m.
     pub(crate) command: f64,
 }
 
@@ -56,7 +56,7 @@ pub(crate) fn forces(contacts: &[Contact], load: &[f64; 6]) -> Option<Vec<[f64; 
             if a == b { along + &kt } else { along }
         };
         let maps = [0, 1, 2].map(|axis| wrench(&point, axis));
-        // K Gᵀ, one row an axis.
+        // K Gᵀ, with one row for each coordinate axis.
         let pulls: [[Rational; 6]; 3] = std::array::from_fn(|a| {
             std::array::from_fn(|k| (0..3).map(|b| stiffness(a, b) * &maps[b][k]).sum())
         });
@@ -80,7 +80,7 @@ pub(crate) fn forces(contacts: &[Contact], load: &[f64; 6]) -> Option<Vec<[f64; 
     Some(springs.iter().map(force).collect())
 }
 
-/// Elimination; the last column is the right-hand side.
+/// Gaussian elimination; the last column is the right-hand side.
 fn solve(mut rows: Vec<Vec<Rational>>) -> Option<Vec<Rational>> {
     let n = rows.len();
     for k in 0..n {

@@ -1,8 +1,8 @@
-//! Cost and error of answers: each question by the crate's method and by the usual alternatives.
+//! Run time and error of answers: each question by the crate's method and by the usual alternatives.
 //!
 //! Six parts: the onset of sliding, a load that turns, the friction cone in space, the forces while everything sticks, a load path, and a round fingertip. Errors
-//! are taken against closed forms and exact rational arithmetic; a time is the shortest of many of one call, the making of its
-//! matrices included. Runs longer than a second are made once: on a busy machine they look longer than they are.
+//! are taken against closed forms and exact rational arithmetic; a time is the shortest one of many calls, with
+//! the assembly of matrices. Calls of more than a second are timed once; on a busy machine their times are too long.
 //!
 //! `cargo run --release -p reports --bin error_vs_runtime`
 #![allow(unreachable_pub)]

@@ -1,7 +1,7 @@
 //! The onset of sliding: found directly, by stepping the load, and by bisection.
 //!
-//! For stepping and bisection the paper's quadratic program, in its reduced form, decides whether one of its friction rows is active under a load. In
-//! the plane that is exactly sliding; in space the program has facets, and finds their onset.
+//! Stepping and bisection ask the paper's quadratic program, in its reduced form, whether one of its friction rows is active under a load. In the
+//! plane an active row means that a contact slides. In space the program has facets, so that it finds the onset on a polygon.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::energy::QpOutcome;
@@ -17,29 +17,29 @@ use support::interior_point::{Oracle, interior_point_and_multipliers};
 use support::paper::{down, two_fingers};
 use support::reduced_program::ReducedProgram;
 
-/// Tolerance of the interior-point method. Each of its rows has a little slack and a little multiplier: near the onset both are about the root of
-/// this.
+/// Tolerance of the interior-point method. Slack and multiplier of each of its rows are positive; near the onset both are about the square root of
+/// this tolerance.
 const TOLERANCE: f64 = 1e-12;
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 const STEPS: [u32; 6] = [10, 100, 1000, 10_000, 100_000, 1_000_000];
 
-/// Above this number of steps only the last steps before the onset are computed.
+/// If there are more steps than this, only the last ones before the onset are computed.
 const MOST_STEPS: u32 = 100_000;
-/// Number of those steps.
+/// Number of last steps before the onset that are computed.
 const LAST_STEPS: f64 = 1000.0;
 
-/// Number of steps that are skipped: all but the last [`LAST_STEPS`] before a part of the way.
+/// Number of skipped steps: all but the last [`LAST_STEPS`] before the fraction `part` of the load.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 0 and a million
 fn steps_below(part: f64, steps: u32) -> u32 {
     (part * f64::from(steps) - LAST_STEPS).max(0.0) as u32
 }
 
-/// Method that solves the program.
+/// Method that solves the quadratic program.
 #[derive(Clone, Copy, PartialEq)]
 enum Solver {
     /// The crate's: Lemke's method on the optimality conditions.
     Lemke,
-    /// Clarabel.
+    /// The interior-point method of Clarabel.
     InteriorPoint,
 }
 
@@ -57,7 +57,7 @@ struct Question<'a, const C: usize> {
     grasp: &'a Grasp<C>,
     direction: Wrench<C>,
     cone: PolygonCone,
-    /// Stepping and bisection search from 0 to this factor.
+    /// Stepping and bisection search between factor 0 and this factor.
     most: f64,
 }
 
@@ -76,7 +76,7 @@ impl<const C: usize> Question<'_, C> {
         else {
             return Ok(false);
         };
-        // A multiplier is a displacement (m): times the stiffness of the contact it is compared with the slack (N).
+        // A multiplier is a displacement, m. Multiplied by the stiffness of the contact it can be compared with the slack, N.
         let slack = &reduced.program.b * x - &reduced.program.d;
         let stiffness = |contact: usize| {
             let contact = &self.grasp.contacts()[contact];
@@ -111,7 +111,7 @@ impl<const C: usize> Question<'_, C> {
         Ok(())
     }
 
-    /// Halves the interval until its length is this part of its end.
+    /// Bisects until the interval's length, relative to its upper end, is at most `tolerance`.
     fn bisected(&self, tolerance: f64, solver: Solver) -> Result<f64, Failure> {
         let (mut below, mut above) = (0.0, self.most);
         while above - below > tolerance * above {
@@ -190,7 +190,7 @@ fn screened<const C: usize, const N: usize>(
 ) -> Result<(), Failure> {
     const CALLS: u32 = 1000;
     let (fingers, pull) = (Fingers::<C, N>::new(contacts)?, Pull::new(&Wrench::ZERO, direction)?);
-    // One call is shorter than reading the clock.
+    // A single call is shorter than reading the clock, so that many are timed together.
     let (factor, time) = timed(|| {
         let mut factor = None;
         for _ in 0..CALLS {
@@ -202,8 +202,8 @@ fn screened<const C: usize, const N: usize>(
     Ok(())
 }
 
-/// Three fingers at 120° press with N = k a each; an axial load w and a moment m about the axis are shared evenly: the onset is where
-/// τ hypot(w/3, m/3R) = μ N.
+/// Three fingers at 120° press with N = k a each. They share an axial load w and a moment m about the axis evenly, so that the onset factor τ
+/// satisfies τ hypot(w/3, m/3R) = μ N.
 fn in_space() -> Result<Panel, Failure> {
     let (contacts, direction, exact) = pinch();
     let grasp = spatial::Grasp::new(contacts.clone())?;
@@ -226,7 +226,7 @@ fn in_space() -> Result<Panel, Failure> {
     Ok(panel)
 }
 
-/// Ratios of the time of bisection to the last tolerance.
+/// Adds notes: the time of bisection to the smallest tolerance relative to that of the direct methods.
 fn ratios(panel: &mut Panel, solvers: &[&str; 2]) -> Result<(), Failure> {
     for direct in [SCREENED, ALONE, DIRECT] {
         for solver in solvers {

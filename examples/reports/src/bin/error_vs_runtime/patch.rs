@@ -1,8 +1,8 @@
-//! A round fingertip in shear and torsion at once, on the round cone: directions of slip turn everywhere on it.
+//! A round fingertip in shear and torsion at once, on the round cone: all over it the directions of slip turn.
 //!
-//! Sixty springs under a parabola of pressures are sheared, twisted in addition, and pulled back. `Grasp::follow` finds every event, to 1e-13 a step,
-//! and integrates directions by an explicit method of order 8. The steps of `Grasp::follow_in_steps` are independent of that: they follow straight
-//! stretches with slips in closed form.
+//! Sixty springs under a parabolic pressure are sheared, then twisted in addition, and pulled back. `Grasp::follow` finds every event, with a relative
+//! error of 1e-13 a step, and integrates directions by an explicit method of order 8. `Grasp::follow_in_steps` is independent of it: its steps are
+//! straight in the springs' displacements, with slips in closed form.
 
 use std::f64::consts::PI;
 
@@ -18,7 +18,7 @@ use support::best_time::timed;
 const SPRINGS: usize = 60;
 const PRESSED: f64 = 10.0;
 const FRICTION: f64 = 0.5;
-/// Sheared to six tenths of its limit, twisted by three tenths of `μ N R` in addition, and back beyond the start.
+/// Shear over its limit and moment over `μ N R` at the end of each leg: sheared, twisted in addition, and back beyond the start.
 const LEGS: [[f64; 2]; 3] = [[0.6, 0.0], [0.6, 0.3], [-0.3, -0.1]];
 
 pub fn measure(report: &mut Report) -> Result<(), Failure> {
@@ -72,7 +72,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Springs on a spiral, each for the same area.
+/// Springs on a spiral, each of which represents the same area.
 fn disc() -> Result<Grasp, Failure> {
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let area = |i: usize| (i as f64 + 0.5) / SPRINGS as f64;

@@ -1,7 +1,7 @@
-//! A load path: exact events, and implicit steps.
+//! A load path: by exact events, and by implicit steps.
 //!
-//! An implicit step solves for the equilibrium at its end, with the slip so far taken off the finger commands; the slip of the answer is added to the
-//! slip so far.
+//! An implicit step solves for the equilibrium at its end. The accumulated slip is subtracted from the finger commands before, and the slip of the
+//! answer is added to it afterwards.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
@@ -23,7 +23,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A grasp in small steps, with the slip of each contact so far.
+/// A grasp that is followed in implicit steps, with the accumulated slip of each contact.
 struct Stepper<const C: usize> {
     grasp: Grasp<C>,
     slips: Vec<SVector<f64, C>>,
@@ -40,7 +40,7 @@ impl<const C: usize> Stepper<C> {
         Self { grasp: grasp.clone(), slips: vec![SVector::zeros(); grasp.len()] }
     }
 
-    /// Steps to another load and other commands.
+    /// Makes one step to another load and other commands.
     fn step(&mut self, load: &Wrench<C>, commands: &[SVector<f64, C>]) -> Result<Step<C>, Failure> {
         let left: Vec<_> = commands.iter().zip(&self.slips).map(|(a, s)| a - s).collect();
         self.grasp = self.grasp.clone().with_commands(left)?;
@@ -56,10 +56,10 @@ impl<const C: usize> Stepper<C> {
     }
 }
 
-/// Springs in the pad.
+/// Number of springs of the pad.
 const SPRINGS: u32 = 16;
 const FRICTION: f64 = 0.4;
-/// Tangential stiffness of each, N/m.
+/// Tangential stiffness of each spring, N/m.
 const SHEAR: f64 = 6.25;
 
 /// Normal force of each spring of the pad, N: a parabola.
@@ -68,13 +68,13 @@ fn pressed() -> Vec<f64> {
     (0..SPRINGS).map(|i| 0.375 * (1.0 - at(i).powi(2))).collect()
 }
 
-/// The shear load under which the pad has moved by x on the first loading.
+/// The shear load, N, at which the pad is displaced by x on first loading.
 fn virgin(x: f64) -> f64 {
     pressed().iter().map(|n| (SHEAR * x).min(FRICTION * n)).sum()
 }
 
-/// A pad sheared to nine tenths of its limit, and as far in the other direction. All friction acts along its face, so the pressures stay: spring i
-/// slides from x = μN_i/c on and, on the way back, after twice that (Masing's rule).
+/// A pad is sheared to nine tenths of its limit, and then as far in the other direction. Friction acts along the face, so that normal forces N_i are
+/// constant: spring i slides from x = μ N_i/c on and, on the way back, after twice this displacement (Masing's rule).
 fn pad() -> Result<Panel, Failure> {
     let pressures = pressed();
     let (total, c) = (pressures.iter().sum::<f64>(), SHEAR);
@@ -93,7 +93,7 @@ fn pad() -> Result<Panel, Failure> {
     }))?;
     let load = |q: f64| planar::Wrench::force([q, -total]);
     let legs = [Leg::load_to(load(most)), Leg::load_to(load(-most))];
-    // Loads are counted from the beginning of their leg. A contact whose event was not found counts as a whole leg.
+    // Loads are measured from the start of their leg. An event that is missing counts as an error of 1.
     let off = |found: &[Vec<Option<f64>>; 2]| {
         let pairs = found.iter().flatten().zip(exact.iter().flatten());
         let error = pairs.map(|pair| match pair {
@@ -108,7 +108,7 @@ fn pad() -> Result<Panel, Failure> {
         "A pad of 16 springs sheared and back: when they slide",
         "error of the load at which a spring slides / limit load",
     );
-    // Leg, load, contact of each.
+    // Each event has its leg, load and contact.
     let when = |slides: &[(usize, f64, usize)]| {
         let mut found = [(); 2].map(|()| vec![None; limits.len()]);
         for &(leg, q, contact) in slides {
@@ -154,7 +154,7 @@ fn slides<const C: usize>(change: &Change<C>) -> bool {
     matches!(change, Change::Slides { .. } | Change::Reverses { .. })
 }
 
-/// The friction force along a tractrix.
+/// The friction force on a body that is dragged along a tractrix.
 fn dragged() -> Result<Panel, Failure> {
     const SAMPLES: u32 = 200;
     let (grasp, ways) = tractrix::scene()?;

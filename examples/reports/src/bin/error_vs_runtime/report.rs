@@ -1,4 +1,4 @@
-//! The figures: a table on the terminal, the same as comma-separated values, charts of error against run time, and a page with all of them.
+//! Output of the measurements: a table on the terminal and as comma-separated values, charts of error against run time, and a page with both.
 
 use std::fmt::Write;
 
@@ -22,25 +22,25 @@ pub struct Report {
 
 /// One question, answered in several ways: one chart.
 pub struct Panel {
-    /// Part of the report that it belongs to.
+    /// The part of the report to which the panel belongs.
     pub part: &'static str,
     pub title: &'static str,
-    /// The error and its divisor.
+    /// The quantity whose error is given, and what it is divided by.
     pub error: &'static str,
     pub lines: Vec<Line>,
     /// Printed below the table.
     pub notes: Vec<String>,
 }
 
-/// One method.
+/// The measurements of one method.
 pub struct Line {
     pub method: String,
     pub points: Vec<Point>,
 }
 
-/// One setting of a method.
+/// The measurement of a method with one setting.
 pub struct Point {
-    /// Steps, facets, tolerance: empty if there is nothing to set.
+    /// Number of steps or facets, or the tolerance; empty for a method without a setting.
     pub setting: String,
     pub error: f64,
     /// Seconds.
@@ -60,7 +60,7 @@ impl Panel {
         }
     }
 
-    /// The only or the last point of a method.
+    /// The last measurement of a method.
     pub fn last(&self, method: &str) -> Option<&Point> {
         self.lines.iter().find(|line| line.method == method)?.points.last()
     }
@@ -97,7 +97,7 @@ impl Panel {
     }
 
     fn chart(&self) -> Chart {
-        // A missing answer is no point: f64::max would turn NaN into one.
+        // NaN, a missing answer, must stay NaN so that it is not drawn; f64::max would replace it.
         let height = |error: f64| if error == 0.0 { NOTHING } else { error };
         let zero = self.lines.iter().flat_map(|line| &line.points).any(|point| point.error == 0.0);
         let error = if zero { format!("{} (0 drawn at 10⁻¹⁷)", self.error) } else { self.error.into() };
@@ -110,7 +110,7 @@ impl Panel {
                 [first, .., last] => format!("{}, {} … {}", line.method, first.setting, last.setting),
                 _ => line.method.clone(),
             };
-            // A line needs two ends.
+            // A line needs at least two points.
             let drawn = line.points.iter().filter(|point| point.error.is_finite()).count();
             chart.series(name, points, if drawn > 1 { Stroke::Marked } else { Stroke::Circles })
         })
@@ -124,7 +124,7 @@ impl Report {
         self.panels.push(panel);
     }
 
-    /// Writes the table, a sheet of charts for each part, and a page that shows them beside their figures.
+    /// Writes the table, a sheet of charts for each part, and a page that shows both.
     pub fn save(&self, name: &str) -> Result<(), Failure> {
         let mut table = String::from("part,question,method,setting,error,time_s\n");
         for panel in &self.panels {

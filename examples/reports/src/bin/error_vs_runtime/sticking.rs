@@ -1,6 +1,6 @@
 //! Contact forces while everything sticks: the crate, the textbook's formula, and quadratic programs.
 //!
-//! Five fingers in space, first with equal springs, then with one finger 10⁶ times as stiff; forces against rational arithmetic.
+//! Five fingers in space, first with equal springs, then with one finger 10⁶ times as stiff. Rational arithmetic gives the exact forces.
 
 use grasp_lcp::PolygonCone;
 use grasp_lcp::energy::{QpOutcome, QuadraticProgram};
@@ -23,7 +23,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Normals of integer length towards the middle, series stiffness, command along the normal.
+/// Five fingers whose normals, towards the centre, have integer length; the first is `stiffer` times as stiff as the others.
 fn fingers(stiffer: f64) -> [exact_sticking::Contact; 5] {
     let finger = |point, normal, length, stiffness: f64, press: f64| exact_sticking::Contact {
         point,
@@ -45,7 +45,7 @@ fn forces(title: &'static str, stiffer: f64) -> Result<Panel, Failure> {
     let exact = fingers(stiffer);
     let truth = exact_sticking::forces(&exact, &LOAD).ok_or("no free motion")?;
     let truth: Vec<_> = truth.into_iter().map(Vector3::from).collect();
-    // Body and finger share the softness evenly: the series stiffness is exactly half of either.
+    // Body and finger are equally stiff, so that the series stiffness is exactly half of either.
     let grasp = Grasp::new(exact.iter().map(|c| {
         let [kn, kt] = c.stiffness.map(|k| 2.0 * k);
         Contact::new(c.point, c.normal.map(f64::from))
@@ -117,7 +117,7 @@ fn at(grasp: &Grasp, twist: &Twist, gaps: &[(usize, f64)]) -> Vec<Vector3<f64>> 
     grasp.contacts().iter().zip(grasp.frames()).enumerate().map(force).collect()
 }
 
-/// q = (Σ G K Gᵀ)⁻¹ (W + Σ G K a).
+/// The twist of the object by the textbook's formula, q = (Σ G K Gᵀ)⁻¹ (W + Σ G K a).
 fn textbook(grasp: &Grasp, load: &Wrench) -> Result<Twist, Failure> {
     let (mut stiffness, mut pull) = (Matrix6::zeros(), load.to_vector());
     for (contact, frame) in grasp.contacts().iter().zip(grasp.frames()) {

@@ -109,7 +109,7 @@ fn units(random: &mut Random, components: usize, n: usize) -> DMatrix<f64> {
     scaled(&(&h * h.transpose()), |k| unit[k / components])
 }
 
-/// Rows and columns in other units.
+/// The matrix `D W D` in other units; D is diagonal with the factors that `unit` gives.
 fn scaled(w: &DMatrix<f64>, unit: impl FnMut(usize) -> f64) -> DMatrix<f64> {
     let units: Vec<f64> = (0..w.nrows()).map(unit).collect();
     DMatrix::from_fn(w.nrows(), w.ncols(), |i, j| w[(i, j)] * units[i] * units[j])

@@ -1,4 +1,4 @@
-//! Files of Siconos, alone or beside Siconos.
+//! Solves problems from files of Siconos, alone or compared with Siconos.
 
 use super::timed;
 use grasp_lcp::friction::{FrictionProblem, ReadProblem, Solution};
@@ -14,7 +14,7 @@ pub(super) fn print(names: &[String]) -> Result<(), support::Failure> {
         let file = path.file_name().map_or_else(String::new, |file| file.to_string_lossy().into_owned());
         let text = String::from_utf8_lossy(&std::fs::read(path)?).into_owned();
         let read = if file.to_uppercase().starts_with('G') {
-            // Some of these are condensed already.
+            // Some of these files contain the condensed problem (W, q, μ) instead of masses.
             ReadProblem::from_siconos_global(&text)
                 .or_else(|error| ReadProblem::from_siconos(&text).map_err(|_| error))
         } else {
@@ -42,7 +42,7 @@ fn row<const C: usize>(file: &str, problem: &FrictionProblem<C>) {
     println!("{file:<46}{:>9}{residual:>10.1e}{time:>12.2}  {known}", problem.len());
 }
 
-/// Output of the command for a file: lines with solver, Siconos' relative error, and seconds.
+/// Prints the output of the command for a file: lines with Siconos' solver, relative error and run time, s.
 fn beside(command: &str, path: &Path) -> Result<(), support::Failure> {
     let mut words = command.split_whitespace();
     let program = words.next().ok_or("SICONOS is empty, but must be a command")?;

@@ -1,11 +1,11 @@
-//! Frictional contact problems (W, q, μ): the round cone beside polygons, hard families, and files of Siconos.
+//! Frictional contact problems (W, q, μ): the round cone compared with polygons, hard families, and files of Siconos.
 //!
 //! | command | prints |
 //! |---|---|
 //! | `cargo run --release -p reports --bin friction_problems` | error of polygons in Coulomb's law, and their time; unsolved problems with unequal masses |
-//! | `… -- --each 10000` | that many problems of each family |
+//! | `… -- --each 10000` | the same with 10 000 problems of each family |
 //! | `… -- FILE…` | residual and time for files of Siconos; files that begin with `G` include masses |
-//! | `SICONOS="/usr/bin/python3 python/examples/siconos_times.py" … -- FILE…` | the same beside Siconos itself, in one run |
+//! | `SICONOS="/usr/bin/python3 python/examples/siconos_times.py" … -- FILE…` | the same, and results of Siconos itself in the same run |
 
 mod families;
 mod files;

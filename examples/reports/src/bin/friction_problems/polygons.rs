@@ -1,4 +1,4 @@
-//! The round cone beside polygons: error against run time.
+//! The round cone compared with polygons: error and run time.
 
 use super::{median, timed};
 use grasp_lcp::friction::SpatialContacts;
@@ -25,7 +25,7 @@ pub(super) fn print() {
     }
 }
 
-/// One family and size.
+/// Prints the row of one family and number of contacts.
 fn row(family: &str, n: usize, columns: usize, skew: f64) {
     let mut random = Random(n as u64);
     let (mut times, mut missed, mut undecided) = (Vec::new(), Vec::new(), 0);
@@ -55,7 +55,7 @@ fn row(family: &str, n: usize, columns: usize, skew: f64) {
     let round = median(&mut times);
     print!("{:<34}{:>9.3} ms{:>10.0e}  ", format!("{family}, {n} contacts"), round, median(&mut missed));
     for (law, off, cost) in &mut polygons {
-        // Forces of redundant contacts are not unique.
+        // Forces of redundant contacts are not unique, so that they are not compared.
         let off = if columns == 6 && n > 2 { "-".to_string() } else { format!("{:.0e}", median(off)) };
         print!("{:>8.0e} {:>6} {:>5.1}", median(law), off, median(cost) / round);
     }

@@ -1,4 +1,4 @@
-//! Residuals of pushes after friction and loads are found: are they correlated for pushes in one direction?
+//! Residuals of pushes after friction and support loads are identified: are those of pushes in one direction correlated?
 
 use std::error::Error;
 
@@ -6,10 +6,10 @@ use support::measured_pushes::{LAYOUTS, SURFACES, Together, blocks, pushes};
 
 use crate::supports::{identified, in_the_plane};
 
-/// Residuals are cut where the loss bends, so that a few outliers do not dominate.
+/// Residuals are clipped at this number of standard deviations, where the Huber loss becomes linear, so that outliers do not dominate.
 const CUT: f64 = 2.0;
 
-/// Products of residuals of two pushes in one group, and their mean square.
+/// Sums of products of residuals within groups, and of their squares.
 #[derive(Default)]
 struct Common {
     products: f64,
@@ -34,7 +34,7 @@ impl Common {
     }
 }
 
-/// Means by side and finger, and correlations in groups.
+/// Prints mean residuals by side and finger, and correlations within groups.
 pub(crate) fn by_direction(layouts: usize) -> Result<(), Box<dyn Error>> {
     let (blocks, pushes) = (blocks()?, pushes()?);
     println!(

@@ -3,12 +3,12 @@
 //! `cargo run --release -p reports --bin identified [draws] [turns of the ellipse] [layouts] [heights of the pusher]`
 //!
 //! Intervals should contain the truth 95 times in 100. Slips of grasps with known data are drawn with scatter a thousand times, and the intervals
-//! that contain the truth are counted; with a thousand draws chance alone is off by 0.7 in 100. Some slips are drawn with scatter that a group
-//! shares.
+//! that contain the truth are counted; with a thousand draws the standard error of this count is 0.7 in 100. Some slips are drawn with scatter that a
+//! group shares.
 //!
-//! Then friction and loads of supports are found from measured pushes (see [`support::measured_pushes`]), layout by layout, with the block weighed,
-//! beside the loads by statics ([`supports`]). Two questions follow: do pushes share errors ([`in_common`]), and does another model explain them
-//! ([`other_models`])?
+//! Then friction and loads of supports are identified from measured pushes (see [`support::measured_pushes`]), layout by layout, with a known weight
+//! of the block, and compared with the loads by statics ([`supports`]). Two questions follow: do pushes share errors ([`in_common`]), and does
+//! another model explain them better ([`other_models`])?
 
 mod in_common;
 mod other_models;

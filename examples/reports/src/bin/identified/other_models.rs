@@ -1,8 +1,8 @@
 //! Other models of the same pushes: a finger that pushes above the surface, and a surface with different friction along and across.
 //!
-//! A finger at a height tips the block forwards, so that supports ahead carry more. The second model has an ellipse of friction, `√q μ` along and `μ
-//! / √q` across. Stretching the plane makes its friction uniform, if all supports are in the plane: places and forces along by `1 / √q` and across by
-//! `√q`, velocities inversely; moments stay.
+//! A finger at a height above the surface tips the block forwards, so that supports in front carry more. The second model has an ellipse of friction,
+//! `√q μ` along a direction and `μ / √q` across it. Stretching the plane makes friction uniform: places and forces are multiplied by `1 / √q` along
+//! and `√q` across, velocities are divided by these, and moments are unchanged.
 
 use std::error::Error;
 
@@ -16,7 +16,7 @@ const STIFFNESS: f64 = 1e6; // N/m
 /// Heights of the pusher above the surface, mm.
 pub(crate) const HEIGHTS: [f64; 4] = [0.0, 5.0, 10.0, 15.0];
 
-/// Scatter of all layouts of one surface, and number of loads within their errors.
+/// The scatter of all layouts of one surface, and the number of support loads within their standard errors.
 fn all_layouts(
     surface: &str,
     all: &[Push],
@@ -91,7 +91,7 @@ fn row(name: &str, left: [Result<f64, Box<dyn Error>>; 2], within: &Within) -> R
     Ok(())
 }
 
-/// Stretch of forces and places for a ratio of friction along to friction across.
+/// Matrix that stretches forces and places, for a ratio of friction along a direction to friction across it.
 fn stretched(ratio: f64, degrees: f64) -> Matrix2<f64> {
     let turn = Rotation2::new(degrees.to_radians());
     let scale = Matrix2::from_diagonal(&Vector2::new(ratio.sqrt().recip(), ratio.sqrt()));

@@ -9,7 +9,7 @@ use support::measured_pushes::{
     LAYOUTS, Push, SURFACES, Together, WEIGHT, blocks, normal_forces, pushes, supports,
 };
 
-/// Groupings of pushes; the first one's numbers are printed.
+/// Groupings of pushes that are compared; the estimates with the first one are printed.
 const GROUPINGS: [(Option<Together>, &str); 5] = [
     (Some(Together::Direction(30.0)), "directions of 30°"),
     (None, "each for itself"),
@@ -18,7 +18,7 @@ const GROUPINGS: [(Option<Together>, &str); 5] = [
     (Some(Together::SideAndFinger), "side, finger sticks or slides"),
 ];
 
-/// The pushes of one log, as load and group.
+/// Identifies friction and the three support loads from pushes; `load` and `together` give the load and the group of each.
 pub(crate) fn identified(
     block: &Grasp,
     own: &[&Push],
@@ -39,19 +39,20 @@ pub(crate) fn in_the_plane(push: &Push) -> Wrench {
     Wrench::new([push.load.x, push.load.y, 0.0], [0.0, 0.0, push.load.z])
 }
 
-/// Loads of supports: number of those that are fixed, within two standard errors of statics, and in their interval.
+/// Numbers of support loads: those that the pushes determine, those within two standard errors of the load by statics, and those whose interval
+/// contains it.
 #[derive(Default)]
 pub(crate) struct Within {
     pub(crate) all: usize,
     pub(crate) two_errors: usize,
     pub(crate) interval: usize,
-    /// Ratios of errors to those of `beside`, and degrees of freedom.
+    /// Standard errors relative to those of ungrouped slips, and degrees of freedom.
     wider: Vec<f64>,
     degrees: Vec<f64>,
 }
 
 impl Within {
-    /// Counts the loads of a layout, and compares errors with those from ungrouped slips.
+    /// Counts the loads of a layout, and compares standard errors with those from ungrouped slips, `beside`.
     pub(crate) fn count(&mut self, found: &Identified, layout: usize, beside: &Identified) {
         let loads = found.estimates[1..].iter().zip(&beside.estimates[1..]);
         for ((load, plain), truth) in loads.zip(normal_forces(&supports(layout))) {
@@ -70,7 +71,7 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// All surfaces, with this number of layouts of each.
+/// Prints the results of all surfaces, with this number of layouts of each.
 pub(crate) fn of_pushes(layouts: usize) -> Result<(), Box<dyn Error>> {
     let (blocks, pushes) = (blocks()?, pushes()?);
     println!(

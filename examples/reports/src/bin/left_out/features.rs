@@ -9,14 +9,14 @@ use crate::scene::Failure;
 
 const FEATURES: [&str; 7] = ["", "parallel", "plot", "serde", "json", "simd", "cli"];
 
-/// The cargo that runs this, in the folder of the crate.
+/// The command `cargo` in the folder of the crate.
 fn cargo() -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     command
 }
 
-/// Crates that are compiled for a single feature, macros included.
+/// The crates that are compiled for a single feature, with procedural macros.
 fn dependencies(feature: &str) -> Result<BTreeSet<String>, Failure> {
     let arguments =
         ["tree", "--offline", "-e", "normal", "--prefix", "none", "--no-default-features", "--features"];

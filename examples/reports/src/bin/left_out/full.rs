@@ -13,12 +13,12 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::scene::{Failure, Scene};
 
-/// Friction coefficient that replaces infinite friction, and a bond, if the answer neither slides nor pulls.
+/// Coefficient that replaces infinite friction, and the friction of bonded contacts; valid if these contacts neither slide nor pull.
 const NEVER_SLIDES: f64 = 1e3;
 /// Facets in space, those of the crate's default polygon; its corners lie on the circle.
 const FACETS: u32 = 8;
 
-/// The problem, and the matrices that give its forces.
+/// The complementarity problem, and the matrices by which its solution gives contact forces.
 pub struct Full {
     pub lcp: Lcp,
     sticking: DVector<f64>,
@@ -49,7 +49,7 @@ fn wrench<const C: usize>(p: &SVector<f64, C>, f: &SVector<f64, C>) -> DVector<f
 }
 
 impl Full {
-    /// Makes the matrices.
+    /// Assembles the problem.
     pub fn new<const C: usize>(scene: &Scene<C>) -> Result<Self, Failure> {
         let d = C * (C + 1) / 2;
         let (grasp, load): (&Grasp<C>, &Wrench<C>) = (&scene.grasp, &scene.load);

@@ -1,4 +1,4 @@
-//! Gain from omitted rows as grasps grow: pads with more and more springs.
+//! The time that omitted rows save, for pads with more and more springs.
 
 use grasp_lcp::picture::{Chart, Stroke};
 

@@ -1,4 +1,4 @@
-//! Scene by scene: rows of the full formulation, rows that were made, and why the others were omitted.
+//! For each scene: rows of the full formulation, rows that the crate assembles, and why it omits the others.
 
 use std::fmt::Write;
 
@@ -10,10 +10,10 @@ use crate::full::Full;
 use crate::scene::{self, Failure, Scene};
 use support::best_time::timed;
 
-/// Difference of forces, over the largest, above which two answers differ.
+/// Difference of forces, relative to the largest force, above which two answers differ.
 const AGREE: f64 = 1e-10;
 
-/// One scene, solved both ways.
+/// One scene, solved by the crate and by the full formulation.
 pub struct Measured {
     pub full_rows: usize,
     pub full_time: f64,
@@ -72,7 +72,7 @@ fn reason(why: Why) -> &'static str {
     }
 }
 
-/// Solves a scene both ways, in space on the same polygon.
+/// Solves a scene by the crate and by the full formulation, in space on the same polygon.
 pub fn measure<const C: usize>(scene: &Scene<C>) -> Result<Measured, Failure> {
     let settings = Settings::default().on_the_polygon();
     let (outcome, time) = timed(|| Ok(scene.grasp.with(&settings).solve(scene.load)?))?;

@@ -48,13 +48,13 @@ pub fn sticks() -> Result<Scene<3>, grasp_lcp::Error> {
     Scene::new("everything sticks", (0..5).map(|i| finger(5, i)), load)
 }
 
-/// The same under a load that makes some of them slide.
+/// The same five fingers under a load that makes some of them slide.
 pub fn slides() -> Result<Scene<3>, grasp_lcp::Error> {
     let load = spatial::Wrench::new([4.0, 2.0, -23.0], [0.2, 0.1, 0.3]);
     Scene::new("some slide", (0..5).map(|i| finger(5, i)), load)
 }
 
-/// A cube in a nest of twelve smooth pins, two a side; it leaves some of them.
+/// A cube between twelve frictionless pins, two on each side; it loses contact with some of them.
 pub fn smooth() -> Result<Scene<3>, grasp_lcp::Error> {
     let pin = |k: u8| {
         let (side, axis) = (if k < 6 { -1.0 } else { 1.0 }, usize::from(k / 2 % 3));
@@ -101,7 +101,7 @@ pub fn in_the_plane() -> Result<Scene<2>, grasp_lcp::Error> {
     Scene::new("three fingers in the plane", (0..3).map(|i| flat(3, i)), planar::Wrench::new(force, moment))
 }
 
-/// The same in space, at height zero; corners of the polygons lie in the plane.
+/// The same three fingers in space, at height zero; their polygons have corners in the plane.
 pub fn in_a_spatial_guise() -> Result<Scene<3>, grasp_lcp::Error> {
     let contacts = (0..3).map(|i| {
         let ([x, y, _], [u, v, _]) = around(3, i);
@@ -115,7 +115,7 @@ pub fn in_a_spatial_guise() -> Result<Scene<3>, grasp_lcp::Error> {
     Scene::new("the same three in space", contacts, spatial::Wrench::new([x, y, 0.0], [0.0, 0.0, moment]))
 }
 
-/// Three fingers that hold, and twenty that are held back by a hand's breadth.
+/// Three fingers that hold, and twenty that are too far away to touch.
 pub fn far(name: &'static str, part: f64) -> Result<Scene<2>, grasp_lcp::Error> {
     let (force, moment) = FLAT_LOAD;
     let away = (0..20).map(|i| flat(20, i).command([-0.2, 0.0]));

@@ -1,4 +1,4 @@
-//! Predicted against measured forces, with the scatter of repeated pushes as the floor.
+//! Charts of predicted against measured forces. The scatter of repeated pushes is the least error that a model could have.
 
 use grasp_lcp::picture::{Chart, Stroke};
 use support::measured_pushes::{LAYOUTS, Limit, Push, SURFACES};
@@ -6,7 +6,7 @@ use support::measured_pushes::{LAYOUTS, Limit, Push, SURFACES};
 use crate::quantile;
 use crate::repeats::Repeats;
 
-/// One chart for each surface, friction from all of its pushes.
+/// One chart for each surface, with the coefficient of friction from all of its pushes.
 pub(crate) fn of_surfaces(pushes: &[Push], limits: &[Limit], floors: &[Repeats; 2]) -> Vec<Chart> {
     let of_surface = |(surface, floor): (&&'static str, &Repeats)| {
         let own = || pushes.iter().zip(limits).filter(move |(push, _)| push.surface == *surface);
@@ -24,7 +24,7 @@ pub(crate) fn of_surfaces(pushes: &[Push], limits: &[Limit], floors: &[Repeats; 
             chart = chart.series(*name, points.collect(), Stroke::Circles);
         }
         let most = own().map(|(push, _)| push.load.xy().norm()).fold(0.0, f64::max);
-        // One line up each side: most repeated pushes lie between them, within twice their scatter.
+        // Two lines at twice the scatter of repeated pushes; most of these lie between them.
         let [above, below] = [2.0, -2.0].map(|times| most * (times * floor.scatter).exp());
         let band = vec![(most, above), (0.0, 0.0), (most, below)];
         chart

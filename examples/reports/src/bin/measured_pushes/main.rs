@@ -1,13 +1,14 @@
-//! Measured pushes of a block on three supports, predicted blindly: friction from one layout of the supports, forces and motions of all others.
+//! Blind predictions of measured pushes of a block on three supports: friction from one layout of the supports predicts forces and motions of all
+//! others.
 //!
 //! `cargo run --release -p reports --bin measured_pushes [folder for pictures]`
 //!
 //! 400 pushes of a triangular block that slides on three points of known place and load, on hardboard and on plywood (Zhou, Paolini, Bagnell and Mason,
 //! ICRA 2016; see [`support::measured_pushes`]).
 //!
-//! A push that slides the block steadily is the load at which three contacts in space are lost. It grows with the coefficient of friction, so each
-//! push gives a coefficient. The median over one layout predicts the other three. For comparison there are an ellipsoid through the same largest
-//! force and moment (Howe and Cutkosky 1996), and μ times the weight, whatever the moment.
+//! The block slides steadily under the load at which a grasp of three contacts in space is lost. This load is proportional to the coefficient of
+//! friction, so that each push gives a coefficient. The median over one layout predicts the other three. Two simpler models are compared: an
+//! ellipsoid with the same largest force and moment (Howe and Cutkosky 1996), and a force of μ times the weight for any moment.
 
 mod charts;
 mod repeats;
@@ -85,7 +86,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Predicts the part of a push at which the block slides, for a coefficient of one.
+/// A model: the fraction of a push at which the block slides if the coefficient of friction is one.
 type Model = fn(&Push, &Limit) -> f64;
 
 const MODELS: [(&str, Model); 3] = [
@@ -94,7 +95,7 @@ const MODELS: [(&str, Model); 3] = [
     ("μ times the weight", |push, _| WEIGHT / push.load.xy().norm()),
 ];
 
-/// The median coefficient of a model on its own layout, and its relative errors on all others.
+/// The median coefficient of friction of a model on the layout `from`, and its relative errors on all other layouts.
 fn blind((pushes, limits): (&[Push], &[Limit]), surface: &str, from: usize, model: Model) -> (f64, Vec<f64>) {
     let those = |is_own: bool| {
         let all = pushes.iter().zip(limits);
@@ -104,7 +105,7 @@ fn blind((pushes, limits): (&[Push], &[Limit]), surface: &str, from: usize, mode
     (mu, those(false).map(|(push, limit)| (mu * model(push, limit) - 1.0).abs()).collect())
 }
 
-/// Time of each model for a push on one thread, beside the median error of all blind predictions.
+/// Prints the run time of each model for a push on one thread, and the median error of all blind predictions.
 fn error_against_time(
     pushes: &[Push],
     limits: &[Limit],
@@ -130,7 +131,7 @@ fn error_against_time(
     Ok(())
 }
 
-/// Coefficients from the pushes of each layout: where they scatter, no model with one coefficient can be right.
+/// Prints coefficients from the pushes of each layout. If they scatter, no model with a single coefficient can be right.
 fn by_layout(pushes: &[Push], limits: &[Limit]) {
     println!("\nThe coefficient of friction that each push tells, its median and where half of them lie:\n");
     for surface in SURFACES {
@@ -146,7 +147,7 @@ fn by_layout(pushes: &[Push], limits: &[Limit]) {
     }
 }
 
-/// Coefficients from pushes in one direction beside the opposite one; a single coefficient would be the same in both.
+/// Prints coefficients from pushes in opposite directions; with a single coefficient of friction both would be equal.
 fn by_direction(pushes: &[Push], limits: &[Limit]) {
     println!(
         "\nThe median coefficient of pushes one way and the other, in percent beside that of all of the layout:\n"
@@ -179,8 +180,8 @@ fn by_direction(pushes: &[Push], limits: &[Limit]) {
     );
 }
 
-/// The part of a push at which it reaches the ellipsoid for a coefficient of one. Its axes are all of the friction, and all of its moment about the
-/// centre.
+/// The fraction of a push that lies on the ellipsoid for a coefficient of one. The ellipsoid's axes are the largest friction force, and the largest
+/// moment of friction about the centre.
 fn on_the_ellipsoid(push: &Push) -> f64 {
     let at = supports(push.layout);
     let loads = normal_forces(&at);
@@ -188,7 +189,7 @@ fn on_the_ellipsoid(push: &Push) -> f64 {
     1.0 / (push.load.xy().norm() / WEIGHT).hypot(push.load.z / moment)
 }
 
-/// Angle between two motions, degrees; turns count at a length.
+/// Angle between two motions, degrees, with rotations multiplied by [`LENGTH`].
 fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     let [a, b] = [a, b].map(|v| Vector3::new(v.x, v.y, LENGTH * v.z));
     a.angle(&b).to_degrees()

@@ -4,12 +4,12 @@ use support::measured_pushes::{Limit, Push, SURFACES};
 
 use crate::{LENGTH, quantile};
 
-/// Largest angle between loads that count as equal, degrees, with moments divided by a length. No push is repeated exactly.
+/// Largest angle between two loads that count as equal, degrees, with moments divided by [`LENGTH`]. No push was repeated exactly.
 const ALIKE: f64 = 8.0;
 /// Median of the absolute value of a standard normal variable.
 const MEDIAN_SIZE: f64 = 0.674_49;
 
-/// Scatter of pushes under nearly equal loads, over the force.
+/// Scatter of pushes under nearly equal loads, relative to the force.
 pub(crate) struct Repeats {
     pub(crate) scatter: f64,
     pushes: usize,
@@ -32,7 +32,7 @@ pub(crate) fn scatter(pushes: &[Push], limits: &[Limit], surface: &str) -> Repea
     Repeats { scatter: quantile(apart, 50) / (2.0_f64.sqrt() * MEDIAN_SIZE), pushes }
 }
 
-/// Prints a sentence for each surface.
+/// Prints a sentence about the scatter for each surface.
 pub(crate) fn told(floors: &[Repeats; 2]) {
     println!();
     for (surface, floor) in SURFACES.iter().zip(floors) {

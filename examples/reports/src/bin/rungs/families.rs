@@ -15,7 +15,7 @@ use support::{loaded, patches, piles, shaken, soft_tips, spatial_piles};
 
 type Failure = Box<dyn std::error::Error>;
 
-/// Receives the name of a family and a question about one of its scenes; the question returns its answer in words.
+/// Callback that receives the name of a family and a function that answers a question about one of its scenes, in words.
 type Ask<'a> = dyn FnMut(&'static str, &dyn Fn() -> Result<String, Failure>) -> Result<(), Failure> + 'a;
 
 /// Asks about `each` scenes of each family, and about fewer of those with many contacts.
@@ -73,7 +73,7 @@ pub(crate) fn ask_all(each: usize, ask: &mut Ask<'_>) -> Result<(), Failure> {
     many(each, ask)
 }
 
-/// Many contacts, many bodies.
+/// Scenes with many contacts, and with many bodies.
 fn many(each: usize, ask: &mut Ask<'_>) -> Result<(), Failure> {
     for count in [8, 16, 40, 150, 1000].into_iter().filter(|count| *count <= 10 * each) {
         for part in [0.3, 1.0, 1.2] {
@@ -112,7 +112,7 @@ fn many(each: usize, ask: &mut Ask<'_>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// On the round cone and on polygons; of few contacts the verdict of a growing load, too.
+/// Asks for equilibria on the round cone and on polygons; with few contacts also for the verdict on a growing load.
 fn in_units<const D: usize, const C: usize>(
     name: &'static str,
     scene: &Scene<D, C>,

@@ -1,6 +1,6 @@
-//! How often each rung of the search for an equilibrium decides, in what time, and which of its searches another rung decides, too.
+//! The search for an equilibrium tries several methods in turn, its rungs. How often does each rung decide, in which time, and which others could?
 //!
-//! Everyday and odd scenes, load paths, bodies, from the generators of the tests. After each decision all rungs are climbed alone.
+//! Scenes, load paths and bodies, everyday and odd ones, come from the generators of the tests. After each decision every rung is tried separately.
 //!
 //! `cargo run --release -p reports --bin rungs [scenes of each family]` (40 by default)
 
@@ -27,7 +27,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// For each family, how many searches each rung decides.
+/// Prints, for each family, the number of searches that each rung decides.
 fn by_family(climbs: &BTreeMap<&str, Vec<RecordedSearch>>) {
     println!("Searches that go beyond the elastic trial, by the rung that decides:\n");
     print!("{:<28}", "");
@@ -45,7 +45,7 @@ fn by_family(climbs: &BTreeMap<&str, Vec<RecordedSearch>>) {
     }
 }
 
-/// For each rung, how often it decides, how often it could alone, and its times.
+/// Prints, for each rung, how often it decides, how often it would decide if it were tried alone, and its run times.
 fn by_rung(climbs: &[RecordedSearch]) {
     println!(
         "\n{:<28}{:>9}{:>9}{:>9}{:>9}{:>9}{:>12}{:>12}",
@@ -69,7 +69,7 @@ fn by_rung(climbs: &[RecordedSearch]) {
     }
 }
 
-/// For each rung, what becomes of its searches without it: the next rung that decides, and how much longer that takes.
+/// Prints, for each rung, which later rung would decide its searches without it, and by which factor they would take longer.
 fn instead(climbs: &[RecordedSearch]) {
     println!("\nWithout a rung, its searches are decided by others, in more time by this factor (median):\n");
     for (rung, name) in names().into_iter().enumerate() {
@@ -90,7 +90,7 @@ fn instead(climbs: &[RecordedSearch]) {
     }
 }
 
-/// The head of a column.
+/// A short name for the head of a column.
 fn short(name: &str) -> String {
     name.split(' ').map(|word| word.chars().take(5).collect::<String>()).take(2).collect::<Vec<_>>().join(" ")
 }

@@ -1,4 +1,4 @@
-//! Cost of a verdict for each of several bodies, in rows of books and walls of bricks.
+//! Run time of a verdict for each body, in rows of books and walls of bricks.
 
 use grasp_lcp::planar::{Bodies, Wrench};
 use support::piles::{books, wall};
@@ -8,8 +8,8 @@ use support::best_time::best;
 use crate::report::{Beside, row};
 use crate::{Outcome, up_to};
 
-/// Rows may have any length at constant cost for each book. In a wall of n bricks a band is as wide as a row of √n bricks, so factors cost O(n) for
-/// each brick.
+/// Time per book or brick. In a row it is constant, for any length. In a wall of n bricks the band matrix is as wide as a row of √n bricks, so that
+/// its factorisation takes O(n) per brick.
 pub fn rows(most: usize) -> Outcome {
     let book = |count: usize| (count, books(count), Wrench::force([0.0, -5.0]));
     grown("book of a row, one pulled: hold, for each book", up_to(most, [10, 100, 1000]).map(book))?;
@@ -21,7 +21,7 @@ pub fn rows(most: usize) -> Outcome {
     )
 }
 
-/// Rows of a family that grows, each beside the one before.
+/// Prints a row for each size of a growing family, with the ratio to the previous size.
 fn grown(work: &str, family: impl IntoIterator<Item = (usize, Bodies, Wrench)>) -> Outcome {
     let mut before: Option<(usize, f64)> = None;
     for (count, bodies, load) in family {

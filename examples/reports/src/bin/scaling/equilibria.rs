@@ -37,7 +37,7 @@ pub fn patches(most: usize) -> Outcome {
     Ok(())
 }
 
-/// `Grasp::solve` on the polygon, beside the dense form and the reduced program where they are affordable, and on the round cone.
+/// Times `Grasp::solve` on the polygon and on the round cone; and the dense form and the reduced program, if they do not take too long.
 fn solved<const C: usize>(name: &str, grasp: &Grasp<C>, load: &Wrench<C>, affordable: bool) -> Outcome {
     let (dense, today) =
         if affordable { (dense(grasp, load), program_once(grasp, load)) } else { (f64::NAN, f64::NAN) };
@@ -53,7 +53,7 @@ fn solved<const C: usize>(name: &str, grasp: &Grasp<C>, load: &Wrench<C>, afford
     Ok(())
 }
 
-/// From the public question to the answer as physics: building the scene with its validation, and solving it.
+/// Times the whole way from contacts to an equilibrium: building a grasp, with its validation, and solving it.
 pub fn whole_solve(most: usize) -> Outcome {
     for n in up_to(most, [10_000, 100_000]) {
         let build = best(|| {
@@ -73,13 +73,13 @@ pub fn whole_solve(most: usize) -> Outcome {
     Ok(())
 }
 
-/// Time to assemble the reduced quadratic program and solve it once by an interior-point method. Its friction law is another one: only the time
-/// compares.
+/// Time to assemble the reduced quadratic program and solve it once by an interior-point method. Its friction law differs, so that only times can be
+/// compared.
 fn program_once<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> f64 {
     best(|| _ = black_box(sticks(grasp, load)))
 }
 
-/// Time to assemble and solve the kinematic form as a dense problem, without check of the answer as physics.
+/// Time to assemble and solve the kinematic form as a dense problem, without forces, gaps and residuals of an answer.
 fn dense<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> f64 {
     best(|| {
         if let Ok(Some(form)) = grasp.kinematic_form(load, &PolygonCone::default()) {

@@ -1,8 +1,8 @@
-//! The least time that the machine needs for some work.
+//! Lower bound of the run time of some work on this machine.
 //!
-//! Work moves bytes and does operations. Each takes at least as long as in a loop that does nothing else, and the longer of the two times is the
-//! limit of the work. Bytes are those of its data and answers, each counted once. Operations are the additions, multiplications, divisions and roots
-//! of its formulas. Comparisons, choices and integers are not counted, and a division counts like a product: the real limit is nearer.
+//! Work moves bytes and does arithmetic. Each takes at least as long as in a loop that does nothing else, and the longer of the two times is the lower
+//! bound. Bytes are those of data and answers, each counted once. Operations are the additions, multiplications, divisions and roots of the
+//! formulas. Comparisons, selections and integer operations are not counted, and a division counts like a product, so that the true limit is higher.
 
 use std::hint::black_box;
 
@@ -14,7 +14,7 @@ use support::best_time::best;
 pub struct Needs {
     /// Bytes of data and answers.
     pub bytes: f64,
-    /// Bytes of all data that the work touches before it returns to the first: they determine which memory holds them.
+    /// Bytes of all data that the work touches before it returns to the first; their number decides which level of memory holds them.
     pub among: f64,
     /// Operations in floating point.
     pub operations: f64,
@@ -30,9 +30,9 @@ pub enum Cores {
 /// The least time for some work.
 #[derive(Clone, Copy)]
 pub struct Limit {
-    /// s
+    /// Time, s.
     pub time: f64,
-    /// Which of the two sets it.
+    /// Which of both determines the bound, memory or arithmetic.
     pub by: &'static str,
 }
 
@@ -60,7 +60,7 @@ pub fn print_machine() {
     }
 }
 
-/// Bytes a second when `among` bytes are read again and again. All cores do at least as much as one, since small work stays on one core.
+/// Bytes per second if `among` bytes are read again and again. For all cores the result is at least that of one core, on which small work stays.
 fn bandwidth(among: f64, cores: Cores) -> f64 {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a length
     let array = vec![1.0_f64; (among / 8.0).max(1024.0) as usize];
@@ -85,7 +85,7 @@ fn sum(array: &[f64]) -> f64 {
     sums.iter().sum()
 }
 
-/// Products and sums a second, in equal numbers: polynomials of degree four at places in the nearest memory. No place waits for another.
+/// Multiplications and additions per second: polynomials of degree four at many independent places in the nearest memory.
 fn peak(cores: Cores) -> f64 {
     const PLACES: usize = 512;
     const ROUNDS: usize = 2000;

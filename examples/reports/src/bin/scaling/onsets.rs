@@ -19,7 +19,7 @@ use crate::report::{Beside, row};
 use crate::today::bisected_onset;
 use support::patches::uneven;
 
-/// Grasps in a family; with their numbers they stay in the processor's nearer memory.
+/// Number of grasps in a family, so small that their data fit into the processor's caches.
 const GRASPS: usize = 4000;
 
 pub fn rows() -> Outcome {
@@ -76,7 +76,7 @@ fn family<const C: usize, const N: usize>(
         });
 
     let ramp = Ramp::load(Wrench::ZERO, *direction);
-    // Grasps whose contacts all stick without the load.
+    // Only grasps whose contacts all stick without a load have an onset.
     let sticking = scenes.iter().zip(&answers).filter_map(|(scene, answer)| Some((scene, answer.factor()?)));
     let few: Vec<_> = sticking.take(100).collect();
     let grasps: Vec<_> =
@@ -118,8 +118,8 @@ fn family<const C: usize, const N: usize>(
     squeezes(name, (&fingers, &batch), &grasps, direction)
 }
 
-/// Work for the onset under one of several loads, in a batch of `grasps` grasps. Operations are counted in the formulas of the module `screening`:
-/// those that prepare a grasp, and those for a load that starts at zero.
+/// Bytes and operations for the onset under one of several loads, in a batch of `grasps` grasps. Operations are counted in the formulas of the module
+/// `screening`: those that prepare a grasp, and those for a load that starts at zero.
 fn needs<const C: usize, const N: usize>(loads: f64, grasps: usize, cores: Cores) -> Needs {
     let n = N as f64;
     let (ready, load) = match (C, N) {
@@ -138,7 +138,7 @@ fn needs<const C: usize, const N: usize>(loads: f64, grasps: usize, cores: Cores
     }
 }
 
-/// The angle at which contacts leave while a load turns: a light load that all hold, and one under which many slide.
+/// Times the search for the angle at which a contact slides while a load turns: for a light load that all grasps hold, and for one under which many slide.
 fn turns<const C: usize, const N: usize>(
     name: &str,
     (fingers, batch): (&[Fingers<C, N>], &Batch<C, N>),

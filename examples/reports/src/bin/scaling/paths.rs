@@ -14,11 +14,11 @@ use crate::{Outcome, up_to};
 use grasp_lcp::spatial;
 use support::patches::{planar_patch, spatial_patch, uneven};
 
-/// Error of forces that a leg may add, over the largest force.
+/// Error that a leg may add to forces, relative to the largest force.
 const ERROR: f64 = 1e-4;
 
-/// Whole load paths in steps: pressed at first, sheared until most of the patch slides, and back. The time includes the public question and the
-/// equilibrium at the start. For comparison `Grasp::follow` where that is still affordable.
+/// Times whole load paths in steps: a pressed patch is sheared until most of it slides, and back. The time includes the equilibrium at the start.
+/// `Grasp::follow` is compared if it does not take too long.
 pub fn rows(most: usize) -> Outcome {
     for n in up_to(most, [100, 1000, 10_000, 100_000]) {
         let (grasp, load) = planar_patch(n)?;
@@ -34,8 +34,7 @@ pub fn rows(most: usize) -> Outcome {
     Ok(())
 }
 
-/// The whole path of many fingers that press on a ball from all sides, on the round cone: from no load until many slide, each along a direction that
-/// turns.
+/// Times the load path of many fingers that press on a ball from all sides, on the round cone: from no load until many slide, in directions that turn.
 fn round_a_ball(n: usize) -> Outcome {
     let finger = |i: usize| {
         let u = |k: usize| uneven(13 * i + k) - 0.5;

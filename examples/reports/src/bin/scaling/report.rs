@@ -1,8 +1,8 @@
-//! Times, and their printed table.
+//! The printed table of run times.
 
 use crate::limits::Limit;
 
-/// Heads of the columns.
+/// Prints the heads of the columns.
 pub fn head() {
     println!(
         "{:<62} {:>10} {:>10} {:>6} {:>10} {:>7} {:>15}  remarks",
@@ -10,14 +10,14 @@ pub fn head() {
     );
 }
 
-/// Times for comparison, s; NaN is left out.
+/// Run times for comparison, s; NaN is not printed.
 #[derive(Clone, Copy)]
 pub struct Beside {
     /// Time of the crate's general method.
     pub in_general: f64,
     /// Time of the usual method without the crate.
     pub today: f64,
-    /// Least time on this machine.
+    /// Lower bound of the time on this machine.
     pub limit: Limit,
 }
 
@@ -26,7 +26,7 @@ impl Beside {
         Self { in_general: f64::NAN, today: f64::NAN, limit: Limit { time: f64::NAN, by: "" } };
 }
 
-/// One row.
+/// Prints one row of the table.
 pub fn row(work: &str, time: f64, beside: Beside, remarks: &str) {
     let Beside { in_general, today, limit } = beside;
     let ratio = |other: f64| match other / time {

@@ -7,9 +7,9 @@ use grasp_lcp::grasp::Wrench;
 use support::interior_point::{Oracle, interior_point};
 use support::reduced_program::ReducedProgram;
 
-/// A friction row with less slack than this part of the largest slack counts as sliding; at the onset itself the method leaves about as much.
+/// A friction row counts as active if its slack, relative to the largest slack, is below this; at the onset the method leaves slacks of this size.
 const ACTIVE: f64 = 1e-6;
-/// Halvings of the interval.
+/// Number of bisections of the interval.
 const HALVINGS: usize = 20;
 
 /// Solves the program once under a load; returns whether no friction row is active.

@@ -1,4 +1,4 @@
-//! Cost of gradients beside values.
+//! Run time of gradients relative to that of values.
 
 use grasp_lcp::screening::ScreenedGradients;
 use grasp_lcp::spatial::{Batch, Fingers, Pull, Wrench};
@@ -8,7 +8,7 @@ use support::best_time::best_in_turns;
 
 use super::{CHUNK, Cloud, Random, finger, sample, weight};
 
-/// Number of chunks of grasps that are timed: enough that their distribution to threads does not count, few enough that memory is not measured.
+/// Number of chunks of grasps that are timed: enough to occupy all threads evenly, few enough that memory bandwidth has no effect.
 const CHUNKS: usize = 16;
 
 /// Prints the throughput of gradients of grasps on a cloud, also as a ratio to that of factors.

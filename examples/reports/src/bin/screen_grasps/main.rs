@@ -18,7 +18,7 @@ use grasp_lcp::sweep::map_watched;
 use nalgebra::Vector3;
 
 const GRASPS: usize = 1_000_000;
-/// Grasps that a thread samples and screens in one go.
+/// Number of grasps that a thread samples and screens as one task.
 const CHUNK: usize = 4096;
 const POINTS: usize = 20_000;
 const WEIGHT: f64 = 4.0; // N
@@ -111,7 +111,7 @@ fn bottle() -> Cloud {
     (0..POINTS).map(point).collect()
 }
 
-/// Gravity along the axes of the body, and between two and three of them.
+/// The 26 directions of gravity: along the axes of the body, and halfway between two and three of them.
 fn directions() -> Vec<Vector3<f64>> {
     let steps = || [-1.0, 0.0, 1.0].into_iter();
     let all = steps().flat_map(|x| steps().flat_map(move |y| steps().map(move |z| Vector3::new(x, y, z))));
@@ -123,7 +123,7 @@ fn weight(direction: Vector3<f64>) -> Wrench {
     Wrench::force(direction * WEIGHT)
 }
 
-/// A soft rubber fingertip pressed in along the normal.
+/// A rubber fingertip that is pressed into the object along the normal.
 fn finger((point, normal): &(Vector3<f64>, Vector3<f64>)) -> Contact {
     Contact::new(*point, *normal).series_stiffness(900.0, 600.0).friction(0.6).command([SQUEEZE, 0.0, 0.0])
 }
@@ -170,7 +170,7 @@ impl Part {
     }
 }
 
-/// Samples and screens one chunk; its grasps depend only on its number.
+/// Samples and screens one chunk. Its grasps depend only on the number of the chunk, not on threads.
 fn screen(cloud: &Cloud, chunk: usize) -> Result<Part, Error> {
     let mut random = Random(1 + chunk as u64);
     let grasps: Vec<[usize; 3]> =
@@ -197,7 +197,7 @@ fn screen(cloud: &Cloud, chunk: usize) -> Result<Part, Error> {
             ScreeningVerdict::Never => {
                 part.too_weak += usize::from(multiple < 1.0);
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-                // it is not negative, and saturates
+                // `multiple` is not negative, and the conversion saturates.
                 let bin = (multiple / MOST * BINS as f64) as usize;
                 part.histogram[bin.min(BINS - 1)] += 1;
                 part.best.push(Found { multiple, weakest, fingers });
@@ -223,7 +223,7 @@ fn sample(cloud: &Cloud, random: &mut Random) -> [usize; 3] {
     }
 }
 
-/// The relative difference between the multiple and that of `Grasp::onset`.
+/// Relative difference between the load factor of screening and that of `Grasp::onset`.
 fn check(cloud: &Cloud, found: &Found) -> Result<f64, Box<dyn std::error::Error>> {
     let grasp = Grasp::new(found.fingers.map(|i| finger(&cloud[i])))?;
     let mut least = f64::INFINITY;
@@ -244,7 +244,7 @@ fn picture(cloud: &Cloud, all: &Part) -> Result<String, Box<dyn std::error::Erro
             .series("grasps that hold the squeeze", bars, Stroke::Bars)
             .mark(1.0, "the weight")
             .mark(all.best.first().map_or(MOST, |best| best.multiple), "the best");
-    // The surface unrolled.
+    // Places on the unrolled surface: angle around the axis, degrees, and height, mm.
     let seen = |p: &Vector3<f64>| (p.y.atan2(p.x).to_degrees(), 1e3 * p.z);
     let title = "Where the ten best grasps take hold, the surface unrolled";
     let points = cloud.iter().step_by(20).map(|(p, _)| seen(p)).collect();
@@ -259,7 +259,7 @@ fn picture(cloud: &Cloud, all: &Part) -> Result<String, Box<dyn std::error::Erro
     Ok(Chart::sheet(&[histogram, view], 2)?)
 }
 
-/// Numbers without structure, the same on every run (splitmix64 of Steele, Lea & Flood, 2014).
+/// Pseudo-random numbers, the same in every run (splitmix64 of Steele, Lea & Flood, 2014).
 struct Random(u64);
 
 impl Random {

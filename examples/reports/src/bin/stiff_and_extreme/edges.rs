@@ -1,4 +1,4 @@
-//! Scenes in which the last digits decide: loads next to the onset of sliding, and wedges next to their locking angle.
+//! Scenes in which the last digits decide: loads close to the onset of sliding, and wedges close to their locking angle.
 
 use nalgebra::SVector;
 
@@ -7,9 +7,9 @@ use crate::measure::{Expected, Question, Table};
 use crate::ring::{NORMAL, SQUEEZE, TANGENTIAL, TILTED, held};
 use support::scene::{Datum, Scene};
 
-/// Half the angle of the wedge.
+/// Half the angle of the wedge, rad.
 const HALF_ANGLE: f64 = 0.3;
-/// Relative distance from a locking angle or limit load below which the rounding of the scene itself decides.
+/// Relative distance from a locking angle or limit load below which the rounding of the scene's own numbers decides.
 const DATA: f64 = 1e-12;
 
 pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
@@ -33,7 +33,7 @@ fn parts() -> impl Iterator<Item = (String, f64)> {
     below.into_iter().chain([("0".to_owned(), 0.0)]).chain(above.into_iter().rev())
 }
 
-/// Fingers whose first slide leaves the others holding.
+/// Loads around the onset of a grasp whose other fingers hold on after the first has slipped.
 fn onset<const D: usize, const C: usize>(
     table: &mut Table,
     case: &'static str,

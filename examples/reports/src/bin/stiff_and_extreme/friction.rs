@@ -6,7 +6,7 @@ use crate::ring::{NORMAL, PULL, TANGENTIAL, TILTED, enough, held, power, uneven}
 
 pub(crate) const ALL: &str = "friction of all contacts";
 pub(crate) const ONE: &str = "friction of a contact that is pulled along";
-/// Stiffness of the first finger over the others', and its name in the table.
+/// Stiffness of the first finger relative to the others, and its name in the table.
 const STIFFER: [(f64, &str); 2] =
     [(1.0, "fingers equally stiff"), (1e12, "the first finger 1e12 times as stiff")];
 
@@ -60,7 +60,7 @@ fn squeeze<const D: usize, const C: usize>(table: &mut Table) -> Result<(), Fail
         let value = power(exponent);
         let mut scene = held::<D, C>(enough::<C>(), TILTED);
         for (i, datum) in scene.contacts.iter_mut().enumerate() {
-            // Slightly different commands.
+            // Commands differ slightly from finger to finger.
             datum.command[0] = value.1 * (1.0 + 0.05 * uneven(i)) / NORMAL;
         }
         let load = nalgebra::SVector::<f64, C>::from_column_slice(&scene.wrench().components()[..C]).norm();

@@ -1,4 +1,4 @@
-//! Lengths from nanometres to kilometres, normals that hardly differ, and many more contacts than are needed.
+//! Lengths from nanometres to kilometres, nearly parallel normals, and many more contacts than are needed.
 
 use grasp_lcp::equilibrium::Equilibrium;
 use nalgebra::SVector;
@@ -20,7 +20,7 @@ pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
     }
     for (case, friction) in [("V-groove coupling without friction", 0.0), ("the same, friction 0.3", 0.3)] {
         for exponent in (0..=12).map(|k| -k) {
-            // 1 would be 57 degrees from the vertical.
+            // An angle of 1 rad would be 57° from the vertical, so that 0.5 rad takes its place.
             let value = if exponent == 0 { ("0.5".to_owned(), 0.5) } else { power(exponent) };
             let question = Question { family: "angle between normals", case, value, expected: None };
             table.ask(question.clone(), &cradle(question.value.1, friction))?;
@@ -34,7 +34,7 @@ pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The same forces in other units of length.
+/// Scenes with the same forces and other units of length.
 fn lengths<const D: usize, const C: usize>(
     table: &mut Table,
     case: &'static str,
@@ -83,7 +83,7 @@ fn resting<const C: usize>(point: [f64; C], normal: [f64; C], friction: f64) -> 
     }
 }
 
-/// A body on three contacts in the plane, two of them tilted by an angle; the tilt can carry the load across.
+/// A body on three contacts in the plane. Two of them are tilted by an angle, so that their normal forces can carry the horizontal load.
 fn cradle(angle: f64, friction: f64) -> Scene<3, 2> {
     let (sin, cos) = angle.sin_cos();
     let contacts = vec![

@@ -1,7 +1,7 @@
 //! How accurate are answers if stiffness, friction, squeeze, lengths or normals are extreme?
 //!
 //! `cargo run --release -p reports --bin stiff_and_extreme` computes one equilibrium for each row, in the plane and in space, and compares it with
-//! exact arithmetic. The resulting contact states are solved again with every number of the scene, and every rounded contact frame, taken as exact. A
+//! exact arithmetic. The resulting contact states are solved again, with every number of the scene and every rounded contact frame regarded as exact. A
 //! row shows
 //!
 //! ```text

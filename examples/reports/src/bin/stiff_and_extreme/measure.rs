@@ -1,4 +1,4 @@
-//! One answer beside the exact one, and the table of all.
+//! Compares an answer with the exact one, and collects the comparisons in a table.
 
 use std::fmt::Write as _;
 
@@ -11,9 +11,9 @@ use crate::textbook;
 use support::scene::Scene;
 use support::truth::Truth;
 
-/// Largest number of directions of sliding in space that is affordable as unknowns of exact equations.
+/// Largest number of unknown directions of sliding in space for which exact equations can be solved in reasonable time.
 const MOST_TURNING: usize = 12;
-/// A condition that fails by more than this part of its terms is wrong, whether marked as an edge or not.
+/// A contact state is wrong if its condition is violated by more than this fraction of its terms, even if it is marked as an edge.
 const CLEARLY: f64 = 1e-12;
 
 /// Subject of a row.
@@ -30,7 +30,7 @@ pub(crate) struct Question {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Expected {
     AllStick,
-    /// Only rounding of the squeeze is left.
+    /// All contact forces are zero, up to rounding errors of the squeeze.
     NoForce,
     NoEquilibrium,
 }
@@ -49,12 +49,12 @@ pub(crate) struct Row {
     pub(crate) remark: String,
 }
 
-/// Numbers of an equilibrium; forces are over the largest force.
+/// Errors of an equilibrium, relative to the largest force, with their estimate and the condition number.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Answer {
-    /// `None` if the oracle has no answer.
+    /// Largest error of a force; `None` if the exact equations have no answer.
     pub(crate) error: Option<f64>,
-    /// Error of a component over that component.
+    /// Largest error of a force component, relative to that component.
     pub(crate) component: Option<f64>,
     pub(crate) estimate: f64,
     pub(crate) condition: f64,
@@ -65,7 +65,7 @@ pub(crate) struct Answer {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum States {
     Right,
-    /// This number of contacts is marked as not distinct from another state.
+    /// The states are right, but this number of contacts is marked as indistinguishable from another state.
     Edge(usize),
     Wrong,
 }
@@ -86,7 +86,7 @@ impl Table {
         self.ask_of(question, scene, &grasp)
     }
 
-    /// [`Self::ask`] for a grasp that was made in another way.
+    /// [`Self::ask`] for a grasp that was not made from the scene's series stiffnesses.
     pub(crate) fn ask_of<const D: usize, const C: usize>(
         &mut self,
         question: Question,

@@ -1,4 +1,4 @@
-//! Errors against the stiffness ratio.
+//! Charts of errors against the stiffness ratio.
 
 use grasp_lcp::picture::{Chart, Stroke};
 
@@ -34,7 +34,7 @@ pub(crate) fn save(table: &Table) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The worst of all cases at each ratio.
+/// The largest error among all cases, for each ratio.
 fn worst(
     rows: &[Row],
     (place, family): (&str, &str),

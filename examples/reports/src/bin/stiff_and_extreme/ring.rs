@@ -14,7 +14,7 @@ pub(crate) const FRICTION: f64 = 0.8;
 pub(crate) const SQUEEZE: f64 = 5.0;
 /// Force that pulls a finger along the surface if it is to slide, N.
 pub(crate) const PULL: f64 = 20.0;
-/// Tilts of the normals: fingers press almost towards the middle, or so that stiff ones push each other aside.
+/// Tilts of the normals, rad. With `LEVEL` fingers press almost towards the centre; with `TILTED` stiff fingers push each other aside.
 pub(crate) const LEVEL: f64 = 0.1;
 pub(crate) const TILTED: f64 = 0.25;
 
@@ -48,7 +48,7 @@ pub(crate) fn ring<const C: usize>(count: usize, tilt: f64) -> Vec<Datum<C>> {
         .collect()
 }
 
-/// Number of tilted fingers that resist every motion by their normals alone.
+/// Number of tilted fingers whose normals alone resist every motion (form closure).
 pub(crate) const fn enough<const C: usize>() -> usize {
     if C == 2 { 4 } else { 8 }
 }

@@ -1,4 +1,4 @@
-//! Springs of very different stiffness: between contacts, between the axes of one contact, between body and finger, beside a rigid side.
+//! Stiffnesses that differ by many orders of magnitude: between contacts, between axes of a contact, between body and finger, next to a rigid body.
 
 use grasp_lcp::ask::Grasp;
 use nalgebra::SVector;
@@ -13,10 +13,10 @@ pub(crate) const SLIDING: &str = "stiffness ratio, sliding";
 pub(crate) const FEW: &str = "one contact against three others";
 /// Friction of the contact that is to slide.
 const SLIPPERY: f64 = 0.02;
-/// Friction of contacts that are to stick.
+/// Coefficient of friction of contacts that should stick.
 const ROUGH: f64 = 2.0;
 
-/// Springs between which the ratio of stiffness is.
+/// The springs whose stiffnesses have the given ratio.
 #[derive(Debug, Clone, Copy)]
 enum Between {
     /// One finger is stiffer than the others; all have the same commands, so its trial force is larger by the ratio.
@@ -25,9 +25,9 @@ enum Between {
     ContactsOfFew,
     NormalOverTangential,
     TangentialOverNormal,
-    /// On alternate contacts the body is stiffer than the finger and the other way round; tangentially reversed.
+    /// The body is stiffer than the finger at every other contact, and softer at the rest; tangentially the reverse.
     BodyAndFinger,
-    /// The body is rigid, the fingers are stiffer one after the other.
+    /// The body is rigid, and the stiffness grows from finger to finger.
     RigidBody,
 }
 

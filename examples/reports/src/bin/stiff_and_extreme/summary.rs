@@ -1,10 +1,10 @@
-//! The worst results of the table, beside the required bounds.
+//! The worst results of the table, with the bounds that they must meet.
 
 use crate::friction::ONE;
 use crate::measure::{Answer, Row, States, Table};
 use crate::stiffness::{SLIDING, STICKING};
 
-/// Errors below this part of the largest force count as zero.
+/// Errors below this fraction of the largest force count as zero.
 const NONE: f64 = 1e-18;
 
 pub(crate) fn print(table: &Table) {
