@@ -43,7 +43,7 @@ impl Affine {
     }
 }
 
-/// What a system of equations `row · x + constant = 0` determines.
+/// The solutions of a system of equations `row · x + constant = 0`.
 pub(super) enum Solved {
     Point(Vec<Q>),
     Nothing,
