@@ -79,7 +79,7 @@ fn of_first_slips() -> Result<(), grasp_lcp::Error> {
 const AT: [[f64; 2]; 4] = [[0.1, 0.08], [-0.1, 0.11], [-0.09, -0.1], [0.12, -0.1]];
 
 /// Gross slips of four feet, statically indeterminate, under pushes in their plane or at a height. The unknowns are the load of each foot and two coefficients
-/// of friction; the common load of two feet is known.
+/// of friction; the sums of the loads of both pairs of feet are known.
 fn of_pushes(height: f64) -> Result<(), grasp_lcp::Error> {
     let grasp = |values: &[f64]| {
         let foot = |k: usize| {

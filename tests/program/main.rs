@@ -25,7 +25,7 @@ use std::sync::LazyLock;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// The program as it is installed: the one that `GRASP_LCP` names, or cargo builds it, for it belongs to another package.
+/// The program: the one in the variable `GRASP_LCP`, or one that cargo builds here, because it belongs to another package.
 static PROGRAM: LazyLock<PathBuf> = LazyLock::new(|| {
     if let Some(program) = std::env::var_os("GRASP_LCP") {
         return PathBuf::from(program);
@@ -46,7 +46,7 @@ fn scene(name: &str) -> String {
     Path::new(ROOT).join("examples/scenes").join(name).display().to_string()
 }
 
-/// A folder of its own for what a test writes.
+/// A separate folder for the files of a test.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("program").join(name);
     let _ = std::fs::remove_dir_all(&folder);
@@ -63,7 +63,7 @@ fn run_on(input: &[u8], arguments: &[&str]) -> Output {
         .spawn()
         .expect("starts");
     let mut stdin = program.stdin.take().expect("piped");
-    // Whoever refuses its arguments reads nothing.
+    // A program that refuses its arguments does not read its input.
     let _ = stdin.write_all(input);
     drop(stdin);
     program.wait_with_output().expect("ends")
@@ -73,12 +73,12 @@ fn run(arguments: &[&str]) -> Output {
     run_on(b"", arguments)
 }
 
-/// Whether a word of a command is the name of a scene, or of a table or a mesh that stands beside one.
+/// Whether a word of a command is the name of a scene, a table or a mesh.
 fn is_a_scene(word: &str) -> bool {
     Path::new(word).extension().is_some_and(|end| end == "json" || end == "csv" || end == "stl")
 }
 
-/// Commands of a dialogue with what is said to them: scenes stand in a folder below those of the repository.
+/// Commands of a dialogue and their expected output. Scenes are in a folder below the example scenes.
 fn dialogues<'t>(block: &'t str, folder: &str) -> Vec<(Vec<String>, &'t str)> {
     let in_folder = |word: &str| {
         let name = word.strip_prefix(folder).unwrap_or(word);
