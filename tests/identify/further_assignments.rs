@@ -67,7 +67,8 @@ fn least_moment(friction: [f64; 3]) -> f64 {
     (0..3).map(|k| moment(foot(k))).fold(moment(best), f64::min)
 }
 
-/// Over foot 0 the slips are at 5 N · min(4 μ_0, μ_1, μ_2), 1 N here; over foot 1 at 5 N · min(μ_0, 4 μ_1, μ_2), 1.5 N here. So μ_1 is 0.2, and μ_0 or μ_2 is 0.3.
+/// With the weight near foot 0 the first slip is at 5 N · min(4 μ_0, μ_1, μ_2), here 1 N; near foot 1 at 5 N · min(μ_0, 4 μ_1, μ_2), here 1.5 N. So μ_1
+/// is 0.2, and μ_0 or μ_2 is 0.3.
 #[test]
 fn each_kind_of_slip_has_its_own_foot() -> Tested {
     let mut slips = Vec::new();

@@ -158,9 +158,9 @@ fn a_table_lifts_its_feet_and_tips() {
     assert!(work.abs() < 1e-13, "{work}");
 }
 
-/// A weight along the axis of a grip. Fingers of one friction all slide at once: onset and limit are w = n μN. With frictions of their own they slide one
-/// pair after the other as the weight sinks, at kt z = μ_i N, and the limit is Σ μ_i N, beyond the onset. Up to eight fingers that
-/// is proved.
+/// A weight along the axis of a grip. With one coefficient of friction all fingers slide at once: onset and limit are w = n μN. With different
+/// coefficients they slide pair by pair as the weight sinks, at kt z = μ_i N, and the limit Σ μ_i N is beyond the onset. For up to eight fingers
+/// the limit is proved.
 #[test]
 fn a_grip_loses_its_weight_at_once_or_one_after_the_other() {
     let cases: [(&[f64], &[f64]); 5] = [
