@@ -4,7 +4,7 @@ use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
 use support::piles::Arch;
 
-/// Of many stones it is Milankovitch's: 0.1075 of the mean radius.
+/// With many stones the least thickness converges to Milankovitch's value, 0.1075 of the mean radius.
 #[test]
 fn the_least_thickness_is_the_one_known() {
     let least = Arch::least_thickness(400);

@@ -8,7 +8,7 @@ use proptest::strategy::ValueTree;
 use support::samples::{assert_met, config, runner, samples};
 use support::stacks::{Stack, stack};
 
-/// The stack with its loads and the command of its finger multiplied by `part`.
+/// The stack with its loads and commands multiplied by `part`.
 fn times(stack: &Stack<3, 2>, part: f64) -> Stack<3, 2> {
     let mut less = stack.clone();
     less.loads.iter_mut().for_each(|load| *load *= part);
@@ -16,7 +16,7 @@ fn times(stack: &Stack<3, 2>, part: f64) -> Stack<3, 2> {
     less
 }
 
-/// Piles of four bodies with sloped faces, the same every time.
+/// Random piles of four bodies with sloped faces, from a fixed seed.
 #[test]
 fn what_is_held_of_it_is_told() {
     let mut runner = runner(config(1));

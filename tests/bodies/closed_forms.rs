@@ -3,7 +3,7 @@
 use super::faces::{assert_close, face, lost_at};
 use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
 
-/// A box of 10 N on one of 20 N on a table: μ 0.3 and 0.5. The upper one is pushed, too.
+/// A box of 10 N stands on a box of 20 N on a table, with μ = 0.3 between the boxes and 0.5 below. A constant force also acts on the upper box.
 #[test]
 fn two_boxes() {
     for (pushed, exact) in [(0.0, 15.0), (2.9, 12.1), (-2.9, 17.9)] {
@@ -24,7 +24,7 @@ fn two_boxes() {
 fn wedge_under_a_block() {
     let (alpha, mu): (f64, f64) = (8f64.to_radians(), 0.35);
     let rise = alpha.tan();
-    // The wedge points to the left, the block is to the left at a wall on its left.
+    // The wedge points to the left, and the wall is to the left of the block.
     let bodies = Bodies::new([
         Body::new("wedge"),
         Body::new("block").load(Wrench::force_at([0.0, -400.0], [0.45, 1.0])),
@@ -36,8 +36,8 @@ fn wedge_under_a_block() {
     assert_close(100.0 * lost, 400.0 * (alpha + 2.0 * mu.atan()).tan());
 }
 
-/// Two wedges of 10° under a block of 400 lb, the upper one at a wall, μ = 0.25 everywhere (Beer and Johnston, problems on wedges): the same law, and the block just
-/// rides along.
+/// Two wedges of 10° under a block of 400 lb, the upper one at a wall, μ = 0.25 everywhere (Beer and Johnston, problems on wedges). The law
+/// is that of one wedge, and the block moves with the upper wedge.
 #[test]
 fn two_wedges_under_a_block() {
     let (alpha, mu): (f64, f64) = (10f64.to_radians(), 0.25);
@@ -55,7 +55,7 @@ fn two_wedges_under_a_block() {
     assert_close(100.0 * lost, 400.0 * (alpha + 2.0 * mu.atan()).tan());
 }
 
-/// A wedge of 15° between a tray and a block that can only sink is pressed out unless `μ >= tan 7.5°`, however heavy the block.
+/// A wedge of 15° between a tray and a block with vertical guides is pressed out unless `μ >= tan 7.5°`, for every weight of the block.
 #[test]
 fn wedge_that_is_not_pressed_out() {
     let alpha = 15f64.to_radians();
@@ -78,8 +78,8 @@ fn wedge_that_is_not_pressed_out() {
     assert_eq!([holds(least * (1.0 - 1e-9)), holds(least * (1.0 + 1e-9))], [Some(false), Some(true)]);
 }
 
-/// Books of 0.95 kg pressed together with 120 N, μ = 0.6 at the hands and 0.4 between books (Halliday, Resnick and Walker): 12 can be carried. What weighs on the
-/// outermost faces between books is `(n - 2) w / 2`.
+/// Books of 0.95 kg pressed together with 120 N, μ = 0.6 at the hands and 0.4 between books (Halliday, Resnick and Walker): 12 can be carried. The outermost
+/// faces between books carry the shear force `(n - 2) w / 2`.
 #[test]
 fn a_row_of_books() {
     let weight = 0.95 * 9.81;
@@ -108,7 +108,7 @@ fn a_row_of_books() {
     assert!(most(12) > 1.0 && most(13) < 1.0);
 }
 
-/// Tongs on a pin: handles at `a` above it, jaws at `b` below it and `c` beside it. What hangs between the jaws tightens them: `W = 2 μ P a / (b - μ c)`.
+/// Tongs on a pin: handles at `a` above it, jaws at `b` below it and `c` beside it. The load between the jaws tightens them: `W = 2 μ P a / (b - μ c)`.
 #[test]
 fn tongs() {
     let (a, b, c, mu, squeeze) = (0.3, 0.2, 0.04, 0.3, 50.0);

@@ -9,7 +9,7 @@ use support::closure_margin::closure_margin;
 use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
-/// A contact: where, its normal, the body that it points into and the one on the other side, and friction.
+/// A contact: point, normal, the body into which the normal points, the body on the other side, and the coefficient of friction.
 type Touch<const C: usize> = ([f64; C], [f64; C], usize, Option<usize>, f64);
 
 fn grasp<const C: usize>(count: usize, touches: &[Touch<C>]) -> Grasp<C> {
@@ -29,7 +29,7 @@ fn wrench<const C: usize>(point: &[f64; C], force: &SVector<f64, C>) -> Vec<f64>
     force.iter().copied().chain(planes.iter().map(moment)).collect()
 }
 
-/// The wrenches of a contact's unit forces on all bodies, one below the other.
+/// Columns are the wrenches of a contact's unit forces along its axes; the rows of all bodies are stacked.
 fn map<const C: usize>(count: usize, touch: &Touch<C>, frame: &nalgebra::SMatrix<f64, C, C>) -> DMatrix<f64> {
     let each = C * (C + 1) / 2;
     let mut map = DMatrix::zeros(count * each, C);
@@ -45,7 +45,7 @@ fn map<const C: usize>(count: usize, touch: &Touch<C>, frame: &nalgebra::SMatrix
     map
 }
 
-/// Checks the proof in an answer by independent sums. Whether the bodies are closed, if the answer is decided.
+/// Checks forces and motions of an answer by sums computed here. Returns whether the bodies are in force closure, if the answer decides this.
 fn is_closed<const C: usize>(grasp: &Grasp<C>, count: usize, touches: &[Touch<C>]) -> Option<bool> {
     let maps: Vec<_> =
         touches.iter().zip(grasp.frames()).map(|(touch, frame)| map(count, touch, frame)).collect();
@@ -74,7 +74,7 @@ fn is_closed<const C: usize>(grasp: &Grasp<C>, count: usize, touches: &[Touch<C>
     }
 }
 
-/// Two or three bodies in a row between jaws, each face of two points or four, of which some are turned.
+/// Two or three bodies in a row between jaws. Each face has two or four contact points, and some faces are tilted.
 fn row<const C: usize>(numbers: &mut Random, count: usize) -> Vec<Touch<C>> {
     let mut touches = Vec::new();
     for face in 0..=count {
@@ -140,8 +140,8 @@ fn rows_in_space() {
     rows_are_told::<3>(45, 60);
 }
 
-/// The motion without resistance names the bodies that move: a wedge of 10° that friction does not hold and the block above it, and a part between
-/// two others that has no contact at all.
+/// Free motions name the bodies that move: a wedge of 10° that friction does not hold, with the block that sinks on it, and a part without any contact
+/// between two others.
 #[test]
 fn what_moves_is_named() {
     let face = |y: f64, normal: [f64; 2], on: &str, mu: f64| {

@@ -9,7 +9,7 @@ use support::samples::{assert_met, config, runner, samples};
 use support::stacks::stack;
 use support::two_bodies::{Census, census};
 
-/// The answer is an equilibrium if and only if one exists. The seed is fixed because the counts below depend on it.
+/// An equilibrium is returned exactly if one exists. The seed is fixed, because outcomes are counted below.
 #[test]
 fn two_bodies_are_decided() {
     let mut runner = runner(config(1));

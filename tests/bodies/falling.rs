@@ -7,14 +7,14 @@ use nalgebra::{DVector, SVector};
 use support::piles::wall;
 use support::spatial_piles::spatial_wall;
 
-/// The work of a unit force at a point along an axis, on a twist.
+/// The work of a unit force at a point along an axis, for a twist of the body.
 fn work<const C: usize>(point: &[f64], along: &SVector<f64, C>, twist: &[f64]) -> f64 {
     let planes: &[(usize, usize)] = if C == 2 { &[(0, 1)] } else { &[(1, 2), (2, 0), (0, 1)] };
     let moments = planes.iter().map(|&(i, j)| point[i] * along[j] - point[j] * along[i]);
     along.iter().copied().chain(moments).zip(twist).map(|(w, v)| w * v).sum()
 }
 
-/// Whether contact forces within friction 0.6 work nothing against a motion on which weights of 2 kg under this gravity work.
+/// Checks that the motion is a proof: weights of 2 kg do positive work on it, and contact forces with μ = 0.6 do no negative work.
 fn is_proof<const C: usize>(
     bodies: Bodies<C>,
     gravity: [f64; C],
@@ -47,9 +47,9 @@ fn is_proof<const C: usize>(
     assert!(gained > 0.1 * size, "{gained}");
 }
 
-/// The bricks above and below a contact of a wall, by its place: rows are half a metre high and bricks a metre long.
+/// The brick above a contact of a wall and the brick below it, from its position. Rows are half a metre high, bricks a metre long.
 fn sides(x: f64, height: f64, rows: usize) -> [Option<usize>; 2] {
-    // The last of halves from the left, or from the ground, that a place is not before.
+    // The index of the half metre, from the left or from the ground, that contains a coordinate.
     let halves =
         |at: f64| (0..1000_u32).rfind(|k| f64::from(*k) <= 2.0 * at + 0.01).map_or(0, |k| k as usize);
     let (row, half) = (halves(height), halves(x));
@@ -67,7 +67,7 @@ fn centres(rows: usize) -> impl Iterator<Item = [f64; 2]> {
     (0..rows).flat_map(move |row| (0..rows).map(move |column| centre(row, column)))
 }
 
-/// Tilted by 45°, where friction holds up to 31°.
+/// The walls are tilted by 45°; friction holds only up to 31°.
 #[test]
 fn tilted_walls_fall() {
     for rows in [3, 6, 10, 14] {

@@ -18,7 +18,7 @@ fn close<const C: usize>(a: &SVector<f64, C>, b: &SVector<f64, C>, size: f64) ->
     (a - b).norm() <= 1e-11 * size
 }
 
-/// The same forces contact by contact, and the same motions body by body.
+/// Checks that both have the same forces at each contact and the same motion of each body.
 fn agree<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> Result<(), TestCaseError> {
     let size = a.contacts.iter().fold(0.0_f64, |most, told| most.max(told.force.norm()));
     for (a, b) in a.contacts.iter().zip(&b.contacts) {
@@ -27,7 +27,7 @@ fn agree<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> Result<(), T
     Ok(())
 }
 
-/// The stack with every contact named from its other side: a normal the other way, and both bodies exchanged.
+/// The stack with the two sides of every contact exchanged: opposite normal, and both bodies swapped.
 fn from_the_other_side(stack: &Stack<3, 2>) -> Stack<3, 2> {
     let turned = |touch: &Touch<2>| match touch.against {
         None => touch.clone(),
@@ -43,7 +43,7 @@ fn from_the_other_side(stack: &Stack<3, 2>) -> Stack<3, 2> {
 proptest! {
     #![proptest_config(config(20))]
 
-    /// A load on the body in the coordinates of the object, or one of its own: the same load.
+    /// A load gives the same answer as the load of the object and as the load of a named body.
     #[test]
     fn which_body_is_the_object(stack in stack::<3, 2>(3), push in -1.0..1.0f64) {
         let load = Wrench::<2>::from_components(&[push, 0.0, 0.0]);
@@ -58,7 +58,7 @@ proptest! {
                 for (a, b) in asked.bodies.iter().zip(&told.bodies) {
                     prop_assert_eq!(&a.body, &b.body);
                     let (a, b) = (a.twist.to_vector(), b.twist.to_vector());
-                    // Several equilibria may have the same forces where what slides leaves a motion free.
+                    // With a free motion of sliding bodies, several equilibria may have the same forces.
                     prop_assert!(!asked.free_motions.is_empty() || (a - b).norm() <= 1e-10 * (1e-6 + a.norm()));
                 }
             }
@@ -79,7 +79,7 @@ proptest! {
         }
     }
 
-    /// One body among several is an object like any other.
+    /// A system of a single body has the answers of an ordinary grasp.
     #[test]
     fn one_body(stack in stack::<3, 2>(1), push in -2.0..2.0f64) {
         let contacts = stack.touches.iter().map(|touch| touch.datum.contact());
@@ -95,7 +95,7 @@ proptest! {
     }
 }
 
-/// Far from the origin nothing changes but the last digits that the points themselves have lost.
+/// Far from the origin only the last digits change, because the points themselves are rounded.
 #[test]
 fn far_away() {
     let pile = |at: Vector2<f64>| {

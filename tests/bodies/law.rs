@@ -19,7 +19,7 @@ fn asked<const D: usize, const C: usize>(
     let mut push = SVector::<f64, D>::zeros();
     (push[0], push[C - 1]) = (1.5, -1.0);
     let load = Wrench::from_components(push.as_slice());
-    // Piles of many bodies that do not rest may have no proof of it; what becomes of them is followed below. Those that rest are found soon.
+    // Proofs for piles of many bodies without equilibrium may need too many states; load paths decide those below. Equilibria are found quickly.
     let briefly = grasp.with(&Settings::default().with_most_states(2_000));
     if let Outcome::Equilibrium(state) = briefly.solve(load).expect("well posed") {
         let violation = stack.violation(&state, loaded, &push);
@@ -28,7 +28,7 @@ fn asked<const D: usize, const C: usize>(
     Ok((grasp, push))
 }
 
-/// Checks the law for an equilibrium and for the last state before a loss; every verdict is decided.
+/// Checks the answer and the verdict on a load: the verdict is always decided.
 fn satisfies<const D: usize, const C: usize>(
     stack: &Stack<D, C>,
     loaded: usize,
@@ -42,7 +42,7 @@ fn satisfies<const D: usize, const C: usize>(
         && lost.factor > 0.0
     {
         prop_assert_eq!(state.bodies.len(), stack.loads.len());
-        // Contacts that slid on the way have slip memory, so that only balance and cones are checked.
+        // Earlier slip changes the friction forces, so that only balance and cones are checked.
         let at = push * lost.factor;
         let mut sums = stack.loads.clone();
         sums[loaded] += at;

@@ -14,7 +14,7 @@ fn size(force: &[f64]) -> f64 {
     force.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// Resultant of the link of this name, N, from the answer.
+/// The force that the link of this name carries, N, from the answer.
 fn carried<const C: usize>(state: &grasp_lcp::equilibrium::Equilibrium<C>, name: &str) -> f64 {
     let link = state.whole_contacts().find(|whole| whole.text() == name).expect("is there");
     size(link.force().as_slice())
@@ -31,7 +31,7 @@ fn lost<const C: usize>(verdict: &Verdict<C>) -> f64 {
     verdict.lost.as_ref().unwrap_or_else(|| panic!("{verdict}")).factor
 }
 
-/// Tongs with a pin between their levers, one of which hangs on a stand: `W = 2 μ P a / (b - μ c)`, as with a pin each.
+/// Tongs whose levers share a pin; one lever hangs on a stand. `W = 2 μ P a / (b - μ c)`, as with separate pins.
 #[test]
 fn tongs_on_a_true_hinge() {
     use planar::{Bodies, Body, Contact, Link, Wrench};
@@ -87,7 +87,7 @@ fn lifting_tongs() {
     assert_eq!([holds(0.6 * (1.0 - 1e-9)), holds(0.6 * (1.0 + 1e-9))], [Some(false), Some(true)]);
 }
 
-/// A block between two ropes, each drawn to 20 N: pulled along one, both share it until the other is slack, at `20 (k + k')/k'`.
+/// A block hangs between two ropes with a pretension of 20 N. Both share a pull along one of them until the other is slack, at `20 (k + k')/k'`.
 #[test]
 fn a_rope_goes_slack() {
     use planar::{Grasp, Link, Wrench};
@@ -118,7 +118,7 @@ fn a_rope_goes_slack() {
     assert!(event.to_string().ends_with("right goes slack"), "{event}");
 }
 
-/// A spring that is pressed by 5 N gives way by `F/k` from there, and pushes.
+/// A spring with a pretension of -5 N is compressed by a further `F/k`, and pushes.
 #[test]
 fn a_spring_pulls_and_pushes() {
     use planar::{Bodies, Body, Link, Wrench};
@@ -129,7 +129,7 @@ fn a_spring_pulls_and_pushes() {
         ])
         .grasp()
         .expect("well posed");
-    // Of 25 N along y 20 N go along the rail; at rest the cart goes back by 10 mm, where the spring is at ease.
+    // 20 N of the 25 N along y act along the rail. Without a load the cart moves back by 10 mm, to where the spring is relaxed.
     let moved = state(&cart, Wrench::force([0.0, 25.0]));
     let along = 0.6 * moved.twist.components()[0] + 0.8 * moved.twist.components()[1];
     assert_close(along, (20.0 - 5.0) / 500.0);
@@ -151,18 +151,18 @@ fn a_door() {
         .expect("well posed");
     let held = state(&door, Wrench::force_at([0.0, -60.0, 0.0], [0.4, 0.0, 1.0]));
     assert_close(carried(&held, "rope"), 30.0);
-    // 30 N of wind and the weight on the hinge, and the moment of the weight about its middle.
+    // The hinge carries 30 N of wind, the weight, and the moment of the weight about its middle.
     assert_close(carried(&held, "hinge"), f64::hypot(30.0, 200.0));
     let pad = &held.pads[0];
     assert_eq!((pad.contact.link, pad.points), (Some(LinkKind::Hinge), 2));
     assert_close(size(pad.moment()), 200.0 * 0.4);
-    // The other way the rope is slack, and the door turns about its hinge.
+    // Under wind in the opposite direction the rope is slack, and the door turns about its hinge.
     let verdict = door.hold(Wrench::force_at([0.0, 60.0, 0.0], [0.4, 0.0, 1.0])).expect("well posed");
     assert_eq!((verdict.holds(), verdict.held_to), (Some(false), 0.0));
     assert!(verdict.to_string().contains("turns about hinge"), "{verdict}");
 }
 
-/// Free motions and forces of each kind of link in space.
+/// Each spatial link leaves the right motions free and carries the other forces and moments.
 #[test]
 fn what_links_leave_free() {
     use spatial::{Grasp, Link, Wrench};
@@ -195,7 +195,7 @@ fn what_links_leave_free() {
                 _ => {}
             }
         }
-        // A force across and a moment across are carried where they are to be carried.
+        // A force and a moment across the axis are carried by the links that should carry them.
         let load = Wrench::force_at([0.0, 5.0, 5.0], at);
         let carries = held.solve(load).expect("well posed").equilibrium().is_some();
         assert_eq!(carries, kind != LinkKind::Spring, "{kind:?}");
@@ -207,7 +207,7 @@ fn what_links_leave_free() {
     }
 }
 
-/// A hinge is a bonded point and a slide a pair that is kept closed, to the bit.
+/// A hinge has the answers of a bonded contact, and a slide those of a pair of contacts kept closed, to the last bit.
 #[test]
 fn the_same_as_contacts() {
     use planar::{Contact, Grasp, Link, Wrench};
@@ -256,7 +256,7 @@ fn refused() {
     }
 }
 
-/// Three belts of unlike stiffness over a block on two feet: each has its given tension, whatever the others do to it, and the feet carry their sum.
+/// Three belts of different stiffness hold a block on two feet. Each pulls with its given force whatever the others do, and the feet carry the sum.
 #[test]
 fn belts_pull_as_they_are_installed() {
     use planar::{Bodies, Body, Contact, Link, Wrench};

@@ -23,7 +23,7 @@ fn boxes() -> Bodies {
     .contacts(face(1.0, 0.7).map(|contact| contact.on("upper").against("lower")))
 }
 
-/// A weight that is shared by mass is the weights of the bodies.
+/// A weight shared in proportion to masses has the answers of the weights of the single bodies.
 #[test]
 fn shared_by_mass() {
     let down = [0.0, -9.81];
@@ -40,7 +40,7 @@ fn shared_by_mass() {
     assert!(shared.residuals.worst() < 1e-14, "{}", shared.residuals.worst());
 }
 
-/// On a tray that is tilted all weights turn together: the lower box slides at tan θ = μ.
+/// On a tilted tray all weights turn together, and the lower box slides at tan θ = μ.
 #[test]
 fn tilted_tray() {
     let weight = boxes().weight([0.0, -9.81]);
@@ -55,13 +55,13 @@ fn tilted_tray() {
     assert!((lost - 0.4f64.atan()).abs() < 1e-12, "{lost}");
 }
 
-/// Of a force and a moment about the common centre each body has its part.
+/// Each body receives its share of a force, and of the moment about the common centre of mass.
 #[test]
 fn moments_are_shared_too() {
     let tray = grasp(boxes().shared_by_mass().gravity([0.0, -100.0]));
     let state = tray.solve(Wrench::new([3.0, 0.0], 0.9)).expect("well posed");
     let state = state.equilibrium().expect("rests");
-    // The upper box has a third of the force at its centre, and a third of the moment that is left.
+    // The upper box has a third of the force at its centre, and a third of the remaining moment.
     let centre = [0.0, 0.8];
     let left = 0.9 - (centre[0] * 0.0 - centre[1] * 3.0);
     let moment = -CENTRES[1][1] + left / 3.0 - 100.0 * CENTRES[1][0];

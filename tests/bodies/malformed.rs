@@ -8,7 +8,7 @@ fn floor() -> Contact {
     Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.5).name("floor")
 }
 
-/// The name of the body, and its fault.
+/// The name of the refused body, and its fault.
 fn refused(bodies: Bodies) -> [String; 2] {
     let [name, fault, _] = facts(&bodies.grasp().expect_err("not well posed"));
     [name, fault]
@@ -59,7 +59,7 @@ fn numbers_are_in_range() {
     assert_eq!(value, "NaN");
 }
 
-/// A body that nothing holds is no error: the answer names it.
+/// A body without supports is no error: the answer names its free motion.
 #[test]
 fn a_loose_body_is_named() {
     let bodies = Bodies::new([

@@ -5,12 +5,12 @@ use grasp_lcp::spatial;
 use support::piles::{books, wall};
 use support::spatial_piles::spatial_wall;
 
-/// The number of the nearest of places that are so far apart.
+/// The index of the nearest multiple of `apart`.
 fn nearest(x: f64, apart: f64) -> usize {
     (0..1000_u32).find(|k| x < (f64::from(*k) + 0.5) * apart).map_or(0, |k| k as usize)
 }
 
-/// Sums of contact forces, grouped by place; checks that all contacts satisfy their cones.
+/// The sum of contact forces for each index that `place` assigns to a contact point. Also checks that all forces are in their cones.
 fn sums(grasp: &Grasp, (load, mu): (&Wrench, f64), place: impl Fn([f64; 2]) -> usize) -> Vec<[f64; 2]> {
     let outcome = grasp.solve(load).expect("well posed");
     let equilibrium = outcome.equilibrium().expect("stands");
@@ -25,7 +25,7 @@ fn sums(grasp: &Grasp, (load, mu): (&Wrench, f64), place: impl Fn([f64; 2]) -> u
     sums
 }
 
-/// The first brick of the top row carries nothing: it slides away under μ m g.
+/// The first brick of the top row carries no other brick, so it slides at a force of μ m g.
 #[test]
 fn the_top_brick_of_a_wall_slides_first() {
     for rows in [5, 8, 10, 20] {
@@ -35,7 +35,7 @@ fn the_top_brick_of_a_wall_slides_first() {
         let limit = 0.6 * 2.0 * 9.81 / 5.0;
         assert_eq!(verdict.holds(), Some(true), "{rows}: {verdict}");
         assert!((verdict.held_to - limit).abs() < 1e-12 * limit, "{rows}: {} of {limit}", verdict.held_to);
-        // The part above a cut rests on the contacts there and on half bricks of ground at its ends.
+        // The bricks above a cut stand on the contacts at the cut and on ground contacts of half bricks at its ends.
         let on_ground = |[x, y]: [f64; 2]| {
             let shift = 0.5 * ((nearest(y, 0.5) + 1) % 2) as f64;
             y < 0.1 || x < shift || x > shift + rows as f64
@@ -53,7 +53,7 @@ fn the_top_brick_of_a_wall_slides_first() {
     }
 }
 
-/// The same in space, on four points of each half: forces at each cut balance the part above it, with friction on the round cone.
+/// The same wall in space, with four points below each half brick and friction on the round cone.
 #[test]
 fn the_top_brick_of_a_wall_in_space_slides_first() {
     for rows in [3, 5] {
@@ -81,13 +81,13 @@ fn the_top_brick_of_a_wall_in_space_slides_first() {
     }
 }
 
-/// From one face of a row of books to the next the weight of a book is added, and the press stays.
+/// From one face of a row of books to the next, the shear force grows by the weight of a book, and the pressing force is constant.
 #[test]
 fn a_long_row_of_books_is_carried() {
     for count in [9, 25, 60] {
         let grasp = books(count).grasp().expect("well posed");
         let weight = 9.81 * count as f64;
-        // The springs of sixty books add up to a turn beyond small motions.
+        // The compliances of sixty books add up to a rotation beyond small motions.
         let grasp = grasp.with(&grasp.settings().with_small_motions(1.0, 1.0));
         let verdict = grasp.hold(Wrench::force([0.0, -0.1 * weight])).expect("well posed");
         assert_eq!(verdict.holds(), Some(true), "{count}: {verdict}");

@@ -17,7 +17,7 @@ fn stands(arch: &PointedArch, friction: f64) -> bool {
     matches!(outcome, Outcome::Equilibrium(_))
 }
 
-/// A pointed arch of no eccentricity is a semicircle, stones and all.
+/// A pointed arch of zero eccentricity has the stones of a round arch.
 #[test]
 fn without_a_point_it_is_round() {
     for stones in [2, 4, 50] {
@@ -27,8 +27,8 @@ fn without_a_point_it_is_round() {
     }
 }
 
-/// The thrust of a semicircle of many thin stones under its own weight leans on a joint at the angle φ from the crown by `|atan(φ/h) - φ|`: where the thrust h is best the
-/// largest of it, near the haunch and at the foot, is atan 0.309215 (G. Cocchetti and E. Rizzi on arches of limited friction).
+/// In a semicircle of many thin stones under its own weight, the thrust is inclined to the normal of the joint at the angle φ from the crown by
+/// `|atan(φ/h) - φ|`. The best horizontal thrust h makes the maximum, near the haunch and at the foot, atan 0.309215 (G. Cocchetti and E. Rizzi).
 #[test]
 fn a_round_arch_needs_the_friction_that_is_published() {
     let leans = |h: f64| {
@@ -44,7 +44,7 @@ fn a_round_arch_needs_the_friction_that_is_published() {
     assert!((many - 0.309_215).abs() < 2e-3, "{many}");
 }
 
-/// They stand from that thickness on for which a line of thrust stays within their stones.
+/// Pointed arches stand exactly if they are thick enough for a line of thrust inside their stones.
 #[test]
 fn pointed_arches_stand_as_long_as_their_line_of_thrust_does() {
     for (stones, eccentricity) in [(3, 0.1), (4, 0.25), (5, 0.4), (6, 0.5)] {
@@ -57,7 +57,7 @@ fn pointed_arches_stand_as_long_as_their_line_of_thrust_does() {
     }
 }
 
-/// Thick ones slide first: below the friction that some line of thrust needs nothing holds them, and beyond it they stand.
+/// Thick arches fail by sliding. They stand exactly if friction suffices for some line of thrust.
 #[test]
 fn thick_arches_stand_as_long_as_friction_does() {
     for (stones, eccentricity) in [(3, 0.0), (4, 0.0), (4, 0.2), (5, 0.4)] {

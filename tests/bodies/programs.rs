@@ -7,7 +7,7 @@ use support::facts;
 
 use super::growing::{boxes, pull};
 
-/// The worst that is left on any of two boxes of 20 N and 10 N by own sums: `lower` and `upper` act beside their weights.
+/// The largest residual of the balance of two boxes of 20 N and 10 N. `lower` and `upper` act besides their weights.
 fn out_of_balance(state: &Equilibrium<2>, lower: Wrench, upper: Wrench) -> f64 {
     let mut sums = [
         Wrench::force_at([0.0, -20.0], [0.0, 0.1]) + lower,
@@ -25,7 +25,8 @@ fn out_of_balance(state: &Equilibrium<2>, lower: Wrench, upper: Wrench) -> f64 {
     sums.iter().flat_map(|sum| sum.components().to_vec()).map(f64::abs).fold(0.0, f64::max)
 }
 
-/// The upper box is pulled back by 2.9 N, and then the lower one forth: the table lets go at 15 N more than that. In one leg both grow in proportion.
+/// A force of 2.9 N pulls the upper box back, then a force pulls the lower box forward. Both slide on the table at 15 N more than 2.9 N. In one leg both
+/// forces grow in proportion.
 #[test]
 fn one_after_the_other_and_together() {
     let boxes = boxes();
@@ -44,7 +45,7 @@ fn one_after_the_other_and_together() {
     assert!((end.fraction - 0.6).abs() < 1e-12, "{}", end.fraction);
 }
 
-/// There and back: every state balances what acts there by own sums, and can be asked further.
+/// On a leg there and back every state is in balance with its loads, and accepts further questions.
 #[test]
 fn states_know_the_loads_of_bodies() {
     let boxes = boxes();
@@ -72,7 +73,7 @@ fn states_know_the_loads_of_bodies() {
             let found = told.iter().find(|(body, _)| *body == name).map_or(Wrench::ZERO, |(_, load)| *load);
             assert!(near(&found, &load), "{fraction} {name}: {found:?}");
         }
-        // The accuracy is computed anew from all that acts.
+        // The accuracy is computed again from all loads.
         let accuracy = boxes.accuracy(&state).expect("of this grasp");
         assert!(accuracy.force < 1e-12, "{accuracy:?}");
     }
@@ -93,12 +94,12 @@ fn refused() {
     }
     let bad = boxes.follow(Wrench::ZERO, &[Leg::body_load_by("upper", pull(f64::NAN, 0.0))]).err();
     assert!(matches!(bad, Some(Error::Wrench { .. })), "{bad:?}");
-    // A cycle has to lead back.
+    // A cycle must end at the loads of its start.
     let open = boxes.shake(Wrench::ZERO, &[Leg::body_load_by("upper", one)]).expect_err("not closed");
     assert_eq!(open, Error::NotClosed { what: "load of a body", off: 1.0 });
 }
 
-/// A cycle in which the loads of two bodies go one after the other survives as long as nothing slides.
+/// A cycle in which the loads of two bodies change one after the other is survived while nothing slides.
 #[test]
 fn a_cycle_of_both() {
     let cycle = |newtons: f64| {

@@ -11,15 +11,15 @@ use nalgebra::{DMatrix, DVector, Vector2, Vector3};
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// Stiffness of each spring that a body hangs on, N/m.
+/// Stiffness of each supporting spring of a body, N/m.
 const SPRING: f64 = 1e3;
-/// Normal over tangential stiffness of surfaces.
+/// Ratio of tangential to normal stiffness of surfaces.
 const SOFTER_ALONG: f64 = 0.7;
 const BODIES: usize = 3;
 
 /// The data of a scene.
 struct Hanging {
-    /// For each body three springs, each from a point to another, and a load: force and moment about the origin.
+    /// For each body three springs, each between two points, and a load: force, and moment about the origin.
     springs: [[(Vector2<f64>, Vector2<f64>); 3]; BODIES],
     loads: [Vector3<f64>; BODIES],
     contacts: Vec<Touch>,
@@ -31,7 +31,7 @@ fn wrench(point: &Vector2<f64>, along: &Vector2<f64>) -> Vector3<f64> {
     Vector3::new(along.x, along.y, point.perp(along))
 }
 
-/// Point, unit normal, the body that it points into, the one on the other side.
+/// Point, unit normal, the body into which it points, and the body on the other side.
 type Touch = (Vector2<f64>, Vector2<f64>, usize, Option<usize>);
 
 impl Hanging {
@@ -42,14 +42,14 @@ impl Hanging {
             for (k, spring) in own.iter_mut().enumerate() {
                 let way = Vector2::new(0.3, 0.0) + Vector2::new(within(0.1), within(0.1));
                 let turned = [way, Vector2::new(-way.y, way.x), Vector2::new(way.x, -way.y) * 1.3][k];
-                // The two that pull across hold it against turning.
+                // The two outer springs resist rotation.
                 let beside = [0.0, -0.15, 0.15][k];
                 let from = Vector2::new(b as f64 * 0.2 + beside + within(0.05), within(0.1));
                 *spring = (from, from + turned);
             }
         }
         let loads = std::array::from_fn(|_| Vector3::new(within(20.0), within(20.0), within(2.0)));
-        // The first rests on the ground, the second on the first, the third on the second.
+        // The first body rests on the ground, the second on the first, the third on the second.
         let contacts = (0..BODIES).map(|on| {
             let normal = Vector2::new(within(0.5), 1.0).normalize();
             let point = Vector2::new(on as f64 * 0.2 + within(0.1), within(0.1));
@@ -59,7 +59,7 @@ impl Hanging {
         Self { springs, loads, contacts, friction: 0.05 + within(0.05).abs() }
     }
 
-    /// W and q, with this stiffness of surfaces: infinite between rigid ones.
+    /// The problem (W, q, μ) for a stiffness of the surfaces, infinite for rigid ones.
     fn delassus(&self, surface: f64) -> PlanarContacts {
         let (bodies, forces) = (3 * BODIES, 2 * self.contacts.len());
         let (mut k, mut f) = (DMatrix::zeros(bodies, bodies), DVector::zeros(bodies));
@@ -90,12 +90,12 @@ impl Hanging {
         PlanarContacts::new(w, q, vec![self.friction; self.contacts.len()]).expect("well posed")
     }
 
-    /// Contact forces between rigid or elastic bodies by (W, q, μ).
+    /// Contact forces from the problem (W, q, μ).
     fn posed(&self, surface: f64) -> DVector<f64> {
         self.delassus(surface).solve().solution().unwrap().r.clone()
     }
 
-    /// The same by a scene of several bodies, whose last body has its load from the question.
+    /// Contact forces from a grasp of several bodies; the load of the last body is that of the question.
     fn of_bodies(&self, surface: f64) -> DVector<f64> {
         let name = |body: usize| format!("body {body}");
         let load = |body: usize| {
@@ -145,7 +145,7 @@ fn forces_go_to_those_between_rigid_bodies() {
                     && (rigid[2 * i + 1].abs() - hanging.friction * rigid[2 * i]).abs() < 1e-9 * size
             })
             .count();
-        // The same law at any stiffness, to the last digits.
+        // At any stiffness both agree to the last digits.
         let off = |surface: f64| {
             let elastic = hanging.of_bodies(surface);
             let same = (&elastic - hanging.posed(surface)).amax();

@@ -4,7 +4,7 @@ use super::faces::{assert_close, face, lost_at};
 use grasp_lcp::planar::{Bodies, Body, ContactAnswer, Link, Wrench};
 
 /// NAFEMS CGS-4 (sliding wedge): up a slope of tan α = 0.1 with μ = 0.3 a push of `(tan α + μ) / (1 - μ tan α)` = 0.412371 of the weight is needed,
-/// whatever stiffness the slope is welded on with.
+/// for every stiffness of the slope.
 #[test]
 fn a_wedge_is_pushed_up_a_slope() {
     let (rise, mu, weight): (f64, f64, f64) = (0.1, 0.3, 1500.0);
@@ -21,7 +21,7 @@ fn a_wedge_is_pushed_up_a_slope() {
     }
 }
 
-/// The lower one of two wedges under 3000 lb is drawn out: 15° between them with μ = 0.1, 0.2 at the floor and at the wall that guides the upper one
+/// The lower of two wedges under 3000 lb is drawn out. They meet at 15° with μ = 0.1; μ = 0.2 at the floor and at the wall that guides the upper wedge
 /// (Hibbeler, *Statics*, problems on wedges; there 106 lb).
 #[test]
 fn a_wedge_is_drawn_out() {
@@ -36,16 +36,16 @@ fn a_wedge_is_drawn_out() {
     )
     .contacts(face([0.0, 2.0], [0.0, 0.5], 0.2).map(|contact| contact.on("upper").name("wall")));
     let drawn = 100.0 * lost_at(bodies, Wrench::force_at([100.0, 0.0], [2.0, 0.15]));
-    // The upper one sinks: its faces push on it with N and N', friction holds it up.
+    // The upper wedge sinks. Its faces press on it with N and N', and friction acts upwards.
     let wall = sin - 0.1 * cos;
     let between = 3000.0 / (cos + 0.1 * sin + 0.2 * wall);
     assert_close(drawn, between * (0.2 * (cos + 0.1 * sin) + 0.1 * cos - sin));
     assert!((drawn - 105.838).abs() < 5e-4);
 }
 
-/// A wedge that 1760 N push into the gap between a slope of 0.115 with μ = 0.2 and a guide without friction. It presses on the slope with
-/// `1760 √(1 + 0.115²) / (0.115 + 0.2)` = 5624.1 N, in any distribution. The numbers are those of FrontISTR's work item 859. Its push is not stated
-/// in the source used here; 1760 N is the push that gives this sum.
+/// A force of 1760 N pushes a wedge into the gap between a slope of 0.115 with μ = 0.2 and a frictionless guide. It presses on the slope with the total
+/// force `1760 √(1 + 0.115²) / (0.115 + 0.2)` = 5624.1 N; the distribution is not determined. The total is that of FrontISTR's work item 859. The push
+/// is not stated there, and was computed from it.
 #[test]
 fn a_wedge_is_driven_into_a_gap() {
     let (rise, mu, push) = (0.115, 0.2, 1760.0);

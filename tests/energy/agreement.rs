@@ -23,7 +23,7 @@ use support::sticking;
 
 const CASES: usize = 300;
 
-/// Random grasps with stiffnesses over so many decades that hardly slip: friction up to 3, loads of a small motion.
+/// Random grasps that rarely slide, with stiffnesses over some decades, friction up to 3, and loads of a small motion.
 fn grasps<const D: usize, const C: usize>(
     count: std::ops::Range<usize>,
     decades: f64,
@@ -39,7 +39,7 @@ fn grasps<const D: usize, const C: usize>(
     })
 }
 
-/// With both springs of each contact: the series stiffness in a random share.
+/// The grasp with springs of body and finger: each series stiffness is divided in a random ratio.
 fn with_both_springs<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Grasp<C> {
     Grasp::new(scene.contacts.iter().enumerate().map(|(i, datum)| {
         let share = 0.2 + 0.15 * (i % 5) as f64;
@@ -174,7 +174,7 @@ fn same_minimum<const D: usize, const C: usize>(
             let apart = (printed.program.value(x) + printed.constant - value).abs();
             prop_assert!(apart <= tolerance * size, "{what} {apart} {size}");
             for (i, (c, datum)) in minimum.contacts.iter().zip(&scene.contacts).enumerate() {
-                // Where the energy is ε above its minimum, ½ ΔF·K⁻¹ΔF <= ε.
+                // If the energy is ε above its minimum, ½ ΔF·K⁻¹ΔF <= ε.
                 let change = printed.force(x, i) - c.force;
                 let energy = 0.5 * change.component_div(&datum.stiffness).dot(&change);
                 prop_assert!(energy <= 4.0 * tolerance * size, "{what} {i} {energy} {size}");
@@ -193,7 +193,7 @@ fn same_minimum<const D: usize, const C: usize>(
             return Err(TestCaseError::fail("reduced program"));
         };
         prop_assert!((smaller.value + reduced.constant - value).abs() <= 1e-9 * size);
-        // Fewer unknowns never do better.
+        // A program with fewer unknowns has no lower minimum.
         if let QpOutcome::Minimum(fewer) = twist_only.program.solve().unwrap() {
             prop_assert!(fewer.value + twist_only.constant >= value - 1e-9 * size);
         }

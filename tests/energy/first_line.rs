@@ -26,8 +26,8 @@ fn while_everything_sticks_it_is_the_equilibrium() {
     assert!(comparison.to_string().starts_with("AGREES: "), "{comparison}");
 }
 
-/// The left point slides from 7.5 N on and carries 5 N, the right one the rest. The program instead presses the left point by f more:
-/// minimise ½ 1200 x² - 9 x + ½ f²/1000 where 800 x = ½ (10 + f), so f = 30/47, and 48/47 of the push is missing.
+/// The left point slides from 7.5 N on and carries 5 N, the right one the rest. The program instead increases the normal force of the left point by f:
+/// minimise ½ 1200 x² - 9 x + ½ f²/1000 where 800 x = ½ (10 + f), so f = 30/47, and 48/47 N of the push is not balanced.
 #[test]
 fn beyond_the_first_slip_it_misses_the_load() {
     let comparison = block().energy().compare(pushed(9.0)).unwrap();

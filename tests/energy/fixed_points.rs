@@ -6,7 +6,7 @@ use grasp_lcp::planar::Equilibrium;
 use support::minimum_power::minimum_power;
 use support::paper::{down, two_fingers_on_rests};
 
-/// The equilibrium with sliding fingers, and how far the principle is from it with the normal forces before the load and with its own.
+/// The equilibrium with sliding fingers, and the errors of the principle: with the normal forces before the load, and with those of the equilibrium.
 fn errors(slope: f64) -> (Equilibrium, f64, f64) {
     let grasp = two_fingers_on_rests(slope).unwrap();
     let load = down() * 0.5;
@@ -30,7 +30,7 @@ fn errors(slope: f64) -> (Equilibrium, f64, f64) {
 fn it_holds_where_normal_forces_do_not_depend_on_the_motion() {
     let (state, before, after) = errors(0.0);
     assert!(before < 1e-14 && after < 1e-14, "{before:e} {after:e}");
-    // By hand: friction 2 · μ 0.5 N, the rests carry the other 0.25 N.
+    // By hand: friction carries 2 · μ 0.5 N, and the rests carry the remaining 0.25 N.
     assert!((state.contacts[2].force[0] - 0.125).abs() < 1e-14);
 }
 

@@ -37,19 +37,19 @@ fn same_onset<const D: usize, const C: usize>(
     // The program's friction constraints are those of the polygon.
     let settings = Settings::default().on_the_polygon();
     for_all(file!(), cases, &ramps::<D, C>(counts, spread), |(mut scene, change)| {
-        // Frictionless contacts may open without an end to the agreement: they have their own test.
+        // Frictionless contacts may open without ending the agreement. They have their own test.
         for datum in &mut scene.contacts {
             if datum.friction == 0.0 {
                 datum.friction = 0.3;
             }
         }
-        // The loads are made of forces on the edges of cones, many of which one contact carries alone on its very edge.
+        // Loads are sums of forces on the edges of cones, so that single contacts are often exactly on their edge. This change avoids that.
         let size = scene.load.norm();
         scene.load += SVector::<f64, D>::from_fn(|k, _| 0.013 * size * (1.7 * (k + 1) as f64).sin());
         let grasp = scene.grasp();
         let ramp = change.ramp(&scene);
-        // The test is about ramps that start from sticking. A contact without force leaves the place of the object open, and the program's sticking
-        // row holds an open contact with friction.
+        // A contact without force leaves the position open, and the program's sticking row holds an open contact with friction.
+        // Only ramps that start with all contacts sticking are compared.
         let base = grasp.with(&settings).solve(scene.wrench()).unwrap();
         let sticks = base.equilibrium().is_some_and(|e| {
             let most = e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
@@ -65,22 +65,22 @@ fn same_onset<const D: usize, const C: usize>(
             event.leaving.iter().all(|leaving| matches!(leaving.how, Departure::Slides { .. }))
         };
         match (&onset, &agreement) {
-            // A contact opens through the apex of its cone. Held by its sticking row it may hang there without a force: then
-            // the minimum stays an equilibrium.
+            // A contact opens through the apex of its cone. If its sticking row then keeps it without force, the minimum
+            // remains an equilibrium.
             (Onset::At(event), _) if !slides(event) => {
                 add(&tally.opens);
                 prop_assert!(agreement.factor().is_some_and(|f| f >= event.factor * (1.0 - 1e-12)));
             }
             (Onset::At(event), Agreement::UpTo { factor, binding }) => {
                 add(&tally.finite);
-                // Relative to the whole load: at factor 1 the change is as large as the base.
+                // Relative to the whole load, because at factor 1 the change is as large as the base.
                 let apart = (event.factor - factor).abs() / (1.0 + event.factor);
                 tally.worst.set(tally.worst.get().max(apart));
                 prop_assert!(apart <= 1e-12, "{} {}", event.factor, factor);
                 for leaving in &event.leaving {
                     prop_assert!(binding.iter().any(|(contact, _)| *contact == leaving.contact.index));
                 }
-                // Just before they agree, just beyond they do not.
+                // Just below the onset both methods agree, just beyond it they do not.
                 let at = |tau: f64| {
                     let there = change.at(&scene, tau);
                     there.grasp().energy().compare(there.wrench()).unwrap().verdict

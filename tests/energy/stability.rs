@@ -85,7 +85,7 @@ fn hessian_is_that_of_the_exact_energy<const D: usize, const C: usize>(counts: s
                 prop_assert!(apart <= 1e-6 * size, "({i}, {j}): {difference} {}", hessian[(i, j)]);
             }
         }
-        // The stiffness that the object feels: forces against a small motion, to first order without the geometric part.
+        // The elastic stiffness: first-order forces against a small motion, without the geometric part.
         let mut elastic = DMatrix::<f64>::zeros(D, D);
         for datum in &scene.contacts {
             for a in 0..C {
@@ -94,7 +94,7 @@ fn hessian_is_that_of_the_exact_energy<const D: usize, const C: usize>(counts: s
             }
         }
         prop_assert!((stability.elastic - elastic).amax() <= 1e-13 * size);
-        // The softest motion is an eigenvector in the metric of the motions of the contacts' centroid and their spread.
+        // The softest motion is an eigenvector. The metric is that of the motion of the contacts' centroid, with rotations times their spread.
         let q = DVector::from_column_slice(stability.softest.object.components());
         let curvature = q.dot(&(hessian * &q));
         prop_assert!((curvature - stability.least_curvature).abs() <= 1e-10 * size);
@@ -112,8 +112,8 @@ fn spatial_hessian() {
     hessian_is_that_of_the_exact_energy::<6, 3>(3..6);
 }
 
-/// Two fingers at ±r that press with N = k_n a: a turn by θ costs k_t r² θ² in the tangential springs and gains N r θ² from the
-/// normal forces. Stable up to N = k_t r, then the object tips over.
+/// Two fingers at ±r press with N = k_n a. A rotation by θ stores k_t r² θ² in the tangential springs and releases N r θ² from the
+/// normal forces. The grasp is stable up to N = k_t r, then the object tips over.
 fn squeezed(command: f64) -> Result<Grasp, Error> {
     Grasp::new([-0.5, 0.5].map(|x: f64| jaw::<2>(x, [1000.0, 10.0], 0.5).command([command, 0.0])))
 }
@@ -132,7 +132,7 @@ fn a_grasp_squeezed_between_soft_tangential_springs_tips_over() {
         let state = grasp.solve(Wrench::ZERO).unwrap();
         let stability = grasp.energy().stability(state.equilibrium().expect("holds"));
         assert_eq!(stability.verdict, verdict, "{command}: {stability:?}");
-        // 2 k_t r² - 2 N r about the centre; r is the unit in which rotations are counted.
+        // The curvature is 2 k_t r² - 2 N r about the centre, with rotations multiplied by r.
         let curvature = 2.0 * 10.0 - 2.0 * (1000.0 * command) / 0.5;
         let rotation = stability.hessian()[(2, 2)] / 0.25;
         assert!((rotation - curvature).abs() < 1e-10, "{rotation} {curvature}");
@@ -146,7 +146,7 @@ fn a_grasp_squeezed_between_soft_tangential_springs_tips_over() {
     }
 }
 
-/// The same in space: squeezed along x it tips about every axis across, and turns freely about x.
+/// In space a grasp squeezed along x tips about every perpendicular axis, and turns freely about x.
 #[test]
 fn the_same_grasp_in_space() {
     let grasp = |command: f64| {
@@ -176,7 +176,7 @@ fn where_something_slides_energy_does_not_decide() {
     assert_eq!(stability.verdict, StabilityVerdict::Sliding);
 }
 
-/// Under a small moment the turn to first order is m / (2 k_t r²); the squeeze leaves 2 (k_t r² - N r) of that stiffness, and none beyond N = k_t r.
+/// To first order a small moment m turns the object by m / (2 k_t r²). The squeeze reduces this stiffness to 2 (k_t r² - N r), and to zero at N = k_t r.
 #[test]
 fn squeezing_softens_the_grasp() {
     let load = Wrench::new([0.0, 0.0], 1e-4);

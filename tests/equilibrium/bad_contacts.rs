@@ -14,13 +14,13 @@ const SOME_LENGTH: &str = "of positive, finite";
 const NOT_ALONG: &str = "finite and not";
 const POSITIVE: &str = "positive (infinite";
 
-/// `array` with `value` at `at`.
+/// `array` with its entry `at` replaced by `value`.
 fn with<const N: usize>(mut array: [f64; N], at: usize, value: f64) -> [f64; N] {
     array[at] = value;
     array
 }
 
-/// The valid grasp with its second contact broken must be refused for this reason.
+/// Checks that the valid grasp with a bad second contact is refused for this reason.
 fn refused<const C: usize>(
     mut contacts: Vec<Contact<C>>,
     broken: impl FnOnce(Contact<C>) -> Contact<C>,
@@ -63,7 +63,7 @@ fn refused_in_space(
     refused::<3>(spatial_contacts(), broken, field, value, allowed);
 }
 
-/// The second planar contact at another point and with another normal, everything else as it was.
+/// The second planar contact with another point and another normal.
 fn planar_at(point: [f64; 2], normal: [f64; 2]) -> planar::Contact {
     planar::Contact::new(point, normal).name("thumb").series_stiffness(10.0, 10.0).friction(0.5)
 }
@@ -200,7 +200,7 @@ fn both_sides_are_rigid() {
         rigid,
         allowed,
     );
-    // Not said at all is the same.
+    // A missing stiffness is refused in the same way.
     let said_nothing = |_| planar::Contact::new([1.0, 0.5], [-1.0, 0.0]).name("thumb").friction(0.5);
     refused_in_plane(said_nothing, Field::SeriesStiffness, rigid, allowed);
 }

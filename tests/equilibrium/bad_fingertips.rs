@@ -48,7 +48,7 @@ fn malformed_fingertips_are_refused() {
     }
 }
 
-/// The contact is checked before it is shared out.
+/// A contact is validated before its data are distributed over points.
 #[test]
 fn broken_contacts_are_named_as_given() {
     let tip = SoftFingertip::ring(R, 6).unwrap();

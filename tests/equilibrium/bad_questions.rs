@@ -44,7 +44,7 @@ fn command_changes_are_not_finite_or_not_one_a_contact() {
     }
 }
 
-/// Every question that takes a wrench names the wrench, the component and the value.
+/// The error of every question with a wrench names the wrench, the component and the value.
 fn wrench_refused<const D: usize, const C: usize>(grasp: &Grasp<C>) {
     for value in NOT_MODERATE {
         for component in 0..D {

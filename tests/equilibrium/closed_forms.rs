@@ -50,7 +50,7 @@ fn planar_pinch() {
         let planar::Departure::Slides { direction } = leaving.how else { panic!("slides") };
         assert_close!(direction[1], 1.0);
     }
-    // The pinch line is not resisted beyond: with vertical normals fixed, more weight finds no force at all.
+    // Beyond the onset no force resists more weight, because the normal forces are constant.
     let beyond = grasp.beyond(event).expect("its own event");
     assert!(matches!(beyond, planar::Beyond::LimitLoad), "{beyond:?}");
     let more = grasp.solve(planar::Wrench::force([0.0, -2.0 * mu * k * a * (1.0 + 1e-9)])).unwrap();
@@ -74,14 +74,14 @@ fn block_on_an_incline_held_by_a_spring() {
         let sliding =
             state.contacts.iter().filter(|c| matches!(c.state, planar::ContactState::Sliding { .. })).count();
         assert_eq!(sliding == 0, sticks, "{:?}", state.contacts);
-        // Downhill is -x, so the foot at -b carries more: the one at +b goes first.
+        // Downhill is -x, so the foot at -b carries more, and the foot at +b slides first.
         if !sticks {
             assert!(matches!(state.contacts[1].state, planar::ContactState::Sliding { .. }));
             assert!(matches!(state.contacts[0].state, planar::ContactState::Sticking));
         }
     }
     // Beyond tan α = μ the feet alone cannot hold the block; a spring uphill with stiffness ks does. Both feet slide:
-    // the spring force is w sin α - μ w cos α, the displacement that divided by ks.
+    // the spring force is w sin α - μ w cos α, and the displacement is this force divided by ks.
     let (alpha, ks) = (0.9_f64, 50.0);
     assert!(alpha.tan() > mu);
     assert!(matches!(feet.solve(weight(alpha)).unwrap(), planar::Outcome::NoEquilibrium(_)));
@@ -160,13 +160,13 @@ fn quadratic_onset_from_a_loaded_base() {
     assert_close!(onset.factor().expect("a sticking base"), exact);
 }
 
-/// Two point contacts on the x axis resist everything but a turn about the line through them.
+/// Two point contacts on the x axis resist every motion except a rotation about the line through them.
 #[test]
 fn spatial_pinch_turns_freely_about_its_line() {
     let (k, kt, mu, a) = (100.0, 60.0, 0.6, 0.05);
     let finger = |x: f64| jaw::<3>(x, [k, kt], mu).command([a, 0.0, 0.0]);
     let grasp = spatial::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
-    // A force through the line is carried, half by each, and the answer names the free turn.
+    // A force through the line is carried, half by each contact, and the answer names the free rotation.
     let state = hold(&grasp, spatial::Wrench::force([0.0, 1.0, -2.0]));
     assert_eq!(state.free_motions.len(), 1);
     let turn = state.free_motions[0].object.rotation();
@@ -174,12 +174,12 @@ fn spatial_pinch_turns_freely_about_its_line() {
     assert!(state.twist.rotation().iter().all(|r| r.abs() < TIGHT));
     assert_close!(state.contacts[0].force_world[1], -0.5);
     assert_close!(state.contacts[1].force_world[2], 1.0);
-    // A moment about it is not.
+    // A moment about the line is not carried.
     let outcome = grasp.solve(spatial::Wrench::new([0.0; 3], [1e-6, 0.0, 0.0])).unwrap();
     let spatial::Outcome::NoEquilibrium(none) = outcome else { panic!("{outcome:?}") };
     let spatial::Proof::FreeMotion { motion, work } = none.proof else { panic!("{:?}", none.proof) };
     assert!(work > 0.0 && motion.object.rotation()[0] > 0.5);
-    // Nor a force that passes beside the line.
+    // A force beside the line is not carried either.
     let beside = spatial::Wrench::force_at([0.0, 0.0, -1.0], [0.0, 1e-3, 0.0]);
     assert!(matches!(grasp.solve(beside).unwrap(), spatial::Outcome::NoEquilibrium(_)));
 }
@@ -211,7 +211,7 @@ fn six_frictionless_locators() {
         assert_close!(contact.normal_force(), *n);
         assert!(close(contact.body_core.dot(&contact.force_world) / n, -n / k));
     }
-    // Pulling it up has no equilibrium: that motion separates it from everything the locators can do.
+    // An upward pull has no equilibrium; the upward motion is the proof.
     let up = grasp.solve(spatial::Wrench::force([0.0, 0.0, 1.0])).unwrap();
     let spatial::Outcome::NoEquilibrium(none) = up else { panic!("{up:?}") };
     assert!(
@@ -221,9 +221,8 @@ fn six_frictionless_locators() {
     );
 }
 
-/// A bar on two locators at x = -1 and 1 along itself and one against its end, moved by their commands without a load:
-/// nothing carries anything, the bar follows, u_y = (a₁ + a₂)/2, θ = (a₂ - a₁)/2, u_x = a₃, whatever the stiffnesses and
-/// however the whole is turned.
+/// A bar has two locators at x = -1 and 1 and one at its end. They move by their commands without a load. All forces are zero,
+/// and the bar follows with u_y = (a₁ + a₂)/2, θ = (a₂ - a₁)/2, u_x = a₃, for all stiffnesses and orientations.
 #[test]
 fn moved_locators_without_a_load_carry_nothing() {
     let a: [f64; 3] = [0.013, -0.007, 0.011];
@@ -252,7 +251,7 @@ fn moved_locators_without_a_load_carry_nothing() {
 fn a_support_lets_go() {
     let (k, w) = (80.0, 6.0);
     let support = |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(k, k);
-    // A guide keeps the bar from drifting along itself.
+    // A guide prevents a motion of the bar along its axis.
     let guide = planar::Contact::new([0.0, 0.0], [1.0, 0.0]).series_stiffness(k, k).kept_closed();
     let bar = planar::Grasp::new([support(-1.0), support(0.0), support(1.0), guide]).unwrap();
     let load = |e: f64| planar::Wrench::force_at([0.0, -w], [e, 0.0]);
@@ -267,7 +266,7 @@ fn a_support_lets_go() {
     assert_eq!(state.contacts[0].state, planar::ContactState::Separated);
     assert_close!(state.contacts[1].normal_force(), w * (1.0 - e));
     assert_close!(state.contacts[2].normal_force(), w * e);
-    // Compressions w (1-e)/k and w e/k at 0 and 1 continue to w (1-2e)/k at -1: negative, a gap.
+    // The compressions w (1-e)/k at 0 and w e/k at 1 extrapolate to w (2-3e)/k at -1; a negative value is a gap.
     let expected = w * (2.0 * e - 1.0) / k - w * (1.0 - e) / k;
     assert_close!(state.contacts[0].gap, expected);
     assert!(expected > 0.0);

@@ -9,9 +9,9 @@ use support::samples::{assert_met, seeded};
 use support::scene::{Datum, Scene};
 use support::splitmix::Random;
 
-/// Every number of the data changes by at most this part of itself.
+/// Largest relative change of every number of the data.
 const PART: f64 = 1e-9;
-/// Scenes like this one that are tried.
+/// Number of changed copies of each scene.
 const TRIALS: usize = 12;
 
 fn vary<const N: usize>(v: &SVector<f64, N>, noise: &mut Random) -> SVector<f64, N> {

@@ -5,7 +5,7 @@ use grasp_lcp::Error;
 use grasp_lcp::{planar, spatial};
 use nalgebra::{Point2, Point3, Vector2, Vector3};
 
-/// The contact forces of a pinch under its own weight; `v` makes the vectors.
+/// The contact forces of a pinch under its own weight. `v` converts arrays to vectors of another library.
 fn in_space<V: Into<[f64; 3]>>(v: impl Fn([f64; 3]) -> V) -> Result<Vec<DVec3>, Error> {
     let finger = |x: f64| {
         spatial::Contact::new(v([x, 0.01, 0.0]), v([-x, 0.0, 0.002]))

@@ -10,7 +10,7 @@ use nalgebra::{Isometry2, Isometry3, Matrix3, Matrix4, Point2, Point3, SMatrix, 
 use proptest::prelude::*;
 use support::samples::config;
 
-/// Frames about a size away, turned anyhow.
+/// Random frames, about 1 m away and in any orientation.
 fn pose() -> impl Strategy<Value = Isometry3<f64>> {
     (numbers::<3>(1.0), numbers::<3>(PI)).prop_map(|(p, r)| Isometry3::new(p, r))
 }
@@ -19,7 +19,7 @@ fn numbers<const N: usize>(size: f64) -> impl Strategy<Value = SVector<f64, N>> 
     prop::collection::vec(-size..size, N).prop_map(SVector::from_vec)
 }
 
-/// Three fingers about a bottle, each pressing; springs that differ along all axes, so that the tangents matter.
+/// Three pressing fingers around a bottle. Their springs differ along all axes, so that the tangents matter.
 fn fingers() -> [Contact; 3] {
     [0.0, 2.0, 4.2].map(|angle: f64| {
         let (sin, cos) = angle.sin_cos();
@@ -49,7 +49,7 @@ fn size<const R: usize, const C: usize>(m: SMatrix<f64, R, C>) -> f64 {
 proptest! {
     #![proptest_config(config(256))]
 
-    /// A force at a point is the same force wherever the coordinates lie, and so is the motion of a point.
+    /// The force at a point and the motion of a point transform correctly between frames.
     #[test]
     fn wrenches_and_twists_are_carried(pose in pose(), f in numbers::<3>(5.0), r in numbers::<3>(1.0), q in numbers::<6>(1.0)) {
         let place = pose * Point3::from(r);
@@ -69,13 +69,13 @@ proptest! {
         let seen = wrench.transformed(&pose).to_vector().dot(&twist.transformed(&pose).to_vector());
         prop_assert!((seen - work).abs() < 1e-13);
         prop_assert!((wrench.about(at).to_vector().dot(&twist.about(at).to_vector()) - work).abs() < 1e-13);
-        // About a point on its line of action a force has no moment.
+        // A force has no moment about a point on its line of action.
         let force = [w[0], w[1], w[2]];
         prop_assert!(Vector3::from(Wrench::force_at(force, at).about(at).moment()).amax() < 1e-14);
         prop_assert!(size(Vector3::from(twist.about(at).translation()) - Vector3::from(twist.displacement_at(at))) == 0.0);
     }
 
-    /// Contact-frame answers stay, world answers turn.
+    /// If the grasp is transformed, answers in contact frames stay the same, and answers in coordinate axes rotate.
     #[test]
     fn a_transformed_grasp_gives_the_transformed_answer(pose in pose()) {
         let (here, there) = (grasp(fingers())?, grasp(fingers().map(|finger| finger.transformed(&pose)))?);
@@ -92,14 +92,14 @@ proptest! {
         prop_assert!((a - b).abs() < 1e-11 * a, "{a} {b}");
     }
 
-    /// nalgebra's matrix exponential knows nothing of screws.
+    /// The rigid motion is nalgebra's matrix exponential, which does not use screws.
     #[test]
     fn exp_is_the_exponential_of_the_matrix(u in numbers::<3>(1.0), r in numbers::<3>(3.0), small in 0_i32..12) {
         let twist = Twist::new(u, r * 0.1_f64.powi(small));
         prop_assert!(size(twist.exp().to_homogeneous() - matrix(&twist).exp()) < 1e-13);
     }
 
-    /// Not so for a rotation about the origin followed by the translation: the exponential is the same in all frames.
+    /// The exponential is independent of the frame. A rotation about the origin followed by the translation would not be.
     #[test]
     fn exp_does_not_depend_on_the_frame(pose in pose(), q in numbers::<6>(1.5)) {
         let twist = Twist::from_vector(q);
@@ -107,7 +107,7 @@ proptest! {
         prop_assert!(size(seen.to_homogeneous() - (pose * twist.exp() * pose.inverse()).to_homogeneous()) < 1e-14);
     }
 
-    /// log undoes exp for rotations of less than half a turn.
+    /// `log` is the inverse of `exp` for rotations of less than half a turn.
     #[test]
     fn log_undoes_exp(u in numbers::<3>(1.0), r in numbers::<3>(1.8), small in 0_i32..12) {
         let twist = Twist::new(u, r * 0.1_f64.powi(small));
@@ -116,7 +116,7 @@ proptest! {
         prop_assert!(size(planar::Twist::log(&flat.exp()).to_vector() - flat.to_vector()) < 1e-14);
     }
 
-    /// The plane is a slice of space.
+    /// Planar motions agree with spatial motions in the plane.
     #[test]
     fn the_plane_moves_like_space(p in numbers::<2>(1.0), angle in -PI..PI, a in numbers::<3>(1.0), at in numbers::<2>(1.0)) {
         let (pose, same) = (Isometry2::new(p, angle), Isometry3::new(p.push(0.0), Vector3::z() * angle));
@@ -132,7 +132,7 @@ proptest! {
         prop_assert!(size(moved) < 1e-14);
     }
 
-    /// Fingers that are all carried along by one rigid motion of the hand carry the object with them; no force changes.
+    /// If all fingers follow one rigid motion of the hand, the object follows too, and no force changes.
     #[test]
     fn a_moved_hand_moves_the_object(q in numbers::<6>(1e-3)) {
         let grasp = grasp(fingers())?;
@@ -161,7 +161,7 @@ fn a_pivot_stays_where_it_is_however_far_away() {
     let turn = Twist::new([0.0; 3], [0.2, -0.1, 0.3]).about([-pivot[0], -pivot[1], -pivot[2]]);
     let moved = turn.exp() * Point3::from(pivot) - Point3::from(pivot);
     assert!(moved.norm() < 1e-11, "{moved}");
-    // The rotation about the origin with the same translation misses it by half the square of the angle, times the distance.
+    // A rotation about the origin with the same translation misses the pivot by half the square of the angle times the distance.
     let naive = Isometry3::new(turn.translation().into(), turn.rotation().into());
     assert!((naive * Point3::from(pivot) - Point3::from(pivot)).norm() > 50.0);
 }
@@ -174,7 +174,7 @@ fn a_motion_without_rotation_is_a_translation() {
     assert_eq!(Twist::ZERO.exp(), Isometry3::identity());
 }
 
-/// A tangent, and the sign that a hint gave it in the plane, turn with the contact; a bad contact stays bad.
+/// A tangent rotates with its contact, and so does the sign of a planar tangent given by a hint. An invalid contact stays invalid.
 #[test]
 fn tangents_turn_along() -> Result<(), Error> {
     let quarter = Isometry2::new(Vector2::new(1.0, 2.0), PI / 2.0);
@@ -205,7 +205,7 @@ fn a_contact_frame_is_a_rotation_in_space() -> Result<(), Error> {
     Ok(())
 }
 
-/// Whatever turns into an array will do.
+/// Everything that converts into an array is accepted.
 #[test]
 fn points_and_vectors_of_any_kind() {
     let contact = Contact::new([1.0, 2.0, 3.0], [0.0, 0.0, 1.0]);

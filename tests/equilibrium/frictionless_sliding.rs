@@ -24,7 +24,7 @@ fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Rang
             datum.friction = 0.0;
             datum.stiffness = datum.stiffness.map(|k| k.powf(decades / 1.3));
         }
-        // A load that pushing contacts balance.
+        // A load that pressing contacts can balance.
         let mut load = nalgebra::SVector::<f64, D>::zeros();
         for (i, datum) in scene.contacts.iter().enumerate() {
             let push = 0.1 * ((2 * i) % 5 + 1) as f64;
@@ -52,7 +52,7 @@ fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Rang
             }
             (_, other) => return Err(TestCaseError::fail(format!("{other:?} {comparison:?}"))),
         }
-        // The same by the printed program, with a spring on both sides.
+        // The printed program, with springs on both sides, has the same minimum.
         if decades < 2.0
             && let Some(minimum) = comparison.minimum.minimum()
         {
@@ -92,9 +92,9 @@ fn spatial_grasps() {
     agree_without_friction::<6, 3>(6..10, 1.0);
 }
 
-/// An object between two frictionless fingers on a foot with friction, pulled sideways by w half way between them. Moments about the fingers' line:
-/// the foot carries w/2 by friction, the fingers the rest. One opens at w/2 = 2 k a = 0.4 N, the foot slides at w/2 = μ 1 N. The agreement continues
-/// past the opening and ends at w = 1 N.
+/// An object between two frictionless fingers stands on a foot with friction. A force w pulls it sideways half way between fingers and foot. By moments
+/// about the fingers' line, the foot carries w/2 by friction, and the fingers the rest. One finger opens at w/2 = 2 k a = 0.4 N, and the foot
+/// slides at w/2 = μ 1 N. The methods agree beyond the opening, up to w = 1 N.
 #[test]
 fn a_frictionless_finger_that_opens_does_not_end_the_agreement() {
     let finger =

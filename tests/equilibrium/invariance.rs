@@ -16,27 +16,27 @@ use support::samples::samples;
 use support::scene::{Datum, Scene};
 use support::transform::Transform;
 
-/// Forces and displacements agree to this, relative to the largest.
+/// Largest difference of forces and displacements, relative to the largest one.
 const AGREEMENT: f64 = 1e-9;
-/// Scenes whose answer changes by more than `CHANGE` when their data change by `JITTER` are left out: there 1e-16 would
-/// show.
+/// Scenes are left out if their answer changes by more than `CHANGE` when their data change by `JITTER`, because rounding
+/// would be visible.
 const JITTER: f64 = 1e-12;
 const CHANGE: f64 = 1e-8;
 
-/// Three facets in space: few enough states to list. The round cone has a file of its own.
+/// Cones with three facets in space have few enough states to enumerate. The round cone has its own test file.
 fn settings() -> Settings {
     Settings::default().on_the_polygon().with_cone(PolygonCone::new(3, Fit::Inscribed).expect("a polygon"))
 }
 
-/// The compared quantities: forces and displacements of the body at the contacts, along coordinate axes.
+/// Forces, and displacements of the body, at each contact along the coordinate axes.
 type Picture<const C: usize> = Vec<(SVector<f64, C>, SVector<f64, C>)>;
 
 fn picture<const C: usize>(e: &Equilibrium<C>) -> Picture<C> {
     e.contacts.iter().map(|c| (c.force_world, c.body_core)).collect()
 }
 
-/// How far apart, relative to the largest force and displacement of the scene that has `e`, in its units. Displacements
-/// count only where no free motion leaves them open.
+/// Largest difference of forces and displacements, relative to the largest ones of `e`. Displacements count only if
+/// there is no free motion.
 fn distance<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     e: &Equilibrium<C>,
@@ -53,7 +53,7 @@ fn distance<const D: usize, const C: usize>(
     worst
 }
 
-/// The equilibrium of a scene if nothing but that one can be the answer, and if it is well-conditioned.
+/// The equilibrium of a scene if it is the only possible answer and well-conditioned.
 fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibrium<C>> {
     let grasp = scene.grasp();
     let outcome = grasp.with(&settings()).solve(scene.wrench()).expect("a finite load");
@@ -64,8 +64,8 @@ fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibri
             return None;
         }
     }
-    // A contact that touches without force may as well be open or slide, one that sticks on the very edge of its cone may
-    // as well slide: then the displacements are not unique.
+    // A contact without force may also count as open or sliding, and a sticking contact on the edge of its cone as sliding.
+    // Then the displacements are not unique.
     let least = 1e-9 * scene.sizes(e).force;
     let tied = |c: &ContactAnswer<C>| match c.state {
         ContactState::Separated => false,
@@ -75,7 +75,7 @@ fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibri
     if e.contacts.iter().any(tied) {
         return None;
     }
-    // The image of a scene has data rounded at 1e-16: that must not show at 1e-9.
+    // The image of a scene has rounded data. This must not change the answer by 1e-9.
     let near = |phase| {
         solve(&jittered(scene, phase)).is_ok_and(|near| distance(scene, e, &picture(&near)) <= CHANGE)
     };
@@ -107,7 +107,7 @@ fn solve<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Result<Equilibr
     }
 }
 
-/// Scenes that were compared.
+/// Number of compared scenes.
 #[derive(Debug, Default)]
 struct Tally {
     compared: Cell<usize>,
@@ -132,7 +132,7 @@ impl Tally {
     }
 }
 
-/// The image of a scene has the image of its equilibrium.
+/// Checks that the image of a scene has the image of its equilibrium.
 fn carried_along<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     transform: &Transform<C>,
@@ -169,7 +169,7 @@ fn check_order<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Contact 0 becomes two of half the stiffness each, at the same place.
+/// Checks the scene with contact 0 split into two of half the stiffness at the same place.
 fn check_split<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     tally: &Tally,
@@ -188,8 +188,8 @@ fn check_split<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// The grasp changed in a way that this equilibrium does not feel. The change may bring equilibria of its own; the old one
-/// must still be one of all, and must be returned where it is the only one or where everything that can touch sticks.
+/// Checks a change of the grasp that does not affect this equilibrium. It must remain among all equilibria, although the
+/// change may add others. It must be returned if it is the only one, or if everything in contact sticks.
 fn not_felt<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     e: &Equilibrium<C>,

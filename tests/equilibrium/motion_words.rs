@@ -37,7 +37,7 @@ fn known_motions() {
     assert_eq!(parts, ["turns 1.71887° about +y", "(-0.0333333, 0, -0.02)", "moves 2.8 mm along +y"]);
 }
 
-/// A rotation about a distant axis is described by the displacement of the contacts, with the angle beside it.
+/// A rotation about a distant axis is reported as the motion of the contacts, followed by the angle.
 #[test]
 fn what_hardly_turns_moves() {
     let far = planar::Twist::new([0.0, -1e-3], 1e-6);

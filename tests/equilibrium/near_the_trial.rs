@@ -14,7 +14,7 @@ fn at_rest(contacts: [Contact; 3]) -> Equilibrium<3> {
     answer
 }
 
-/// Three fingers press askew on a ball with 10 N each. It may also lie beside all of them, where none touches it.
+/// Three fingers press obliquely on a ball with 10 N each. A second equilibrium has the ball outside of all fingers, without contact.
 #[test]
 fn fingers_that_press_go_on_to_press() {
     let finger = |angle: f64, height: f64, up: f64| {
@@ -35,8 +35,8 @@ fn fingers_that_press_go_on_to_press() {
     }
 }
 
-/// Three fingers squeeze a plug on its flanks. With friction just below the tangent of half its angle nothing holds it: it slips out until no finger
-/// presses. Each squeezes by F/k_n along the normal, so that the plug moves by F/(k_n sin) along the axis.
+/// Three fingers squeeze a plug on its flanks. With μ just below the tangent of half its angle it slips out until no finger presses. Each finger is
+/// compressed by F/k_n along the normal, so that the plug moves by F/(k_n sin) along the axis.
 #[test]
 fn a_plug_beside_its_locking_angle_does_not_fly_away() {
     let (sin, cos) = 0.3_f64.sin_cos();

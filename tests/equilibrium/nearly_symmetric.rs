@@ -54,7 +54,7 @@ fn a_load_beyond_the_limit_is_decided() -> Result<(), grasp_lcp::Error> {
             }
         }
         println!("uneven by {uneven:e}: {none} proofs, {wedged} wedged, {undecided} undecided");
-        // At 1e-8 what contradicts some cases is no longer clear of rounding.
+        // At 1e-8 the contradiction of some cases is as small as rounding errors.
         let (most, least) = if uneven == 1e-8 { (7, 25) } else { (0, 32) };
         assert!(undecided <= samples(most), "uneven by {uneven:e}");
         assert_met(&[(none, least)]);

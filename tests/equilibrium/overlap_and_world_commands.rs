@@ -46,7 +46,7 @@ fn an_overlap_presses_in_space() {
     assert_close(state.twist.translation()[2], -3.0 * each / palm);
 }
 
-/// All engines see command less clearance: an overlap is a command of that size, to the bit.
+/// All solvers use the command minus the clearance: an overlap has the answers of a command of this size, to the last bit.
 fn an_overlap_is_a_command<const C: usize>(fingers: [Contact<C>; 3], down: Wrench<C>) {
     let depth = 0.004;
     let mut command = [0.0; C];
@@ -99,8 +99,8 @@ fn an_overlap_is_a_command_in_space() {
     an_overlap_is_a_command(spatial_fingers(), spatial::Wrench::force([0.1, 0.0, -1.0]));
 }
 
-/// Given along the coordinate axes, before or after the tangent, a command is the same displacement; frames and patches
-/// carry it along, and screening understands it.
+/// A command along the coordinate axes, given before or after the tangent, is the same displacement. It transforms with frames, is
+/// passed to the points of patches, and is accepted by screening.
 #[test]
 fn a_command_may_be_given_along_the_coordinate_axes() {
     let tangent = [0.3, -0.2, 1.0];
@@ -111,7 +111,7 @@ fn a_command_may_be_given_along_the_coordinate_axes() {
         let frame = *grasp.frames().next().expect("one contact");
         let in_frame = finger.clone().tangent(tangent).command(frame.tr_mul(&u));
         assert_eq!(grasp.contacts(), std::slice::from_ref(&in_frame));
-        // The last of both counts.
+        // The last given command counts.
         assert_eq!(in_frame.clone().command_world([1.0; 3]).command(in_frame.commanded()), in_frame);
 
         let moved = finger.clone().command_world(u).tangent(tangent).transformed(&pose);
@@ -121,7 +121,7 @@ fn a_command_may_be_given_along_the_coordinate_axes() {
             assert!((point.commanded() - in_frame.commanded()).norm() < 1e-17);
         }
     }
-    // The planar tangent may be turned around.
+    // The planar tangent may be reversed.
     let finger =
         planar::Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1.0, 1.0).command_world([0.1, 0.2]);
     assert_eq!(finger.commanded(), SVector::from([-0.2, -0.1]));

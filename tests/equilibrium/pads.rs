@@ -8,12 +8,12 @@ use support::jaws::jaw;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// In three dimensions, the last of which the plane has not.
+/// The vector with three components; the third is zero in the plane.
 fn wide<const C: usize>(v: &SVector<f64, C>) -> Vector3<f64> {
     Vector3::from_fn(|a, _| v.get(a).copied().unwrap_or(0.0))
 }
 
-/// Returns how many pads slide everywhere, in part, and nowhere.
+/// Checks all pads of an equilibrium. Returns how many slide at all points, at some, and at none.
 fn check<const C: usize>(grasp: &Grasp<C>, state: &Equilibrium<C>, random: &mut Random) -> [usize; 3] {
     let frames: Vec<_> = grasp.frames().copied().collect();
     let largest = state.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
@@ -40,7 +40,7 @@ fn check<const C: usize>(grasp: &Grasp<C>, state: &Equilibrium<C>, random: &mut 
         let all_slide = sliding + open == points.len();
         assert_eq!(pad.margin == 0.0, all_slide, "{state}");
         seen[if all_slide { 0 } else { usize::from(sliding == 0) + 1 }] += 1;
-        // A force of the size of the margin, in any direction along the surface, by the same normal forces.
+        // With the same normal forces, the pad can carry an additional force of the size of the margin in any tangential direction.
         let towards =
             SVector::<f64, C>::from_fn(|a, _| if a == 0 { 0.0 } else { random.normal() }).normalize();
         let mut carried = SVector::<f64, C>::zeros();
@@ -95,7 +95,7 @@ fn in_space() -> Result<(), grasp_lcp::Error> {
     for _ in 0..samples(75) {
         let [x, y, z, a, b, c] = std::array::from_fn(|_| 5.0 * random.normal());
         let load = spatial::Wrench::new([x, y, z], [0.01 * a, 0.01 * b, 0.01 * c]);
-        // The path has slipped at some points and not at others.
+        // After the path some points have slipped, and others have not.
         let verdict = grasp.hold(load)?;
         let Some(state) = verdict.state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_ref()) else {
             continue;

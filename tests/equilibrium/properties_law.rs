@@ -17,20 +17,20 @@ use support::samples::{assert_met, samples};
 use support::scene::{Datum, Scene};
 use support::sticking;
 
-/// Conditions hold to this, relative to the sizes of the scene.
+/// Tolerance of the conditions, relative to the sizes of the scene.
 const LAW: f64 = 1e-10;
 const FACETS: usize = 8;
 
-/// Counts of the outcomes.
+/// Counts of outcomes.
 #[derive(Debug, Clone, Default)]
 struct Tally {
     equilibria: usize,
     everything_sticks: usize,
     sliding: usize,
     separated: usize,
-    /// A sticking contact on the very edge of its cone, or a sliding or open one that just begins to.
+    /// Equilibria with a sticking contact on the edge of its cone, or with a sliding or open contact of zero slip or gap.
     tied: usize,
-    /// With motions that no contact resists.
+    /// Equilibria with free motions.
     free: usize,
     several: usize,
     no_equilibrium: usize,
@@ -63,7 +63,7 @@ impl Tally {
     }
 }
 
-/// Solves a scene and checks the answer; with `list`, all equilibria.
+/// Solves a scene and checks the answer; with `list`, checks all equilibria.
 fn check<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     list: bool,
@@ -94,7 +94,7 @@ fn check<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Four contacts at the ends of a cross, one the mirror image of the other, numbers from a coarse grid.
+/// Four contacts at the ends of a cross in mirror-image pairs, with data from a coarse grid.
 fn symmetric() -> impl Strategy<Value = Scene<3, 2>> {
     let pair = (1..5_i32, 1..3_i32, 1..3_i32, 0..5_i32, 0..4_i32, -2..3_i32);
     (pair.clone(), pair, -4..5_i32).prop_map(|(across, upright, load)| {
@@ -108,7 +108,7 @@ fn symmetric() -> impl Strategy<Value = Scene<3, 2>> {
                     tangent: SVector::zeros(),
                     stiffness: SVector::from([f64::from(kn), f64::from(kt)]),
                     friction: f64::from(mu) * 0.25,
-                    // Dragging both sides of a pair the same way in space.
+                    // Both sides of a pair are dragged in the same spatial direction.
                     command: SVector::from([f64::from(push) * 0.25, side * f64::from(drag) * 0.125]),
                     clearance: 0.0,
                 });
@@ -123,7 +123,7 @@ fn check_minimum<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     sticking_scenes: &Cell<usize>,
 ) -> Result<(), TestCaseError> {
-    // This test checks only the first rung of the ladder, on which a search through all states would have no bearing.
+    // Only the first solution method is tested here, so the long enumeration is switched off.
     let settings = Settings::default().with_most_states(0);
     let outcome = scene.grasp().with(&settings).solve(scene.wrench()).expect("a finite load");
     let expected = sticking::forces(scene);
@@ -133,7 +133,7 @@ fn check_minimum<const D: usize, const C: usize>(
         return Ok(());
     }
     let expected = expected.unwrap();
-    // Where forces cancel, their scale is the force of the softest spring under the largest command.
+    // A scale for forces that cancel: the softest stiffness times the largest command.
     let softest = scene.contacts.iter().map(Datum::softest).fold(f64::INFINITY, f64::min);
     let command =
         scene.contacts.iter().map(|datum| datum.command.norm() + datum.clearance).fold(0.0, f64::max);

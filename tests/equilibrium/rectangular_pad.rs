@@ -12,7 +12,7 @@ const MU: f64 = 0.4;
 const N: f64 = 25.0;
 const STRIPS: [[usize; 2]; 4] = [[1, 1], [2, 1], [1, 3], [2, 2]];
 
-/// A pad on a table, x along the first side, y along the second.
+/// Pads on a table, with x along the first side and y along the second.
 fn pads() -> Vec<(SoftFingertip, Contact, Grasp)> {
     let table = Contact::new([0.0; 3], [0.0, 0.0, 1.0])
         .tangent([1.0, 0.0, 0.0])
@@ -72,7 +72,7 @@ fn it_opens_where_the_core_ends() {
     }
 }
 
-/// The corner is farthest: it slides at μ N d/6 with d the diagonal.
+/// The corner has the largest distance from the centre, and slides first at μ N d/6 with the diagonal d.
 #[test]
 fn a_corner_slides_first_under_torsion() {
     let diagonal = SIDES[0].hypot(SIDES[1]);

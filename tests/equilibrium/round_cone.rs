@@ -17,7 +17,7 @@ use support::samples::{assert_met, samples};
 use support::scene::{Datum, Scene, displacement, wrench};
 use support::transform::Transform;
 
-/// Coulomb's law at a stretch v: the friction force is `S v` with S = (K⁻¹ + λ)⁻¹, λ from its size by bisection.
+/// The contact force by Coulomb's law for a spring stretch v. The friction force is `S v` with S = (K⁻¹ + λ)⁻¹; bisection finds λ from its size.
 fn coulomb(datum: &Datum<3>, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {
     let mut force = datum.stiffness.component_mul(stretch);
     if force[0] <= 0.0 {
@@ -40,7 +40,7 @@ fn coulomb(datum: &Datum<3>, stretch: &SVector<f64, 3>) -> SVector<f64, 3> {
     force
 }
 
-/// The scene under the load that balances its contacts at a twist.
+/// The scene with the load that balances its contact forces at a twist.
 fn balanced(mut scene: Scene<6, 3>, twist: &SVector<f64, 6>) -> Scene<6, 3> {
     scene.load = scene.contacts.iter().fold(SVector::zeros(), |load, datum| {
         let frame = datum.frame();
@@ -50,7 +50,7 @@ fn balanced(mut scene: Scene<6, 3>, twist: &SVector<f64, 6>) -> Scene<6, 3> {
     scene
 }
 
-/// Solvable scenes, friction times a factor, with one tangential stiffness or two.
+/// Random solvable scenes with coefficients of friction multiplied by a factor, and one tangential stiffness or two.
 fn solvable(
     counts: std::ops::Range<usize>,
     motion: f64,
@@ -90,7 +90,7 @@ fn solvable_scenes_are_solved() {
                 prop_assert!(e.residuals.worst() <= 1e-12);
                 worst.set(worst.get().max(violation));
                 sliding.set(sliding.get() + usize::from(slides(&e)));
-                // Only what Lemke's method proposes comes from a polygon.
+                // Only solutions proposed by Lemke's method start from a polygon.
                 let proposed = matches!(e.rule, FoundBy::KinematicForm | FoundBy::ForceForm);
                 prop_assert!(e.change_from_polygon.is_some() || !proposed || !slides(&e));
             }
@@ -104,7 +104,7 @@ fn solvable_scenes_are_solved() {
     assert!(1000 * unresolved.get() <= samples(CASES), "{} unresolved", unresolved.get());
 }
 
-/// With weak friction the equilibrium is the only one and not sensitive: the images must agree.
+/// Checks that images of a scene have the same forces. With weak friction the equilibrium is unique and insensitive.
 fn unchanged(image: impl Fn(&Scene<6, 3>) -> Vec<SVector<f64, 3>>, cases: usize) {
     unchanged_of(&solvable(4..9, 0.2, 0.3, false), image, cases);
 }
@@ -138,7 +138,7 @@ fn forces(scene: &Scene<6, 3>) -> Vec<SVector<f64, 3>> {
     })
 }
 
-/// A quarter turn of the tangents with the stiffnesses along them exchanged; any turn where both are the same.
+/// The tangents are rotated by a quarter turn with their stiffnesses exchanged, or by any angle if both stiffnesses are equal.
 #[test]
 fn the_tangents_do_not_matter() {
     unchanged(
@@ -199,7 +199,7 @@ fn the_frame_does_not_matter() {
     unchanged(|scene| forces(&transform.scene(scene)), 300);
 }
 
-/// A contact split in two of half the stiffness carries the same in both.
+/// If a contact is split into two of half the stiffness, each carries half the force.
 #[test]
 fn a_contact_may_be_split() {
     unchanged(

@@ -5,10 +5,10 @@ use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
 use std::f64::consts::TAU;
 
-/// A contact that slides pulls the body along its friction, which no facet turns.
+/// The friction force of a sliding contact is opposite to its slip, without the error of facets.
 #[test]
 fn sliding_on_the_round_cone() {
-    // A block of 10 N on a foot, among three soft guides about it that hold it sideways alike.
+    // A block of 10 N on a foot, with three soft guides around it that are equally stiff in all horizontal directions.
     let foot = spatial::Contact::new([0.0; 3], [0.0, 0.0, 1.0]).series_stiffness(1e3, 8e2).friction(0.5);
     let guide = |third: f64| {
         let (sin, cos) = (third * TAU / 3.0).sin_cos();
@@ -30,7 +30,7 @@ fn sliding_on_the_round_cone() {
     }
 }
 
-/// Beyond what friction can hold the answer is a proof, at any number of contacts.
+/// For a load beyond the limit of friction the answer is a proof, for any number of contacts.
 #[test]
 fn an_overloaded_patch() {
     for n in [300, 3000] {

@@ -29,7 +29,7 @@ fn in_the_plane() -> Result<(), grasp_lcp::Error> {
 
 #[test]
 fn in_space_about_any_axis() -> Result<(), grasp_lcp::Error> {
-    // Six springs on the axes, each along all three directions: a spring at a from the axis resists with k a², and four of six are.
+    // Six springs on the axes, each with stiffness k in all directions. Four of them are at the distance a from the axis and add k a² each.
     let ends = [[ARM, 0.0, 0.0], [0.0, ARM, 0.0], [0.0, 0.0, ARM]];
     let contacts = ends
         .into_iter()

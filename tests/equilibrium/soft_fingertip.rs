@@ -10,8 +10,8 @@ use grasp_lcp::spatial::{Contact, ContactState, Departure, Grasp, Pressure, Ramp
 use nalgebra::Vector3;
 use support::assert_relatively_close;
 
-/// The points lie in the tangent plane around the one contact, in its frame, and add up to its springs; the rest they
-/// inherit. A rigid side stays rigid.
+/// The points lie in the tangent plane around the contact, have its frame and its other data, and their springs add up to
+/// its springs. A rigid side stays rigid.
 #[test]
 fn the_points_share_one_contact() {
     let parent = Contact::new([0.1, -0.2, 0.3], [1.0, 2.0, -0.5])
@@ -67,7 +67,7 @@ fn numbers_are_those_of_the_continuum() {
     }
 }
 
-/// One tip alone under a body that presses with N: moments about a tangent tilt it by M/k_tilt until the point farthest that way
+/// A single tip under a body that presses with N. A moment about a tangent tilts it by M/k_tilt until the farthest point on one side
 /// opens, at the edge of the core: N ⟨r²⟩/2R, for the uniform disc the R/4 of the middle-quarter rule.
 #[test]
 fn a_tip_tilts_until_it_opens() {
@@ -78,7 +78,7 @@ fn a_tip_tilts_until_it_opens() {
             .friction(MU);
         let grasp = Grasp::new(tip.contacts(&table).unwrap()).unwrap();
         let press = Wrench::force([0.0, 0.0, -N]);
-        // A negative turn about y lifts the body where x > 0; there is a point on the rim along +x.
+        // A negative rotation about y lifts the body at x > 0, and the rim has a point on the +x axis.
         let tilt = Wrench::new([0.0; 3], [0.0, -1.0, 0.0]);
         let onset = grasp.onset(Ramp::load(press, tilt)).unwrap();
         let event = onset.event().expect("it opens");
@@ -95,8 +95,8 @@ fn a_tip_tilts_until_it_opens() {
 }
 
 /// In the plane, a pad of width w = 2b: ⟨x²⟩ = b² for two points, else `∫ ρ² p / ∫ p` = 1/3, (2/15)/(2/3) and (π/16)/(π/4)
-/// of b². It turns by M/(k_n ⟨x²⟩) and opens at N ⟨x²⟩/b: for the uniform one N w/6, the middle-third rule. Two points
-/// open when the other one carries everything.
+/// of b². It turns by M/(k_n ⟨x²⟩) and opens at N ⟨x²⟩/b: for the uniform one N w/6, the middle-third rule. One of two points
+/// opens when the other carries the whole force.
 #[test]
 fn planar_pads() {
     use planar::{Departure, Grasp, SoftFingertip, Wrench};
@@ -136,7 +136,7 @@ fn planar_pads() {
     }
 }
 
-/// Where on its circle a ring begins is a matter of the tangent: as long as everything sticks, and for spin, it changes nothing.
+/// The tangent determines the first point of a ring. While everything sticks, and under torsion, it has no effect.
 #[test]
 fn the_choice_of_tangents_changes_nothing() {
     for (tip, _, square) in tips() {

@@ -14,8 +14,8 @@ use support::{assert_relatively_close, relatively_close};
 const PROFILES: [(Pressure, f64); 3] =
     [(Pressure::Uniform, 2.0 / 3.0), (Pressure::Parabolic, 8.0 / 15.0), (Pressure::Hertz, 3.0 * PI / 16.0)];
 
-/// Two points turn freely; two tips turn by M/2k_θ. Against forces through the line of the pinch they are as stiff as
-/// points; the first points slide at the closed form, all of a ring at once, only the rim of a disc.
+/// A pinch by two points turns freely; by two tips it turns by M/2k_θ. Under forces through its line it is as stiff as one by
+/// points. The first points slide at the closed form: all points of a ring, or the rim of a disc.
 #[test]
 fn a_pinch_no_longer_turns_freely() {
     let points = Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
@@ -57,7 +57,7 @@ fn a_pinch_no_longer_turns_freely() {
 }
 
 /// Tangents of stiffness k_1 and k_2. At the angle α from the first one a point of a ring carries (-k_1 sin α, k_2 cos α) R θ
-/// times its share and slides at `R θ √((k_1 sin α)² + (k_2 cos α)²) = μ N`: those with the stiffer direction across go first.
+/// times its share and slides at `R θ √((k_1 sin α)² + (k_2 cos α)²) = μ N`: points whose motion is along the stiffer tangent slide first.
 #[test]
 fn uneven_tangential_stiffness() {
     for (k1, k2, first, turned) in
@@ -83,7 +83,7 @@ fn uneven_tangential_stiffness() {
 }
 
 /// Beyond the onset the points of the rim slide, each with μ N w_i, and those inside still stick:
-/// `M/2 = Σ w_i r_i min(k_t r_i θ, μ N)`. All slide at 2 μ N ⟨r⟩; nothing carries more. With any number of points on a ring.
+/// `M/2 = Σ w_i r_i min(k_t r_i θ, μ N)`. All slide at 2 μ N ⟨r⟩, the limit. This holds for any number of points on a ring.
 #[test]
 fn slip_spreads_from_the_rim_up_to_the_limit() {
     for (pressure, mean) in PROFILES {
@@ -111,7 +111,7 @@ fn slip_spreads_from_the_rim_up_to_the_limit() {
             let limit = 2.0 * MU * N * mean * R;
             assert_relatively_close!(2.0 * tip.torsional_limit(&finger(1.0), N), limit);
             assert!(grasp.solve(spin(limit * (1.0 - 1e-9))).unwrap().equilibrium().is_some());
-            // Beyond the limit every polygon is tried in vain: quick for few contacts.
+            // The proof beyond the limit is fast only for few contacts.
             if annuli == 1 {
                 assert!(grasp.solve(spin(limit * (1.0 + 1e-9))).unwrap().equilibrium().is_none());
             }
@@ -121,8 +121,8 @@ fn slip_spreads_from_the_rim_up_to_the_limit() {
 
 /// The path stops when the innermost ring slides, after an event for each of the others, from the rim inwards.
 ///
-/// Four points on a ring, every other ring turned by 45°, slide along multiples of 45° of the tangents: the corners of
-/// the default polygon, on which it is the round cone.
+/// Four points on a ring, with every other ring rotated by 45°, slide along multiples of 45° of the tangents. There the
+/// default polygon has corners, which are on the round cone.
 #[test]
 fn a_path_of_torsion() {
     for (pressure, mean) in PROFILES {

@@ -28,7 +28,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 fn wedged(random: &mut Random) -> Wedged {
     let (mut contacts, mut total, mut forces) = (Vec::new(), [0.0; 3], [[0.0; 2]; 2]);
-    // Rows of (x, y, θ): n and t at the contact; how deep it is pressed; how far it has been commanded across, less its give; the way of its slip.
+    // For each contact: rows of n and t over (x, y, θ); depth; tangential command minus spring deflection; sign of the slip.
     let (mut rows, mut deep, mut beside, mut ways) = ([[[0.0; 3]; 2]; 2], [0.0; 2], [0.0; 2], [0.0; 2]);
     for i in 0..2 {
         let side = if i == 0 { 1.0 } else { -1.0 };
@@ -87,7 +87,7 @@ fn a_twist_that_friction_leaves_open_is_told_with_its_line() {
         let Some(found) = outcome.equilibrium() else { panic!("{number}: {outcome:?}") };
         let apart = |i: usize| (found.contacts[i].force - nalgebra::Vector2::from(forces[i])).norm();
         if apart(0).max(apart(1)) > 1e-9 {
-            // Another equilibrium: there may be several.
+            // The solver found another equilibrium; several may exist.
             continue;
         }
         told += 1;

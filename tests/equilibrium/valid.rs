@@ -3,7 +3,7 @@
 use grasp_lcp::{planar, spatial};
 
 pub(crate) const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
-/// Where a size is limited as well.
+/// Bad values of a number whose size is also limited.
 pub(crate) const NOT_MODERATE: [f64; 5] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.1e50, -f64::MAX];
 
 pub(crate) fn planar_contacts() -> Vec<planar::Contact> {

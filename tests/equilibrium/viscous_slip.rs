@@ -8,7 +8,7 @@ use support::Failure;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// Coefficient of friction, N/m along the normal, N/m along both tangents, and m by which the finger is pressed in.
+/// A finger. Stiffness along the normal and along both tangents in N/m, command along the normal in m.
 #[derive(Debug)]
 struct Finger {
     point: Vector3<f64>,
@@ -46,7 +46,7 @@ impl Finger {
         along * kn + (Matrix3::identity() - along) * kt
     }
 
-    /// Motion of the point for a translation of the object, and a rotation about the origin.
+    /// The matrix that maps the twist of the object to the displacement of the contact point.
     fn map(&self) -> Matrix3x6<f64> {
         let mut map = Matrix3x6::zeros();
         map.fixed_columns_mut::<3>(0).copy_from(&Matrix3::identity());
@@ -55,7 +55,7 @@ impl Finger {
     }
 }
 
-/// Force of a finger on the object, in the world, when the object has moved its point by `moved`.
+/// Force of a finger on the object, coordinate axes, if the contact point of the object has moved by `moved`.
 fn force(finger: &Finger, moved: Vector3<f64>) -> Vector3<f64> {
     let stretch = finger.normal * finger.command - moved;
     let pressed = (finger.stiffness[0] * stretch.dot(&finger.normal)).max(0.0);
@@ -65,7 +65,7 @@ fn force(finger: &Finger, moved: Vector3<f64>) -> Vector3<f64> {
     finger.normal * pressed + elastic * part
 }
 
-/// Contact forces after relaxation in small steps, each half of the motion that would balance a stuck grasp; `None` if it does not converge.
+/// Contact forces after viscous relaxation. Each step goes half way to the balance of the sticking grasp. `None` if this does not converge.
 fn relaxed(fingers: &[Finger], load: Vector6<f64>) -> Option<Vec<Vector3<f64>>> {
     let maps: Vec<_> = fingers.iter().map(Finger::map).collect();
     let springs: Vec<_> = fingers.iter().map(Finger::springs).collect();

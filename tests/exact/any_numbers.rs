@@ -16,7 +16,7 @@ use support::samples::assert_met;
 
 const CASES: usize = 500;
 
-/// Moderate numbers, and now and then anything that fits into 64 bits.
+/// Moderate numbers, and sometimes any bit pattern of 64 bits.
 fn number() -> impl Strategy<Value = f64> {
     let power = |decades: f64| {
         (-decades..decades, any::<bool>())
@@ -69,7 +69,7 @@ fn any_contact<const C: usize>() -> impl Strategy<Value = Contact<C>> {
         })
 }
 
-/// Asks everything; an error is fine, a panic or a wrong equilibrium is not. Returns the number of equilibria.
+/// Asks all questions. Errors are accepted, panics and wrong equilibria are not. Returns the number of equilibria.
 fn ask<const D: usize, const C: usize>(
     contacts: Vec<Contact<C>>,
     loads: [SVector<f64, D>; 2],
@@ -108,11 +108,11 @@ fn ask<const D: usize, const C: usize>(
     Ok(answers.len())
 }
 
-/// Asks about random grasps, and makes sure that there was something to answer.
+/// Asks about random grasps, and checks that enough of them have an equilibrium.
 fn ask_many<const D: usize, const C: usize>() {
     let vector = || prop::collection::vec(number(), C).prop_map(SVector::<f64, C>::from_vec);
     let numbers = || prop::collection::vec(number(), D).prop_map(SVector::<f64, D>::from_vec);
-    // Without a load there is an equilibrium as a rule.
+    // Without a load an equilibrium usually exists.
     let load = || prop_oneof![Just(SVector::<f64, D>::zeros()), numbers()];
     let contacts = prop::collection::vec((any_contact::<C>(), vector()), 1..5);
     let (answered, answers) = (Cell::new(0), Cell::new(0));

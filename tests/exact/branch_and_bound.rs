@@ -11,7 +11,7 @@ use support::jaws::jaw;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// One contact of a scene, for the library and for [`breach`].
+/// The data of a finger, for the library and for [`breach`].
 struct Finger {
     point: SVector<f64, 3>,
     normal: SVector<f64, 3>,
@@ -44,7 +44,7 @@ fn grasp(fingers: &[Finger]) -> Grasp {
     Grasp::new(fingers.iter().map(contact)).unwrap()
 }
 
-/// Imbalance of the load if the object moves by a twist and every finger answers with a force on its cone.
+/// The residual of the balance at a twist of the object, with the force of every finger by its contact law.
 fn breach(fingers: &[Finger], load: &SVector<f64, 6>, twist: &SVector<f64, 6>) -> SVector<f64, 6> {
     let mut sum = *load;
     for f in fingers {
@@ -64,7 +64,7 @@ fn breach(fingers: &[Finger], load: &SVector<f64, 6>, twist: &SVector<f64, 6>) -
     sum
 }
 
-/// Newton's method with differences in place of derivatives, from a twist.
+/// Newton's method with finite differences, starting at a twist. Returns whether it finds a balance.
 fn newton(fingers: &[Finger], load: &SVector<f64, 6>, mut twist: SVector<f64, 6>) -> bool {
     let mut left = breach(fingers, load, &twist);
     for _ in 0..30 {
@@ -87,7 +87,7 @@ fn newton(fingers: &[Finger], load: &SVector<f64, 6>, mut twist: SVector<f64, 6>
     false
 }
 
-/// Whether Newton's method balances the load from any of twenty places.
+/// Whether Newton's method finds a balance from any of twenty random twists.
 fn attack(fingers: &[Finger], load: &Wrench, numbers: &mut Random) -> bool {
     let load = SVector::from(load.to_vector());
     (0..20).any(|_| newton(fingers, &load, SVector::from_fn(|_, _| 0.05 * numbers.signed())))
@@ -118,7 +118,7 @@ fn every_load_beyond_the_onset_is_decided() {
                             assert!(escape >= 1e4);
                             let proof = grasp.refutation(load).unwrap().expect("again");
                             let checked = proof.check(&grasp, load).unwrap().expect("it holds");
-                            // In closed form a case holds no more than in the polygons around its arcs.
+                            // A case in closed form bounds no less than the polygons around its arcs.
                             assert!(checked >= 0.5 * escape, "{checked:e} {escape:e}");
                         }
                         let balanced = attack(&fingers, &load, &mut numbers);
@@ -131,11 +131,11 @@ fn every_load_beyond_the_onset_is_decided() {
     }
     println!("{found} {none} {reached}");
     assert_met(&[(found, 40), (none, 10)]);
-    // An attack in vain says something only if it mostly finds what there is.
+    // A failed search is evidence only if the search usually finds existing equilibria.
     assert!(10 * reached >= 7 * found);
 }
 
-/// Two fingers press with 10 N, μ = 1/2: 10 N are held along any line across, and nothing beyond.
+/// Two fingers press with 10 N, μ = 1/2. They hold at most 10 N in every perpendicular direction.
 #[test]
 fn the_limit_of_a_pinch() {
     let finger = |x: f64| jaw::<3>(x, [1000.0, 800.0], 0.5).command([0.01, 0.0, 0.0]);
@@ -151,7 +151,7 @@ fn the_limit_of_a_pinch() {
     }
 }
 
-/// A proof is one for its own grasp and its own load.
+/// A proof is valid only for its own grasp and load.
 #[test]
 fn a_proof_holds_for_its_own_scene_alone() {
     let mut numbers = Random(6);
@@ -164,7 +164,7 @@ fn a_proof_holds_for_its_own_scene_alone() {
     assert!(proof.check(&other, load).unwrap().is_none());
 }
 
-/// Every kind of contact: a load that is held has no proof against it.
+/// For every kind of contact, a load with an equilibrium has no proof of non-existence.
 #[test]
 fn no_proof_contradicts_an_equilibrium() {
     let mut numbers = seeded(11);
@@ -182,7 +182,7 @@ fn no_proof_contradicts_an_equilibrium() {
                         0.003 * numbers.signed(),
                         0.003 * numbers.signed(),
                     ]);
-            // Two that slide on a round cone, and three of any kind.
+            // Two contacts with round cones, and three of any kind.
             let kind = if i < 2 { 0.0 } else { numbers.uniform() };
             let friction = if kind < 0.4 { 0.4 + 0.3 * numbers.signed() } else { 0.0 };
             let friction = if kind >= 0.7 { f64::INFINITY } else { friction };

@@ -14,12 +14,12 @@ use proptest::strategy::ValueTree;
 use support::exact::{Census, Contact, Scene, State};
 use support::samples::{assert_met, config, runner, samples};
 
-/// Forces and displacements agree to this, relative to the largest of the scene.
+/// Tolerance of forces and displacements, relative to the largest of the scene.
 const AGREEMENT: f64 = 1e-9;
-/// Scenes of each kind in the fixed sequences. Of twenty-four times as many those are listed, too, that only lower rungs decide.
+/// Number of scenes of each kind in the fixed sequences. Of twenty-four times as many, those are added that only later methods decide.
 const SCENES: usize = 312;
 
-/// A whole number of `unit`s.
+/// A multiple of `unit`.
 fn grid(from: i32, to: i32, unit: f64) -> impl Strategy<Value = f64> {
     (from..=to).prop_map(move |i| f64::from(i) * unit)
 }
@@ -32,7 +32,7 @@ fn pythagorean() -> impl Strategy<Value = [i32; 2]> {
     })
 }
 
-/// Normals point at the origin rather than away from it in most contacts.
+/// The contact with its normal reversed if needed, so that it points towards the origin if `inward`.
 fn facing_inward(mut contact: Contact, inward: bool) -> Contact {
     let outward =
         f64::from(contact.normal[0]) * contact.point[0] + f64::from(contact.normal[1]) * contact.point[1];
@@ -42,7 +42,7 @@ fn facing_inward(mut contact: Contact, inward: bool) -> Contact {
     contact
 }
 
-/// Small integers everywhere: symmetric, and full of ties.
+/// Contacts with small integers as data: symmetric, with many ties.
 fn on_a_lattice() -> impl Strategy<Value = Contact> {
     let axis = prop::sample::select(vec![[1, 0], [-1, 0], [0, 1], [0, -1]]);
     let point = [grid(-2, 2, 1.0), grid(-2, 2, 1.0)];
@@ -57,7 +57,7 @@ fn on_a_lattice() -> impl Strategy<Value = Contact> {
     )
 }
 
-/// Nothing in common, stiffnesses from 1 to 20.
+/// Contacts without common data, stiffnesses from 1 to 20.
 fn ordinary() -> impl Strategy<Value = Contact> {
     let point = [grid(-12, 12, 0.25), grid(-12, 12, 0.25)];
     let stiffness = [grid(1, 20, 1.0), grid(1, 20, 1.0)];
@@ -71,7 +71,7 @@ fn ordinary() -> impl Strategy<Value = Contact> {
     )
 }
 
-/// Stiffness ratios to 1e6, strong friction.
+/// Contacts with stiffness ratios up to 1e6 and strong friction.
 fn stiff() -> impl Strategy<Value = Contact> {
     let stiffness =
         || (1..10_i32, 0..6_u32).prop_map(|(digit, zeros)| f64::from(digit) * f64::from(10_i32.pow(zeros)));
@@ -83,7 +83,7 @@ fn stiff() -> impl Strategy<Value = Contact> {
     })
 }
 
-/// The load that the contacts balance at this twist, each by its own law; rounded, so balanced nearly, not exactly.
+/// The load that the contact forces balance at this twist, up to rounding.
 fn balancing_load(contacts: &[Contact], [x, y, turn]: [f64; 3]) -> [f64; 3] {
     contacts.iter().fold([0.0; 3], |load, c| {
         let length = f64::from(c.normal[0]).hypot(f64::from(c.normal[1]));
@@ -129,16 +129,16 @@ fn stiff_scene() -> impl Strategy<Value = Scene> {
     scene_of(stiff(), 0.0625)
 }
 
-/// Counts of kinds of scenes and of the library's answers.
+/// Counts of the kinds of scenes, and of the answers of the library.
 #[derive(Debug, Clone, Default)]
 struct Tally {
-    /// Nothing borderline: no ties, no families, nothing that rounding could decide.
+    /// Scenes without ties, without families of equilibria, and without conditions that rounding could decide.
     clear: usize,
-    /// With an equilibrium exactly on the edge between two combinations of states.
+    /// Scenes with an equilibrium exactly between two combinations of states.
     tied: usize,
-    /// With whole families of equilibria.
+    /// Scenes with families of equilibria.
     families: usize,
-    /// Scenes in which working precision does not decide some condition.
+    /// Scenes with a condition that double precision cannot decide.
     narrow: usize,
     without_equilibrium: usize,
     without_by_trying_all: usize,
@@ -150,12 +150,12 @@ struct Tally {
     sliding: usize,
     separated: usize,
     undecided: usize,
-    /// The largest distance from the list.
+    /// Largest distance of an answer from the exact list.
     worst: f64,
 }
 
 impl Tally {
-    /// Compares library and exact list on one scene.
+    /// Compares the library with the exact list for one scene.
     fn check(&mut self, scene: &Scene) -> Result<(), String> {
         let census = scene.census();
         let (grasp, load) = (scene.plain().grasp(), scene.plain().wrench());
@@ -190,7 +190,7 @@ impl Tally {
         list.iter().try_for_each(|e| self.is_listed(&census, scene, e)).map_err(complaint)
     }
 
-    /// In the exact list; where rounding decides whether it is, it must satisfy the conditions at least.
+    /// Checks that an equilibrium is in the exact list. If rounding decides this, it must at least satisfy the conditions.
     fn is_listed(&mut self, census: &Census, scene: &Scene, returned: &Equilibrium) -> Result<(), String> {
         let distance = census.distance(scene, returned);
         if distance <= AGREEMENT {
@@ -216,7 +216,7 @@ impl Tally {
         self.separated += usize::from(any(|s| *s == ContactState::Separated));
     }
 
-    /// The same sequence of scenes on every run.
+    /// The tally of a sequence of scenes with a fixed seed.
     fn of(scenes: &impl Strategy<Value = Scene>) -> Self {
         let mut runner = runner(config(1));
         let mut tally = Self::default();
@@ -230,14 +230,14 @@ impl Tally {
         tally
     }
 
-    /// Every kind of scene and every rung must have come up in at least this share of the scenes, in per cent.
+    /// Checks that every kind of scene and every method has at least the given share of scenes, in percent.
     fn assert_often_enough(&self, shares: &[(&str, usize, usize)]) {
         for &(what, count, share) in shares {
             assert!(100 * count >= share * samples(SCENES), "{count} {what} {self:?}");
         }
     }
 
-    /// Asserts the counts that all kinds of scenes must reach.
+    /// Checks the shares that all kinds of scenes have in common.
     fn assert_varied(&self) {
         self.assert_often_enough(&[
             ("clear", self.clear, 45),
@@ -249,7 +249,7 @@ impl Tally {
             ("sliding", self.sliding, 20),
             ("separated", self.separated, 20),
         ]);
-        // The lower rungs are for the few scenes in which the kinematic form ends on a ray.
+        // Later methods are needed only for the few scenes in which the kinematic form ends on a ray.
         assert_met(&[(self.force_form, 5)]);
     }
 }

@@ -12,24 +12,24 @@ use support::samples::assert_met;
 use support::scene::Scene;
 use support::truth::{Errors, Truth};
 
-/// Errors below this part of the largest force or displacement are none.
+/// Errors below this fraction of the largest force or displacement count as zero.
 const NONE: f64 = 1e-18;
 
-/// Counts of the outcomes, and the largest errors.
+/// Counts of outcomes, and the largest errors.
 #[derive(Debug, Default)]
 struct Tally {
     sticking: usize,
     sliding: usize,
-    /// Without an equilibrium that was found.
+    /// Scenes without a returned equilibrium.
     none: usize,
-    /// The states leave a motion free, or two contacts slide against each other: no single exact answer.
+    /// Scenes without a unique exact answer: the states have a free motion, or two contacts slide against each other.
     not_determined: usize,
-    /// Some state could be another, as the answer says.
+    /// Scenes in which the answer reports that a state is not certain.
     not_distinct: usize,
-    /// Force, component, motion.
+    /// Largest errors of forces, of force components, and of motions.
     worst_sticking: [f64; 3],
     worst_sliding: [f64; 3],
-    /// Largest ratios of error and estimate: force, displacement.
+    /// Largest ratios of error to estimate, for forces and displacements.
     underestimated: [f64; 2],
     overestimated: f64,
     worst_condition: f64,
@@ -68,7 +68,7 @@ impl Tally {
         Ok(())
     }
 
-    /// Checks that a state is the true one if the answer says that it is distinct.
+    /// Checks that a state is the exact one if the answer reports it as certain.
     fn states<const C: usize>(
         answer: &Equilibrium<C>,
         told: &[bool],
@@ -94,7 +94,7 @@ impl Tally {
         let force = ratio(errors.newtons, accuracy.force, NONE * truth.largest);
         let motion = ratio(errors.metres, accuracy.displacement, NONE * truth.travel);
         self.underestimated = [self.underestimated[0].max(force), self.underestimated[1].max(motion)];
-        // Below a unit in the last place an estimate may be anything.
+        // Estimates below a unit in the last place are not checked.
         let least = f64::EPSILON * truth.largest;
         if distinct {
             self.overestimated = self.overestimated.max(accuracy.force / errors.newtons.max(least));
@@ -114,7 +114,7 @@ fn tally<const D: usize, const C: usize>(
 ) -> Tally {
     let tally = RefCell::new(Tally::default());
     let scenes = (scene::<D, C>(count, spread, 0.3), -6.0..1.0_f64).prop_map(|(mut scene, decades)| {
-        // Loads that stiff contacts carry with ease, and some that they do not.
+        // Most loads are small for the stiff contacts, some are not.
         scene.load *= 10_f64.powf(decades);
         scene
     });
@@ -125,7 +125,7 @@ fn tally<const D: usize, const C: usize>(
 
 fn assert_accurate(tally: &Tally) {
     assert!(tally.worst_sticking[0] <= 1e-14 && tally.worst_sliding[0] <= 2e-14, "{tally:?}");
-    // Of each component by itself, too.
+    // Also the errors relative to each single component.
     assert!(tally.worst_sticking[1] <= 1e-13 && tally.worst_sliding[1] <= 1e-9, "{tally:?}");
     assert!(tally.worst_sticking[2] <= 1e-15 && tally.worst_sliding[2] <= 1e-12, "{tally:?}");
     assert!(tally.overestimated <= 3.0, "{tally:?}");

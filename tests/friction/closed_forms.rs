@@ -7,12 +7,12 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 const GRAVITY: f64 = 9.81;
 const MASS: f64 = 3.0;
 
-/// A stool on legs at these points below its centre of mass, which moves with `velocity` without contact: normals up.
+/// A stool whose legs end at `feet`, relative to its centre of mass, with upward normals. Without contact forces it would move with `velocity`.
 fn stool(feet: &[Vector3<f64>], velocity: Vector3<f64>, mu: f64) -> SpatialContacts {
     let inertia = Matrix3::from_diagonal(&Vector3::new(0.2, 0.3, 0.4));
     let n = feet.len();
     let axes = [Vector3::z(), Vector3::x(), Vector3::y()];
-    // Rows of Hᵀ: velocity of a foot from (v, ω).
+    // Rows of Hᵀ map (v, ω) to the velocity of a foot.
     let h = DMatrix::from_fn(3 * n, 6, |k, j| {
         let (foot, axis) = (feet[k / 3], axes[k % 3]);
         if j < 3 { axis[j] } else { foot.cross(&axis)[j - 3] }
@@ -33,8 +33,8 @@ fn square(height: f64) -> Vec<Vector3<f64>> {
         .collect()
 }
 
-/// Pushed along any direction in the plane of symmetry of its legs, the stool slides with what friction leaves of the push:
-/// Δv = (P − μ m g) / m, whatever the redundant legs share.
+/// Pushed in a direction of symmetry of its legs, the stool slides with Δv = (P − μ m g) / m, whatever the distribution of forces
+/// over the redundant legs.
 #[test]
 fn a_stool_slides_with_what_friction_leaves() {
     for turn in 0..8 {
@@ -44,7 +44,7 @@ fn a_stool_slides_with_what_friction_leaves() {
         let problem = stool(&square(0.3), direction * push - Vector3::z() * GRAVITY, mu);
         let outcome = problem.solve();
         let Outcome::Solved(solution) = &outcome else { panic!("{outcome}") };
-        // Three legs may carry it as well as four.
+        // Three legs can carry it, or four.
         assert!(solution.states.iter().all(|state| *state != ContactMode::Sticking));
         let pressed: f64 = (0..4).map(|i| solution.r[3 * i]).sum();
         assert!((pressed - MASS * GRAVITY).abs() < 1e-11);
@@ -57,7 +57,7 @@ fn a_stool_slides_with_what_friction_leaves() {
     }
 }
 
-/// With more friction it stands; higher than it is wide over friction, it tips about two of its legs.
+/// With more friction the stool stands. If it is high relative to its width, it tips about two of its legs.
 #[test]
 fn a_stool_stands_or_tips() {
     let push = Vector3::new(2.0, 0.0, -GRAVITY);
@@ -68,7 +68,7 @@ fn a_stool_stands_or_tips() {
     assert!(tips.u[3] > 0.1 && tips.u[6] > 0.1);
 }
 
-/// A point on a plane whose response couples directions: the slip is where force and velocity are opposite, found by hand.
+/// A single contact whose friction force is opposite to its velocity, in closed form.
 #[test]
 fn one_contact_slides_against_its_velocity() {
     // W = identity, q = (−1, a): r_N = 1, r_T = −μ a/‖a‖, u_T = a − μ a/‖a‖.

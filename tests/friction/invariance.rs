@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
-/// A definite problem, whose forces are unique in nearly all cases; and its forces.
+/// A problem with positive definite W, whose forces are almost always unique, and its forces.
 fn solved(random: &mut Random, n: usize) -> (SpatialContacts, DVector<f64>) {
     let h = DMatrix::from_fn(3 * n, 3 * n + 3, |_, _| random.normal());
     let q = DVector::from_fn(3 * n, |_, _| random.normal());

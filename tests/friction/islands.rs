@@ -5,7 +5,7 @@ use grasp_lcp::lcp::{BreakdownCause, Outcome};
 use nalgebra::{DMatrix, DVector};
 use support::samples::{samples, seeded};
 
-/// Two islands whose contacts alternate: each has the forces that it has alone.
+/// In a problem of two islands with alternating contacts, each island has the forces that it has alone.
 #[test]
 fn islands_have_the_forces_that_they_have_alone() {
     let mut random = seeded(91);
@@ -41,7 +41,7 @@ fn islands_have_the_forces_that_they_have_alone() {
     }
 }
 
-/// A contact that cannot be kept from approaching, beside one that can.
+/// One contact must approach under all admissible forces, the other need not.
 #[test]
 fn a_proof_of_one_island_is_one_of_all() {
     let w = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 0.0, 0.0]));
@@ -52,7 +52,7 @@ fn a_proof_of_one_island_is_one_of_all() {
     assert_eq!(certificate.y[0], 0.0);
 }
 
-/// A tolerance that rounding misses in the second island: the report names a contact of that island by its index in the whole problem.
+/// With a tolerance of zero the second island does not converge. The report names its contact by the index in the whole problem.
 #[test]
 fn a_contact_of_an_island_is_named_by_its_index_in_the_whole_problem() {
     let mut random = seeded(17);
@@ -62,7 +62,7 @@ fn a_contact_of_an_island_is_named_by_its_index_in_the_whole_problem() {
         let h = DMatrix::from_diagonal(&scale) * DMatrix::from_fn(4, 4, |_, _| random.normal());
         let mut w = DMatrix::identity(8, 8);
         w.view_mut((4, 4), (4, 4)).copy_from(&(&h * h.transpose()));
-        // The first two contacts, each an island, separate.
+        // The first two contacts are an island each, and separate.
         let mut q = DVector::from_fn(8, |_, _| random.normal());
         (q[0], q[2]) = (1.0, 1.0);
         let problem = PlanarContacts::new(w, q, vec![0.9; 4]).expect("finite");

@@ -9,8 +9,8 @@ use support::exact_lcp::is_feasible;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// The forces of a contact in a state, as combinations of generators (of components), and what its velocity must be: which components
-/// vanish, which are not negative, with a sign.
+/// The forces of a contact in a state, as nonnegative combinations of generators, and the conditions on its velocity: components that
+/// vanish, and components with a sign that are not negative.
 struct State {
     generators: Vec<[BigRational; 2]>,
     vanishing: Vec<usize>,
@@ -27,7 +27,7 @@ fn states(mu: &BigRational) -> Vec<State> {
     ]
 }
 
-/// Whether some combination of states has forces and velocities.
+/// Whether some combination of states has a solution.
 fn is_solvable(w: &DMatrix<f64>, q: &DVector<f64>, mu: &[f64]) -> bool {
     let exact = |x: f64| BigRational::from_f64(x).expect("finite");
     let of_contact: Vec<Vec<State>> = mu.iter().map(|mu| states(&exact(*mu))).collect();
@@ -58,14 +58,14 @@ fn is_solvable(w: &DMatrix<f64>, q: &DVector<f64>, mu: &[f64]) -> bool {
     })
 }
 
-/// How the matrices of a family are made.
+/// Families of matrices W.
 #[derive(Debug, Clone, Copy)]
 enum Family {
-    /// Any whole numbers.
+    /// Random integers.
     Any,
-    /// H Hᵀ with H of as many columns as a body has coordinates: redundant from two contacts on.
+    /// H Hᵀ, where H has as many columns as a body has coordinates; redundant from two contacts on.
     Body,
-    /// That with a skew part.
+    /// `Body` plus a skew part.
     Skew,
 }
 
@@ -124,7 +124,7 @@ fn the_answer_is_a_solution_exactly_if_there_is_one() {
     assert_met(&[(excluded, 10)]);
 }
 
-/// The complementarity problem with the two directions of the plane is the problem itself.
+/// In the plane the complementarity problem with two directions is equivalent to the frictional problem.
 #[test]
 fn two_facets_are_the_cone() {
     let mut random = seeded(22);

@@ -8,7 +8,7 @@ use num_traits::{FromPrimitive, Signed, Zero};
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// A body between two walls that close in on it: u_N of one is that of the other with the opposite sign, less the closing.
+/// A body between two approaching walls: the two normal velocities have opposite signs, minus the closing velocity.
 #[test]
 fn closing_walls_cannot_be_kept_apart() {
     let half = |closing: f64| {
@@ -26,14 +26,14 @@ fn closing_walls_cannot_be_kept_apart() {
     assert!(half(-0.1).solve().solution().is_some());
 }
 
-/// A wedge between two walls that close in is pushed out as long as μ < tan α. With more friction it jams: it can neither stick nor
-/// slide, and each combination of states is excluded.
+/// A wedge between two approaching walls is pushed out if μ < tan α. With more friction it jams: every combination of sticking and
+/// sliding is excluded.
 ///
 /// In units in which all numbers are whole, sin α = 7/25: with u_N = 7 v_y − 25 = 0 at both walls and v_y = 2 (7 − 24 μ) r_N.
 #[test]
 fn a_wedge_is_pushed_out_below_the_angle_of_friction() {
     let wedge = |mu: f64| {
-        // Normals (±24, 7), tangents (−7, 24) and (7, 24), as seen of (v_x, v_y).
+        // Rows over (v_x, v_y): normals (±24, 7), tangents (−7, 24) and (7, 24).
         let h = DMatrix::from_row_slice(4, 2, &[24.0, 7.0, -7.0, 24.0, -24.0, 7.0, 7.0, 24.0]);
         let q = DVector::from_vec(vec![-25.0, 0.0, -25.0, 0.0]);
         PlanarContacts::new(&h * h.transpose(), q, vec![mu; 2]).expect("finite").solve()
@@ -48,7 +48,7 @@ fn a_wedge_is_pushed_out_below_the_angle_of_friction() {
     assert!(matches!(jams, Outcome::NoBasis { .. }), "{jams}");
 }
 
-/// Immovable contacts: W = 0.
+/// A contact with W = 0, whose velocity no force changes.
 #[test]
 fn an_immovable_contact_that_approaches_has_a_proof() {
     let problem = |q: f64| {
@@ -58,7 +58,7 @@ fn an_immovable_contact_that_approaches_has_a_proof() {
     assert!(problem(0.0).solve().solution().is_some());
 }
 
-/// No weights prove anything of a problem that is solved.
+/// For a solved problem no weights are accepted as a proof of infeasibility.
 #[test]
 fn no_proof_of_what_is_solved() {
     let mut random = seeded(81);
@@ -85,7 +85,7 @@ fn exact(x: f64) -> BigRational {
     BigRational::from_f64(x).expect("finite")
 }
 
-/// The same in rationals: a_N ≤ 0, μ² a_T·a_T ≤ a_N², q_Nᵀy < 0, by a relative margin.
+/// The check in rational arithmetic: a_N ≤ 0, μ² a_T·a_T ≤ a_N², q_Nᵀy < 0, with a relative margin.
 fn proves<const C: usize>(problem: &FrictionProblem<C>, y: &DVector<f64>, margin: f64) -> bool {
     let n = y.len();
     let sum = |column: &dyn Fn(usize) -> f64| {

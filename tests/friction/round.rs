@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// H Hᵀ with so many columns, q = H v: a body, or several, that moves with v.
+/// A problem with W = H Hᵀ, where H has `rank` columns, and q = H v: bodies that would move with v.
 fn problem(random: &mut Random, n: usize, rank: usize, skew: f64) -> SpatialContacts {
     let size = 3 * n;
     let h = DMatrix::from_fn(size, rank, |_, _| random.normal());
@@ -16,7 +16,7 @@ fn problem(random: &mut Random, n: usize, rank: usize, skew: f64) -> SpatialCont
     SpatialContacts::new(&h * h.transpose() / rank as f64 + &a - a.transpose(), &h * v, mu).expect("finite")
 }
 
-/// Coulomb's law, written once more: each contact by its state.
+/// Checks Coulomb's law independently of the library, for each contact by its state.
 fn check_law(problem: &SpatialContacts, r: &DVector<f64>, states: &[ContactMode]) {
     let u = problem.matrix() * r + problem.vector();
     let terms = problem.matrix().abs() * r.abs() + problem.vector().abs();
@@ -79,7 +79,7 @@ fn nonsymmetric_problems_are_solved() {
     }
 }
 
-/// Six columns: one body, whose forces are not determined from three contacts on.
+/// H has six columns, for one body. Its forces are not unique from three contacts on.
 #[test]
 fn redundant_contacts_are_solved() {
     for n in [2, 3, 5, 8, 12] {
@@ -88,7 +88,7 @@ fn redundant_contacts_are_solved() {
     }
 }
 
-/// The violation of the law by polygons decreases with the square of the number of facets. The round cone has none.
+/// The error of polygons in the law falls with the square of the number of facets; the round cone has none.
 #[test]
 fn polygons_miss_the_law() {
     let mut random = seeded(61);

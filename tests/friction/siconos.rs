@@ -3,7 +3,7 @@
 use grasp_lcp::friction::{Error, ReadProblem};
 use nalgebra::{DMatrix, DVector};
 
-/// Two contacts in the plane whose W is not symmetric, so that a transposed matrix would be noticed.
+/// Two planar contacts with a nonsymmetric W, so that an exchange of rows and columns is detected.
 fn expected() -> (DMatrix<f64>, DVector<f64>) {
     let w = DMatrix::from_row_slice(
         4,
@@ -49,14 +49,14 @@ fn a_sparse_matrix_is_that_of_csparse() {
 
 #[test]
 fn errors_name_the_word() {
-    // The position, the word, and a part of what must be there.
+    // The position of the word, the word, and a part of the message.
     for (text, place, found, needed) in [
         ("4 1 0 4 4", 1, Some("4"), "components, 2 or 3"),
         ("3 1 0 3 3 3 3 1 0", 10, None, "an entry"),
         ("3 1 7 3 3", 3, Some("7"), "2 (sparse)"),
         ("3 2 0 3 3", 4, Some("3"), "rows or columns"),
         ("3 1 0 3 3 3 3 1 0 0 0 1 0 0 0 one", 16, Some("one"), "an entry"),
-        // No file of a gigabyte of zeros is made for a number.
+        // A large number in the file does not cause a large allocation.
         ("3 40000 0 120000 120000", 5, Some("120000 120000"), "fits into memory"),
     ] {
         let error = ReadProblem::from_siconos(text).unwrap_err();

@@ -10,9 +10,9 @@ use support::programs::parts;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// A pinch by two fingers that each give way by one compliance matrix, C = [[c_nn, ±c_nt], [±c_nt, c_tt]], mirrored left and right.
+/// A pinch by two fingers with mirrored compliance matrices C = [[c_nn, ±c_nt], [±c_nt, c_tt]].
 fn pinch(c_nn: f64, c_nt: f64, c_tt: f64, mu: f64, force: f64) -> Result<Grasp, grasp_lcp::Error> {
-    // Tangents: t = (n_y, -n_x) points down on the left and up on the right; `tangent` lets both point down.
+    // The default tangent t = (n_y, -n_x) points down on the left and up on the right. Here both point down.
     let finger = |x: f64| {
         let contact = Contact::new([x, 0.0], [-x, 0.0])
             .tangent([0.0, -1.0])
@@ -23,7 +23,7 @@ fn pinch(c_nn: f64, c_nt: f64, c_tt: f64, mu: f64, force: f64) -> Result<Grasp, 
     Hand::new([finger(-1.0), finger(1.0)]).grasp()
 }
 
-/// With F the load on both sides, each tangential force is W/2 and the normal one N ± (c_nt/c_nn) W/2, since the normal displacement of a mirror grasp stays: onset at
+/// Each tangential force is W/2. By symmetry the normal displacement does not change, so the normal force is N ± (c_nt/c_nn) W/2. The onset is at
 /// W = 2 μ N / (1 ∓ μ c_nt/c_nn).
 #[test]
 fn a_symmetric_pinch_slides_at_different_loads_up_and_down() -> Tested {
@@ -41,7 +41,7 @@ fn a_symmetric_pinch_slides_at_different_loads_up_and_down() -> Tested {
     Ok(())
 }
 
-/// A side that tightens itself never slides from μ |c_nt| >= c_nn on.
+/// If the load increases the squeeze, the pinch never slides for μ |c_nt| >= c_nn.
 #[test]
 fn a_side_that_tightens_itself_never_slides() -> Tested {
     let (c_nn, c_nt, force) = (1e-3, 0.8e-3, 10.0);
@@ -51,14 +51,14 @@ fn a_side_that_tightens_itself_never_slides() -> Tested {
         let factor = onset(1.0)?.factor().ok_or("slides")?;
         let expected = 2.0 * mu * force / (1.0 + mu * c_nt / c_nn);
         assert!((factor / expected - 1.0).abs() < 1e-12, "{factor} {expected}");
-        // Just below the threshold the other side holds ten thousand million newtons.
+        // Just below this threshold the onset is at 1e10 N.
         let factor = onset(-1.0)?.factor().ok_or("has an answer")?;
         assert_eq!(factor.is_infinite(), tightens, "{factor}");
     }
     Ok(())
 }
 
-/// Three-joint fingers squeeze with 4.5 N at μ = 0.4: springs along the contact's axes would say 2 μ N = 3.6 N both ways.
+/// Three-joint fingers squeeze with 4.5 N at μ = 0.4: with springs along the contact axes the onset would be 2 μ N = 3.6 N in both directions.
 #[test]
 fn joints_say_what_springs_along_the_axes_cannot() -> Tested {
     let mu = 0.4;
@@ -98,7 +98,7 @@ fn pad(x: f64, y: f64) -> Contact {
     Contact::new([x, y], [-x, 0.0]).series_stiffness(1e4, 8e3).friction(0.5)
 }
 
-/// A stalled motor squeezes with its limit for any larger command; the answer states the deflection from the command.
+/// A stalled motor squeezes with its force limit, however far it is commanded. The answer reports the missing displacement.
 #[test]
 fn a_motor_that_stalls_squeezes_with_its_limit() -> Tested {
     for limit in [Limit::Saturates(6.0), Limit::Slips(6.0)] {
@@ -113,7 +113,7 @@ fn a_motor_that_stalls_squeezes_with_its_limit() -> Tested {
         assert!((joint.torque - 6.0).abs() < 1e-12 && (joint.drive - 6.0).abs() < 1e-12);
         assert!((joint.displacement - 2.0 * 6.0 / 1e4).abs() < 1e-15); // two pads of 1e4 N/m
         assert!((joint.yielded - (0.02 - joint.displacement - 6.0 / 1e3)).abs() < 1e-15);
-        // The other way it holds: 5 mm need less than 6 N.
+        // A command of 5 mm needs less than 6 N, so the motor holds.
         let outcome = grasp.with_joint_commands(&[0.005])?.solve(Wrench::ZERO)?;
         let joint = &outcome.equilibrium().ok_or("holds")?.joints[0];
         assert_eq!((joint.state, joint.yielded), (DriveState::Holds, 0.0));
@@ -122,8 +122,8 @@ fn a_motor_that_stalls_squeezes_with_its_limit() -> Tested {
     Ok(())
 }
 
-/// The joint's limit is the first event of a closing squeeze, at its exact command. On opening the two laws differ: a saturated drive returns along
-/// its spring, a slipped clutch keeps its slip.
+/// On a closing squeeze the joint reaches its limit at the exact command. On opening the two laws differ: a saturating drive returns along its spring, and a
+/// slipping clutch keeps its slip.
 #[test]
 fn a_clutch_remembers_and_a_stalled_motor_does_not() -> Tested {
     for (limit, remembers) in [(Limit::Saturates(6.0), false), (Limit::Slips(6.0), true)] {
@@ -143,7 +143,7 @@ fn a_clutch_remembers_and_a_stalled_motor_does_not() -> Tested {
             .iter()
             .find(|e| parts(&e.drives).contains(&(HandPart::Joint(0), DriveChange::Holds)))
             .ok_or("holds")?;
-        // When the command reverses, the clutch sticks at once; the motor first has to return to the command at which it stalled.
+        // On opening the clutch sticks at once; the motor must first return to the command at which it stalled.
         let back = 0.012 - holds.fraction * 0.014;
         assert_eq!(holds.leg, 1);
         assert!((back - if remembers { 0.012 } else { 6.0 * compliance }).abs() < 1e-14, "{limit:?} {back}");
@@ -153,14 +153,14 @@ fn a_clutch_remembers_and_a_stalled_motor_does_not() -> Tested {
             .map(|e| (e.leg, 0.012 - e.fraction * 0.014))
             .next_back();
         let (leg, at) = opens.ok_or("opens")?;
-        // All force is gone when the spring has given back 6 N.
+        // The force is zero when the spring has released 6 N.
         let open = if remembers { 0.012 - 6.0 * compliance } else { 0.0 };
         assert!(leg == 1 && (at - open).abs() < 1e-14, "{limit:?} {at} {open}");
     }
     Ok(())
 }
 
-/// A joint that yields lets the object go at the load that its limit carries: an exact onset, and a limit load.
+/// A yielding joint has an exact onset, and loses the object at the limit load of its drive.
 #[test]
 fn a_joint_yields_under_the_load_at_its_limit() -> Tested {
     for limit in [Limit::Saturates(6.0), Limit::Slips(6.0)] {
@@ -170,14 +170,14 @@ fn a_joint_yields_under_the_load_at_its_limit() -> Tested {
         };
         let hand = Hand::new([jaw(-1.0), jaw(1.0)]);
         let grasp: Grasp = hand.grasp()?;
-        // 4 mm against 1.1 mm/N a side: F = 4 / 1.1 N. Pulled by W to the right the right jaw carries F + W/2.
+        // 4 mm with 1.1 mm/N on each side give F = 4 / 1.1 N. Under a pull W to the right the right jaw carries F + W/2.
         let force = 0.004 / (1e-3 + 1e-4);
         let onset = grasp.onset(Wrench::force([1.0, 0.0]))?;
         let event = onset.event().ok_or("yields")?;
         assert!((event.factor - 2.0 * (6.0 - force)).abs() < 1e-12, "{}", event.factor);
         assert_eq!(parts(&event.drives), [(HandPart::Joint(1), DriveChange::Yields)]);
         assert!(event.leaving.is_empty());
-        // From there on the left jaw follows alone, until it lets go: the limit is that of the right jaw, 6 N.
+        // Beyond this only the left jaw unloads, until it opens. The limit load is the limit of the right jaw, 6 N.
         let lost = grasp.hold(Wrench::force([1.0, 0.0]))?.lost.ok_or("has a limit")?;
         assert!((lost.factor - 6.0).abs() < 1e-12, "{lost:?}");
         let outcome = grasp.solve(Wrench::force([6.1, 0.0]))?;
@@ -186,13 +186,13 @@ fn a_joint_yields_under_the_load_at_its_limit() -> Tested {
     Ok(())
 }
 
-/// A whiffletree: one actuator over two jaws of one side, which share its force whatever the shape of the object.
+/// A whiffletree: one actuator drives two jaws on one side, which share its force equally for every shape of the object.
 #[test]
 fn a_whiffletree_shares_its_force() -> Tested {
     let jaw =
         |y: f64, gap: f64| Finger::new([Joint::prismatic([1.0, 0.0])]).contact(pad(-1.0, y).clearance(gap));
     let fixed = |y: f64| Finger::fixed(pad(1.0, y));
-    // The upper jaw has 3 mm farther to go.
+    // The upper jaw must move 3 mm farther.
     let hand = Hand::new([jaw(0.5, 0.003), jaw(-0.5, 0.0), fixed(0.5), fixed(-0.5)]);
     let grasp: Grasp = hand.tendon(Tendon::new([0.5, 0.5]).stiffness(2e3).pull(0.01)).grasp()?;
     let outcome = grasp.solve(Wrench::ZERO)?;
@@ -208,7 +208,7 @@ fn a_whiffletree_shares_its_force() -> Tested {
     Ok(())
 }
 
-/// A gripper with a differential holds between its jaws and not along them: sideways there is nothing that resists.
+/// A gripper with a differential has no resistance along the motion of its jaws.
 #[test]
 fn a_differential_gripper_resists_across_and_not_along_its_jaws() -> Tested {
     let jaw = |x: f64| Finger::new([Joint::prismatic([-x, 0.0])]).contact(pad(x, 0.0));
@@ -220,7 +220,7 @@ fn a_differential_gripper_resists_across_and_not_along_its_jaws() -> Tested {
     let grasp_lcp::planar::Outcome::NoEquilibrium(none) = &outcome else { panic!("{outcome:?}") };
     let grasp_lcp::planar::Proof::FreeMotion { motion, work } = &none.proof else { panic!("{none:?}") };
     assert!(*work > 0.0 && motion.object.translation()[0] > 0.0);
-    // The jaws go along with it.
+    // The jaws move with the object.
     let joints = &motion.joints;
     assert!(
         (joints[0] - motion.object.translation()[0]).abs() < 1e-12
@@ -229,7 +229,7 @@ fn a_differential_gripper_resists_across_and_not_along_its_jaws() -> Tested {
     Ok(())
 }
 
-/// A plate with two pads on one spring: the pads share a moment, the spring only feels the sum.
+/// A plate with two pads on one spring: the pads carry moments, the spring only the sum of forces.
 #[test]
 fn a_plate_jaw_on_one_spring() -> Tested {
     let plate = Finger::new([Joint::prismatic([1.0, 0.0]).stiffness(1e3).command(0.012)])
@@ -243,7 +243,7 @@ fn a_plate_jaw_on_one_spring() -> Tested {
     let total = 0.012 / (1.0 / 1e3 + 1.0 / 2e4 + 1.0 / 2e4);
     assert!((held.joints[0].torque - total).abs() < 1e-11);
     assert!((held.contacts[0].normal_force() + held.contacts[1].normal_force() - total).abs() < 1e-11);
-    // A turn θ stretches normal springs by θ/2 on all four pads and tangential ones by θ: M = (4 · 1e4 / 4 + 4 · 8e3) θ.
+    // A rotation θ stretches the normal springs of all four pads by θ/2 and the tangential ones by θ: M = (4 · 1e4 / 4 + 4 · 8e3) θ.
     let turn = 1.0 / (1e4 + 3.2e4);
     assert!((held.twist.rotation() - turn).abs() < 1e-16);
     let difference = held.contacts[1].normal_force() - held.contacts[0].normal_force();
@@ -251,19 +251,19 @@ fn a_plate_jaw_on_one_spring() -> Tested {
     Ok(())
 }
 
-/// One tendon through both fingers pulls with one tension on unequal arms, and slackens when it is let out.
+/// One tendon through both fingers has the same tension at both, and becomes slack when released.
 #[test]
 fn a_tendon_over_two_fingers() -> Tested {
-    // Each finger turns about a pivot 1 m below its contact: a turn presses the contact inwards by the arm.
+    // Each finger turns about a pivot 1 m below its contact; a rotation moves the contact inwards.
     let finger =
         |x: f64, arm: f64| Finger::new([Joint::revolute([x, -arm])]).contact(jaw::<2>(x, [1e4, 1e4], 0.6));
-    // Motion of the contact for a unit turn: (-arm, 0): inwards on the right, so on the left the arm of the tendon is negative.
+    // A unit rotation moves the contact by (-arm, 0), inwards on the right. So the tendon arm on the left is negative.
     let hand = Hand::new([finger(-1.0, 1.0), finger(1.0, 1.0)])
         .tendon(Tendon::new([-0.02, 0.02]).stiffness(5e4).pull(0.002));
     let grasp: Grasp = hand.grasp()?;
     let outcome = grasp.solve(Wrench::ZERO)?;
     let held = outcome.equilibrium().ok_or("holds")?;
-    // T r = F · 1 m on both; x = T/k + r (φ₁ + φ₂), and the sum of turns is the give of two pads: 2 F / 1e4.
+    // T r = F · 1 m on both; x = T/k + r (φ₁ + φ₂), and the sum of rotations is the compression of two pads: 2 F / 1e4.
     let tension = 0.002 / (1.0 / 5e4 + 0.02 * 0.02 * 2.0 / 1e4);
     assert!((held.tendons[0].tension / tension - 1.0).abs() < 1e-12);
     assert!((held.contacts[0].normal_force() / (0.02 * tension) - 1.0).abs() < 1e-12);
@@ -276,7 +276,7 @@ fn a_tendon_over_two_fingers() -> Tested {
     Ok(())
 }
 
-/// A finger that is pressed on by a force carries that force whatever the load along it does, and the whole load comes to the other side.
+/// A finger with a constant force keeps this force under any load along it, and the other side carries the whole load.
 #[test]
 fn a_force_that_is_held_stays() -> Tested {
     let grasp: Grasp = Grasp::new([pad(-1.0, 0.0).force(8.0), pad(1.0, 0.0)])?;
@@ -292,8 +292,8 @@ fn a_force_that_is_held_stays() -> Tested {
     Ok(())
 }
 
-/// A vice is tightened to 20 N and a weight is hung on, and then it is opened: the jaws slide where 2 μ F is the weight. States on the way have the
-/// torques of their places.
+/// A vice is tightened to 20 N, loaded with a weight, and opened. The jaws slide when 2 μ F equals the weight. States on the path have the right joint
+/// torques.
 #[test]
 fn a_vice_is_tightened_and_opened() -> Tested {
     let jaw =

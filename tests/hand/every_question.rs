@@ -34,7 +34,7 @@ fn nothing_panics_and_what_agrees_agrees() {
         assert!(held.residuals.worst() < 1e-14, "{:?}", held.residuals);
         let ramp = Ramp::load(Wrench::ZERO, load);
 
-        // Where everything sticks the paper's minimum of energy is the equilibrium, joints included.
+        // While everything sticks, the paper's minimum of energy is the equilibrium, including joints.
         let MinimumOutcome::Minimum(minimum) = grasp.energy().minimum(load).expect("a load") else {
             panic!()
         };
@@ -75,7 +75,7 @@ fn nothing_panics_and_what_agrees_agrees() {
         assert!(grasp.state_at_onset(event).expect("its own").residuals.worst() < 1e-13);
         grasp.beyond(event).expect("its own");
         assert!(!grasp.sensitivity().onset_gradients(event).is_empty());
-        // A load that turns along a line goes as far as the ramp.
+        // A turning load that stays on a line has the onset of the ramp.
         let straight = grasp.onset(load).expect("loads").factor().expect("sticks");
         let most = 1.5 * straight;
         let turn = Turn::new(load * most, load * -most, Wrench::ZERO);

@@ -10,7 +10,7 @@ use support::jaws::jaw;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// Soft tips held by a force carry the same as soft tips commanded to the final position of the slide.
+/// Soft tips commanded to the displacement of the slide have the contact forces of tips with a constant force.
 #[test]
 fn a_position_at_the_place_of_the_slide_carries_the_same() -> Tested {
     let jaw = |x: f64| {
@@ -44,7 +44,7 @@ fn a_position_at_the_place_of_the_slide_carries_the_same() -> Tested {
     Ok(())
 }
 
-/// A pad of the plane that is pressed with 10 N against a fixed jaw: both rub with 0.5 · 10 N, whatever pushes along the force.
+/// A planar pad is pressed with a constant 10 N against a fixed jaw. The limit load is 0.5 times the sum of both normal forces.
 #[test]
 fn a_soft_pad_slides_at_what_its_force_rubs_with() -> Tested {
     let jaw = |x: f64| jaw::<2>(x, [2e3, 1e3], 0.5);
@@ -63,7 +63,7 @@ fn a_soft_pad_slides_at_what_its_force_rubs_with() -> Tested {
     Ok(())
 }
 
-/// Slides are counted behind the joints of fingers, so that a force renumbers nothing.
+/// Slides of constant forces come after the joints of fingers, so that a force does not change the index of a joint.
 #[test]
 fn slides_come_behind_all_joints() -> Tested {
     use planar::hand::{Finger, Hand, Joint, Tendon};
@@ -74,7 +74,7 @@ fn slides_come_behind_all_joints() -> Tested {
         Finger::new([Joint::prismatic([-1.0, 0.0]).name("jaw")]).contact(pad(1.0, 0.0)),
     ]);
     assert_eq!((hand.joints(), hand.coordinates()), (2, 5));
-    // A cable along the first joint alone, whatever slides there are.
+    // A cable over the first joint alone needs no arm for slides.
     let grasp = hand.tendon(Tendon::new([1.0]).tension(5.0)).grasp()?;
     let outcome = grasp.solve(planar::Wrench::ZERO)?;
     let held = outcome.equilibrium().ok_or("holds")?;
@@ -85,7 +85,7 @@ fn slides_come_behind_all_joints() -> Tested {
     Ok(())
 }
 
-/// Errors name data that exclude each other.
+/// A constant force together with a position command is refused with an error that names both.
 #[test]
 fn a_force_beside_a_position_is_refused() {
     use planar::hand::{Finger, Hand, Joint};

@@ -11,7 +11,7 @@ use support::splitmix::Random;
 
 const BITS: u64 = 400;
 
-/// Joints of a finger.
+/// Number of joints of a finger.
 const JOINTS: usize = 4;
 
 struct Tip {
@@ -70,10 +70,10 @@ fn d(x: f64) -> Dyadic {
     Dyadic::new(x)
 }
 
-/// Contact forces, exact up to the last division, where everything sticks.
+/// Contact forces while everything sticks, exact except for the last division.
 struct Sticking {
     matrix: Vec<Vec<Dyadic>>,
-    /// Rows over (q, φ) of each axis of each contact, and stiffnesses.
+    /// Rows over (q, φ) for each axis of each contact.
     rows: Vec<[Vec<Dyadic>; 3]>,
     k: Vec<[f64; 3]>,
 }
@@ -119,7 +119,7 @@ impl Sticking {
         Self { matrix, rows, k: stiffnesses }
     }
 
-    /// Forces under a load, with commands if they count.
+    /// Contact forces under a load; commands are included if `commanded`.
     fn forces(&self, tips: &[Tip], load: &Wrench, commanded: bool) -> Vec<[Dyadic; 3]> {
         let n = self.matrix.len();
         let mut side: Vec<Dyadic> =
@@ -148,7 +148,7 @@ impl Sticking {
     }
 }
 
-/// `(μ F_n)² - |F_t|²` at a factor, and its derivative over the factor.
+/// `(μ F_n)² - |F_t|²` at a factor, and its derivative with respect to the factor.
 fn margin(mu: f64, base: &[Dyadic; 3], rate: &[Dyadic; 3], factor: f64) -> (Dyadic, Dyadic) {
     let at = [0, 1, 2].map(|a| &base[a] + &(&rate[a] * &d(factor)));
     let weight = [&d(mu) * &d(mu), d(-1.0), d(-1.0)];

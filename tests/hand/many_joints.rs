@@ -5,12 +5,12 @@ use support::jaws::jaw;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// So many slides in a row together give way like one. Springs of a finger's joints along the normal, the contact's own, and how far it is commanded.
+/// Joints in series with this total stiffness along the normal, N/m, then the contact's own stiffness, N/m, and the command, m.
 const JOINTS: f64 = 2e3;
 const CONTACT: f64 = 1e4;
 const COMMAND: f64 = 0.01;
 
-/// The pressing force, with the springs of joints and contact in series.
+/// The normal force of the springs of joints and contact in series, N.
 fn force() -> f64 {
     COMMAND / (1.0 / JOINTS + 1.0 / CONTACT)
 }

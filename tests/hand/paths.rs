@@ -25,8 +25,8 @@ fn plane(numbers: &mut Random, limit: fn(f64) -> Limit) -> planar::Grasp {
     planar::hand::Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed")
 }
 
-/// Saturating drives remember nothing, so where no contact has slid a path passes through equilibria at rest: after every event the state on the path is the one
-/// that is solved for, and between events nothing changes its state.
+/// Saturating drives have no memory. So a path without contact slip passes through equilibria at rest: after every event its state is that of `solve`, and
+/// between events no state changes.
 #[test]
 fn saturating_joints_pass_through_equilibria_at_rest() {
     let mut numbers = seeded(19);
@@ -61,8 +61,8 @@ fn saturating_joints_pass_through_equilibria_at_rest() {
     assert_met(&[(yields, 20), (compared, 20)]);
 }
 
-/// The path of a slipping joint against many short steps, each solved at rest from the commands less the slip so far: a clutch is a spring whose
-/// command moves with the slip.
+/// The path of a slipping joint agrees with many short steps. Each is an equilibrium at rest with the commands minus the previous slip, because a clutch is a
+/// spring whose command moves with the slip.
 #[test]
 fn slipping_joints_follow_small_steps() {
     let mut numbers = seeded(23);
@@ -99,7 +99,7 @@ fn slipping_joints_follow_small_steps() {
     assert_met(&[(slipped, 2)]);
 }
 
-/// In space, contacts sliding on round cones beside joints that saturate: states on the path are equilibria to their residuals.
+/// In space, with sliding contacts on round cones and saturating joints, all states on the path satisfy the conditions of equilibrium.
 #[test]
 fn in_space_every_state_on_the_way_is_an_equilibrium() {
     let mut numbers = seeded(29);

@@ -10,7 +10,7 @@ fn pad(x: f64) -> Contact {
     Contact::new([x, 0.0], [-x, 0.25]).series_stiffness(3e3, 2e3).friction(0.5).pressed_with(8.0)
 }
 
-/// The object is held still by a bond far stiffer than the fingers.
+/// A bonded contact far stiffer than the fingers, which keeps the object in place.
 fn still() -> Contact {
     Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e15, 1e15).bonded()
 }

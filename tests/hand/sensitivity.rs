@@ -6,7 +6,7 @@ use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{DriveState, Finger, Hand, HandPart, Joint, Tendon};
 use grasp_lcp::planar::{Grasp, Ramp, Wrench};
 
-/// Data of the joints, one list: commands, stiffnesses and limits of two joints and a tendon.
+/// Data of two joints and a tendon: command, stiffness and limit of each.
 type Data = [[f64; 3]; 3];
 
 const DATA: Data = [[0.10, 0.16, 0.09], [90.0, 70.0, 9e2], [3.0, 40.0, 80.0]];
@@ -17,7 +17,7 @@ fn grasp(data: &Data, limit: fn(f64) -> Limit) -> Grasp {
         Joint::revolute(point).stiffness(stiffness[k]).command(commands[k]).limit(limit(limits[k]))
     };
     let pad = |x: f64| Contact::new([x, 0.1 * x], [-x, 0.1]).series_stiffness(4e3, 3e3).friction(0.6);
-    // A turn from x to y presses the right finger inwards.
+    // A positive rotation presses the right finger inwards.
     let right = Finger::new([joint(0, [1.3, -1.0]), joint(1, [1.1, -0.4])]).contact(pad(1.0));
     let left = Finger::fixed(pad(-1.0).command([0.01, 0.0]));
     let tendon =
@@ -74,7 +74,7 @@ fn derivatives_are_those_of_small_changes() {
 #[test]
 fn onset_gradients_are_those_of_small_changes_too() {
     let mut data = DATA;
-    // Without a yielding joint at rest; the first that leaves along the ramp is the joint.
+    // Without a yielding joint at rest, the joint is the first event of the ramp.
     data[2][0] = 14.3;
     let ramp = Ramp::load(Wrench::ZERO, Wrench::force([1.0, 0.0]));
     let onset = |data: &Data| grasp(data, Limit::Slips).onset(&ramp).expect("a ramp");
@@ -99,7 +99,7 @@ fn onset_gradients_are_those_of_small_changes_too() {
     }
 }
 
-/// Fingers of this hand with the frame of one contact turned: its joints move the contact point as before.
+/// The hand with the frame of one contact rotated. Its joints move the contact point as before.
 fn tilted(phi: f64) -> Grasp {
     let (sin, cos) = phi.sin_cos();
     let jaw = |x: f64, normal: [f64; 2]| {
@@ -135,7 +135,7 @@ fn normals_of_a_hand_tilt_with_their_frames() {
     assert!(base.sensitivity().of(held, Parameter::Point { contact: 0, axis: 0 }).is_none());
 }
 
-/// First order and samples agree on the springs of joints, and positions are refused by name.
+/// First order and samples agree for uncertain joint springs. Uncertain positions are refused.
 #[test]
 fn onsets_of_a_hand_spread_with_its_springs() {
     use grasp_lcp::Error;

@@ -6,7 +6,7 @@ use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
 use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::{Limit, planar};
 
-/// Two fingers of two joints with gears and a tendon, held off their limits.
+/// Two fingers of two joints with gears and a tendon, below all limits.
 fn hand() -> Result<Grasp, grasp_lcp::Error> {
     let finger = |x: f64| {
         let joint = |p| Joint::revolute(p).stiffness(30.0).limit(Limit::Saturates(50.0));
@@ -19,7 +19,7 @@ fn hand() -> Result<Grasp, grasp_lcp::Error> {
     Hand::new([finger(-1.0), coupled]).tendon(tendon).grasp()
 }
 
-/// Where the object is, and the joints.
+/// The twist of the object and the displacements of the joints.
 fn coordinates(state: &planar::Equilibrium) -> SVector<f64, 7> {
     let joints = state.joints.iter().map(|joint| joint.displacement);
     SVector::from_iterator(state.twist.components().iter().copied().chain(joints))
@@ -41,7 +41,7 @@ fn the_elastic_stiffness_is_the_one_that_loads_feel() -> Result<(), Box<dyn std:
     let rest = at(&SVector::zeros())?;
     let elastic = grasp.energy().stability(&rest).elastic;
     for k in 0..7 {
-        // Torques on joints as well as force and moment on the object.
+        // The change has joint torques as well as a force and a moment on the object.
         let change = SVector::from_fn(|i, _| if i == k { 0.1 } else { 0.0 });
         let moved = coordinates(&*at(&change)?) - coordinates(&rest);
         let felt = &elastic * moved;

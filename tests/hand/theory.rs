@@ -9,13 +9,13 @@ use grasp_lcp::planar::{Grasp, Wrench};
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// A compliance matrix, positive definite.
+/// A random positive definite compliance matrix.
 fn compliance(size: usize, numbers: &mut Random) -> DMatrix<f64> {
     let root = DMatrix::from_fn(size, size, |_, _| numbers.signed());
     &root * root.transpose() + DMatrix::identity(size, size) * 0.2
 }
 
-/// One contact on a body that stands still.
+/// One contact on a fixed body.
 fn one(c: [f64; 3], mu: f64, command: [f64; 2]) -> Grasp {
     let contact = Contact::new([0.0, 0.0], [1.0, 0.0]).friction(mu).command(command);
     let finger = Finger::compliant([contact], DMatrix::from_row_slice(2, 2, &[c[0], c[1], c[1], c[2]]));
@@ -23,7 +23,7 @@ fn one(c: [f64; 3], mu: f64, command: [f64; 2]) -> Grasp {
     Hand::new([finger, bond(-1.0), bond(1.0)]).grasp().expect("well posed")
 }
 
-/// Klarbring's condition: one answer for every command if μ |c_nt| < c_nn, up to three for some command if not.
+/// Klarbring's condition: for μ |c_nt| < c_nn every command has one solution, otherwise some commands have up to three.
 #[test]
 fn one_contact_on_a_fixed_body_has_one_answer_or_up_to_three() {
     for (c, mu, unique) in [
@@ -43,7 +43,7 @@ fn one_contact_on_a_fixed_body_has_one_answer_or_up_to_three() {
     }
 }
 
-/// On a body that is free to move the condition at every contact does not give one answer; where everything sticks the forces are unique all the same.
+/// For a free body the condition at every contact does not imply uniqueness. Sticking forces are unique all the same.
 #[test]
 fn on_a_free_body_several_answers_but_one_that_sticks() {
     let mut numbers = seeded(3);
@@ -51,7 +51,7 @@ fn on_a_free_body_several_answers_but_one_that_sticks() {
     for _ in 0..samples(400) {
         let mut finger = |x: f64| {
             let matrix = compliance(2, &mut numbers);
-            // A hundredth below the bound of one contact on a fixed body, and no more than 1.5.
+            // 1 % below the bound for one contact on a fixed body, and at most 1.5.
             let mu = (0.99 * matrix[(0, 0)] / matrix[(0, 1)].abs()).min(1.5);
             let contact = Contact::new([x, 0.3 * numbers.signed()], [-x, 0.8 * numbers.signed()])
                 .friction(mu)
@@ -74,7 +74,7 @@ fn on_a_free_body_several_answers_but_one_that_sticks() {
     assert_met(&[(several, 5), (stuck, 20)]);
 }
 
-/// `zᵀMz >= 0` for z >= 0 in the force form, whatever the coupling.
+/// In the force form `zᵀMz >= 0` for z >= 0, for every coupling.
 #[test]
 fn the_force_form_stays_copositive() {
     let mut numbers = seeded(11);
@@ -106,7 +106,7 @@ fn the_force_form_stays_copositive() {
     assert!(forms > 0);
 }
 
-/// A squeeze alone can slide and end in nothing, and a weight can stop it.
+/// A squeeze alone may have no equilibrium with contact, although the same squeeze with a weight has one.
 #[test]
 fn held_loads_need_not_include_zero() {
     let mut numbers = seeded(5);
@@ -123,7 +123,7 @@ fn held_loads_need_not_include_zero() {
             let outcome = grasp.solve(Wrench::force([0.0, load])).expect("a load");
             outcome.equilibrium().is_some_and(|e| e.contacts.iter().any(|c| c.normal_force() > 1e-3))
         };
-        // Both normals point up: pressed on from below the object rests under a weight, and without one it is driven out.
+        // Both normals point up. Under a weight the object rests on the fingers; without it the fingers push it away.
         found += usize::from(!holds(0.0) && [0.3, 0.6, 1.0, 1.5].iter().any(|w| holds(-w)));
     }
     assert_met(&[(found, 20)]);

@@ -7,7 +7,7 @@ use support::samples::{assert_met, samples, seeded};
 
 const AROUND: [f64; 5] = [0.5, 0.99, 1.01, 1.5, 4.0];
 
-/// Opposed pads keep their normal forces while they are pulled along: they hold 2 μ N, whatever their springs.
+/// The normal forces of opposed pads do not change under a tangential pull: they hold 2 μ N, whatever their springs.
 #[test]
 fn opposed_pads_in_the_plane_hold_what_friction_allows() -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(3);
@@ -28,7 +28,7 @@ fn opposed_pads_in_the_plane_hold_what_friction_allows() -> Result<(), grasp_lcp
     Ok(())
 }
 
-/// Rings in space that are pulled across: as many points as they have, the same limit.
+/// Opposed rings in space under a tangential pull have the same limit, for every number of points.
 #[test]
 fn opposed_rings_in_space_hold_what_friction_allows() -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(4);
@@ -49,7 +49,7 @@ fn opposed_rings_in_space_hold_what_friction_allows() -> Result<(), grasp_lcp::E
     Ok(())
 }
 
-/// Fingers around a disc with random springs: the path is lost where it says, and limit analysis never holds less.
+/// Fingers around a disc with random springs: the path ends at the reported load, and the limit load of statics is never lower.
 #[test]
 fn fingers_around_a_disc_are_decided() -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(5);

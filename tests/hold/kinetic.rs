@@ -13,7 +13,7 @@ fn foot(name: &str, x: f64, stiffness: f64) -> Contact {
     contact.friction(0.5).pressed_with(10.0)
 }
 
-/// Two feet on a rail without friction: the first one slides at 10 (1 + ratio)/2 N.
+/// Two feet on a frictionless rail. The first one slides at 10 (1 + ratio)/2 N.
 fn feet(kinetic: f64, ratio: f64) -> Result<Grasp, Error> {
     let rail = |x: f64| Contact::new([x, 0.1], [0.0, -1.0]).series_stiffness(1000.0, 1.0).pressed_with(10.0);
     Grasp::new([
@@ -63,7 +63,7 @@ fn it_falls() -> Tested {
     Ok(())
 }
 
-/// Lost at 9 N: needed load, needed squeeze for 8 N, and needed friction with the same ratio of both coefficients.
+/// The grasp is lost at 9 N. This gives the needed load, the squeeze for 8 N, and the friction with the same ratio of both coefficients.
 #[test]
 fn needs_count_with_it() -> Tested {
     let grasp = feet(0.4, 0.5)?;
@@ -106,7 +106,7 @@ fn what_does_not_know_it_says_so() -> Tested {
             "{name}: {error:?}"
         );
     }
-    // Where nothing slides friction of rest is all there is to know.
+    // If nothing slides, only static friction matters.
     assert!(matches!(grasp.solve(pull(7.0))?, Outcome::Equilibrium(_)));
     Ok(())
 }
@@ -128,10 +128,10 @@ fn scenes_say_it_and_keep_it() {
     assert!(refused.contains("left: kinetic friction") && refused.contains("0.6, must be"), "{refused}");
 }
 
-/// A contact that slides at rest has kinetic friction before the load is applied.
+/// A contact that already slides at rest has kinetic friction before the load is applied.
 #[test]
 fn what_slides_at_rest_slides_with_less() -> Tested {
-    // Dragged by 12 mm: 5 N would be held at rest, 4 N are once it slides.
+    // Dragged by 12 mm, the contact would carry 5 N by static friction; it slides and carries 4 N.
     let dragged = Contact::new([0.0, 0.0], [0.0, 1.0])
         .series_stiffness(1000.0, 1000.0)
         .friction(0.5)

@@ -12,14 +12,14 @@ fn of_a_pinch() -> Result<(), grasp_lcp::Error> {
     let part = verdict.left_out.expect("a quarter");
     assert!((part + press / (tangential * half)).abs() < 1e-12, "{part}");
     assert!(verdict.to_string().contains(". CAUTION"), "{verdict}");
-    // A translation turns nothing, and a stiff finger loses little.
+    // A translation does not turn the squeeze, and a stiff finger loses little stiffness.
     assert_eq!(Grasp::new([jaw(-half), jaw(half)])?.hold(Wrench::force([0.0, -1.0]))?.left_out, None);
     let stiff = |x: f64| jaw(x).series_stiffness(5e5, 2e5);
     assert_eq!(Grasp::new([stiff(-half), stiff(half)])?.hold(Wrench::new([0.0, 0.0], 0.1))?.left_out, None);
     Ok(())
 }
 
-/// The same about each axis across the pinch in space, and nothing about its line.
+/// In space the reduction is the same about each axis perpendicular to the pinch, and zero about its line.
 #[test]
 fn of_a_pinch_in_space() -> Result<(), grasp_lcp::Error> {
     let (half, press, tangential) = (0.04, 20.0, 2000.0);

@@ -9,7 +9,7 @@ use support::jaws::jaw;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// Two soft jaws that face each other a little askew, overloaded.
+/// Two soft jaws, slightly misaligned, with an excessive load.
 fn jaws(random: &mut Random) -> Result<(Grasp, Wrench), grasp_lcp::Error> {
     let pad = SoftFingertip::pad(random.between(0.005, 0.03), 2, Pressure::Uniform)?;
     let friction = random.between(0.2, 0.8);
@@ -33,7 +33,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
     let (mut lost_ones, mut proofs, mut closest) = (0, 0, f64::INFINITY);
     for _ in 0..samples(100) {
         let (grasp, load) = jaws(&mut random)?;
-        // However far it goes until then.
+        // Without a limit on motions.
         let grasp = grasp.with(&Settings::default().with_small_motions(1e50, 1e50));
         let verdict = grasp.hold(load)?;
         let Some(lost) = &verdict.lost else { continue };
@@ -47,7 +47,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
         let centroid = grasp.contacts().iter().map(Contact::point).sum::<Vector2<f64>>() / grasp.len() as f64;
         let size = load.to_vector().norm();
         for trial in 0..40 {
-            // In all directions, to the rim and within; as far out as numbers go where nothing holds anywhere.
+            // Motions in all directions, on the boundary and inside. If the radius is infinite, motions are very large.
             let part = if trial % 2 == 0 { 1.0 } else { random.uniform() };
             let [reach, angle] = [near.translation.min(10.0), near.rotation.min(10.0)];
             let way = std::f64::consts::TAU * random.uniform();
@@ -60,7 +60,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
             closest = closest.min(left);
             assert!(left > 1e-9, "{left} {q}");
         }
-        // A search from the elastic trial state finds no equilibrium there, either.
+        // An independent search for an equilibrium finds none there either.
         if let Some(found) = grasp.solve(load)?.equilibrium() {
             let (q, at) = (found.twist.to_vector(), state.twist.to_vector());
             let by = q - at;
@@ -74,7 +74,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
     Ok(())
 }
 
-/// The jaws of the issue: nothing holds 20 N within 12 mm, since all points of one jaw would have to open first.
+/// No equilibrium under 20 N exists within 12 mm, because all points of one jaw would have to open first.
 #[test]
 fn opposed_jaws_have_a_radius_of_millimetres() -> Result<(), grasp_lcp::Error> {
     let pad = SoftFingertip::pad(0.02, 2, Pressure::Uniform)?;

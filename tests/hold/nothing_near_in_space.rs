@@ -7,13 +7,13 @@ use nalgebra::{Matrix6, SMatrix, SVector, Vector2, Vector3, Vector6};
 use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
-/// Moments count as forces so far away, m.
+/// The length that converts moments to forces, m.
 const ARM: f64 = 0.04;
-/// Number of sweeps over the forces before each motion of the object, and number of these motions.
+/// Sweeps of the search for forces at one motion, and number of Newton steps of the motion.
 const SWEEPS: usize = 20;
 const STEPS: usize = 10;
 
-/// A contact as the attack knows it.
+/// A contact in the search.
 struct Touch {
     /// Wrenches of one newton along normal and tangents.
     axes: SMatrix<f64, 6, 3>,
@@ -22,7 +22,7 @@ struct Touch {
     friction: f64,
 }
 
-/// Three or four fingers around an object, or two rings that face each other; overloaded.
+/// Three or four fingers around an object, or two opposed rings, with an excessive load.
 fn drawn(random: &mut Random, rings: bool) -> Result<(Grasp, Wrench), grasp_lcp::Error> {
     let (friction, press, four) =
         (random.between(0.2, 0.8), random.between(5.0, 40.0), random.between(0.0, 1.0) < 0.5);
@@ -67,13 +67,13 @@ fn touches(grasp: &Grasp) -> Vec<Touch> {
     grasp.contacts().iter().zip(grasp.frames()).map(touch).collect()
 }
 
-/// Moments made comparable with forces.
+/// The wrench with moments divided by [`ARM`].
 fn scaled(mut w: Vector6<f64>) -> Vector6<f64> {
     w.rows_mut(3, 3).apply(|m| *m /= ARM);
     w
 }
 
-/// The least imbalance of the load over all friction forces, with these forces and the derivative by the motion.
+/// The smallest residual of the balance over all friction forces, and its derivative with respect to the motion.
 fn least(
     touches: &[Touch],
     load: &Vector6<f64>,
@@ -96,7 +96,7 @@ fn least(
         ]);
         rubs.push((plane, touch.friction * press, Vector2::zeros(), n));
     }
-    // Downhill, one contact after the other: the sum is convex and the bounds are apart.
+    // Coordinate descent over contacts converges, because the sum is convex and each bound concerns one contact.
     for _ in 0..sweeps {
         for (plane, most, force, _) in &mut rubs {
             let mut better: Vector2<f64> = *force - plane.tr_mul(&rest) / plane.norm_squared();
@@ -115,7 +115,7 @@ fn least(
     (rest, slope)
 }
 
-/// The motion from `at` that the proof speaks of: brought back to its rim, if need be.
+/// The motion from `at`, scaled back to the radius of the proof if it is larger.
 fn within(by: Vector6<f64>, centroid: &Vector3<f64>, reach: f64, angle: f64) -> Vector6<f64> {
     let (origin, turning) = (Vector3::new(by[0], by[1], by[2]), Vector3::new(by[3], by[4], by[5]));
     let turn = turning;
@@ -160,7 +160,7 @@ fn newton_finds_no_balance_within_the_radius() -> Result<(), grasp_lcp::Error> {
     }
     assert!(proofs.iter().all(|count| *count >= grasps / 5), "{proofs:?} proofs");
     println!("{attacks} attacks on {proofs:?} proofs come as near as {closest}");
-    // An attack that leaves half of the load everywhere would say nothing of the proof.
+    // A search that never comes close to balance would not test the proof.
     assert!(closest < 0.5, "{closest}");
     Ok(())
 }

@@ -14,7 +14,7 @@ fn drawn(numbers: &mut Random) -> Vector3<f64> {
     Vector3::from_fn(|_, _| numbers.signed())
 }
 
-/// Particles, with the axis z alone in the plane.
+/// Random particles; in the plane they rotate about z alone.
 fn body(numbers: &mut Random, is_flat: bool) -> Vec<Particle> {
     let flat = |v: Vector3<f64>| if is_flat { Vector3::new(v.x, v.y, 0.0) } else { v };
     (0..5).map(|_| Particle { mass: 0.1 + numbers.uniform(), at: flat(drawn(numbers)) }).collect()
@@ -28,7 +28,7 @@ struct Arm {
     faster: Vector3<f64>,
 }
 
-/// Force, and moment about the origin.
+/// The inertial and weight force of all particles, and its moment about the origin.
 fn summed(body: &[Particle], arm: &Arm) -> (Vector3<f64>, Vector3<f64>) {
     body.iter().fold((Vector3::zeros(), Vector3::zeros()), |(force, moment), particle| {
         let r = particle.at - arm.about;
@@ -38,7 +38,7 @@ fn summed(body: &[Particle], arm: &Arm) -> (Vector3<f64>, Vector3<f64>) {
     })
 }
 
-/// Mass, centre and matrix of inertia about it.
+/// Mass, centre of mass, and inertia matrix about it.
 fn whole(body: &[Particle]) -> (f64, Vector3<f64>, Matrix3<f64>) {
     let mass: f64 = body.iter().map(|particle| particle.mass).sum();
     let centre = body.iter().map(|particle| particle.at * particle.mass).sum::<Vector3<f64>>() / mass;
@@ -93,7 +93,7 @@ fn in_the_plane_as_the_sum_over_particles() -> Result<(), Error> {
     Ok(())
 }
 
-/// A steady turn of the plane does not ask for it, nor does an arm that moves without turning.
+/// A steady planar rotation needs no inertia, and neither does an arm that moves without rotation.
 #[test]
 fn inertia_is_asked_for_where_it_counts() -> Result<(), Error> {
     let flat = planar::Payload::new(1.0, [0.5, 0.0]);

@@ -12,7 +12,7 @@ use grasp_lcp::planar::{Contact, Grasp, Leg, Onset, Turn, Wrench};
 const VACUUM: f64 = 60.0;
 const SPACING: f64 = 0.1;
 const OUT: f64 = 0.12;
-/// V / (1/3 + b/2a).
+/// The weight at which the nearest cup opens, V / (1/3 + b/2a).
 const OPENS: f64 = VACUUM / (1.0 / 3.0 + OUT / (2.0 * SPACING));
 
 type Tested = Result<(), grasp_lcp::Error>;
@@ -44,7 +44,7 @@ fn a_path_ends_where_the_lip_is_open_all_around() -> Tested {
     let beyond = path.beyond().expect("lost");
     assert!(matches!(&beyond, Beyond::WithoutVacuum { cups } if cups[0].label == "near"), "{beyond:?}");
 
-    // The equilibrium at the end still has the vacuum, and no equilibrium continues it.
+    // In the last equilibrium the cup is still closed, and the path cannot continue from there.
     assert!(path.state().is_some_and(|state| state.open_cups.is_empty()));
     path.continue_with(&[Leg::load_to(Wrench::ZERO)])?;
     assert!(path.next().is_none() && path.end().is_some());
@@ -84,7 +84,7 @@ fn an_onset_says_what_lies_beyond() -> Tested {
     Ok(())
 }
 
-/// From its side, where the beam is hardly loaded, until its weight hangs: 1.02 times what opens the cup, reached at cos θ = 1/1.02.
+/// The load grows as sin θ up to 1.02 times the weight that opens the cup, which is reached at sin θ = 1/1.02.
 #[test]
 fn a_load_that_turns_opens_it_too() -> Tested {
     let beam = beam()?;

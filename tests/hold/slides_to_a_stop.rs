@@ -5,7 +5,7 @@ use grasp_lcp::hold::{Holding, Verdict, WayOut};
 use grasp_lcp::need::Need;
 use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
 
-/// A block of 100 N on two feet, which slides at 50 N, and a stop this far off.
+/// A block of 100 N on two feet, which slides at 50 N, with a stop at the distance `gap`.
 fn block(gap: f64) -> Result<Grasp, Error> {
     let foot = |name: &str, x: f64| {
         Contact::new([x, 0.0], [0.0, 1.0]).name(name).series_stiffness(1e7, 1e7).friction(0.5)
@@ -18,7 +18,7 @@ fn pulled(force: f64) -> Ramp {
     Ramp::load(Wrench::force([0.0, -100.0]), Wrench::force([force, 0.0]))
 }
 
-/// At 50 N of `force` it slides 0.1 mm, less what springs of 2 · 10⁷ N/m give way by under 50 N.
+/// Checks that at 50 N of `force` the block slides by 0.1 mm minus the deflection of springs of 2 · 10⁷ N/m under 50 N.
 fn slides_to_the_stop(verdict: &Verdict<2>, force: f64) {
     let caught = verdict.caught.first().expect("is caught");
     let moves = caught.moves.as_ref().expect("slides far");
@@ -53,7 +53,7 @@ fn it_slides_to_the_stop() -> Result<(), Error> {
 
 #[test]
 fn a_loss_behind_the_stop_is_told_with_the_way_to_it() -> Result<(), Error> {
-    // The stop 10 mm up tips the block at 50 N + 100 N · 0.1 m / 0.01 m.
+    // The block tips over the stop, 10 mm above the floor, at 50 N + 100 N · 0.1 m / 0.01 m.
     let verdict = block(1e-4)?.hold(pulled(2000.0))?;
     slides_to_the_stop(&verdict, 2000.0);
     let lost = verdict.lost.as_ref().expect("tips over");
@@ -73,7 +73,7 @@ fn a_stop_beyond_small_motions_holds_nothing() -> Result<(), Error> {
     Ok(())
 }
 
-/// As much as tips the block over its stop, in place of the 50 N that friction takes.
+/// The largest load is the one that tips the block over its stop, not the 50 N of friction.
 #[test]
 fn what_a_load_may_be_counts_the_stop() -> Result<(), Error> {
     let (down, pull) = (Wrench::force([0.0, -100.0]), Wrench::force([1.0, 0.0]));

@@ -20,7 +20,7 @@ fn moment(newton_metres: f64) -> Wrench {
     Wrench::new([0.0, 0.0], newton_metres)
 }
 
-/// Two pads of 0.1 mm hold 80 N m by friction, μ 2 N a. Beyond they would have to turn by 85° to wedge themselves.
+/// Two pads of 0.1 mm hold 80 N m by friction, μ 2 N a. For a larger moment they would wedge only after a rotation of 85°.
 #[test]
 fn narrow_pads_do_not_hold_by_wedging() -> Tested {
     let pair = SoftFingertip::pair(1e-4)?;
@@ -33,7 +33,7 @@ fn narrow_pads_do_not_hold_by_wedging() -> Tested {
     assert_eq!(verdict.holds(), Some(false));
     assert!(verdict.held_to > 0.8 && verdict.held_to < 0.801, "{}", verdict.held_to);
     assert!((verdict.everything_slides.expect("both pads slide") - 0.8).abs() < 1e-5);
-    // That everything slides counts more than how far it turns.
+    // The verdict names gross slip instead of the large rotation.
     let lost = verdict.lost.as_ref().expect("it turns");
     assert!(matches!(lost.too_far, Some(TooFar::Turns { .. })), "{verdict}");
     assert!(verdict.to_string().starts_with("SLIPS OUT at 80.0001"), "{verdict}");
@@ -43,7 +43,7 @@ fn narrow_pads_do_not_hold_by_wedging() -> Tested {
     Ok(())
 }
 
-/// `M = 2 k a² θ` in the plane, and twice that about each axis of six springs in space.
+/// `M = 2 k a² θ` in the plane, and twice as much about each axis of six springs in space.
 #[test]
 fn a_rotation_ends_at_its_angle() -> Tested {
     let turned = 2.0 * SPRING * ARM * ARM * 0.1;
@@ -62,7 +62,7 @@ fn a_rotation_ends_at_its_angle() -> Tested {
     Ok(())
 }
 
-/// A translation that all springs share has no end.
+/// A common translation of all springs has no limit.
 #[test]
 fn a_translation_does_not_count() -> Tested {
     let verdict = beam()?.hold(Wrench::force([300.0, -200.0]))?;
@@ -71,7 +71,7 @@ fn a_translation_does_not_count() -> Tested {
     Ok(())
 }
 
-/// A spring holds alone once two jaws of ±10 mm slide: `u = (F − 2 μ N) / K`, and the slip is `u − μ N / k`.
+/// After two jaws at ±10 mm slide, only a spring K holds: `u = (F − 2 μ N) / K`, and the slip is `u − μ N / k`.
 #[test]
 fn a_slip_ends_at_a_tenth_of_the_size() -> Tested {
     let (spring, tangential, press, friction) = (100.0, 1000.0, 10.0, 0.5);
@@ -100,7 +100,7 @@ fn a_slip_ends_at_a_tenth_of_the_size() -> Tested {
     Ok(())
 }
 
-/// A moment that turns as `M sin φ` leaves at `asin(0.1 · 2 k a² / M)`, within one piece and on the way back to nothing.
+/// A moment `M sin φ` leaves small motions at `asin(0.1 · 2 k a² / M)`, inside one linear piece.
 #[test]
 fn a_load_that_turns_leaves_within_its_piece() -> Tested {
     let most = 2.0 * SPRING * ARM * ARM * 0.1 / 0.8;
@@ -114,7 +114,7 @@ fn a_load_that_turns_leaves_within_its_piece() -> Tested {
     Ok(())
 }
 
-/// The settings move the end of small motions, also of answers, and are checked.
+/// The settings determine the limit, also for answers, and are validated.
 #[test]
 fn settings_say_what_is_small() -> Tested {
     let turned = 2.0 * SPRING * ARM * ARM * 0.3;
@@ -133,7 +133,7 @@ fn settings_say_what_is_small() -> Tested {
     Ok(())
 }
 
-/// Fixtures without friction, and wedges, hold as long as they do not move far.
+/// Frictionless fixtures and wedges are held if they move little.
 #[test]
 fn what_normal_forces_hold_is_held() -> Tested {
     let vee = |x: f64| Contact::new([x, 0.0], [-x, 1.0]).series_stiffness(1e6, 1e6);

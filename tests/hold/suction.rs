@@ -18,7 +18,7 @@ fn is(found: f64, expected: f64) {
     assert!((found - expected).abs() <= 1e-11 * (1.0 + expected.abs()), "{found} {expected}");
 }
 
-/// On top of a plate, tilted and away from the origin, so that nothing cancels by chance.
+/// A cup on top of a plate, tilted and off the origin, so that no terms cancel by chance.
 fn lip() -> Contact {
     Contact::new([0.3, -0.1, 0.2], [0.2, -0.1, -1.0])
         .name("cup")
@@ -32,7 +32,7 @@ fn pads() -> [Contact; 2] {
     })
 }
 
-/// With the vacuum in its place, and with a ring that it is a load on.
+/// The grasp with a suction cup; the grasp with a ring in its place; and the vacuum as a load for the latter.
 fn both() -> Result<(Grasp, Grasp, Wrench), Error> {
     let cup = SuctionCup::of_force(RADIUS, 12, VACUUM)?;
     let grasp = Grasp::new([cup.contacts(&lip())?, pads().to_vec()].concat())?;
@@ -71,7 +71,7 @@ fn a_vacuum_is_a_load_that_nobody_has_to_name() -> Tested {
     Ok(())
 }
 
-/// Hang, shear, peel, spin, from no load at all.
+/// Each single kind of load, applied from zero: tension, shear, peeling and torsion.
 #[test]
 fn one_kind_of_load_alone() -> Tested {
     let lip = Contact::new([0.0; 3], [0.0, 0.0, -1.0])
@@ -100,7 +100,8 @@ fn one_kind_of_load_alone() -> Tested {
     Ok(())
 }
 
-/// Three cups in a row, W beyond the last at b: it opens at V = W (1/3 + b/2a). The other two would hold on, had it kept its vacuum.
+/// Three cups in a row; W hangs at the distance b from the middle, beyond the last cup. That cup opens at V = W (1/3 + b/2a). If it
+/// kept its vacuum, the beam would still be in equilibrium.
 #[test]
 fn a_cup_that_is_open_all_around_has_let_go() -> Tested {
     let (a, b) = (0.1, 0.12);
@@ -125,7 +126,7 @@ fn a_cup_that_is_open_all_around_has_let_go() -> Tested {
     Ok(())
 }
 
-/// A vacuum pulls at the finger as it does at the object: the joint behind the cup feels what hangs there, and no vacuum.
+/// The vacuum pulls equally on finger and object, so the joint behind the cup carries only the hanging load.
 #[test]
 fn a_joint_does_not_feel_it() -> Tested {
     let cup = planar::Contact::new([0.0, 0.0], [0.0, -1.0])
@@ -159,14 +160,14 @@ fn what_is_no_vacuum_is_refused() {
     assert!(SuctionCup::of_force(0.0, 12, 1.0).is_err() && SuctionCup::of_force(RADIUS, 2, 1.0).is_err());
 }
 
-/// The only contact that presses, as an answer has it: N, and Pa of a cup.
+/// The force of the only pressing contact in an answer, N, and the pressure if it is a cup, Pa.
 fn press(needed: &Needed) -> (f64, Option<f64>) {
     let Amount::Bound { presses, .. } = &needed.amount else { panic!("{needed}") };
     assert_eq!(presses.len(), 1, "{needed}");
     (presses[0].force, presses[0].pressure)
 }
 
-/// A cup has the area of its lip. In the plane suction is a force.
+/// The pressure of a cup acts on the area of its lip. In the plane suction is given as a force.
 #[test]
 fn a_cup_needs_a_pressure_and_two_edges_in_the_plane_a_force() -> Tested {
     let above = Contact::new([0.0; 3], [0.0, 0.0, -1.0]).series_stiffness(8e3, 4e3).friction(FRICTION);

@@ -6,7 +6,7 @@ use grasp_lcp::hold::Holding;
 use grasp_lcp::spatial::{Contact, Grasp, Ramp, Wrench};
 use grasp_lcp::{Error, planar};
 
-/// A plate on three pins, against an end pin that nothing presses it on, under a strap.
+/// A plate under a strap lies on three pins and touches an end pin without force.
 fn plate(strap: f64) -> Result<Grasp, Error> {
     let pin = |point: [f64; 3], normal: [f64; 3]| {
         Contact::new(point, normal).series_stiffness(5e7, 5e7).friction(0.2)
@@ -25,7 +25,7 @@ fn plate(strap: f64) -> Result<Grasp, Error> {
     ])
 }
 
-/// Forces are in proportion to the strap's, so that the first slip is, too, and its words are the same.
+/// All forces, and so the load at first slip, are proportional to the force of the strap. The words do not change.
 #[test]
 fn an_end_pin_that_nothing_presses_on_is_told_as_touching() -> Result<(), Error> {
     let push = Wrench::force_at([0.0, 0.0, -1500.0], [0.0, 0.0, 0.04]);
@@ -45,7 +45,7 @@ fn an_end_pin_that_nothing_presses_on_is_told_as_touching() -> Result<(), Error>
     Ok(())
 }
 
-/// In the plane: a block between two jaws, on a stop that carries nothing.
+/// In the plane, a block between two jaws touches a stop without force.
 #[test]
 fn a_stop_below_a_block_in_a_vice_is_told_as_touching() -> Result<(), Error> {
     for press in [3.0, 7.0, 11.0, 13.0, 17.1, 23.3] {
@@ -60,7 +60,7 @@ fn a_stop_below_a_block_in_a_vice_is_told_as_touching() -> Result<(), Error> {
             .friction(0.2)
             .name("stop");
         let grasp = planar::Grasp::new([jaw(-1.0), jaw(1.0), stop])?;
-        // Lifted, it leaves the stop; pushed onto it, the stop takes its part.
+        // A lifted block leaves the stop; if it is pushed down, the stop carries a part.
         let lifted =
             grasp.hold(planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, 0.1])))?;
         assert!(matches!(lifted.holding, Holding::Sticks), "{lifted}");

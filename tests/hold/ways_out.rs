@@ -19,7 +19,7 @@ fn names(parts: &[grasp_lcp::grasp::WholeContact]) -> Vec<&str> {
     parts.iter().map(|part| part.label.as_str()).collect()
 }
 
-/// 10 N at x = 0, pushed at a height of 0.2 m: it tips at 10 · 0.05 / 0.2 N, long before it slides.
+/// A box of 10 N, pushed at a height of 0.2 m, tips at 10 · 0.05 / 0.2 N, long before it slides.
 #[test]
 fn a_box_tips_over_its_foot() -> Tested {
     let push = Ramp::load(Wrench::force([0.0, -10.0]), Wrench::force_at([5.0, 0.0], [0.0, 0.2]));
@@ -33,7 +33,7 @@ fn a_box_tips_over_its_foot() -> Tested {
     Ok(())
 }
 
-/// Pushed low it slides at μ W, whatever the feet.
+/// A box that is pushed low slides at μ W, for all feet.
 #[test]
 fn a_box_slides_when_pushed_low() -> Tested {
     let push = Ramp::load(Wrench::force([0.0, -10.0]), Wrench::force_at([-9.0, 0.0], [0.0, 0.0]));
@@ -76,7 +76,7 @@ fn feet_without_friction() -> Result<Grasp, grasp_lcp::Error> {
     Grasp::new([foot(0.0, "a"), foot(0.2, "b")])
 }
 
-/// A load beside its two feet tips a plank over the nearer one, also where nothing is there at rest: what springs do to begin with does not count.
+/// A load outside its two feet tips a plank over the nearer foot, also without forces at rest. The initial spring deflection does not count.
 #[test]
 fn a_plank_tips_at_once_over_the_nearer_foot() -> Tested {
     let beside = Wrench::force_at([0.0, -100.0], [0.25, 0.05]);
@@ -91,7 +91,7 @@ fn a_plank_tips_at_once_over_the_nearer_foot() -> Tested {
     Ok(())
 }
 
-/// A bracket on a post, 100 mm between its edges: nearer than 250 mm it does not jam with a friction of 0.2, and slides down without turning.
+/// A bracket on a post has 100 mm between its edges. With μ = 0.2 and the load nearer than 250 mm it does not jam, and slides down without rotation.
 #[test]
 fn a_bracket_slides_down_its_post_at_once() -> Tested {
     let edge = |x: f64, y: f64| Contact::new([x, y], [x, 0.0]).series_stiffness(1e8, 1e8).friction(0.2);
@@ -107,7 +107,7 @@ fn a_bracket_slides_down_its_post_at_once() -> Tested {
     Ok(())
 }
 
-/// A ladder goes along the floor and down the wall: it turns about the point where both normals meet.
+/// A ladder slides along the floor and down the wall, so it turns about the intersection of both normals.
 #[test]
 fn a_ladder_turns_about_the_point_where_normals_meet() -> Tested {
     let foot = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(5e5, 2e5).friction(0.2);
@@ -119,7 +119,7 @@ fn a_ladder_turns_about_the_point_where_normals_meet() -> Tested {
     Ok(())
 }
 
-/// A table on four feet, loaded beside them: it tips over the two nearer ones.
+/// A table on four feet with a load outside them tips over the two nearer feet.
 #[test]
 fn a_table_tips_at_once_over_two_feet() -> Tested {
     let foot = |x: f64, y: f64| {
@@ -136,7 +136,7 @@ fn a_table_tips_at_once_over_two_feet() -> Tested {
     Ok(())
 }
 
-/// 100 N on 50 N, pushed at the top: 1 m · F = 0.3 m · 150 N tips both, the upper one alone would take 60 N.
+/// A box of 100 N on a box of 50 N is pushed at the top. Both tip at 1 m · F = 0.3 m · 150 N; the upper one alone would tip at 60 N.
 #[test]
 fn a_stack_tips_over_as_one() -> Tested {
     let pair = grasp_lcp::planar::SoftFingertip::pair(0.6)?;
@@ -162,7 +162,7 @@ fn a_stack_tips_over_as_one() -> Tested {
     Ok(())
 }
 
-/// A chuck of three jaws that the cutter turns too far: by symmetry the bar turns about its middle, whatever rounding leaves there.
+/// The cutter turns a bar in a chuck of three jaws. By symmetry the bar turns about its middle, whatever the rounding.
 #[test]
 fn a_bar_turns_about_its_middle() -> Tested {
     for tilt in [0.0, 0.3, 1.1] {

@@ -8,10 +8,10 @@ use grasp_lcp::{planar, spatial};
 use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
-/// As the default settings have them.
+/// The limit of small motions in the default settings.
 const SMALL: f64 = 0.1;
 
-/// Three or four fingers around an object, or points on which it rests; soft or stiff, under loads below or beyond the limit.
+/// Three or four fingers around an object, or feet; soft or stiff, slightly or strongly overloaded.
 struct Drawn<const C: usize> {
     points: Vec<[f64; C]>,
     normals: Vec<[f64; C]>,
@@ -22,7 +22,7 @@ struct Drawn<const C: usize> {
     at: [f64; C],
 }
 
-/// Fingers all around, so that pressing balances as a rule.
+/// Fingers on all sides, so that the squeeze is usually balanced.
 fn around(random: &mut Random) -> Drawn<2> {
     let mut drawn = drawn::<2>(random);
     let count = drawn.points.len();
@@ -59,7 +59,7 @@ fn drawn<const C: usize>(random: &mut Random) -> Drawn<C> {
     of
 }
 
-/// In units of length and force that are so many metres and newtons, contacts in this order. A normal displacement presses: its force is a length times a stiffness.
+/// The verdict in other units, given in metres and newtons, with contacts in the given order. Squeezes are commands, lengths that are converted too.
 fn verdict_in_the_plane(drawn: &Drawn<2>, [length, force]: [f64; 2], order: &[usize]) -> Verdict<2> {
     let contacts = order.iter().map(|&i| {
         planar::Contact::new(drawn.points[i].map(|x| x * length), drawn.normals[i])
@@ -84,7 +84,7 @@ fn verdict_in_space(drawn: &Drawn<3>, [length, force]: [f64; 2], order: &[usize]
     spatial::Grasp::new(contacts).and_then(|grasp| grasp.hold(load)).expect("valid")
 }
 
-/// The size of a grasp by the definition.
+/// The size of a grasp: the root mean square distance of contacts from their centroid.
 fn size<const C: usize>(points: &[[f64; C]]) -> f64 {
     let count = points.len() as f64;
     let middle: [f64; C] = core::array::from_fn(|k| points.iter().map(|p| p[k]).sum::<f64>() / count);
@@ -92,14 +92,14 @@ fn size<const C: usize>(points: &[[f64; C]]) -> f64 {
     (points.iter().map(square).sum::<f64>() / count).sqrt()
 }
 
-/// Whether a motion in a verdict that holds is larger than the limit of small motions.
+/// Whether the state of a held grasp has moved farther than small motions allow, from the motions in the answer.
 fn moves_far<const C: usize>(verdict: &Verdict<C>, points: &[[f64; C]]) -> bool {
     let state = verdict.state.as_ref().expect("held");
     let rotation = state.twist.components()[C..].iter().map(|x| x * x).sum::<f64>().sqrt();
     let far = SMALL * size(points) * (1.0 + 1e-9);
     let contact_moves = |contact: &grasp_lcp::equilibrium::ContactAnswer<C>| {
         let is_open = matches!(contact.state, grasp_lcp::equilibrium::ContactState::Separated);
-        // The gap of an open contact is the distance that the object has moved away, less the depth to which the finger was pressed in.
+        // The finger does not move, so the gap is the displacement of the object minus the compression of the finger.
         if is_open { contact.gap > far } else { contact.slip.norm() > far }
     };
     rotation > SMALL * (1.0 + 1e-9) || state.contacts.iter().any(contact_moves)
@@ -132,7 +132,7 @@ fn what_holds_has_moved_little() {
     assert!(held > 0 && too_far > 0);
 }
 
-/// Everything up to the first number: units change numbers.
+/// The text without its numbers, which depend on units.
 fn told_without_numbers(said: &str) -> String {
     let mut told = String::new();
     for word in
@@ -143,7 +143,7 @@ fn told_without_numbers(said: &str) -> String {
     told
 }
 
-/// In other units moments have other numbers, and lengths are printed in mm or m; words and load factors stay the same.
+/// Other units change the numbers of moments and lengths. Words and load factors must be the same.
 #[test]
 fn units_and_order_do_not_matter() {
     let mut random = seeded(26);
@@ -157,7 +157,7 @@ fn units_and_order_do_not_matter() {
             2.0_f64.powi(i32::try_from(random.integer(-8, 8)).expect("small")),
         ];
         let one = verdict_in_the_plane(&drawn, [1.0, 1.0], &order);
-        // Where squeezing itself makes contacts slide there may be several states of rest, and the search finds one.
+        // If the squeeze alone makes contacts slide, several equilibria at rest may exist, and the search finds one of them.
         if one.first_slip.as_ref().is_some_and(|first| first.factor == 0.0) {
             slide_at_rest += 1;
             continue;

@@ -26,7 +26,7 @@ fn everything_sticks() -> Tested {
     Ok(())
 }
 
-/// Two feet in parallel under a guide: the rough one holds on when the smooth one slides.
+/// Two parallel feet under a guide: the rough foot still sticks after the smooth one slides.
 #[test]
 fn one_slides_and_the_other_holds() -> Tested {
     let foot = |x: f64, name: &str, friction: f64| {
@@ -38,7 +38,7 @@ fn one_slides_and_the_other_holds() -> Tested {
     };
     let guide = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
     let block = Grasp::new([foot(-1.0, "rough", 0.5), foot(1.0, "smooth", 0.25), guide])?;
-    // The guide gives way by 1/51: each foot presses with 50/51 N. They carry half each up to 0.25 of that, and 0.75 of it in all.
+    // The guide is compressed, so that each foot presses with 50/51 N. Each carries half of the pull up to 0.25 of this force, and together at most 0.75 of it.
     for (pull, sticks) in [(0.6, false), (0.4, true)] {
         let verdict = block.hold(Wrench::force([pull, 0.0]))?;
         assert_eq!((verdict.holds(), verdict.sticks()), (Some(true), Some(sticks)));
@@ -51,7 +51,7 @@ fn one_slides_and_the_other_holds() -> Tested {
     Ok(())
 }
 
-/// A soft pad is one contact, by its own name.
+/// A soft pad is reported as one contact with its own name.
 #[test]
 fn a_soft_pad_is_one_contact() -> Tested {
     let pad = SoftFingertip::pad(0.02, 2, Pressure::Uniform)?;
@@ -77,7 +77,7 @@ fn contacts_without_names_have_numbers() -> Tested {
     Ok(())
 }
 
-/// A box that rests on a table: its weight is there before it is pushed.
+/// The weight of a box on a table acts before the push.
 #[test]
 fn the_load_at_rest_is_named() -> Tested {
     let foot = |x: f64, name: &str| {
@@ -94,7 +94,7 @@ fn the_load_at_rest_is_named() -> Tested {
     Ok(())
 }
 
-/// A pinch that a moment turns by more than a small angle does not count as held: `M = 2 k_t a² θ`.
+/// A pinch that a moment turns by more than a small angle is not reported as held: `M = 2 k_t a² θ`.
 #[test]
 fn large_motions_are_labelled() -> Tested {
     let jaw = |x: f64| jaws::jaw::<2>(x, [1.0, 1.0], 0.5).pressed_with(10.0);
@@ -106,7 +106,7 @@ fn large_motions_are_labelled() -> Tested {
     Ok(())
 }
 
-/// A wedge that is squeezed out of its faces may come to lie between them: that is no grasp.
+/// A wedge that is squeezed out may end loose between the faces. This is not a grasp.
 #[test]
 fn what_lies_loose_is_not_held() -> Tested {
     let jaw = |x: f64| jaws::jaw::<2>(x, [1e3, 1e3], 0.5);
@@ -116,7 +116,7 @@ fn what_lies_loose_is_not_held() -> Tested {
     Ok(())
 }
 
-/// A stop that is reached on the way has moved along the surface while it was open: that is no sliding.
+/// Before a stop is reached, the object moves along its surface. This is not reported as sliding.
 #[test]
 fn what_closes_on_the_way_does_not_slide() -> Tested {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.9);

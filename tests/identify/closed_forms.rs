@@ -17,7 +17,7 @@ fn are(found: &Identified, values: &[f64]) {
     }
 }
 
-/// A pinch holds 2 μ N, at first slip and at gross slip.
+/// For a pinch the load at first slip and at gross slip is 2 μ N.
 #[test]
 fn friction_of_a_pinch() -> Tested {
     for slip in [Slip::first, Slip::gross] {
@@ -29,10 +29,10 @@ fn friction_of_a_pinch() -> Tested {
     Ok(())
 }
 
-/// A floor below the object catches it, but it has slipped by then.
+/// A floor below the object stops it, but only after it has slipped.
 #[test]
 fn friction_of_a_pinch_above_a_floor() -> Tested {
-    // At 10 N the springs give way by 0.5 mm.
+    // At 10 N the spring deflection is 0.5 mm.
     let jaw = |x: f64| jaw::<2>(x, [1e4, 1e4], 0.5).pressed_with(10.0);
     let floor =
         Contact::new([0.0, -0.02], [0.0, 1.0]).series_stiffness(1e4, 5e3).friction(0.2).clearance(1e-3);
@@ -44,19 +44,19 @@ fn friction_of_a_pinch_above_a_floor() -> Tested {
     Ok(())
 }
 
-/// With friction as given, 0.5, a pinch that holds 12 N presses with 12 N, 1.2 times as hard as was said.
+/// With the given friction of 0.5, a pinch that holds 12 N presses with 12 N, 1.2 times the given squeeze.
 #[test]
 fn squeeze_of_a_pinch() -> Tested {
     for slip in [Slip::first, Slip::gross] {
         let slips = [slip(down(12.0)), slip(down(12.0))];
         are(&jaws([0.5; 2])?.identify(&Identify::new([Unknown::squeeze()], slips.clone()))?, &[1.2]);
-        // Pressed by one jaw alone harder, both share: to 1.2 of each it takes 1.4 of one.
+        // A larger command of one jaw presses both, so that a factor of 1.4 at one jaw gives 1.2 at each.
         are(&jaws([0.5; 2])?.identify(&Identify::new([Unknown::squeeze().of_contacts([1])], slips))?, &[1.4]);
     }
     Ok(())
 }
 
-/// Loosened until it slides, a pinch that carries 4 N with μ = 0.4 lets go at half of its 10 N.
+/// A pinch that carries 4 N with μ = 0.4 is loosened. It slides at half of its squeeze of 10 N.
 #[test]
 fn friction_from_a_squeeze_that_is_loosened() -> Tested {
     let slips = [Slip::gross(down(4.0)).squeezed(0.5)];
@@ -75,8 +75,8 @@ fn friction_from_an_angle() -> Tested {
     Ok(())
 }
 
-/// Two feet share a pull as their tangential springs do: the one that carries k₁/(k₁+k₂) of it slides first, at μ N (k₁+k₂)/k₁. With known friction
-/// the first slip determines the ratio, for which the question assumes one.
+/// Two feet share a pull in proportion to their tangential stiffness. The foot that carries k₁/(k₁+k₂) of it slides first, at μ N (k₁+k₂)/k₁. With known
+/// friction the first slip determines the ratio of stiffnesses, whose given value is one.
 #[test]
 fn a_ratio_of_stiffnesses_from_first_slip() -> Tested {
     let foot = |x: f64| {
@@ -95,7 +95,7 @@ fn a_ratio_of_stiffnesses_from_first_slip() -> Tested {
     Ok(())
 }
 
-/// Slips of two layouts, of jaws that press with 10 N and of others that press with 4 N: one friction of both, and the squeeze of the second.
+/// Slips of two layouts, with jaws that press with 10 N and with 4 N. The unknowns are a common friction and the squeeze of the second layout.
 #[test]
 fn two_layouts() -> Tested {
     let gently = jaws([0.5; 2])?.squeezed(0.4)?;

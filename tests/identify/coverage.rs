@@ -4,7 +4,7 @@ use support::Failure;
 use support::identified::{first_slips, pinch, pinch_in_series, three_feet, three_feet_by_direction};
 use support::samples::samples;
 
-/// With 120 draws 95 % scatter by 2 %: two of these on both sides. The report `identified` draws a thousand.
+/// Number of draws. With 120 draws the coverage of 95 % has a standard deviation of 2 %; twice this is accepted. The report `identified` draws a thousand.
 const DRAWS: usize = 120;
 
 fn is_as_said(name: &str, unknowns: usize, percent: impl Fn(usize) -> f64) {
@@ -40,7 +40,7 @@ fn of_friction_and_loads_of_supports() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Series that share most of their scatter: with their groups intervals are as wide as they must be, without them far too narrow.
+/// Slips in series with a common scatter: with groups the intervals have the right width, without groups they are far too narrow.
 #[test]
 fn of_slips_that_share_errors() -> Result<(), Failure> {
     let known = pinch_in_series(6, 5)?;
@@ -51,7 +51,7 @@ fn of_slips_that_share_errors() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Groups of slips that share nothing do not make intervals too narrow, either.
+/// Groups without common scatter do not make intervals too narrow either.
 #[test]
 fn of_groups_that_share_nothing() -> Result<(), Failure> {
     let mut known = pinch_in_series(6, 5)?;

@@ -7,13 +7,13 @@ use support::splitmix::Random;
 
 type Tested = Result<(), grasp_lcp::Error>;
 
-/// Of the logarithm of an unknown, for differences to the fourth order.
+/// Step of the logarithm of an unknown, for differences of fourth order.
 const STEP: f64 = 1e-3;
-/// Of the slip, as a part of it.
+/// Relative scatter of the slip.
 const SCATTER: f64 = 1e-6;
-/// On an edge both sides differ by more, as parts of the derivative.
+/// At a kink the one-sided derivatives differ by more than this, relative to the derivative.
 const EDGE: f64 = 0.02;
-/// Derivatives below this count as zero.
+/// Smaller derivatives count as zero.
 const FLAT: f64 = 1e-4;
 
 #[derive(Debug, Default)]
@@ -23,9 +23,9 @@ struct Count {
     compared: usize,
 }
 
-/// Where a grasp whose numbers are multiplied by these factors is lost, by contact: friction, squeeze.
+/// The load factor at the loss if friction and squeeze of each contact are multiplied by these factors.
 type Lost<'a> = dyn Fn(&[[f64; 2]]) -> Option<f64> + 'a;
-/// The derivative by an unknown that `Identify` works with, if it is exact and not zero.
+/// The derivative with respect to an unknown in `Identify`, if it is exact and not zero.
 type Derivative<'a> = dyn Fn(Unknown) -> Result<Option<f64>, grasp_lcp::Error> + 'a;
 
 fn compare(number: usize, lost: &Lost<'_>, told: &Derivative<'_>, count: &mut Count) -> Tested {
@@ -71,7 +71,7 @@ macro_rules! derivatives {
                         contact.pressed_with(command * squeeze)
                     };
                     let contacts = drawn.iter().zip(factors).map(contact).collect::<Vec<_>>();
-                    // Gross slip is where equilibrium is lost, however far the object has moved by then.
+                    // Gross slip is the loss of equilibrium, without a limit on motions.
                     $at::Grasp::new(contacts)
                         .expect("valid")
                         .with(&Settings::default().with_small_motions(1e50, 1e50))
@@ -102,7 +102,7 @@ macro_rules! derivatives {
     };
 }
 
-/// A finger of a gripper with two parallel jaws, anywhere along them: the contact, its friction and its pressing force.
+/// A finger at a random place of a gripper with two parallel jaws, its friction, and its squeeze.
 fn of_a_gripper(k: usize, random: &mut Random) -> (planar::Contact, f64, f64) {
     let side = if k.is_multiple_of(2) { -1.0 } else { 1.0 };
     let contact = planar::Contact::new([0.03 * side, 0.04 * random.normal()], [-side, 0.0])

@@ -6,7 +6,7 @@ use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 
 type Tested = Result<(), grasp_lcp::Error>;
 
-/// Three feet on a circle of 0.1 m, and their centre.
+/// Radius of the circle of three feet, m.
 const RADIUS: f64 = 0.1;
 
 fn foot(k: usize) -> [f64; 2] {
@@ -23,7 +23,7 @@ fn identified(start: [f64; 3], slips: Vec<Slip<3>>) -> Result<Identified, grasp_
     Grasp::new(feet)?.identify(&Identify::new(unknowns, slips))
 }
 
-/// Loads around a value, 1 % apart.
+/// Three loads around a value, 1 % apart.
 fn about(value: f64) -> [f64; 3] {
     [0.99 * value, value, 1.01 * value]
 }
@@ -33,13 +33,13 @@ fn weight_over(point: [f64; 2]) -> Wrench {
     Wrench::force_at([0.0, 0.0, -10.0], [point[0], point[1], 0.0])
 }
 
-/// A weight half of the way to a foot, 2/3 of it on that foot, and a pull through the centre, of which each foot takes a third.
+/// A first slip: a weight half way between the centre and foot k, which carries 2/3 of it, and a pull through the centre, a third of it at each foot.
 fn pulled_over(k: usize, newtons: f64) -> Slip<3> {
     let [x, y] = foot(k);
     Slip::first(Wrench::force([newtons, 0.0, 0.0])).on_top_of(weight_over([0.5 * x, 0.5 * y]))
 }
 
-/// Whether an assignment fixes these values, and no others.
+/// Whether an assignment determines exactly the given values and leaves the others open.
 fn fixes(all: &[Estimate], values: [Option<f64>; 3]) -> bool {
     all.iter().zip(values).all(|(estimate, value)| match value {
         Some(value) => estimate.is_fixed && (estimate.value / value - 1.0).abs() < 1e-3,
@@ -47,7 +47,7 @@ fn fixes(all: &[Estimate], values: [Option<f64>; 3]) -> bool {
     })
 }
 
-/// The moment at which three feet turn, N m: the least of W / 3 Σ μ_k |c - p_k| over all centres c, found by halving a grid.
+/// The moment at which three feet turn, N m: the minimum of W / 3 Σ μ_k |c - p_k| over all centres c, by refining a grid.
 fn least_moment(friction: [f64; 3]) -> f64 {
     let moment = |c: [f64; 2]| {
         let arm = |k: usize| (c[0] - foot(k)[0]).hypot(c[1] - foot(k)[1]);
@@ -67,7 +67,8 @@ fn least_moment(friction: [f64; 3]) -> f64 {
     (0..3).map(|k| moment(foot(k))).fold(moment(best), f64::min)
 }
 
-/// Over foot 0 the slips are at 5 N · min(4 μ_0, μ_1, μ_2), 1 N here; over foot 1 at 5 N · min(μ_0, 4 μ_1, μ_2), 1.5 N here. So μ_1 is 0.2, and μ_0 or μ_2 is 0.3.
+/// With the weight near foot 0 the first slip is at 5 N · min(4 μ_0, μ_1, μ_2), here 1 N; near foot 1 at 5 N · min(μ_0, 4 μ_1, μ_2), here 1.5 N. So μ_1
+/// is 0.2, and μ_0 or μ_2 is 0.3.
 #[test]
 fn each_kind_of_slip_has_its_own_foot() -> Tested {
     let mut slips = Vec::new();
@@ -88,17 +89,17 @@ fn each_kind_of_slip_has_its_own_foot() -> Tested {
     Ok(())
 }
 
-/// The moment of two feet with a sum of 0.5 about the third, N m.
+/// The moment that turns two feet, whose coefficients have the sum 0.5, about the third, N m.
 const TWIST: f64 = 10.0 * RADIUS * 0.5 / 1.732_050_807_568_877_2;
 
-/// Slips by a moment about the vertical: the feet turn about the one with most friction, at W R (μ_1 + μ_2) / √3 of the two others.
+/// Slips under a vertical moment. The feet turn about the one with most friction, at W R (μ_1 + μ_2) / √3 with the coefficients of the other two.
 fn twisted() -> [Slip<3>; 3] {
     about(TWIST).map(|newton_metres| {
         Slip::gross(Wrench::new([0.0; 3], [0.0, 0.0, newton_metres])).on_top_of(weight_over([0.0; 2]))
     })
 }
 
-/// A moment alone determines a sum of coefficients, but not which two it contains, or whether all three contacts slide.
+/// A moment alone determines a sum of two coefficients, but neither which two, nor whether all three feet slide.
 #[test]
 fn a_twist_depends_on_two_of_three_or_on_all() -> Tested {
     for start in [[0.3, 0.3, 0.9], [0.9, 0.3, 0.35]] {
@@ -116,7 +117,7 @@ fn a_twist_depends_on_two_of_three_or_on_all() -> Tested {
     Ok(())
 }
 
-/// With first slips over foot 0 at 1 N, one of 4 μ_0, μ_1 and μ_2 is 0.2, and with one of the others it has a sum of 0.5.
+/// First slips with the weight near foot 0 at 1 N mean that one of 4 μ_0, μ_1 and μ_2 is 0.2. Its coefficient and one of the others have the sum 0.5.
 #[test]
 fn a_twist_and_a_pull_leave_six_pairs() -> Tested {
     let mut slips: Vec<_> = twisted().into();

@@ -5,7 +5,7 @@ use grasp_lcp::spatial::Wrench;
 use support::Failure;
 use support::measured_pushes::{SURFACES, WEIGHT, blocks, normal_forces, pushes, supports};
 
-/// The log of which the prototype has found .226 .511 .263 of the weight, where .25 .5 .25 is true.
+/// A log with the true fractions .25 .5 .25 of the weight. The reference values .226 .511 .263 come from an independent prototype.
 #[test]
 fn loads_of_supports_of_one_log() -> Result<(), Failure> {
     let (blocks, pushes) = (blocks()?, pushes()?);

@@ -14,7 +14,7 @@ fn down() -> Wrench {
 #[test]
 fn each_is_refused_by_name() -> Tested {
     let (grasp, slip, mu) = (jaws([0.5; 2])?, Slip::gross(down()), Unknown::friction());
-    // The end of the datum's name is enough.
+    // The end of the datum's name is compared.
     let refused = |asked: Identify<2>, place: &str, datum: &str, value: &str| {
         let [told, field, given] = facts(&grasp.identify(&asked).expect_err(datum));
         assert!(told == place && field.ends_with(datum) && given == value, "{told} {field} {given}");
@@ -44,7 +44,7 @@ fn each_is_refused_by_name() -> Tested {
     Ok(())
 }
 
-/// A load along the fingers presses one of them away, and slides nothing however large: no friction explains that it slid.
+/// A load along the pinch line opens one finger, and no contact slides at any size. So no friction explains an observed slip.
 #[test]
 fn a_slip_that_is_not_predicted() -> Tested {
     let wall = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5);

@@ -21,7 +21,7 @@ fn says(found: &Identified, sentence: &str) {
     );
 }
 
-/// A pinch holds 2 μ N: neither by itself.
+/// A pinch holds 2 μ N, so slips determine neither μ nor N alone.
 #[test]
 fn friction_and_squeeze() -> Tested {
     let found =
@@ -29,21 +29,21 @@ fn friction_and_squeeze() -> Tested {
     says(&found, "only their product");
     assert_eq!(found.free[0].unknowns, ["friction", "squeeze"]);
     assert!(found.slips == 5 && found.estimates.iter().all(|each| !each.is_fixed), "{found}");
-    // The product is found all the same.
+    // The product is determined all the same.
     let product = found.estimates[0].value * found.estimates[1].value;
     assert!((product - 0.30).abs() < 0.01, "{product}");
     assert_eq!(found.free.len(), 1);
     Ok(())
 }
 
-/// With a squeeze that is known from elsewhere friction is.
+/// With a squeeze known from another source, friction is determined.
 #[test]
 fn what_is_known_besides_fixes_it() -> Tested {
     let unknowns = [Unknown::friction(), Unknown::squeeze()];
     let found = jaws([0.5; 2])?.identify(&Identify::new(unknowns, slips()).knowing([1], 1.0, 0.05))?;
     let [mu, squeeze] = &found.estimates[..] else { panic!("two unknowns") };
     assert!(mu.is_fixed && (mu.value - 0.30).abs() < 0.01 && found.free.is_empty(), "{found}");
-    // Five percent of the squeeze and what slips scatter by, 0.9 % of their mean.
+    // Friction has the error of the squeeze, 5 %, and the scatter of the slips, 0.9 % of their mean.
     let part = |estimate: &grasp_lcp::identify::Estimate| {
         estimate.standard_error.map_or(f64::NAN, |error| error / estimate.value)
     };
@@ -52,7 +52,7 @@ fn what_is_known_besides_fixes_it() -> Tested {
     Ok(())
 }
 
-/// A load of the limit does not depend on stiffness.
+/// A limit load does not depend on stiffness.
 #[test]
 fn stiffness_from_gross_slip() -> Tested {
     let found =
@@ -63,8 +63,7 @@ fn stiffness_from_gross_slip() -> Tested {
     Ok(())
 }
 
-/// Two feet of 5 N each slide together, each with its own friction. The slips determine the sum; first derivatives do not distinguish it from the
-/// product.
+/// Two feet of 5 N each slide together, each with its own friction. Only the sum is determined; first derivatives do not distinguish it from a product.
 #[test]
 fn friction_of_each_foot_from_both() -> Tested {
     let foot =
@@ -82,7 +81,7 @@ fn friction_of_each_foot_from_both() -> Tested {
     Ok(())
 }
 
-/// Of two jaws the one with less friction slips, at twice its friction force; the slips do not determine which one.
+/// Between two jaws the one with less friction slides, at twice its limit. The slips do not show which one.
 #[test]
 fn friction_of_each_jaw_from_the_weaker() -> Tested {
     let each = [0, 1].map(|k| Unknown::friction().of_contacts([k]));
@@ -90,7 +89,7 @@ fn friction_of_each_jaw_from_the_weaker() -> Tested {
     says(&found, "one of the");
     let names: Vec<_> = found.estimates.iter().map(|each| each.name.as_str()).collect();
     assert_eq!(names, ["friction of left", "friction of right"]);
-    // The mean of the logarithms of the coefficients, and their scatter over the root of their number.
+    // The mean of the logarithms of friction from each slip, and their scatter divided by the square root of their number.
     let logs = [5.9, 6.1, 6.3, 6.0, 5.8].map(|newtons: f64| (newtons / 20.0).ln());
     let mean = logs.iter().sum::<f64>() / 5.0;
     let error = (logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / 4.0 / 5.0).sqrt();
@@ -105,7 +104,7 @@ fn friction_of_each_jaw_from_the_weaker() -> Tested {
     Ok(())
 }
 
-/// Friction, and what each foot carries: without a scale all loads may be smaller by what friction is greater; with one nothing is open.
+/// Friction and the load of each foot: without a known load, a common factor between loads and friction is open. With one, all are determined.
 #[test]
 fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
     let known = support::identified::three_feet(12)?;
@@ -119,7 +118,7 @@ fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
     assert_eq!(free.unknowns, ["friction", "load of contact 0", "load of contact 1", "load of contact 2"]);
     assert!(free.powers[1..].iter().all(|power| (power + free.powers[0]).abs() < 1e-6), "{free:?}");
     assert!(free.says.contains("by any factor"), "{free:?}");
-    // Their shares are found.
+    // The relative loads are determined.
     let loads: Vec<_> = found.estimates[1..].iter().map(|estimate| estimate.value).collect();
     let sum: f64 = loads.iter().sum();
     for (load, truth) in loads.iter().zip(&known.truth[1..]) {
@@ -128,7 +127,7 @@ fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
     Ok(())
 }
 
-/// An unknown that scatter leaves uncertain by more than a factor of e has no number.
+/// If the scatter leaves an unknown open by more than a factor of e, it gets no value.
 #[test]
 fn what_scatters_too_much() -> Tested {
     let slips = [0.6, 60.0, 6.0].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
@@ -138,8 +137,7 @@ fn what_scatters_too_much() -> Tested {
     Ok(())
 }
 
-/// Pulls to one side slide the first jaw, to the other side the second. Each coefficient depends on one group alone, from which the error that slips
-/// of a group share cannot be estimated.
+/// Pulls to one side slide the first jaw, pulls to the other side the second. Each friction depends on one group alone, which cannot show a common error.
 #[test]
 fn what_one_group_tells_alone() -> Result<(), support::Failure> {
     let known = support::identified::first_slips()?;

@@ -7,12 +7,12 @@ use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// Scenes that are drawn.
+/// Number of random scenes.
 const DRAWS: usize = 15;
 
 type Tested = Result<(), grasp_lcp::Error>;
 
-/// Two fingers across from each other, a little askew: with much friction some loads wedge the object and never drag it out.
+/// Two opposed fingers with slightly tilted normals. With high friction some loads wedge the object and never pull it out.
 fn askew(draw: &mut Random, friction: f64) -> Vec<Contact> {
     [-1.0, 1.0]
         .map(|side| {
@@ -26,15 +26,15 @@ fn askew(draw: &mut Random, friction: f64) -> Vec<Contact> {
         .to_vec()
 }
 
-/// The truth, the grasp with another friction, and loads that dragged the object out with the true one, 5 % off.
+/// The true friction, the grasp with another friction, and loads that pull the object out with the true friction, with a scatter of 5 %.
 fn seen(draw: &mut Random, guess: f64) -> Result<(f64, Grasp, Vec<Wrench>), grasp_lcp::Error> {
     let truth = 0.1 + 0.3 * draw.uniform();
     let contacts = askew(draw, truth);
-    // Loads are those that drag the object out, however far it has moved by then.
+    // The loads pull the object out, without a limit on motions.
     let however_far = Settings::default().with_small_motions(1e50, 1e50);
     let grasp = Grasp::new(contacts.clone())?.with(&however_far);
     if !grasp.hold(Ramp::load(Wrench::ZERO, Wrench::force([1e-3, 0.0])))?.sticks().unwrap_or(false) {
-        // Fingers that slide off at rest hold nothing.
+        // Scenes in which the fingers slide off at rest are drawn again.
         return seen(draw, guess);
     }
     let mut loads = Vec::new();
@@ -49,7 +49,7 @@ fn seen(draw: &mut Random, guess: f64) -> Result<(f64, Grasp, Vec<Wrench>), gras
     Ok((truth, guess, loads))
 }
 
-/// Searched from a friction that wedges the object against some of the loads, which then never drag it out. All are found, and 95 % intervals hold the truth.
+/// The search starts at a friction that wedges the object, so that some loads never pull it out. All frictions are found, and 95 % intervals contain the truth.
 #[test]
 fn slips_are_found_from_a_friction_that_holds_against_them() -> Tested {
     let mut draw = seeded(62);
@@ -67,13 +67,12 @@ fn slips_are_found_from_a_friction_that_holds_against_them() -> Tested {
         held +=
             usize::from(told.estimates[0].interval.is_some_and(|[low, high]| low <= truth && truth <= high));
     }
-    // Of 15 draws 14.25 are expected to hold it; four standard deviations of 0.84 less.
+    // Of 15 intervals 14.25 are expected to contain it. Four standard deviations of 0.84 below are accepted.
     assert_met(&[(wedged, 4), (held, 11)]);
     Ok(())
 }
 
-/// A block that lies on a table by its weight and is dragged: μ is the ratio of both, and the two errors are those of ratios. Friction given is far off on both
-/// sides.
+/// A block on a table is dragged: μ is the ratio of pull to weight, also if the given friction is far too low or far too high.
 #[test]
 fn a_weight_lies_there_before_a_block_is_dragged() -> Tested {
     let loads = [[2.652, -6.44], [5.385, -11.34]];
@@ -87,7 +86,7 @@ fn a_weight_lies_there_before_a_block_is_dragged() -> Tested {
     Ok(())
 }
 
-/// On two feet and off their middle: the same as with the weight as a base load.
+/// On two feet, with the weight off their middle, the answer is that of the weight as a base load.
 #[test]
 fn it_is_the_same_as_a_base_load() -> Tested {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.2);

@@ -19,7 +19,7 @@ fn logarithms() -> (f64, f64) {
     (mean, (logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / 4.0).sqrt())
 }
 
-/// Least squares of logarithms: their mean, s / √n, and Student's quantile with 4 degrees of freedom.
+/// Least squares of logarithms give their mean, the standard error s / √n, and Student's quantile with 4 degrees of freedom.
 #[test]
 fn a_mean_and_its_standard_error() -> Tested {
     let asked = Identify::new([Unknown::friction()], LOADS.map(slip)).with_outliers_beyond(f64::INFINITY);
@@ -34,7 +34,7 @@ fn a_mean_and_its_standard_error() -> Tested {
     Ok(())
 }
 
-/// With a given scatter σ the standard error is σ / √n, with the normal quantile; the answer counts outliers.
+/// With a given scatter σ the standard error is σ / √n, with the normal quantile. Outliers are reported.
 #[test]
 fn a_scatter_that_is_given() -> Tested {
     let asked = |sigma: f64| {
@@ -78,7 +78,7 @@ fn groups_of_slips() -> Tested {
     Ok(())
 }
 
-/// With each slip in a group of its own errors are those of White: of one mean the same as without groups.
+/// With one slip in each group the errors are White's. For a single mean they are the same as without groups.
 #[test]
 fn groups_of_one_slip() -> Tested {
     let alone = Identify::new([Unknown::friction()], LOADS.map(slip)).with_outliers_beyond(f64::INFINITY);
@@ -93,7 +93,7 @@ fn groups_of_one_slip() -> Tested {
     Ok(())
 }
 
-/// One load of ten that was written down ten times too large moves friction by no more than its error; least squares by a quarter.
+/// One of ten loads is ten times too large. It changes friction by less than the standard error; least squares would change it by a quarter.
 #[test]
 fn a_slip_far_off_counts_less() -> Tested {
     let loads = [5.9, 6.1, 6.0, 6.2, 5.8, 6.1, 5.9, 6.05, 5.95, 60.0].map(slip);
@@ -111,7 +111,7 @@ fn a_slip_far_off_counts_less() -> Tested {
     Ok(())
 }
 
-/// Estimates enter needs and reserves: the least squeeze is that for friction at the low end of its interval.
+/// Identified values can be used in `need` and `reserve`: the safe squeeze is that for friction at the low end of its interval.
 #[test]
 fn errors_go_on_into_needs() -> Tested {
     let asked = Identify::new([Unknown::friction()], LOADS.map(slip));
@@ -124,7 +124,7 @@ fn errors_go_on_into_needs() -> Tested {
     let needed = sure.need(&need)?;
     let [plain, safe] = [Some(&needed.amount), needed.safe.as_ref()]
         .map(|amount| amount.and_then(Amount::bound).unwrap_or(f64::NAN));
-    // 2 μ N = 4 N, N = 10 N times the squeeze.
+    // 2 μ N = 4 N, where N is the squeeze factor times 10 N.
     assert!(
         (plain - 4.0 / (20.0 * mu.value)).abs() < 1e-9 && (safe - 4.0 / (20.0 * low)).abs() < 1e-9,
         "{needed}"

@@ -4,12 +4,12 @@ use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::{planar, spatial};
 use nalgebra::{DMatrix, DVector};
 
-/// How far each slip scatters, as a part of itself.
+/// Relative scatter of each slip.
 const SCATTER: f64 = 0.03;
-/// Of differences to the fourth order.
+/// Step of differences of fourth order.
 const STEP: f64 = 1e-3;
 
-/// The standard errors of logarithms, `σ √((JᵀJ)⁻¹)`, J the derivatives of logarithms of all slips.
+/// The standard errors of logarithms, `σ √((JᵀJ)⁻¹)`, with the derivatives J of the logarithms of all slips.
 fn from_differences(slips: &dyn Fn(&[f64]) -> Vec<f64>, values: &[f64]) -> Vec<f64> {
     let logarithms = |column: usize, by: f64| {
         let mut values = values.to_vec();
@@ -35,7 +35,7 @@ fn agree(found: &Identified, values: &[f64], errors: &[f64]) {
     }
 }
 
-/// Three fingers in the plane, uneven in everything, under loads with moments: first slips by three coefficients of friction, the squeeze and a
+/// First slips of three different planar fingers under loads with moments. The unknowns are three coefficients of friction, the squeeze and a
 /// tangential stiffness.
 #[test]
 fn of_first_slips() -> Result<(), grasp_lcp::Error> {
@@ -78,8 +78,8 @@ fn of_first_slips() -> Result<(), grasp_lcp::Error> {
 
 const AT: [[f64; 2]; 4] = [[0.1, 0.08], [-0.1, 0.11], [-0.09, -0.1], [0.12, -0.1]];
 
-/// Four feet, one more than statics determines, pushed in their plane or at a height: loads of the feet and two coefficients of friction from gross
-/// slips, with the known sum of two loads.
+/// Gross slips of four feet, statically indeterminate, under pushes in their plane or at a height. The unknowns are the load of each foot and two coefficients
+/// of friction; the sums of the loads of both pairs of feet are known.
 fn of_pushes(height: f64) -> Result<(), grasp_lcp::Error> {
     let grasp = |values: &[f64]| {
         let foot = |k: usize| {
@@ -132,7 +132,7 @@ fn of_gross_slips() -> Result<(), grasp_lcp::Error> {
     of_pushes(0.0)
 }
 
-/// A pusher above the surface loads some feet more and others less, as their springs have it.
+/// A push above the surface loads some feet more and others less, depending on their springs.
 #[test]
 fn of_gross_slips_that_tilt() -> Result<(), grasp_lcp::Error> {
     of_pushes(0.1)

@@ -6,7 +6,7 @@ use support::jaws::jaws;
 
 type Tested = Result<(), grasp_lcp::Error>;
 
-/// Loads at which two jaws with friction 0.9 and 0.423 let go, at 20 N times the smaller one, 2 % off.
+/// Loads at which two jaws with friction 0.9 and 0.423 slide: 20 N times the smaller coefficient, with a scatter of 2 %.
 const LOADS: [f64; 6] = [8.3, 8.62, 8.44, 8.57, 8.28, 8.55];
 
 fn each() -> [Unknown; 2] {
@@ -18,7 +18,7 @@ fn from(start: [f64; 2], slip: fn(Wrench) -> Slip<2>) -> Result<Identified, gras
     jaws(start)?.identify(&Identify::new(each(), slips).with_outliers_beyond(f64::INFINITY))
 }
 
-/// The weaker jaw lets go: one of both has the mean of the slips, and no start says which one.
+/// The jaw with less friction slides. One of the two has the mean of the slips, and no start determines which one.
 #[test]
 fn one_of_two_jaws_whichever_the_start() -> Tested {
     let logs = LOADS.map(|newtons| (newtons / 20.0).ln());
@@ -30,7 +30,7 @@ fn one_of_two_jaws_whichever_the_start() -> Tested {
             let said = found.to_string();
             assert!(said.starts_with("one of"), "{start:?}: {said}");
             assert_eq!(found.slips, 6);
-            // Nothing is said of one jaw that belongs to the other.
+            // No jaw has a value that may belong to the other.
             assert!(
                 found.estimates.iter().all(|each| !each.is_fixed && each.standard_error.is_none()),
                 "{found:?}"
@@ -52,7 +52,7 @@ fn one_of_two_jaws_whichever_the_start() -> Tested {
     Ok(())
 }
 
-/// Two feet under a weight of 10 N, nearer to the left or to the right one: they carry 7 and 3 N, or 3 and 7 N, and half of a pull each.
+/// Two feet under a weight of 10 N that is nearer to one of them: they carry 7 and 3 N, or 3 and 7 N, and half of a pull each.
 fn feet(start: [f64; 2]) -> Result<Grasp, grasp_lcp::Error> {
     let foot = |x: f64, mu, name| {
         Contact::new([x, 0.0], [0.0, 1.0]).name(name).series_stiffness(1e5, 1e5).friction(mu)
@@ -64,7 +64,7 @@ fn pulled(newtons: f64, x: f64) -> Slip<2> {
     Slip::first(Wrench::force([newtons, 0.0])).on_top_of(Wrench::force_at([0.0, -10.0], [x, 0.0]))
 }
 
-/// Of one kind of slip each foot may be the reason, with a friction of its own: P / 14 or P / 6.
+/// With one kind of slip either foot may be the first, with friction P / 14 or P / 6.
 #[test]
 fn either_of_two_feet() -> Tested {
     for start in [[0.1, 0.9], [0.9, 0.1]] {
@@ -82,7 +82,7 @@ fn either_of_two_feet() -> Tested {
     Ok(())
 }
 
-/// Of both kinds only the left foot explains all, 0.2: P is 2.8 N or 1.2 N. The search that begins at the right one finds it, too.
+/// With both kinds of slips, P = 2.8 N or 1.2 N, only friction 0.2 at the left foot explains all. A search that starts with the right foot finds this, too.
 #[test]
 fn the_assignment_that_fits_is_found_from_the_other_one() -> Tested {
     for start in [[0.2, 0.8], [0.8, 0.1]] {
@@ -106,7 +106,7 @@ fn the_assignment_that_fits_is_found_from_the_other_one() -> Tested {
     Ok(())
 }
 
-/// Three fingers around a disc that is twisted: each alone may be the first to slip.
+/// Three fingers around a disc under a torque: each alone may be the first to slip.
 #[test]
 fn one_of_three() -> Tested {
     let unknowns = [0, 1, 2].map(|k| Unknown::friction().of_contacts([k]));
@@ -115,7 +115,7 @@ fn one_of_three() -> Tested {
             Grasp::new([0, 1, 2].map(|i| {
                 support::jaws::around::<2>(i, 3, 0.05, [1000.0, 800.0], start[i]).pressed_with(10.0)
             }))?;
-        // The twist takes a third at each finger: μ 10 N · 3 · 0.05 m, 0.6 N m at 0.4.
+        // Each finger carries a third of the torque: μ 10 N · 3 · 0.05 m, 0.6 N m at μ = 0.4.
         let slips = [0.59, 0.6, 0.61].map(|m| Slip::first(Wrench::new([0.0; 2], m)));
         let found = grasp.identify(&Identify::new(unknowns.clone(), slips))?;
         assert!(found.to_string().starts_with("one of"), "{start:?}: {found}");

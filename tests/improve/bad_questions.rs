@@ -19,7 +19,7 @@ fn asked() -> Improve<2> {
 
 #[test]
 fn errors_name_contact_field_and_value() {
-    // The beginning of the datum's name is enough.
+    // The beginning of the datum's name is compared.
     let cases = [
         (asked(), "improve", "surface", ""),
         (asked().along(0, Surface::circle([0.0, 0.0], -1.0)), "0 (left)", "radius", "-1"),

@@ -13,7 +13,7 @@ fn edge(x: f64) -> Surface<2> {
     Surface::segment([x, -0.02], [x, 0.02])
 }
 
-/// Level with each other, as hard as they may: 2 μ N.
+/// The best jaws are level and press with their largest force N: the first slip is at 2 μ N.
 #[test]
 fn a_symmetric_pinch_slides_at_all_its_friction() {
     let grasp = Grasp::new([jaw(-0.03, 0.004), jaw(0.03, -0.006)]).expect("two jaws");
@@ -28,7 +28,7 @@ fn a_symmetric_pinch_slides_at_all_its_friction() {
     assert!((onset.factor().expect("slides") - 10.0).abs() < CLOSE);
 }
 
-/// A load whose line is e aside is balanced by the couple of the normal forces: one jaw higher by 2 μ e, both carry half.
+/// A load at the distance e from the middle is balanced by the couple of the normal forces: one jaw is higher by 2 μ e, and both carry half.
 #[test]
 fn a_load_aside_is_balanced_by_a_couple() {
     let grasp = Grasp::new([jaw(-0.03, 0.0), jaw(0.03, 0.0)]).expect("two jaws");
@@ -41,7 +41,7 @@ fn a_load_aside_is_balanced_by_a_couple() {
     assert!((higher - 2.0 * 0.5 * aside).abs() < 1e-8, "{higher}");
 }
 
-/// Three fingers around a disc, springs alike along both axes: each carries a third of a force of any direction, which the cone allows up to `3 N sin α`.
+/// Three fingers around a disc have equal stiffness along both axes. Each carries a third of a force of any direction, up to `3 N sin α`.
 #[test]
 fn three_fingers_on_a_disc_stand_at_thirds() {
     let angles = [0.3_f64, 1.9, 4.4];
@@ -65,7 +65,7 @@ fn three_fingers_on_a_disc_stand_at_thirds() {
     }
 }
 
-/// Nothing but the squeeze may change: a straight line, up to the force.
+/// If only the squeeze may change, the load at first slip is linear in it, up to the largest force.
 #[test]
 fn a_squeeze_alone_goes_up_to_its_force() {
     let grasp = Grasp::new([jaw(-0.03, 0.0), jaw(0.03, 0.0)]).expect("two jaws");
@@ -79,7 +79,7 @@ fn a_squeeze_alone_goes_up_to_its_force() {
     assert!(improved.is_locally_best(), "{improved}");
 }
 
-/// A grasp that is optimal already stays, and the answer says so.
+/// A grasp that is already optimal is reported as such.
 #[test]
 fn what_is_best_stays() {
     let grasp = Grasp::new([jaw(-0.03, 0.0), jaw(0.03, 0.0)]).expect("two jaws");

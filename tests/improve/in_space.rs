@@ -11,7 +11,7 @@ fn finger(angle: f64, height: f64, normal: f64) -> Contact {
     contact.series_stiffness(1e3, normal).friction(0.5).pressed_with(9.0)
 }
 
-/// Three fingers on a can carry a weight along its axis with all their friction: 3 μ N, all alike at thirds.
+/// Three fingers on a can carry a weight along its axis up to 3 μ N, at the angles of a third of a turn.
 #[test]
 fn fingers_on_a_can_carry_with_all_their_friction() {
     let start = [(0.2, 0.01), (2.0, -0.012), (4.5, 0.004)];
@@ -24,7 +24,7 @@ fn fingers_on_a_can_carry_with_all_their_friction() {
     assert!(improved.is_locally_best(), "{improved}");
 }
 
-/// Three fingers on a ball under a force of any direction: on a great circle, as on a disc.
+/// Under a force of any direction, three fingers on a ball are best on a great circle, as on a disc.
 #[test]
 fn fingers_on_a_ball_stand_on_a_great_circle() {
     let grasp = Grasp::new([0.1, 2.3, 4.0].map(|angle| finger(angle, 0.0, 1e3))).expect("three fingers");
@@ -47,7 +47,7 @@ fn clamped(x: f64, y: f64) -> Grasp {
     Grasp::new(pads).unwrap()
 }
 
-/// A clamp on a plate: on a rectangle, and on the triangles that halve it.
+/// A clamp on a plate has the same optimum on a rectangle and on its two triangles.
 #[test]
 fn triangles_and_rectangles_agree() {
     let grasp = clamped(0.01, -0.01);
@@ -70,7 +70,7 @@ fn triangles_and_rectangles_agree() {
     assert!((one.0 - other.0).abs() < 1e-9 * one.0, "{one:?} {other:?}");
 }
 
-/// A clamp on a plate of many triangles goes over their edges to where it would be on the whole one, without another start.
+/// From a single start, a clamp on a plate of many triangles moves over their edges to the optimum of the whole plate.
 #[test]
 fn fingers_go_over_the_edges_of_a_mesh() {
     let grasp = clamped(-0.015, -0.013);

@@ -8,7 +8,7 @@ fn jaw(x: f64) -> Contact {
     jaws::jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(8.0)
 }
 
-/// The load is so far aside that both edges end before it is balanced.
+/// The load is so far from the middle that the edges end before it can be balanced.
 fn asked(half: f64, force: f64) -> Improved<2> {
     let grasp = Grasp::new([jaw(-0.03), jaw(0.03)]).expect("two jaws");
     let edge = |x: f64| Surface::segment([x, -half], [x, half]);

@@ -13,11 +13,11 @@ use grasp_lcp::squeeze::{Loads, WeakestDirection};
 use grasp_lcp::{planar, spatial};
 use support::samples::{assert_met, samples, seeded};
 
-/// Length of the moves: of places relative to the size of the object, of squeezes relative to their limit.
+/// Size of moves, relative to the size of the object; for squeezes relative to their largest value.
 const STEP: f64 = 4e-4;
 const SIZE: f64 = 0.05;
 const MOST: f64 = 12.0;
-/// First-order gain of a move as long as the object that counts as none, relative to the goal; multipliers prove an optimum to a millionth.
+/// Largest gain to first order of a move of the size of the object, relative to the goal. Optima are reported to a millionth.
 const NOTHING: f64 = 1e-6;
 const ROUNDING: f64 = 1e-9;
 
@@ -29,7 +29,8 @@ fn contact<const C: usize>(point: [f64; C], normal: [f64; C], press: f64) -> Con
     Contact::new(point, normal).series_stiffness(NORMAL, TANGENTIAL).friction(0.8).command(command)
 }
 
-/// The grasp with each place moved along its surface, the frame moved along without turning, and each squeeze changed; `None` if a limit is exceeded.
+/// The contacts with each place moved along its surface, the frame without twist about the normal, and each squeeze changed. `None` if a squeeze exceeds its
+/// largest value.
 fn moved<const C: usize>(
     at: &[Placed<C>],
     surfaces: &[Surface<C>],
@@ -115,12 +116,12 @@ fn no_move_gains<const C: usize>(
 
     let (mut random, mut most, mut asked, mut lose) = (seeded(48), f64::NEG_INFINITY, 0, 0);
     for _ in 0..samples(300) {
-        // Some of them at a time.
+        // Only some of them change at a time.
         let mut part = || if random.index(0, 3) > 0 { 0.0 } else { random.signed() };
         let moves: [f64; 12] = std::array::from_fn(|_| part());
         let gain = |step: f64| Some(value(&moves, step)? / best - 1.0);
         let (Some(whole), Some(half)) = (gain(STEP), gain(STEP / 2.0)) else { continue };
-        // The slope at zero of the parabola through both gains and the origin, without the curvature of the surfaces.
+        // The slope of the parabola through zero and both gains, which does not contain the curvature of surfaces.
         let first = (4.0 * half - whole) / STEP;
         (most, asked, lose) = (most.max(first), asked + 1, lose + usize::from(first < -0.01));
     }

@@ -11,14 +11,14 @@ fn edge(x: f64) -> Surface<2> {
     Surface::segment([x, -0.02], [x, 0.02])
 }
 
-/// Two jaws carry a load P that hangs e aside.
+/// The question for two jaws that carry a load at a distance from their middle.
 fn carried(load: f64, aside: f64) -> Improve<2> {
     let question = Improve::new(Wrench::force_at([0.0, -load], [aside, 0.0])).with_goal(ImproveGoal::Reserve);
     question.along(0, edge(-0.03)).along(1, edge(0.03))
 }
 
-/// One jaw is higher by P e / N, where the couple of normal forces balances that: each carries half, and has `μ N - P / 2`. For a late first slip it
-/// would be 2 μ e, 10 mm in place of 4.
+/// One jaw is higher by P e / N, so that the couple of normal forces balances the load. Each carries half, with the margin `μ N - P / 2`. For the latest
+/// first slip the difference in height would be 2 μ e, 10 mm instead of 4 mm.
 #[test]
 fn a_load_aside_is_balanced_as_it_is_and_not_as_it_may_become() {
     let improved = jaws([0.5; 2]).expect("two jaws").improve(&carried(4.0, 0.01)).expect("asked well");
@@ -31,7 +31,7 @@ fn a_load_aside_is_balanced_as_it_is_and_not_as_it_may_become() {
     assert!(words.contains("have least"), "{words}");
 }
 
-/// Springs alike along both axes: each of three fingers carries a third of a force F of any direction, of which its cone feels `F √(1 + μ²) / 3`.
+/// With equal stiffness along both axes, each of three fingers carries a third of a force F of any direction. This reduces its margin by `F √(1 + μ²) / 3`.
 #[test]
 fn three_fingers_on_a_disc_keep_what_a_third_of_any_force_leaves() {
     let finger = |angle: f64| {
@@ -49,7 +49,7 @@ fn three_fingers_on_a_disc_keep_what_a_third_of_any_force_leaves() {
     assert!(improved.is_locally_best(), "{improved}");
 }
 
-/// The reserve is the least margin in the equilibria under each load, on round cones, before and after the improvement.
+/// The reserve is the least margin of the equilibria under all loads, on round cones, before and after the improvement.
 #[test]
 fn it_is_the_least_margin_of_the_grasp_under_its_loads() {
     use spatial::{Contact, Grasp, Loads, Wrench};
@@ -79,7 +79,7 @@ fn it_is_the_least_margin_of_the_grasp_under_its_loads() {
     assert!((least(&improved.placed(&grasp).expect("three")) - after).abs() < 1e-9, "{after}");
 }
 
-/// A newton more of either jaw gives half of its friction: `μ N - P / 2`.
+/// The multipliers of the forces of both jaws have the sum μ, because the margin is `μ N - P / 2`.
 #[test]
 fn its_multipliers_are_what_a_newton_gains() {
     let improved = jaws([0.5; 2])
@@ -101,7 +101,7 @@ fn its_multipliers_are_what_a_newton_gains() {
     assert!((shares.iter().map(|(_, share)| share).sum::<f64>() - 1.0).abs() < 1e-9, "{shares:?}");
 }
 
-/// The grasp given slides under the load, and is improved all the same.
+/// The given grasp slides under the load, and is improved all the same.
 #[test]
 fn what_slides_is_improved() {
     let improved = jaws([0.5; 2])
@@ -113,7 +113,7 @@ fn what_slides_is_improved() {
     assert!(improved.to_string().contains("instead of sliding"), "{improved}");
 }
 
-/// 30 N are more than their friction.
+/// A load of 30 N exceeds the friction of every grasp.
 #[test]
 fn what_no_grasp_carries_is_told_so() {
     let improved = jaws([0.5; 2]).expect("two jaws").improve(&carried(30.0, 0.0)).expect("asked well");

@@ -18,7 +18,7 @@ fn threads_do_not_change_a_bit() {
     let on = |threads: usize| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         let improved = pool.install(|| grasp.improve(&question)).expect("asked well");
-        // Debug text has every digit.
+        // The debug text has all digits.
         format!("{improved:?}")
     };
     assert_eq!(on(1), on(4));

@@ -15,20 +15,20 @@ use nalgebra::{DMatrix, DVector};
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, Signed};
 
-/// How the entries of a family are made.
+/// Families of problems, by the construction of their entries.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Family {
-    /// Small whole numbers: dense, sparse, skew, symmetric, a Gram matrix, that with a skew part, not negative.
+    /// Small integers: dense, sparse, skew, symmetric, Gram matrix, Gram matrix plus skew part, or nonnegative.
     Whole(usize),
-    /// Whole numbers times powers of ten, each entry its own.
+    /// Integers, each times its own power of ten.
     Apart(i32),
-    /// Whole numbers, rows and columns times powers of ten.
+    /// Integers, with rows and columns times powers of ten.
     Scaled(i32),
-    /// A matrix of whole numbers whose last row depends on the others but for one part in 1e9 to 1e17.
+    /// Integers, with a last row that is linearly dependent on the others up to one part in 1e9 to 1e17.
     NearlySingular,
-    /// q = w − M z for complementary z and w with zeros in common, large entries cancelling.
+    /// q = w − M z for complementary z and w with common zeros, where large entries cancel.
     Degenerate,
-    /// Doubles of any bits.
+    /// Doubles with random bits.
     Bits,
 }
 
@@ -51,7 +51,7 @@ pub(crate) const FAMILIES: [Family; 16] = [
     Family::Bits,
 ];
 
-/// Whole numbers with the structure of a kind.
+/// An integer matrix with the structure of a kind.
 fn whole(random: &mut Random, kind: usize, n: usize) -> DMatrix<f64> {
     let size = random.integer(1, 3);
     let keep = |random: &mut Random| kind != 1 || random.integer(0, 1) == 0;
@@ -130,26 +130,26 @@ pub(crate) fn problem(random: &mut Random, family: Family) -> (DMatrix<f64>, DVe
     }
 }
 
-/// Counts of the answers to the problems of a family.
+/// Counts of outcomes of a family.
 #[derive(Debug, Default, Clone)]
 pub(crate) struct Tally {
     pub(crate) solved: usize,
-    /// Solved, where the exact point of the basis breaks a condition, or there is none.
+    /// Reported as solved, although the exact point of the basis violates a condition or does not exist.
     pub(crate) rounded: usize,
-    /// Of these the ones with residuals above rounding.
+    /// Those of `rounded` with residuals above rounding.
     pub(crate) coarse: usize,
-    /// Solved but for rounding, where there is no solution.
+    /// Reported as solved up to rounding, although no solution exists.
     pub(crate) unsolvable: usize,
     pub(crate) infeasible: usize,
     pub(crate) nearly: usize,
     pub(crate) without: usize,
-    /// Nothing known, although there is a solution.
+    /// No result, although a solution exists.
     pub(crate) missed: usize,
-    /// Nothing known, and there is no solution.
+    /// No result, and no solution exists.
     pub(crate) open: usize,
 }
 
-/// Whether z misses 0 ≤ z ⟂ w ≥ 0 by more than 2e-10 of the terms of a row, in rationals. A z_j counts no more than its largest share in the
+/// Whether z violates 0 ≤ z ⟂ w ≥ 0 by more than 2e-10 of the terms of a row, in rational arithmetic. z_j is measured by its largest contribution to the
 /// terms of any row.
 fn violates(exact: &Exact, z: &[BigRational]) -> bool {
     let whole = |x: &num_bigint::BigInt| BigRational::from_integer(x.clone());
@@ -169,7 +169,7 @@ fn violates(exact: &Exact, z: &[BigRational]) -> bool {
         })
 }
 
-/// Judges one answer.
+/// Checks one answer.
 pub(crate) fn judge(lcp: &Lcp, outcome: &Outcome, tally: &mut Tally) -> Result<(), String> {
     let exact = Exact::of(lcp.matrix(), lcp.vector());
     match outcome {
@@ -184,7 +184,7 @@ pub(crate) fn judge(lcp: &Lcp, outcome: &Outcome, tally: &mut Tally) -> Result<(
                 tally.rounded += 1;
                 tally.unsolvable += usize::from(!exact.is_solvable());
                 tally.coarse += usize::from(solution.residuals.max() > 1e-14);
-                // An answer with rounding errors solves a problem whose data differ by rounding. Residuals cannot prove more.
+                // A solution up to rounding solves slightly different data. Residuals cannot show more.
                 if violates(&exact, &z) {
                     return Err("a false solution".into());
                 }
@@ -209,7 +209,7 @@ pub(crate) fn judge(lcp: &Lcp, outcome: &Outcome, tally: &mut Tally) -> Result<(
     Ok(())
 }
 
-/// A mixed problem of small whole numbers: any blocks, a singular symmetric A, or the saddle point of a program.
+/// A mixed problem of small integers: arbitrary blocks, a singular symmetric A, or the saddle point of a quadratic program.
 pub(crate) fn mixed(random: &mut Random, kind: usize) -> MixedLcp {
     let (free, n) = (random.integer(1, 3) as usize, random.integer(1, 3) as usize);
     let size = random.integer(1, [2, 20, 3][kind % 3]);
@@ -220,7 +220,7 @@ pub(crate) fn mixed(random: &mut Random, kind: usize) -> MixedLcp {
     let (mut a, c) = (block(free, free), block(free, n));
     let (mut d, mut m) = (block(n, free), block(n, n));
     if kind == 1 {
-        // Of rank one less than its size, with a null vector of whole numbers.
+        // The rank is one less than the size, with an integer null vector.
         let mut low = factor.clone();
         low.column_mut(0).fill(0.0);
         a = &low * low.transpose();
@@ -235,7 +235,7 @@ pub(crate) fn mixed(random: &mut Random, kind: usize) -> MixedLcp {
     MixedLcp::new(&a, &c, &d, &m, &b, &q).expect("sizes match")
 }
 
-/// Judges one answer to a mixed problem.
+/// Checks one answer to a mixed problem.
 pub(crate) fn judge_mixed(
     problem: &MixedLcp,
     outcome: &Outcome<MixedSolution>,
@@ -331,7 +331,7 @@ fn no_answer_to_a_mixed_problem_says_more_than_is_known() {
     }
 }
 
-/// A path has at most one piece for each of its 2ⁿ bases, before it is noticed that it goes round.
+/// A path has at most one piece for each of its 2ⁿ bases before a cycle is detected.
 #[test]
 fn every_parametric_path_ends() {
     for (k, family) in FAMILIES.into_iter().enumerate() {

@@ -5,7 +5,7 @@ use allocation_counter::measure;
 use grasp_lcp::lcp::{Lcp, OutcomeView, Series, Settings, Workspace};
 use nalgebra::{DMatrix, DVector};
 
-/// M = A Aᵀ + 1 and q of both signs: every path is a first path.
+/// A problem with M = A Aᵀ + 1 and entries of q of both signs, which the first path solves.
 fn definite(n: usize, random: &mut Random) -> Lcp {
     let mut number = || random.integer(-1000, 1000) as f64 / 1000.0;
     let a = DMatrix::from_fn(n, n, |_, _| number());

@@ -35,7 +35,7 @@ fn problem(random: &mut Random, kind: usize, largest: i64) -> Integers {
     Integers { n, m, q }
 }
 
-/// Asserts that a solution is exact: by its basis if that is regular, else by its residuals and the existence of one.
+/// Asserts that a solution is exact: by its basis if this is regular, otherwise by its residuals and the existence of a solution.
 fn assert_exact(problem: &Integers, solution: &Solution) {
     assert!(solution.residuals.within(1e-13), "{problem:?} {solution:?}");
     let alpha: Vec<usize> = solution.basis.iter().collect();

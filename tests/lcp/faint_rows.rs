@@ -20,7 +20,7 @@ fn a_slack_beside_a_positive_unknown_is_seen_whatever_its_size() {
     }
 }
 
-/// z₂ = 2e-202 by row 1. Then w₂ = 0 asks for z₀ = 4e-465, or for z₁ that makes up for a larger one.
+/// Row 1 gives z₂ = 2e-202. Then w₂ = 0 needs z₀ = 4e-465, or a z₁ that compensates a larger z₀.
 fn with_entry(entry: f64) -> Lcp {
     let rows = [
         [-2e-24, 0.0, -1e118, 1e43],
@@ -33,7 +33,7 @@ fn with_entry(entry: f64) -> Lcp {
 
 #[test]
 fn an_unknown_below_the_smallest_number_is_not_taken_for_zero() {
-    // No doubles solve this.
+    // No doubles satisfy this problem.
     let outcome = with_entry(0.0).solve();
     assert!(!matches!(outcome, Outcome::Solved(_)), "{outcome}");
     assert!(!outcome.is_infeasible(), "{outcome}");

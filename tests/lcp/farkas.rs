@@ -15,7 +15,7 @@ fn times(column: impl Iterator<Item = f64>, y: &DVector<f64>) -> BigRational {
     column.zip(y).fold(BigRational::zero(), |sum, (m, y)| sum + exact(m) * exact(*y))
 }
 
-/// The statement that y proves, in rationals: infeasible, or a bound on the sum of z.
+/// What y proves in rational arithmetic: whether the problem is infeasible, and otherwise a lower bound on the sum of z.
 fn shown(m: &DMatrix<f64>, q: &DVector<f64>, y: &DVector<f64>) -> (bool, f64) {
     let descent = times(q.iter().copied(), y);
     if !descent.is_negative() {
@@ -28,7 +28,7 @@ fn shown(m: &DMatrix<f64>, q: &DVector<f64>, y: &DVector<f64>) -> (bool, f64) {
     (false, (-descent / worst).to_f64().unwrap_or(f64::INFINITY))
 }
 
-/// A number of any size, zero now and then.
+/// A random number of any size, sometimes zero.
 fn wild(random: &mut Random, decades: i64) -> f64 {
     match random.integer(0, 5) {
         0 => 0.0,
@@ -48,7 +48,7 @@ fn a_vector_proves_what_rationals_say() {
         let y = DVector::from_fn(n, |_, _| wild(&mut random, decades).abs());
         let mut q = DVector::from_fn(n, |_, _| wild(&mut random, decades));
         if trial % 3 == 0 {
-            // Columns that are orthogonal to y, or miss it by a rounding.
+            // Columns that are orthogonal to y, exactly or up to rounding.
             for j in 0..n {
                 let rest: f64 = (1..n).map(|i| m[(i, j)] * y[i]).sum();
                 let balanced = -rest / y[0];
@@ -68,7 +68,7 @@ fn a_vector_proves_what_rationals_say() {
     assert_met(&[(proofs, 75), (bounds, 250)]);
 }
 
-/// For any data, `Infeasible` is true in rationals, and nearly infeasible problems have no small z.
+/// Problems with random data that are reported as infeasible are infeasible in rational arithmetic. Nearly infeasible ones have no small z.
 #[test]
 fn no_proof_is_false() {
     let mut random = seeded(137);
@@ -105,7 +105,7 @@ fn no_proof_is_false() {
     assert_met(&[(proofs, 100), (nearly, 12)]);
 }
 
-/// Where a product underflows rounding would call a feasible problem infeasible: z = (1e631, …) is a solution of the constraints.
+/// If a product underflows, rounded arithmetic would report a feasible problem as infeasible: z = (1e631, …) satisfies the constraints.
 #[test]
 fn underflow_proves_nothing() {
     let m = DMatrix::from_row_slice(2, 2, &[-2.0, 1.0, 1.5e-323, 0.0]);

@@ -7,12 +7,12 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use support::samples::config;
 
-/// Any 64 bits as a number: infinities, NaN, subnormal numbers and extreme exponents included.
+/// A number with random bits: also infinities, NaN, subnormal numbers and extreme exponents.
 fn any_bits() -> impl Strategy<Value = f64> + Clone {
     any::<u64>().prop_map(f64::from_bits)
 }
 
-/// Finite numbers of all sizes, many of them 0, ±1 or alike.
+/// Finite numbers of all sizes, many of them 0, ±1 or equal.
 fn any_finite() -> impl Strategy<Value = f64> + Clone {
     prop_oneof![
         3 => (-3_i32..4).prop_map(f64::from),
@@ -37,7 +37,7 @@ fn problem(
     })
 }
 
-/// Checks everything that an outcome claims, without the library's own arithmetic.
+/// Checks all claims of an outcome, without the arithmetic of the library.
 fn check(lcp: &Lcp, outcome: &Outcome) -> Result<(), TestCaseError> {
     let (m, q) = (lcp.matrix(), lcp.vector());
     match outcome {

@@ -10,7 +10,7 @@ use crate::common::{samples, seeded};
 use grasp_lcp::lcp::{Lcp, Outcome};
 use nalgebra::{DMatrix, DVector};
 
-/// Semidefinite (A Aᵀ of any rank plus skew) with a planted degenerate solution: Lemke must find one.
+/// Semidefinite M (A Aᵀ of any rank plus a skew part) with a known degenerate solution: Lemke's method must find a solution.
 #[test]
 fn semidefinite_problems_with_a_planted_solution_are_solved() {
     let mut random = seeded(89);
@@ -33,7 +33,7 @@ fn semidefinite_problems_with_a_planted_solution_are_solved() {
     }
 }
 
-/// M of any class with a planted Farkas vector: the answer must be a proof that checks.
+/// M of any class with a known Farkas vector: the answer must be a valid proof.
 #[test]
 fn infeasible_problems_are_proved_infeasible() {
     let mut random = seeded(97);
@@ -57,7 +57,7 @@ fn infeasible_problems_are_proved_infeasible() {
     }
 }
 
-/// Planar contacts in Stewart and Trinkle's form, each with its own μ, some of them 0 or all alike: copositive, so that a
+/// Planar contacts in Stewart and Trinkle's form, with different μ, some zero, or all equal. M is copositive, so a
 /// solution is found.
 #[test]
 fn frictional_contacts_on_a_compliant_body_are_solved() {

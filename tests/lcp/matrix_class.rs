@@ -20,7 +20,7 @@ fn textbook_matrices() {
     assert_eq!(skew.guarantee(), Guarantee::SolutionIfFeasible);
     assert_eq!(skew.p_matrix, Some(false));
 
-    // Murty's matrix is a P-matrix of semidefinite symmetric part; with 3 for 2 it is no longer semidefinite.
+    // Murty's matrix is a P-matrix with semidefinite symmetric part. With 3 instead of 2 it is not semidefinite.
     let murty = class(3, &[1., 0., 0., 2., 1., 0., 2., 2., 1.]);
     assert_eq!((murty.definiteness, murty.p_matrix), (Definiteness::PositiveSemidefinite, Some(true)));
     let steeper = class(3, &[1., 0., 0., 3., 1., 0., 3., 3., 1.]);

@@ -92,7 +92,7 @@ fn blocks_that_do_not_fit_are_refused() {
     assert!(value.is_nan());
 }
 
-/// Equalities that contradict each other through a singular A are infeasible, whatever quotients of noise satisfy them to rounding.
+/// Contradictory equalities with a singular A are infeasible, even if quotients of rounding errors satisfy them up to rounding.
 #[test]
 fn quotients_of_noise_are_no_solution() {
     let rows = |n: usize, m: usize, entries: &[f64]| DMatrix::from_row_slice(n, m, entries);
@@ -105,7 +105,7 @@ fn quotients_of_noise_are_no_solution() {
         &DVector::from_vec(vec![1.0, 0.0, 1.0]),
         &one(-2.0),
     );
-    // The second unknown is 1/2, far from the noise of the others.
+    // The second unknown is 1/2, far above the rounding errors of the others.
     let beside_a_clear_value = MixedLcp::new(
         &rows(3, 3, &[1.0, 2.0, -1.0, -1.0, 1.0, -2.0, 0.0, 2.0, 0.0]),
         &rows(3, 1, &[0.0, 1.0, 0.0]),

@@ -28,7 +28,7 @@ fn grasp(numbers: &mut Random, n: usize, decades: f64) -> planar::Grasp {
     planar::Grasp::new(contacts.collect::<Vec<_>>()).unwrap()
 }
 
-/// Whether the basis solves the problem exactly, every f64 taken as the rational number that it is.
+/// Whether the basis solves the problem exactly, in rational arithmetic on the given doubles.
 fn solves_exactly(lcp: &Lcp, basis: &Basis) -> bool {
     let exact = |x: f64| BigRational::from_float(x).expect("finite");
     let (m, q) = (lcp.matrix(), lcp.vector());
@@ -68,7 +68,7 @@ fn what_is_called_solved_without_an_equilibrium_solves_the_data_exactly() {
     assert_eq!(missed, 0);
 }
 
-/// Where M has zeros and entries of q or M lie far apart, regular blocks are not called singular: each of these has one solution, in closed form.
+/// Regular blocks with zeros and with entries of very different sizes are not reported as singular. Each problem has one solution in closed form.
 #[test]
 fn entries_far_apart_are_solved_or_left_open_and_never_denied() {
     let rows = |n: usize, m: &[f64], q: &[f64]| {
@@ -102,7 +102,7 @@ fn entries_far_apart_are_solved_or_left_open_and_never_denied() {
     assert_eq!(solved, all);
 }
 
-/// Terms of 1e14 hide small values of a row: a value of 3 beside them is no noise, nor a slack of -6 a tie. For any start of the path.
+/// In rows with terms of 1e14 a value of 3 is not rounding, and a slack of -6 is not a tie, for every start of the path.
 #[test]
 fn small_values_beside_large_terms_are_told_from_noise() {
     let check = |m: &[f64], q: &[f64], z: &[f64]| {
@@ -118,7 +118,7 @@ fn small_values_beside_large_terms_are_told_from_noise() {
         let by_series = series.solve(&q).expect("finite").into_outcome();
         for outcome in outcomes.chain([lcp.solve(), by_series]) {
             let solution = outcome.solution().unwrap_or_else(|| panic!("{outcome}"));
-            // One rounding of the largest term.
+            // The rounding of the largest term.
             let rounding = f64::EPSILON * 4e14;
             assert!(
                 solution.z.iter().zip(z).all(|(found, z)| (found - z).abs() <= rounding),

@@ -36,11 +36,11 @@ fn on_a_definite_matrix_the_path_goes_forward_through_every_solution() {
         for breakpoint in path.by_ref() {
             assert_eq!(breakpoint.trend, Trend::Forward);
             assert!(breakpoint.tau >= from);
-            // In the middle of the piece before, the basis is that of the solution.
+            // In the middle of the previous piece, the basis is that of the solution.
             let middle =
                 solution(&Lcp::new(m.clone(), &q + &dq * f64::midpoint(from, breakpoint.tau)).unwrap());
             assert_eq!(middle.basis, basis);
-            // At the breakpoint, z is the solution, and a little later z + δ dz/dτ.
+            // At the breakpoint z is the solution, and slightly beyond it z + δ dz/dτ.
             let at = solution(&Lcp::new(m.clone(), &q + &dq * breakpoint.tau).unwrap());
             assert!((&at.z - &breakpoint.z).amax() <= 1e-10 * (1.0 + at.z.amax()));
             let later = breakpoint.tau + 1e-7;
@@ -69,7 +69,7 @@ fn a_path_turns_back_where_solutions_end() {
     assert!(path.next().is_none());
     assert_eq!(path.end(), Some(&PathEnd::Unbounded(Trend::Backward)));
 
-    // From the other solution the path ends the same way, in the other order.
+    // From the other solution the path ends in the same way, in reverse order.
     let basis = Basis::from_indices(1, [0]);
     let mut path = Parametric::from_basis(&lcp, &basis, &dq, Settings::default()).unwrap();
     assert_eq!(path.start().solution().unwrap().z[0], 1.0);
@@ -133,7 +133,7 @@ fn a_neighbouring_basis_costs_the_pivots_in_which_it_differs() {
     else {
         panic!("positive definite")
     };
-    // z₀ enters, and the pair that differs lets it leave.
+    // z₀ enters, and leaves with the pair that differs.
     assert_eq!(view.pivots, 2);
 }
 
@@ -150,7 +150,7 @@ fn a_workspace_gives_the_same_answers_as_fresh_memory() {
     }
 }
 
-/// A path that closes is named as such: τ turns back at 0, -4/3, -2/3 and -1, where it comes back to the piece on which it began.
+/// A closed path is reported as such. τ reverses at 0, -4/3, -2/3 and -1, where the path returns to its first piece.
 #[test]
 fn a_closed_loop_is_an_end_of_its_own() {
     let m = DMatrix::from_row_slice(2, 2, &[-1.0, 1.0, -1.0, -2.0]);

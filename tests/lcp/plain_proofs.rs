@@ -18,7 +18,7 @@ fn proof(lcp: &Lcp) -> Vec<f64> {
     certificate.y.as_slice().to_vec()
 }
 
-/// The first row contradicts itself, whatever else Lemke's ray may say.
+/// The first row alone is infeasible, and the proof uses only this row.
 #[test]
 fn one_row_is_enough() {
     let lcp = problem(&[-1.0, -3.0, -1e-3, 2.0, 1.0, 1.0, 0.3, 0.7, -0.1], &[-1.0, 1.0, -1.0]);
@@ -32,14 +32,14 @@ fn two_rows_have_a_ratio_of_few_digits() {
     assert!(y[2] == 0.0 && (y[1] / y[0] * 1024.0).fract() == 0.0, "{y:?}");
 }
 
-/// Where one ratio alone proves it, and that is no double, both entries are taken from the data.
+/// If only one ratio gives a proof and it is not a double, both entries are taken from the data.
 #[test]
 fn a_ratio_that_is_no_double_is_one_of_two_entries() {
     let y = proof(&problem(&[3.0, -3.0, -7.0, 7.0], &[-1.0, 0.0]));
     assert_eq!(y[1] / y[0], 3.0 / 7.0);
 }
 
-/// z₀ ≥ 469.7 by the second row, and then z₂ = 9e11 z₀ by the third: the block of the basis is singular, its piece is not empty.
+/// The second row needs z₀ ≥ 469.7, and the third then z₂ = 9e11 z₀. The block of the basis is singular, but solutions with this basis exist.
 #[test]
 fn a_corner_of_a_singular_piece_is_found() {
     let rows = [
@@ -55,7 +55,7 @@ fn a_corner_of_a_singular_piece_is_found() {
     assert!(solution.z[0] >= 469.0 && solution.z[3] == 0.0);
 }
 
-/// Entries from 1e-8 to 1e8 and zeros: problems with a solution in rational arithmetic are solved, and `NoBasis` occurs only for feasible problems.
+/// With entries from 1e-8 to 1e8 and zeros, problems with a solution in rational arithmetic are solved, and `NoBasis` is returned only for feasible problems.
 #[test]
 fn entries_far_apart_are_decided_as_rationals_decide() {
     let mut random = seeded(97);

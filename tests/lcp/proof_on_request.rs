@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// A problem of whole numbers with y = (y, 1): Mᵀy ≤ 0 and qᵀy = −1, so that no z ≥ 0 has M z + q ≥ 0.
+/// An integer problem with a vector y ≥ 0 whose first entry is 1: Mᵀy ≤ 0 and qᵀy = −1, so that no z ≥ 0 has M z + q ≥ 0.
 fn infeasible(random: &mut Random, n: usize) -> Lcp {
     let mut whole = |most: i64| random.integer(-most, most) as f64;
     let mut m = DMatrix::from_fn(n, n, |_, _| whole(4));

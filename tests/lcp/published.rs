@@ -83,7 +83,7 @@ fn murtys_exponential_family_ends_honestly() {
     }
 }
 
-/// The same matrices with q = −1 are easy for Lemke: z = (1, 0, …) for the lower, (0, …, 1) for the upper triangle.
+/// With q = −1 the same matrices are easy for Lemke's method: z = (1, 0, …) for the lower, (0, …, 1) for the upper triangle.
 #[test]
 fn murtys_matrices_with_q_minus_one() {
     for n in [1, 2, 5, 10, 50, 100, 200] {
@@ -163,7 +163,7 @@ fn free_boundary_problems() {
     }
 }
 
-/// One implicit time step after another of an American put (Black–Scholes operator, strike 1), n = 100.
+/// Implicit time steps of an American put (Black–Scholes operator, strike 1), n = 100.
 #[test]
 fn american_put() {
     let (n, sigma, rate, dt) = (100, 0.3, 0.05, 0.02);

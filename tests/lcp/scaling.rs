@@ -71,8 +71,8 @@ fn rows_and_columns_of_random_integer_problems_times_powers_of_ten() {
     }
 }
 
-/// Small integer problems with z's and w's that vanish together, with rows that are singular but for noise, or solved only after
-/// several paths: found among a million as those on which noise is most easily taken for a number.
+/// Small integer problems with common zeros of z and w, with rows that are singular up to rounding, or solved only after several
+/// paths. Among a million problems, these confuse rounding errors with numbers most easily.
 #[test]
 fn rows_and_columns_of_the_most_degenerate_problems_times_powers_of_ten() {
     let problems: [(&[i64], &[i64]); 5] = [

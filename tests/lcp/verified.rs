@@ -18,7 +18,7 @@ fn bounds_hold_the_exact_solution() {
             }
             let exact = Exact::of(&m, &q);
             let lcp = Lcp::new(m, q).expect("finite");
-            // The basis of the answer, or any other.
+            // The basis of the answer, or a random one.
             let basis = match lcp.solve() {
                 Outcome::Solved(solution) if trial % 4 > 0 => solution.basis,
                 _ => Basis::from_indices(lcp.len(), (0..lcp.len()).filter(|_| random.integer(0, 1) == 0)),
@@ -38,7 +38,7 @@ fn bounds_hold_the_exact_solution() {
                     assert!(tight || !matches!(family, Family::Whole(_)), "{bounds:?}");
                 }
             } else {
-                // The block is singular: fractions may solve the problem all the same.
+                // The block is singular, but rational numbers may solve the problem all the same.
                 assert!(exact.exact_point(&alpha).is_none() && exact.is_solvable(), "{lcp:?} {bounds:?}");
             }
         }

@@ -6,16 +6,16 @@ use grasp_lcp::{planar, spatial};
 use support::jaws::around;
 
 const FRICTION: f64 = 0.5;
-/// Of the limit, at which paths end.
+/// Load at the end of a leg, relative to the limit load.
 const OVERLOAD: f64 = 1.25;
 
-/// Springs around a unit circle, each pressed with 1 N.
+/// Springs on a unit circle, each pressed with 1 N.
 fn ring(count: usize) -> spatial::Grasp {
     let spring = |i: usize| around::<3>(i, count, 1.0, [1e3, 8e2], FRICTION).pressed_with(1.0);
     spatial::Grasp::new((0..count).map(spring)).expect("a valid ring")
 }
 
-/// Springs in two rows that press towards one another with 1 N each.
+/// Two opposed rows of springs that press with 1 N each.
 fn rows(count: u32) -> planar::Grasp {
     let spring = |i: u32| {
         let side = if i.is_multiple_of(2) { 1.0 } else { -1.0 };

@@ -35,7 +35,7 @@ fn in_the_plane(text: &str) -> Result<Asked<2>, Box<dyn std::error::Error>> {
     asked(&setup)
 }
 
-/// A finger lets go and presses again while another has stood still on its cone's edge: what happens there is decided for both.
+/// A finger opens and presses again while another is on the edge of its cone without slip. The continuation is found for both together.
 #[test]
 fn a_finger_presses_again_beside_one_on_its_edge() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/pressed_on_again.json"))?;
@@ -52,7 +52,7 @@ fn a_finger_presses_again_beside_one_on_its_edge() -> Tested {
     Ok(())
 }
 
-/// Ordinary arcs on which states at a third of the fractions were once missing.
+/// Every fraction along ordinary arcs has a state.
 #[test]
 fn every_fraction_that_was_passed_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/told_everywhere.json"))?;
@@ -65,7 +65,7 @@ fn every_fraction_that_was_passed_is_told() -> Tested {
     for k in 0..=2000 {
         let state = told(k).ok_or_else(|| format!("{k} of 2000"))?;
         let forces: Vec<[f64; 3]> = state.contacts.iter().map(|c| c.force.into()).collect();
-        // Nothing jumps between neighbours.
+        // Forces are continuous between neighbouring fractions.
         if let Some(before) = before.replace(forces.clone()) {
             let apart = before.iter().flatten().zip(forces.iter().flatten()).map(|(a, b)| (a - b).abs());
             assert!(apart.fold(0.0, f64::max) < 0.05, "between {} and {k}", k - 1);
@@ -74,7 +74,7 @@ fn every_fraction_that_was_passed_is_told() -> Tested {
     Ok(())
 }
 
-/// Only two contacts in space keep their force. The free rotation about their line stays where contacts without force push it, until a load turns it.
+/// Only two contacts in space remain loaded. The free rotation about their line stays where contacts without force have pushed it, until a load turns it.
 #[test]
 fn two_contacts_stay_loaded_in_space() -> Tested {
     for text in
@@ -90,7 +90,7 @@ fn two_contacts_stay_loaded_in_space() -> Tested {
         let last = path.state().ok_or("at its end")?;
         let loaded: Vec<_> = last.contacts.iter().filter(|c| c.force.norm() > 0.0).collect();
         assert_eq!(loaded.len(), 2);
-        // Without a load the two forces are opposite each other.
+        // Without a load the two forces are opposite.
         let (a, b) = (loaded[0].force_world, loaded[1].force_world);
         assert!((a + b).norm() < 1e-12 * a.norm());
         assert!(last.contacts.iter().all(|c| c.gap > -1e-15), "nothing penetrates");
@@ -106,7 +106,7 @@ fn decided(grasp: &Grasp, start: Wrench, legs: &[Leg]) -> Tested {
     Ok(())
 }
 
-/// Fingers whose commands carry no force move the object as they come; the first load takes it away.
+/// Fingers without normal forces move the object by their commands. The first load loses it.
 #[test]
 fn nothing_presses() -> Tested {
     for text in [
@@ -117,7 +117,7 @@ fn nothing_presses() -> Tested {
         assert!(start == PlanarWrench::ZERO);
         let mut path = grasp.follow(start, &legs)?;
         let events = path.run();
-        // A loose object between fingers moves from gap to gap as soon as a load acts.
+        // A loose object moves from gap to gap as soon as a load acts.
         assert!(events.iter().filter(|event| event.jump.is_none()).count() < 5, "{events:?}");
         let loss = path.end().and_then(PathEnd::loss).ok_or("lost")?;
         assert!(loss.leg == 1 && loss.fraction == 0.0, "{loss:?}");
@@ -129,7 +129,7 @@ fn nothing_presses() -> Tested {
     Ok(())
 }
 
-/// Contacts that slide at the start may continue to slide, or one may stick: both are equilibria, and the path reports the other one.
+/// Contacts that slide at the start may continue to slide, or one may stick. Both continuations exist, and the path reports the other one.
 #[test]
 fn the_other_way_to_begin_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/two_ways_at_the_start.json"))?;
@@ -138,7 +138,7 @@ fn the_other_way_to_begin_is_told() -> Tested {
     assert!(first.leg == 0 && first.fraction == 0.0 && first.changes.is_empty());
     assert_eq!(first.other_continuations, Some(1));
     path.run();
-    // The path slides to a fold; the path in steps finds the sticking continuation, which does not end there.
+    // The path slides on to a fold. The path in steps finds the sticking continuation, which does not end there.
     let loss = path.end().and_then(PathEnd::loss).ok_or("lost")?;
     assert_eq!(loss.kind, LossKind::Fold);
     let mut steps = grasp.follow_in_steps(start, &legs, 1e-6)?;
@@ -147,7 +147,7 @@ fn the_other_way_to_begin_is_told() -> Tested {
     Ok(())
 }
 
-/// A finger lets go, and another comes to rest on the edge of its cone while the first slides on: from there on no force changes, and it stays there.
+/// A finger slides with vanishing force, and another comes to rest on the edge of its cone. After this no force changes, and it stays on the edge.
 #[test]
 fn a_slip_dies_out_on_the_edge_of_its_cone() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/slip_dies_out.json"))?;
@@ -163,7 +163,7 @@ fn a_slip_dies_out_on_the_edge_of_its_cone() -> Tested {
     Ok(())
 }
 
-/// A slip comes to its end just before the load has a maximum: to slide on would be against friction, and a force that sticks leaves its cone.
+/// Slip ends just before the load has a maximum. Further slip would be against friction, and sticking would leave the cone, so the path ends.
 #[test]
 fn what_neither_sticks_nor_slides_ends_the_path() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/stops_beside_a_maximum.json"))?;
@@ -178,7 +178,7 @@ fn what_neither_sticks_nor_slides_ends_the_path() -> Tested {
     Ok(())
 }
 
-/// A contact slides and sticks again within a twentieth of a leg: where it does is the same however far the leg goes, and no state on the way is out of its cone.
+/// A contact slides and sticks again within a twentieth of a leg. Both loads do not depend on the length of the leg, and all states are inside their cones.
 #[test]
 fn a_slip_that_comes_and_goes_is_told_however_long_the_leg() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/slips_and_sticks_again.json"))?;
@@ -192,7 +192,7 @@ fn a_slip_that_comes_and_goes_is_told_however_long_the_leg() -> Tested {
     let mut whole = grasp.follow(start, &legs)?;
     let told = load(&mut whole);
     assert_eq!(told.len(), 2, "{told:?}");
-    // The same way in ten legs.
+    // The same path in ten legs.
     let part = |k: u8| whole.state_at(0, f64::from(k) / 10.0).map(|state| Leg::load_to(state.load));
     let parts: Option<Vec<_>> = (1..=10).map(part).collect();
     let in_parts = load(&mut grasp.follow(start, &parts.ok_or("has passed")?)?);

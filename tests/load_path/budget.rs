@@ -7,7 +7,7 @@ use grasp_lcp::equilibrium::Doubt;
 use grasp_lcp::load_path::PathEnd;
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Ramp, Wrench};
 
-/// Four fingers around a glass, no two alike, that is pulled down and aside.
+/// Four different fingers around a glass.
 fn glass() -> Grasp {
     let finger = |i: u32| {
         let (sin, cos) = (TAU * f64::from(i) / 4.0 + 0.1 * f64::from(i * i)).sin_cos();
@@ -45,7 +45,7 @@ fn a_path_stops_where_its_steps_are_used_up() {
     }
 }
 
-/// The followed fraction is a lower bound of the load that holds.
+/// With too few steps the verdict is a lower bound on the load that is held.
 #[test]
 fn a_verdict_without_steps_is_a_lower_bound() {
     let (grasp, ramp) = (glass(), Ramp::load(Wrench::ZERO, Wrench::force([4.0, 1.0, -30.0])));

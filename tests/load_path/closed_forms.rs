@@ -10,7 +10,7 @@ use support::jaws::jaw;
 use support::programs::numbers;
 
 /// A wedge with flank normals (±c, s), s = 0.6, c = 0.8, driven down between two fingers. Two frictionless guides keep it upright:
-/// without them it may as well turn, one flank sliding and the other not, under the very same forces.
+/// without them it could also turn under the same forces, with one flank sliding and the other not.
 fn wedge(mu: f64) -> planar::Grasp {
     let (k, kt) = (100.0, 200.0);
     let flank = |side: f64| {
@@ -53,7 +53,7 @@ fn a_wedge_locks_at_its_angle() {
         if mu < tan {
             expected.push((1, 1.0 - pulls_out / w1, vec![(0, "slides"), (1, "slides")]));
             let left = rest.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
-            // Near the locking angle a rounding of the load is a force larger by the inverse of the distance.
+            // Near the locking angle the rounding of the load is amplified by the inverse distance from this angle.
             assert!(left < 1e-14 * w1 / (tan - mu), "{mu} {left}");
         } else {
             // W = 0: N s + T c = 0 after the whole of W₁ has been taken back at the sticking stiffness.
@@ -67,7 +67,7 @@ fn a_wedge_locks_at_its_angle() {
             events.extend(path.run());
             let loss = limit_load(&path);
             assert_eq!((loss.leg, &numbers(&loss.contacts)[..]), (2, &[0, 1][..]));
-            // A rounding of W₁ moves the small load that pulls it out by its inverse part.
+            // The small pull-out load has the absolute rounding error of W₁.
             assert!((loss.fraction - 0.5).abs() < 1e-14 * w1 / pulls_out.abs(), "{mu}: {}", loss.fraction);
             let [x, y] = loss.motion.as_ref().expect("a motion").object.translation();
             assert!(y > 0.99 && x.abs() < 1e-9, "it comes out: {x} {y}");
@@ -75,7 +75,7 @@ fn a_wedge_locks_at_its_angle() {
         if mu >= tan {
             assert_story(&events, &expected);
         } else {
-            // Free of force at last, it may also be said to open there, at the very end.
+            // At the very end, without force, an opening may be reported too.
             assert_story(&events[..3], &expected);
             assert!(events[3..].iter().all(|e| e.fraction > 1.0 - 1e-12), "{:?}", story(&events));
         }
@@ -141,12 +141,12 @@ fn a_continuation_lost_by_snapping() {
     let last = path.state().unwrap();
     assert_close!(last.contacts[0].normal_force(), 952.0 / 109.0);
     assert_close!(last.contacts[0].force_world[0], 1428.0 / 109.0);
-    // It goes the way the friction gives way: u' reversed, (-30, 12).
+    // The body moves against the direction u' of increasing load: (-30, 12).
     let [x, y] = loss.motion.as_ref().expect("a motion").object.translation();
     assert_close!(y / x, -0.4);
     assert!(x < 0.0);
     assert!(path.energies()[0].residual().abs() < 1e-13);
-    // By listing all: stuck, sliding (which meets it at τ*) and open before, only open after.
+    // Enumeration finds three equilibria before τ*: sticking, sliding (both meet at τ*) and open. After it only the open one exists.
     let all = |tau: f64| grasp.equilibria(pull(tau)).unwrap();
     assert_eq!((all(snap * 0.999).len(), all(snap * 1.001).len()), (3, 1));
     let open = all(snap * 1.001).remove(0);
@@ -257,7 +257,7 @@ fn infinite_friction_never_slides() {
     let grasp = planar::Grasp::new([foot, spring(-1.0), spring(1.0)]).unwrap();
     let load = |x: f64, y: f64| planar::Leg::load_to(planar::Wrench::force([x, y]));
     let start = planar::Wrench::ZERO;
-    // Any shear at all: nothing happens.
+    // No shear force causes an event.
     let mut path = grasp.follow(start, &[load(1e6, 0.0), load(-1e6, 0.0), load(0.0, 0.0)]).unwrap();
     assert!(path.run().is_empty() && completed(path.end()));
     // Lifted without shear: it opens at y = a, when λ = kb a, closes there, and sticks with F_t = 0 where it closes.
@@ -269,16 +269,16 @@ fn infinite_friction_never_slides() {
     let closed = path.state_at(2, 1.0).unwrap();
     assert_close!(closed.contacts[0].force_world[0], 0.0);
     assert_close!(closed.twist.translation()[0], p / kb);
-    // Unsheared: it sticks at x = P/kb and now pulls back there with kt(P/kb - x) = kb x.
+    // Without shear force the foot sticks to the place x = P/kb and pulls the body back: kt(P/kb - x) = kb x.
     let x = p / kb * kt / (kt + kb);
     assert_close!(path.state().unwrap().twist.translation()[0], x);
     assert_close!(path.state().unwrap().contacts[0].force_world[0], kb * x);
 }
 
-/// It would open with a tangential force: on the springs S = [10 12; 12 17] of the test on snapping, a = 24/13, pulled by (40, 0) and lifted by (0,
-/// 80f). Stuck, [24 12; 12 30]u = (40, 80f + 24), u_y = a at f = 131/260, and F_t = -14u_x = -406/39 there. Without a normal force it has to lose
-/// this force at once; then S u = (40, 80f) has u_y = (800f - 480)/26 < a, through the finger. So no motion continues without a jump: the path ends,
-/// as a snap.
+/// It would open with a tangential force in hand: on the springs S = [10 12; 12 17] of the test on snapping, a = 24/13, pulled by (40, 0) and
+/// lifted by (0, 80f). Stuck, [24 12; 12 30]u = (40, 80f + 24), u_y = a at f = 131/260, and F_t = -14u_x = -406/39 there.
+/// Without a normal force this tangential force would vanish at once: then S u = (40, 80f) has u_y = (800f - 480)/26 < a, inside the finger.
+/// No continuous motion exists from there, so the path ends with a snap.
 #[test]
 fn infinite_friction_that_has_to_let_go_of_a_force_ends_the_path() {
     let a = 24.0 / 13.0;
@@ -291,7 +291,7 @@ fn infinite_friction_that_has_to_let_go_of_a_force_ends_the_path() {
     let load = |x: f64, y: f64| planar::Leg::load_to(planar::Wrench::force([x, y]));
     let mut path = grasp.follow(planar::Wrench::ZERO, &[load(40.0, 0.0), load(40.0, 80.0)]).unwrap();
     assert!(path.run().is_empty());
-    // Without its foot the body sinks onto it again.
+    // Without the foot the body would sink onto it again.
     let loss = limit_load(&path);
     assert_eq!(loss.kind, LossKind::LetsGo);
     assert_eq!((loss.leg, &numbers(&loss.contacts)[..]), (1, &[0][..]));

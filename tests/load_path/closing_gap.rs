@@ -20,7 +20,7 @@ const MU: f64 = 0.5;
 const K: f64 = 1e6;
 const GAP: f64 = 1e-3;
 
-/// Feet at these places under the block, normal axis last.
+/// Feet at these places under the block. The last axis is normal.
 fn feet<const C: usize>(places: &[[f64; C]], scale: f64) -> Vec<Contact<C>> {
     let mut up = [0.0; C];
     up[C - 1] = 1.0;
@@ -49,7 +49,7 @@ fn weight<const C: usize>() -> Wrench<C> {
     load(down)
 }
 
-/// Events of a pull along x beside the weight, and the forces at its end.
+/// Events under the weight and a growing pull along x, and the forces at the end.
 fn pulled<const C: usize>(grasp: &Grasp<C>, pull: f64) -> (Vec<Event<C>>, Vec<SVector<f64, C>>) {
     let mut along = [0.0; C];
     along[0] = pull;
@@ -108,7 +108,7 @@ fn a_block_slides_to_a_stop_in_space() {
     slides_to_a_stop(&places, &Settings::default().on_the_polygon(), 1e-9);
 }
 
-/// Friction falls to 0.3 as the feet slide: the stop takes over the lost friction at once.
+/// Friction falls to 0.3 when the feet slide. The stop carries the difference at once.
 #[test]
 fn a_stop_takes_what_friction_loses() {
     let feet = feet(&[[-0.1, 0.0], [0.1, 0.0]], 1.0).into_iter().map(|foot| foot.kinetic(0.3));
@@ -119,11 +119,11 @@ fn a_stop_takes_what_friction_loses() {
     let jump = slides.jump.as_ref().unwrap();
     assert_eq!(jump.reaches[0].index, 2);
     near(jump.state.contacts[2].force[0], MU * W - 0.3 * W);
-    // The springs of the feet release the lost friction, and the stop yields by its share.
+    // The springs of the feet relax by the lost friction, and the stop is compressed by its force.
     near(jump.moved[0].twist.components()[0], GAP - MU * W / K + (MU * W - 0.3 * W) / K);
 }
 
-/// A ceiling, two walls in turn, and a stop for a body under another one.
+/// Free motions that end at a ceiling, at two walls in turn, and at a stop for a body under another body.
 #[test]
 fn other_free_motions_end_at_a_gap_too() {
     let feet_of_two = || feet(&[[-0.1, 0.0], [0.1, 0.0]], 1.0).into_iter();
@@ -137,7 +137,7 @@ fn other_free_motions_end_at_a_gap_too() {
     near(jump.moved[0].twist.components()[1], GAP);
     path.forces()[2..].iter().for_each(|force| near(force[0], 25.0));
 
-    // The wall at height 0.5 leans the block back that tips about its right foot at 25 N.
+    // The block tips about its right foot at 25 N and then leans on the wall at height 0.5.
     let wall = Contact::new([0.1, 0.5], [-1.0, 0.0]).series_stiffness(K, K).clearance(GAP);
     let tipped = Grasp::new(feet_of_two().chain([wall])).unwrap();
     let high = Wrench::<2>::new([45.0, 0.0], -45.0 * 0.4);
@@ -148,7 +148,7 @@ fn other_free_motions_end_at_a_gap_too() {
     near(path.forces()[2][0], (45.0 * 0.4 - W * 0.1) / 0.5);
 }
 
-/// Contacts that open stay open: a stop behind the block, one too far away for small motions, and one beside the direction of motion.
+/// Stops that do not end the motion: one behind the block, one too far away for small motions, and one beside the path.
 #[test]
 fn a_gap_that_does_not_close_on_a_small_way_holds_nothing() {
     for (normal, gap) in [([1.0, 0.0], GAP), ([-1.0, 0.0], 0.03), ([0.0, -1.0], GAP)] {
@@ -162,8 +162,8 @@ fn a_gap_that_does_not_close_on_a_small_way_holds_nothing() {
     }
 }
 
-/// Random blocks and stops: closed contacts keep their forces, no gap is passed, and the work of the load equals the heat of friction. The
-/// displacement scales with the gaps, and the mirror image moves in the mirrored direction.
+/// For random blocks and stops, closed contacts keep their forces, no gap becomes negative, and the work of the load equals the friction heat. The motion
+/// scales with the gaps, and the mirror image has the mirrored motion.
 #[test]
 fn nothing_but_friction_works_on_the_way() {
     let mut random = seeded(7);

@@ -9,7 +9,7 @@ use support::programs::tally::Tally;
 use support::programs::{Scene, same_state};
 use support::samples::assert_met;
 
-/// The program with its legs cut at these places (leg, fraction), and which leg it was and between which fractions.
+/// The program with its legs cut at these places (leg, fraction), and for each piece its original leg and fractions.
 fn cut<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     places: &[(usize, f64)],
@@ -34,7 +34,7 @@ fn cut<const D: usize, const C: usize>(
     (Scene { goals, ..scene.clone() }, legs)
 }
 
-/// The same path in pieces, followed in one go or continued leg by leg: the same events at the same loads, the same end.
+/// Checks that the path in pieces, followed in one go or continued leg by leg, has the same events at the same loads and the same end.
 fn same_in_pieces<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     path: &LoadPath<'_, C>,
@@ -84,7 +84,7 @@ fn same_in_pieces<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Each leg cut somewhere.
+/// Cuts each leg at a random place.
 fn legs_may_be_cut<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     at: f64,
@@ -101,7 +101,7 @@ fn legs_may_be_cut<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Each leg cut at every event, and where the path is lost.
+/// Cuts each leg at every event, and at the loss.
 fn legs_may_be_cut_at_events<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     tally: &mut Tally,

@@ -23,7 +23,7 @@ fn in_series(a: f64, b: f64) -> f64 {
     a * b / (a + b)
 }
 
-/// The finger presses downwards at the origin; the way of the body falls by the angle α. Guides lie around the origin, so that no force there turns the body.
+/// The finger presses downwards at the origin. The path of the body slopes down by the angle α. Guides around the origin prevent rotation.
 fn grasp(alpha: f64) -> Grasp {
     let (sin, cos) = alpha.sin_cos();
     let guide = |point: [f64; 3], normal: [f64; 3]| {
@@ -41,7 +41,7 @@ fn grasp(alpha: f64) -> Grasp {
         .unwrap()
 }
 
-/// The finger goes across by b, then the load grows along x up to `most`.
+/// The finger moves sideways by b, then the load grows along x up to `most`.
 fn pulled(grasp: &Grasp, b: f64, most: f64) -> LoadPath<'_> {
     let mut commands = [[0.0; 3]; 6];
     commands[0] = [PRESS, 0.0, b];
@@ -58,7 +58,7 @@ fn lost<'p>(path: &'p LoadPath<'_>, kind: LossKind) -> &'p Loss<3> {
     }
 }
 
-/// On a level way N stays, the load is μN cos θ and comes closer to μN for ever: with θ the slip along x is
+/// On a horizontal path N is constant, and the load μN cos θ approaches μN without reaching it. At the angle θ the slip along x is
 /// `(μN/k) (cos θ₀ - cos θ + ln(tan(θ₀/2) / tan(θ/2)))`.
 #[test]
 fn a_friction_force_that_turns_into_the_way_comes_close_to_a_limit() {
@@ -73,7 +73,7 @@ fn a_friction_force_that_turns_into_the_way_comes_close_to_a_limit() {
         let [x, y, z] = loss.motion.as_ref().expect("a motion").object.translation();
         assert!(x > 0.99 && y.abs() + z.abs() < 1e-9, "{x} {y} {z}");
 
-        // On the way there.
+        // A state before the end.
         let first = f64::asin(across);
         let theta = 0.4 * first;
         let state = path.state_at(1, 0.5 * theta.cos()).unwrap();
@@ -87,7 +87,7 @@ fn a_friction_force_that_turns_into_the_way_comes_close_to_a_limit() {
     }
 }
 
-/// Without a force across nothing turns: where the finger begins to slide, nothing holds more.
+/// Without a sideways force the friction does not turn, and the limit load is reached when the finger begins to slide.
 #[test]
 fn a_friction_force_along_the_way_holds_no_more_at_once() {
     let grasp = grasp(0.0);
@@ -96,8 +96,8 @@ fn a_friction_force_along_the_way_holds_no_more_at_once() {
     assert_close!(lost(&path, LossKind::Corner).load.resultant()[0], limit);
 }
 
-/// Rates for one unit of slip on a way at the angle α, of (N, F_x, F_y, λ), by hand. Along the way `λ + F_x = N tan α`, and N changes
-/// with the way t by `k̄ sin α t'`, k̄ the springs along the normal in series.
+/// Rates of (N, F_x, F_y, λ) for one unit of slip on a path with the slope α, by hand. Along the path `λ + F_x = N tan α`, and N changes
+/// with the displacement t by `k̄ sin α t'`, where k̄ is the stiffness of the normal springs in series.
 fn rates(alpha: f64, [_, fx, fy, _]: [f64; 4]) -> [f64; 4] {
     let (sin, cos) = alpha.sin_cos();
     let (normal, guides, across) = (in_series(KN, 3.0 * GUIDE), 3.0 * GUIDE, in_series(KT, 2.0 * GUIDE));
@@ -109,7 +109,7 @@ fn rates(alpha: f64, [_, fx, fy, _]: [f64; 4]) -> [f64; 4] {
     [n, x, -across * py, n * sin / cos - x]
 }
 
-/// Where the load has its maximum, by the classical method of Runge and Kutta.
+/// The maximum of the load, by the classical Runge–Kutta method.
 fn maximum(alpha: f64, start: [f64; 4]) -> f64 {
     const STEP: f64 = 1e-4;
     let add = |y: [f64; 4], h: f64, k: [f64; 4]| std::array::from_fn(|i| y[i] + h * k[i]);
@@ -132,7 +132,7 @@ fn maximum(alpha: f64, start: [f64; 4]) -> f64 {
     step(y, low)[3]
 }
 
-/// On a way that falls away from the finger N shrinks while the friction force turns into the way: the load has a maximum.
+/// On a path that slopes away from the finger, N decreases while the friction force turns towards the path, so the load has a maximum.
 #[test]
 fn a_body_that_slides_away_from_the_finger_folds() {
     for (alpha, across) in [(-0.1, 0.8), (-0.02, 0.8), (-0.1, 0.95)] {
@@ -151,7 +151,7 @@ fn a_body_that_slides_away_from_the_finger_folds() {
     }
 }
 
-/// (N, F_x, F_y, λ) where sliding begins: on the line through two states that stick.
+/// (N, F_x, F_y, λ) at the onset of sliding, extrapolated from two sticking states.
 fn forces_at_onset(path: &LoadPath<'_>) -> [f64; 4] {
     let at = |fraction: f64| {
         let state = path.state_at(1, fraction).unwrap();

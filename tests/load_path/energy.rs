@@ -7,8 +7,8 @@ use support::programs::draw::{over, planar_scenes, spatial_scenes, turning};
 use support::programs::tally::Tally;
 use support::samples::assert_met;
 
-/// Work of load and fingers, change of the stored energy and heat, by trapezoids between the ends of straight pieces, which is exact there. The
-/// balance closes, and every term equals that of the path, leg by leg.
+/// Checks the balance of work, stored energy and heat, integrated by trapezoids between the ends of straight pieces, where this is exact,
+/// and compares it with the energies that the path reports for each leg.
 fn energy_balances<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     tally: &mut Tally,
@@ -23,7 +23,7 @@ fn energy_balances<const D: usize, const C: usize>(
         let there = |fraction: f64| path.state_at(leg, fraction).map(|state| (fraction, state));
         let mut states: Vec<_> = there(0.0).into_iter().collect();
         for event in events.iter().filter(|event| event.leg == leg) {
-            // Where the object moves under one load there is a state before that and one after it.
+            // A jump at constant load has a state before and a state after it.
             states.push((event.fraction, event.state.clone()));
             states.extend(event.jump.iter().map(|jump| (event.fraction, jump.state.clone())));
         }
@@ -70,7 +70,7 @@ fn energy_balances<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// The path's own terms balance, and friction heats. On turning arcs heat and works are separate integrals, so that the balance is a check.
+/// Checks that the reported energies balance and the heat is not negative. On turning legs heat and work are independent integrals.
 fn closes<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     tally: &mut Tally,

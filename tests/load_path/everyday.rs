@@ -12,11 +12,11 @@ use support::samples::{assert_met, samples};
 
 #[derive(Debug, Clone, Copy)]
 enum Hold {
-    /// Around a glass.
+    /// Fingers around a glass.
     Ring,
-    /// The thumb on one face of a book, the rest on the other.
+    /// The thumb on one face of a book, the other fingers on the other face.
     Faces,
-    /// Anywhere on a ball.
+    /// Fingers at random places on a ball.
     Ball,
 }
 
@@ -27,7 +27,7 @@ enum Task {
     Twist,
 }
 
-/// Numbers in [-1, 1] that one finger is made from.
+/// Random numbers in [-1, 1] that define one finger.
 type Finger = [f64; 6];
 
 #[derive(Debug, Clone)]
@@ -62,7 +62,7 @@ fn everyday() -> impl Strategy<Value = Everyday> {
 
 /// Radius of the object, m.
 const RADIUS: f64 = 0.035;
-/// Pressing force of a finger, N.
+/// Squeeze of a finger, N.
 const SQUEEZE: f64 = 5.0;
 
 impl Everyday {
@@ -117,14 +117,14 @@ impl Everyday {
     }
 }
 
-/// The largest force of an equilibrium, and how far it is from another one.
+/// The largest force of an equilibrium, and the norm of the difference of its twist from that of another one.
 fn away(state: &Equilibrium, from: &Equilibrium) -> [f64; 2] {
     let largest = state.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
     [largest, (state.twist.to_vector() - from.twist.to_vector()).norm()]
 }
 
-/// Checks a path that ends at its start: at a limit no equilibrium exists just beyond. At a snap the equilibrium beyond does not return to the start
-/// as the load does.
+/// Checks a path that ends at its start. At a limit load no equilibrium exists just beyond. At a snap one exists there, but it does not return to the
+/// start when the load does.
 fn check_end_at_rest(scene: &Everyday, grasp: &Grasp, beyond: &Beyond) {
     let start = grasp.solve(Wrench::ZERO).unwrap();
     let start = start.equilibrium().unwrap();
@@ -140,7 +140,7 @@ fn check_end_at_rest(scene: &Everyday, grasp: &Grasp, beyond: &Beyond) {
     }
 }
 
-/// Twelve were undecided while nothing lay beyond an end without a load.
+/// The number of undecided paths is small.
 #[test]
 fn few_everyday_paths_end_undecided() {
     let [paths, undecided, at_rest] = [const { Cell::new(0) }; 3];

@@ -8,7 +8,7 @@ use grasp_lcp::load_path::LossKind;
 use grasp_lcp::scene::{Scene, Space};
 use grasp_lcp::spatial::{Beyond, ContactState, Equilibrium, Grasp, Leg, PathEnd, Wrench};
 
-/// The bottle of the scene files, pulled at the origin along x by as much as `pull`: what becomes of it at last, how it ends, and what lies beyond.
+/// The bottle of the example scenes under a pull along x at the origin: its last state, the end of the path, and the search beyond the end.
 fn pulled(
     grasp: &Grasp,
     pull: f64,
@@ -33,8 +33,8 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
     assert!(matches!(beyond, Some(Beyond::Snap)), "{beyond:?}");
     let most = 100.0 * loss.fraction;
 
-    // A fold and not a failure of the integration: forces come to those of the end as the root of the distance to it, up to a term
-    // that is linear in the distance.
+    // At a fold forces approach those of the end like the square root of the distance, up to a linear term.
+    // A failure of the integration would not show this.
     let away = |distance: f64| -> Result<f64, Box<dyn Error>> {
         let (state, end, _) = pulled(&grasp, most - distance, &settings)?;
         assert!(matches!(end, PathEnd::Completed));
@@ -45,7 +45,7 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
         assert!((quotient - 2.0).abs() < 0.05, "{distance}: {quotient}");
     }
 
-    // In the equilibrium beyond, the thumb, which pressed until then, is open.
+    // In the equilibrium beyond the fold, the thumb has opened.
     assert!(last.contacts[0].normal_force() > 6e-4);
     let beyond = grasp.solve(Wrench::force([most * (1.0 + 1e-9), 0.0, 0.0]))?;
     let beyond = beyond.equilibrium().ok_or("three fingers")?;
@@ -55,7 +55,7 @@ fn a_path_that_turns_back_ends_in_a_snap_however_little_changes() -> Result<(), 
         assert!((there.force - here.force).norm() < 1e-3 * largest);
     }
 
-    // The same fold, whatever the error of a step.
+    // The fold does not depend on the error of the steps.
     for step_error in [1e-6, 1e-8, 1e-10] {
         let (_, end, beyond) = pulled(&grasp, 100.0, &settings.with_step_error(step_error))?;
         let PathEnd::Lost(coarse) = end else { return Err(format!("{step_error}: {end:?}").into()) };

@@ -8,10 +8,10 @@ use grasp_lcp::planar::{Contact, Equilibrium, Grasp, Leg, Wrench};
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// Error that steps may have.
+/// Allowed error of the steps.
 const ERROR: f64 = 1e-7;
 
-/// A pad of uneven springs on an uneven floor, which its weight presses on.
+/// A pad of uneven springs on an uneven floor, pressed by its weight.
 fn pad(numbers: &mut Random) -> Result<Grasp, Error> {
     let spring = |i: u8| {
         let k = 100.0 * (1.0 + 0.4 * numbers.signed());
@@ -26,7 +26,7 @@ fn pulled(shear: f64, tilt: f64) -> Wrench {
     Wrench::new([shear, -10.0], tilt)
 }
 
-/// Dragged and tilted by turns, and let go; then dragged by more than friction holds.
+/// The pad is dragged and tilted in turn and released, then dragged beyond the limit of friction.
 fn program(numbers: &mut Random) -> Vec<Leg> {
     let mut legs: Vec<_> =
         (0..3).map(|_| Leg::load_to(pulled(3.0 * numbers.signed(), numbers.signed()))).collect();
@@ -34,7 +34,7 @@ fn program(numbers: &mut Random) -> Vec<Leg> {
     legs
 }
 
-/// How far apart two equilibria are: forces over the largest one, motions over the larger one.
+/// Relative difference of two equilibria, in forces and in motions.
 fn apart(a: &Equilibrium, b: &Equilibrium) -> f64 {
     let largest = a.contacts.iter().map(|contact| contact.force.norm()).fold(0.0, f64::max);
     let pairs = a.contacts.iter().zip(&b.contacts);
@@ -66,7 +66,7 @@ fn they_stand_at_the_same_place() -> Result<(), Error> {
             steps.by_ref().for_each(drop);
             assert_eq!(path.place().0, number);
             let state = path.state().expect("on the way");
-            // At a limit the object runs away between two steps.
+            // At a limit load the object is lost between two steps.
             let whole = number + 1 < legs.len();
             stepwise =
                 stepwise.max(if whole { apart(&state, &steps.state().expect("on the way")) } else { 0.0 });
@@ -79,14 +79,14 @@ fn they_stand_at_the_same_place() -> Result<(), Error> {
         let ends = [path.end(), steps.end()].map(|end| end.map(discriminant));
         assert!(ends[0] == ends[1], "{:?} {:?}", path.end(), steps.end());
         lost += usize::from(matches!(path.end(), Some(PathEnd::Lost(_))));
-        // A motion proves a limit load; without one, of too many states to try, it is where the rates end.
+        // A motion proves the limit load. Without it, and with too many states to enumerate, the path ends where no rates exist.
         let beyond = [path.beyond(), steps.beyond()];
         let kinds = beyond.each_ref().map(|beyond| beyond.as_ref().map(discriminant));
         assert!(kinds[0] == kinds[1], "{beyond:?}");
         assert!(matches!(beyond[0], Some(Beyond::LimitLoad | Beyond::Ends { .. })), "{beyond:?}");
         limits += usize::from(matches!(beyond[0], Some(Beyond::LimitLoad)));
 
-        // All legs at once end there as well.
+        // All legs followed at once end there too.
         let mut at_once = pad.follow_in_steps(start, &legs, ERROR)?;
         at_once.by_ref().for_each(drop);
         assert_eq!(at_once.forces(), steps.forces());

@@ -9,7 +9,7 @@ use support::jaws::jaw;
 use support::programs::numbers;
 
 /// A body between two frictionless guides, resting with w on a foot of stiffness k. The foot is lowered by b, which lowers the
-/// body by as much; unloaded, it touches without force; lowered further it parts from the body, which stays where it is.
+/// body by as much. Unloaded, it touches without force. Lowered further, it separates from the body, which does not move.
 /// Guides at y = ±1 carry a side load P at the origin and a moment M with (P ± M)/2 each, whatever the height.
 #[test]
 fn a_foot_that_parts_leaves_the_height_free() {
@@ -26,7 +26,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
     let away = [command(a - b), load(0.0, 0.0, 0.0), command(a - 2.0 * b), load(p, 0.0, m)];
     for (last, way) in [
         (load(p, 1.0, m), Some(1.0)),
-        // The foot is below, but b away: until then nothing resists.
+        // The foot is below at the distance b, and no contact resists a downward motion.
         (load(p, -1.0, m), Some(-1.0)),
         (load(-p, 0.0, 2.0 * m), None),
     ] {
@@ -67,7 +67,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
             (end, way) => panic!("{end:?}, expected {way:?}"),
         }
     }
-    // The foot comes back: it touches where it left, and from there takes the body, which weighs nothing, along.
+    // The foot returns, touches where it separated, and then moves the unloaded body along.
     let mut path = grasp.follow(start, &away).unwrap();
     path.run();
     path.continue_with(&[command(a)]).unwrap();
@@ -79,7 +79,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
     assert_close!(end.twist.translation()[1], a);
     assert_close!(end.contacts[0].gap, 0.0);
     assert_close!(end.contacts[0].force[0], 0.0);
-    // And carries it again when it does: no event but that it holds.
+    // With a load the foot carries the body again, without an event.
     path.continue_with(&[load(0.0, -w, 0.0)]).unwrap();
     path.run();
     assert!(completed(path.end()), "{:?}", path.end());
@@ -154,8 +154,8 @@ fn third(a: f64) -> spatial::Leg {
     spatial::Leg::commands_to(vec![[A, 0.0, 0.0], [A, 0.0, 0.0], [a, 0.0, 0.0]])
 }
 
-/// The third finger goes away, parts at a = 0, and the body may turn about the line between the two. Any force through that line and any
-/// moment across it are held, with f/2 and ∓M/2 each; a moment about it, or a force beside it, turns the body that way.
+/// The third finger is withdrawn and separates at a = 0, after which the body can turn about the line of the other two. Forces through this line and
+/// perpendicular moments are held, with f/2 and ∓M/2 each. A moment about the line, or a force beside it, turns the body.
 #[test]
 fn a_pinch_may_turn_about_its_line() {
     let grasp = three_fingers(0.8);
@@ -203,8 +203,8 @@ fn a_pinch_may_turn_about_its_line() {
     }
 }
 
-/// The same with a moment m about the line, which only the third finger can take, with T₃ = m at its arm 1, on a corner of its
-/// polygon. It goes away: N₃ = N₀(1 - 2f), and is lost at μN₃ = m, before it parts.
+/// With a moment m about the line, only the third finger can carry it, with T₃ = m at the arm 1, on a corner of its polygon.
+/// It is withdrawn, N₃ = N₀(1 - 2f), and the grasp is lost at μN₃ = m, before the finger separates.
 #[test]
 fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
     let (mu, m) = (0.8, 0.6);
@@ -225,7 +225,7 @@ fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
     }
 }
 
-/// A slider on two guides: along them no load at all is held, across them any.
+/// A slider on two guides: no load along the guides is held, every perpendicular load is.
 #[test]
 fn a_load_that_nothing_resists_has_a_limit_of_zero() -> Result<(), grasp_lcp::Error> {
     let guide = |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).kept_closed();

@@ -12,13 +12,13 @@ use support::programs::numbers;
 const K: f64 = 40.0;
 const KT: f64 = 16.0;
 const A: f64 = 0.05;
-/// Force with which each finger presses.
+/// Normal force of each finger.
 const N: f64 = K * A;
 /// Stiffness of the elastic base about the axis.
 const BASE: f64 = 6.0;
 
 /// n fingers on the unit circle about z, first tangents along z and second tangents along the circle, with these frictions; an elastic base about
-/// the axis, and guides that let nothing else move.
+/// the axis, and guides that prevent all other motions.
 fn grip(frictions: &[f64]) -> Grasp {
     let n = frictions.len();
     let finger = |i: usize| {
@@ -62,7 +62,7 @@ fn torsion_follows_masing() {
         expected.push((leg, back(weak), pair(1, "slides")));
         expected.push((leg, back(strong), pair(0, "slides")));
     }
-    // The weak pair alone goes round the small loop; at its end the next loading would take both again.
+    // Only the weak pair slides in the small loop; further loading would slide both again.
     expected.extend([(3, 0.0, all("sticks")), (3, part(weak), pair(1, "slides"))]);
     expected.extend([(4, 0.0, pair(1, "sticks")), (4, part(weak), pair(1, "slides"))]);
     assert_story(&events, &expected);
@@ -146,7 +146,7 @@ fn a_table_lifts_its_feet_and_tips() {
     for (c, expected) in three.contacts.iter().zip([0.8 * w, 0.1 * w, 0.0, 0.1 * w]) {
         assert_close!(c.normal_force(), expected);
     }
-    // The plane through the three tops: opposite corners sink alike, so the fourth rises to 2·(0.1 w) - 0.8 w over k.
+    // The tops of the three loaded feet define a plane; the gap at the fourth follows from opposite corners, (0.8 w - 2·0.1 w) / k.
     assert_close!(three.contacts[2].gap, (0.8 * w - 0.2 * w) / k);
     for c in &path.state_at(1, 1.0).unwrap().contacts[..4] {
         assert_close!(c.normal_force(), w / 4.0);
@@ -158,9 +158,9 @@ fn a_table_lifts_its_feet_and_tips() {
     assert!(work.abs() < 1e-13, "{work}");
 }
 
-/// A weight along the axis of a grip. Fingers of one friction all slide at once: onset and limit are w = n μN. With frictions of their own they slide one
-/// pair after the other as the weight sinks, at kt z = μ_i N, and the limit is Σ μ_i N, beyond the onset. Up to eight fingers that
-/// is proved.
+/// A weight along the axis of a grip. With one coefficient of friction all fingers slide at once: onset and limit are w = n μN. With different
+/// coefficients they slide pair by pair as the weight sinks, at kt z = μ_i N, and the limit Σ μ_i N is beyond the onset. For up to eight fingers
+/// the limit is proved.
 #[test]
 fn a_grip_loses_its_weight_at_once_or_one_after_the_other() {
     let cases: [(&[f64], &[f64]); 5] = [

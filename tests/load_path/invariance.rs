@@ -15,7 +15,7 @@ use support::programs::{Scene, direction};
 use support::programs::{changes, numbers};
 use support::samples::assert_met;
 
-/// Fractions agree to this.
+/// Tolerance of fractions.
 const FRACTION: f64 = 1e-12;
 
 fn told<const C: usize>(events: &[Event<C>], path: &LoadPath<'_, C>) -> String {
@@ -23,8 +23,8 @@ fn told<const C: usize>(events: &[Event<C>], path: &LoadPath<'_, C>) -> String {
     format!("{all:?} {:?}", path.end())
 }
 
-/// Another description of the scene has the same events: contact i of the scene is `contacts[i]` there (all of them), and directions are transformed
-/// by the view.
+/// Checks that another description of the scene has the same events: contact i of the scene corresponds to the contacts `contacts[i]`, and
+/// directions are transformed by the view.
 fn tells_the_same<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     other: &Scene<D, C>,
@@ -41,7 +41,7 @@ fn tells_the_same<const D: usize, const C: usize>(
     let mut path_there = asked.follow(other.start(), &other.legs()).unwrap();
     let events_there = path_there.run();
     let both = format!("{}\nagainst\n{}", told(&events, &path), told(&events_there, &path_there));
-    // Several equilibria to start from, or several continuations: which one is taken may depend on how it is written down.
+    // If several starting equilibria or continuations exist, the choice may depend on the description.
     let starts = [grasp.solve(scene.start()).unwrap(), there.solve(other.start()).unwrap()];
     if let [Some(a), Some(b)] = starts.each_ref().map(Outcome::equilibrium) {
         let same = |(i, c): (usize, &ContactAnswer<C>)| {
@@ -54,7 +54,7 @@ fn tells_the_same<const D: usize, const C: usize>(
             return Ok(());
         }
     }
-    // Nor is it said how an equilibrium in space is found, if it is: where rays prove nothing another order may help.
+    // Whether an equilibrium in space is found may also depend on the order of contacts.
     let undecided = |end: Option<&PathEnd<C>>| matches!(end, Some(PathEnd::NoStart(why)) if matches!(**why, Outcome::Undecided(_)));
     if C == 3 && (undecided(path.end()) || undecided(path_there.end())) {
         return Ok(());
@@ -85,7 +85,7 @@ fn tells_the_same<const D: usize, const C: usize>(
     }
     let ends = [path.end(), path_there.end()];
     prop_assert!(ends[0].map(discriminant) == ends[1].map(discriminant), "{both}");
-    // Among too many contacts nothing is searched beyond a loss.
+    // With too many contacts there is no search beyond a loss.
     let beyond = [path.beyond(), path_there.beyond()];
     let unsearched = beyond.iter().any(|beyond| matches!(beyond, Some(Beyond::Ends { .. })));
     let alike = beyond[0].as_ref().map(discriminant) == beyond[1].as_ref().map(discriminant);
@@ -102,7 +102,7 @@ fn tells_the_same<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Every contact by itself.
+/// The correspondence in which every contact stays a single contact.
 fn each<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Vec<Vec<usize>> {
     (0..scene.spots.len()).map(|i| vec![i]).collect()
 }
@@ -115,7 +115,7 @@ fn seen<const D: usize, const C: usize>(
     tells_the_same(scene, &view.scene(scene), &each(scene), view, tally)
 }
 
-/// Powers of 4, so that their roots are exact as well, and powers of ten.
+/// Units that are powers of 4, whose roots are exact, or powers of ten.
 fn units<const C: usize>(ten: bool, [length, force]: [i32; 2]) -> View<C> {
     let base = if ten { 10.0_f64 } else { 4.0 };
     View::in_units(base.powi(length), base.powi(force))
@@ -149,7 +149,7 @@ fn halved<const D: usize, const C: usize>(
     tells_the_same(scene, &scene.halved(which), &contacts, &View::in_units(1.0, 1.0), tally)
 }
 
-/// Runs each way of writing down on planar and on spatial scenes.
+/// Tests each description on planar and on spatial scenes.
 macro_rules! in_plane_and_space {
     ($($name:ident: $other:expr, $property:expr;)*) => {$(
         mod $name {

@@ -23,7 +23,7 @@ fn sampled<const C: usize>(
         marks.extend(events.iter().filter(|e| e.leg == leg).map(|e| e.fraction));
         marks.push(end);
         for ends in marks.windows(2) {
-            // Shorter pieces say nothing, and their slips drown in rounding.
+            // Slips on shorter pieces are below rounding.
             if ends[1] - ends[0] > 1e-6 {
                 let at = |x: f64| ends[0] + (ends[1] - ends[0]) * x;
                 let here = |f: f64| path.state_at(leg, f).map(|state| (leg, f, state));
@@ -34,8 +34,8 @@ fn sampled<const C: usize>(
     pieces
 }
 
-/// At every sample the law holds; within a piece a sticking contact keeps its slip, and a sliding one slips so that friction takes
-/// as much as it can: (F_t - p)·Δs >= 0 for every corner p of the cone, which makes F_t·Δs >= 0.
+/// Checks the law at every sample. Within a piece a sticking contact keeps its slip, and a sliding one dissipates as much as
+/// possible: (F_t - p)·Δs >= 0 for every corner p of the cone, so that F_t·Δs >= 0.
 fn law_holds<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     tally: &mut Tally,

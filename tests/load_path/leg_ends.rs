@@ -12,7 +12,7 @@ use support::ends::limit_load;
 use support::jaws::jaw;
 use support::programs::numbers;
 
-/// Stiffnesses, friction and command, round numbers and others.
+/// Stiffnesses, friction and command of each scene, with round and other numbers.
 const SCENES: [[f64; 5]; 4] = [
     [30.0, 20.0, 10.0, 0.4, 0.2],
     [1.0 / 3.0, 0.7, 0.11, 0.3, 0.1],
@@ -38,7 +38,7 @@ impl Body {
         Self { grasp: Grasp::new([foot, spring(-1.0), spring(1.0)]).unwrap(), k, kt, kb, mu, n: k * a }
     }
 
-    /// At the start the foot's push is held by the load, the springs are at rest.
+    /// A load. At the start it balances the force of the foot, and the springs are relaxed.
     fn load(&self, shear: f64, lift: f64) -> Wrench {
         Wrench::force([shear, lift - self.n])
     }
@@ -47,7 +47,7 @@ impl Body {
         Leg::load_to(self.load(shear, lift))
     }
 
-    /// Follows a leg that ends on an edge: no event yet.
+    /// Follows a leg that ends on an edge, and checks that it has no event.
     fn up_to_the_edge(&self, shear: f64, lift: f64) -> LoadPath<'_> {
         let mut path = self.grasp.follow(self.load(0.0, 0.0), &[self.leg(shear, lift)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
@@ -59,7 +59,7 @@ impl Body {
         self.mu * self.n * (self.kt + self.kb) / self.kt
     }
 
-    /// The lift at which nothing presses any more.
+    /// The lift at which the normal force is zero.
     fn opens_at(&self) -> f64 {
         self.n * (self.k + self.kb) / self.k
     }
@@ -74,7 +74,7 @@ fn sliding_at_the_end_of_a_leg() {
     for body in scenes() {
         let edge = body.slides_at();
         let slides = |leg| (leg, 0.0, vec![(0, "slides")]);
-        // Onwards in one program, and in a program that is continued later: the same.
+        // A further leg in the same program, or added later, has the same event.
         let legs = [edge, 1.5 * edge].map(|p| body.leg(p, 0.0));
         let mut path = body.grasp.follow(body.load(0.0, 0.0), &legs).unwrap();
         assert_story(&path.run(), &[slides(1)]);
@@ -84,13 +84,13 @@ fn sliding_at_the_end_of_a_leg() {
         assert!(stands.contacts[0].margin.abs() < 1e-12 * body.n);
         path.continue_with(&[body.leg(1.5 * edge, 0.0)]).unwrap();
         assert_story(&path.run(), &[slides(1)]);
-        // All but μN of the shear is then on the springs, as if there had been no cut.
+        // The springs carry the shear force minus μN, as without the cut.
         let end = path.state().unwrap();
         assert_close!(
             end.twist.translation()[0] * body.kb / body.n,
             (1.5 * edge - body.mu * body.n) / body.n
         );
-        // Sliding, a cut is nothing, and neither is a rest.
+        // While the foot slides, a cut or a leg without change causes no event.
         path.continue_with(&[
             body.leg(1.7 * edge, 0.0),
             Leg::load_by(Wrench::ZERO),
@@ -98,7 +98,7 @@ fn sliding_at_the_end_of_a_leg() {
         ])
         .unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
-        // The foot returns from the edge without having slid. A rest at the edge is no event, and it slides from there.
+        // If the load returns from the edge, no slip is reported. A leg without change at the edge has no event, and a further leg slides.
         let mut path = body.up_to_the_edge(edge, 0.0);
         path.continue_with(&[Leg::load_by(Wrench::ZERO)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
@@ -108,7 +108,7 @@ fn sliding_at_the_end_of_a_leg() {
         let rest = [body.leg(edge, 0.0), Leg::load_by(Wrench::ZERO), body.leg(1.1 * edge, 0.0)];
         let mut path = body.grasp.follow(body.load(0.0, 0.0), &rest).unwrap();
         assert_story(&path.run(), &[slides(2)]);
-        // Pressed harder while it is pulled on just enough, it stays on its edge and need not slide: T and μN grow alike.
+        // If T grows no faster than μN, the foot stays without slip.
         let press = 0.1 * body.opens_at();
         let more = body.mu * body.k * press / (body.k + body.kb) * (body.kt + body.kb) / body.kt;
         for (pull, expected) in [(0.99, vec![]), (1.01, vec![slides(1)])] {
@@ -127,21 +127,21 @@ fn opening_at_the_end_of_a_leg() {
         assert!(path.state().unwrap().contacts[0].force.norm() < 1e-12 * body.n);
         path.continue_with(&[body.leg(0.0, 2.0 * edge)]).unwrap();
         assert_story(&path.run(), &[(1, 0.0, vec![(0, "opens")])]);
-        // It rises by a until it opens, and then on the springs alone.
+        // The body rises by a until the foot opens, and then only the springs resist.
         let gap = |lift: f64| (lift - edge) / body.kb;
         let open = path.state().unwrap();
         assert_close!(open.contacts[0].gap / gap(2.0 * edge), 1.0);
-        // Down again to where it closes, and up once more: it touched and that was all.
+        // Lowered to the closing point and raised again, the foot has no event.
         path.continue_with(&[body.leg(0.0, edge), body.leg(0.0, 1.5 * edge)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
         assert_close!(path.state().unwrap().contacts[0].gap / gap(1.5 * edge), 1.0);
-        // Down to where it closes, and further down.
+        // Lowered to the closing point, and further.
         path.continue_with(&[body.leg(0.0, edge)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
         path.continue_with(&[body.leg(0.0, 0.0)]).unwrap();
         assert_story(&path.run(), &[(5, 0.0, vec![(0, "closes")])]);
         assert_close!(path.state().unwrap().contacts[0].force[0] / body.n, 1.0);
-        // Turned back where it would have opened, it has never been open.
+        // If the load returns at the opening point, no opening is reported.
         let mut path = body.up_to_the_edge(0.0, edge);
         path.continue_with(&[body.leg(0.0, 0.0)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
@@ -149,7 +149,7 @@ fn opening_at_the_end_of_a_leg() {
     }
 }
 
-/// Carried away while it is open, it closes at the end of a leg; where it touches is where it sticks, F_t = 0.
+/// The open foot is moved along and closes at the end of a leg. It sticks where it touches, with F_t = 0.
 #[test]
 fn closing_at_the_end_of_a_leg_elsewhere() {
     for body in scenes() {
@@ -168,8 +168,8 @@ fn closing_at_the_end_of_a_leg_elsewhere() {
     }
 }
 
-/// Two fingers pinch a body (N = k a each) and are loaded to exactly 2μN: they hold it, at rest too; with less they hold it anyway; with
-/// any more they lose it there and then.
+/// Two fingers pinch a body (N = k a each) under a load of exactly 2μN. They hold it, also over a leg without change, and with less load. With
+/// more load the loss is reported at this point.
 #[test]
 fn a_limit_load_at_the_end_of_a_leg() {
     for [k, kt, _, mu, a] in SCENES {
@@ -188,7 +188,7 @@ fn a_limit_load_at_the_end_of_a_leg() {
         assert_eq!((loss.leg, &numbers(&loss.contacts)[..]), (4, &[0, 1][..]));
         assert!(loss.fraction < 1e-12, "{}", loss.fraction);
         assert!(loss.motion.as_ref().expect("a motion").object.translation()[1] < -0.99);
-        // Lost is lost: a further leg does not bring it back.
+        // A further leg does not continue a lost path.
         path.continue_with(&[leg(0.0)]).unwrap();
         assert!(path.run().is_empty() && path.end().and_then(PathEnd::loss).is_some());
     }

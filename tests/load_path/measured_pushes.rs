@@ -9,13 +9,13 @@ fn each_push_tells_the_coefficient_found_elsewhere() -> Result<(), Failure> {
     assert_eq!(pushes.len(), 400);
     for (number, push) in pushes.iter().enumerate() {
         let told = 1.0 / limit(&blocks, push)?.factor;
-        // Theirs were made with loads of the supports that are rounded to 0.01 N, 14.88 N in all.
+        // The other method used loads of the supports rounded to 0.01 N, of 14.88 N in total.
         assert!((told / push.friction - 1.0).abs() <= 3e-4, "{number}: {told} {}", push.friction);
     }
     Ok(())
 }
 
-/// The loads of the supports that the experimenters state, in newtons.
+/// The loads of the supports are those that the experimenters state, N.
 #[test]
 fn supports_carry_what_is_stated() {
     let stated = [[2.12, 6.38, 6.38], [4.96; 3], [4.96; 3], [3.72, 7.44, 3.72]];

@@ -9,8 +9,8 @@ use support::programs::draw::{over, planar_scenes};
 use support::programs::same_state;
 use support::samples::assert_met;
 
-/// Where nothing sticks again, closes or reverses, the slips all point along the friction there: the end is an equilibrium of the one-shot
-/// law, and where that has only one (all are listed), it is that one.
+/// If no contact sticks again, closes or reverses, all slips point along the friction at the end. So the end is an equilibrium of the one-shot
+/// law. If this has only one equilibrium, by enumeration, it is the end.
 #[test]
 fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
     let t = over(600, &planar_scenes(), |scene, tally| {
@@ -39,8 +39,8 @@ fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
     assert_met(&[(t.checked, 40)]);
 }
 
-/// There and back the same way with nothing changing on the way there: nothing changes on the way back either, and the end
-/// is the start, up to rounding.
+/// A program there and back without events on the first leg has no events on the way back, and ends at the start, up to
+/// rounding.
 #[test]
 fn a_path_without_events_can_be_reversed() {
     let t = over(400, &planar_scenes(), |mut scene, tally| {

@@ -21,19 +21,19 @@ use grasp_lcp::{planar, spatial};
 use nalgebra::{Matrix, SVector};
 
 const MU: f64 = 0.4;
-/// Normal stiffness of a spring, N/m, and tangential.
+/// Normal and tangential stiffness of a spring, N/m.
 const K: f64 = 1000.0;
 const KT: f64 = 700.0;
-/// 2R, m.
+/// Diameter 2R of the ball, m.
 const DIAMETER: f64 = 100.0;
-/// How far the ball has come down before it is sheared, and after the oblique leg, m.
+/// Indentation before the shear, and after the oblique leg, m.
 const DEPTHS: [f64; 2] = [2e-3, 9e-3];
 /// dQ / dP of the oblique leg.
 const RHO: f64 = 0.25;
-/// Of μP, the shear after the second leg and after the third.
+/// Shear force after the second and the third leg, relative to μP.
 const SHEARS: [f64; 2] = [0.9, -0.6];
 
-/// `r²` of every spring, m².
+/// The springs, each by its squared distance r² from the axis, m².
 struct Springs(Vec<f64>);
 
 impl Springs {
@@ -63,7 +63,7 @@ impl Springs {
     }
 }
 
-/// The root of a function that grows, by halving.
+/// The root of an increasing function in [0, 1], by bisection.
 fn solved(f: impl Fn(f64) -> f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..200 {
@@ -77,7 +77,7 @@ fn spring<const C: usize>(contact: Contact<C>, square: f64) -> Contact<C> {
     contact.series_stiffness(K, KT).friction(MU).clearance(square / DIAMETER)
 }
 
-/// Forces after a leg, against the closed form `[n, t]` with these axes, over the largest force. Friction pulls the ball against the shear.
+/// Largest error of forces against the closed form `[n, t]`, relative to the largest force. Friction acts on the ball against the shear.
 fn off<const C: usize>(forces: &[SVector<f64, C>], shear: &SVector<f64, C>, exact: &[[f64; 2]]) -> f64 {
     let largest = forces.iter().map(Matrix::norm).fold(0.0, f64::max);
     let mut up = SVector::zeros();

@@ -8,7 +8,7 @@ use support::odd_paths::{IN_SPACE, Odd, OddPath, in_space, in_the_plane};
 use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
-/// Fractions of each leg that are asked for.
+/// Number of requested fractions of each leg.
 const ASKED: usize = 40;
 
 fn is_decided<const C: usize>(end: Option<&PathEnd<C>>) -> bool {
@@ -19,7 +19,7 @@ fn is_decided<const C: usize>(end: Option<&PathEnd<C>>) -> bool {
     }
 }
 
-/// Follows a program; every state on the way obeys Coulomb's law and balances, within the error of steps. The error names the violation.
+/// Follows a program and checks Coulomb's law and balance of every state, to the accuracy of the steps. The error is a description of the fault.
 fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
     let mut path = odd.grasp.follow(odd.start, &odd.legs).unwrap();
     path.run();
@@ -38,7 +38,7 @@ fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
             told.push((leg, fraction, state.ok_or_else(|| format!("{leg}, {fraction}"))?));
         }
     }
-    // Where nothing presses, remaining forces are rounding of earlier forces, or of springs that have relaxed.
+    // Without normal forces, the remaining forces are rounding of earlier forces, or of relaxed springs.
     let springs = odd
         .grasp
         .contacts()
@@ -105,7 +105,7 @@ fn odd_paths_in_the_plane_are_decided() {
     all_are_followed("in the plane", 400, || in_the_plane(&mut random).unwrap());
 }
 
-/// A finger pushes a thing that nothing presses on past another one: that slides along it without force, and has no direction.
+/// A finger pushes an object without normal forces past another finger. That contact slides with zero force, so its direction is undefined.
 #[test]
 fn what_slides_without_force_is_followed() {
     let mut random = Random(1);
@@ -113,8 +113,8 @@ fn what_slides_without_force_is_followed() {
     followed(&handled).unwrap();
 }
 
-/// The last of three feet begins to slide, and hardly anything resists the block any more: a correction onto the cones turns directions so far that its
-/// square shows, unless it begins again from there.
+/// When the last of three feet begins to slide, the block has almost no resistance. The correction onto the cones then turns directions so much that
+/// second-order terms matter, and it must be repeated.
 #[test]
 fn what_slides_away_is_on_its_cones() {
     let mut random = Random(0xb ^ (0x12e << 32));

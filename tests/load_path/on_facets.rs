@@ -17,7 +17,7 @@ const KB: f64 = 8.0;
 const MU: f64 = 0.5;
 const N: f64 = 3.0;
 
-/// Unit vector at an angle.
+/// The unit vector at an angle.
 fn at(angle: f64) -> Vector2<f64> {
     Vector2::new(angle.cos(), angle.sin())
 }
@@ -45,7 +45,7 @@ fn pulled(q: Vector2<f64>) -> Wrench {
     Wrench::force([-q[0], -q[1], -4.0 * N])
 }
 
-/// On the polygon.
+/// Follows these loads on the polygonal cone.
 fn follow<'g>(grasp: &'g Grasp, loads: &[Vector2<f64>]) -> (LoadPath<'g>, Vec<Event>) {
     let legs: Vec<_> = loads.iter().map(|q| Leg::load_to(pulled(*q))).collect();
     let mut path = grasp.follow(pulled(Vector2::zeros()), &legs).unwrap();
@@ -55,7 +55,7 @@ fn follow<'g>(grasp: &'g Grasp, loads: &[Vector2<f64>]) -> (LoadPath<'g>, Vec<Ev
     (path, events)
 }
 
-/// All four feet do the same; what, and in which direction.
+/// The change that all four feet have in common, and its direction.
 fn together(event: &Event) -> (&'static str, Option<Vector2<f64>>) {
     let words: Vec<_> = event
         .changes
@@ -125,8 +125,8 @@ fn a_pad_slides_along_a_facet_to_its_corner() {
     }
 }
 
-/// Pulled straight at a corner (π/4) all feet slide at once on both of its facets at KT Q/(4KT + KB) = μN. Straight at a facet
-/// (π/8), they slide across it at r and never turn. In both, pulled back, they slide again after twice that load.
+/// Under a pull towards a corner (π/4) all feet slide at once on both of its facets at KT Q/(4KT + KB) = μN. Under a pull perpendicular to a facet
+/// (π/8) they slide at r and never turn. In both cases they slide back after twice this load.
 #[test]
 fn pulled_at_a_corner_and_at_a_facet_nothing_turns() {
     let grasp = block();

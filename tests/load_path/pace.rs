@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use grasp_lcp::Settings;
 use grasp_lcp::spatial::{Contact, Grasp, Leg, PathEnd, Wrench};
 
-/// Three fingers around a glass, not quite evenly, at three heights, tilted and with this friction.
+/// Three unevenly spaced fingers around a glass at three heights, with tilted normals and this friction.
 pub(crate) fn around_a_glass(tilt: f64, friction: f64) -> Grasp {
     let finger = |(i, height): (i32, f64)| {
         let (s, c) = (TAU / 3.0 * f64::from(i) + 0.2 * f64::from(i * i)).sin_cos();
@@ -17,7 +17,7 @@ pub(crate) fn around_a_glass(tilt: f64, friction: f64) -> Grasp {
     Grasp::new([(0, -1.0), (1, 0.0), (2, 1.0)].map(finger)).unwrap()
 }
 
-/// How many paths end undecided of those under a push from some of 24 sides, level and upwards.
+/// The number of undecided paths under pushes from some of 24 sides, horizontal and upward.
 pub(crate) fn undecided(grasp: &Grasp, sides: &[u8], settings: &Settings) -> usize {
     let mut count = 0;
     for side in sides {
@@ -33,7 +33,7 @@ pub(crate) fn undecided(grasp: &Grasp, sides: &[u8], settings: &Settings) -> usi
     count
 }
 
-/// Five of these six paths ended undecided while a length without its last digits was taken for one cut short.
+/// A step length that differs only by rounding does not count as shortened, so that all of these paths are decided.
 #[test]
 fn a_length_that_lost_its_last_digits_was_not_cut_short() {
     let settings = Settings::default().with_step_error(1e-13);

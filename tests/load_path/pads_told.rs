@@ -6,10 +6,10 @@ use grasp_lcp::planar::{Grasp, Pressure, SoftFingertip, Wrench};
 use support::jaws::jaw;
 use support::samples::{samples, seeded};
 
-/// Distance of the compared states before and after an event, as a fraction of the leg; different events are farther apart.
+/// Fraction of the leg before and after an event at which states are compared; other events are farther away.
 const BESIDE: f64 = 1e-7;
 
-/// How many points of the contacts in a range touch, and how many slide.
+/// Number of points in a range of contacts that touch, and that slide.
 fn count(state: &Equilibrium<2>, range: std::ops::Range<usize>) -> (usize, usize) {
     let points = &state.contacts[range];
     let closed = points.iter().filter(|c| c.state != ContactState::Separated).count();

@@ -25,7 +25,7 @@ use support::programs::changes;
 const MU: f64 = 0.4;
 const P0: f64 = 3.0;
 const KT: f64 = 50.0;
-/// Where the last spring would let go.
+/// Displacement at which the last spring would slide.
 const X_STAR: f64 = MU * P0 / KT;
 
 fn real(n: usize) -> f64 {
@@ -34,9 +34,9 @@ fn real(n: usize) -> f64 {
 
 struct Pad {
     grasp: Grasp,
-    /// μ N_i, in the order of the contacts.
+    /// Friction limits μ N_i, in the order of the contacts.
     limits: Vec<f64>,
-    /// Tangential stiffness of each.
+    /// Tangential stiffness of each spring.
     c: f64,
 }
 
@@ -63,7 +63,7 @@ impl Pad {
         Wrench::force([q, -self.normal_load()])
     }
 
-    /// Q_N(x) on the first loading.
+    /// Shear force Q_N(x) on first loading.
     fn virgin(&self, x: f64) -> f64 {
         self.limits.iter().map(|limit| (self.c * x).min(*limit)).sum()
     }
@@ -75,7 +75,7 @@ impl Pad {
         (path, events)
     }
 
-    /// Heat of friction in one full cycle between -x and x: each spring that slides encloses 4 μN (x - μN/c).
+    /// Energy that friction dissipates in one full cycle between -x and x: 4 μN (x - μN/c) for each sliding spring.
     fn loop_area(&self, x: f64) -> f64 {
         self.limits.iter().map(|f| 4.0 * f * (x - f / self.c).max(0.0)).sum()
     }
@@ -85,7 +85,7 @@ fn x_of(event: &Event) -> f64 {
     event.state.twist.translation()[0]
 }
 
-/// The contacts of an event, all of which must do the same.
+/// The contacts of an event; checks that all have the same change.
 fn who(event: &Event, what: fn(&Change) -> bool) -> Vec<usize> {
     assert!(changes(event).iter().all(|(_, change)| what(change)), "{:?}", changes(event));
     let mut contacts: Vec<_> = changes(event).iter().map(|(i, _)| *i).collect();
@@ -121,7 +121,7 @@ fn the_pad_slips_from_the_rim_inwards() {
             assert_close!(x_of(event), x);
             assert_close!(event.load.to_vector()[0], pad.virgin(x));
             assert_close!(event.fraction, pad.virgin(x) / (1.25 * most));
-            // The continuation is unique where that is examined; among more than 64 contacts on an edge it is not.
+            // The continuation is unique. With more than 64 contacts on an edge this is not checked.
             assert!(event.other_continuations == Some(0) || (i > 31 && event.other_continuations.is_none()));
             for (answer, limit) in event.state.contacts.iter().zip(&pad.limits) {
                 assert_close!(answer.normal_force(), limit / MU);
@@ -131,7 +131,7 @@ fn the_pad_slips_from_the_rim_inwards() {
         let loss = limit_load(&path);
         assert_close!(loss.fraction, 0.8);
         assert_eq!(loss.contacts.len(), n);
-        // The continuum: Mindlin's curve, at the events and between them.
+        // Mindlin's curve of the continuum, at the events and between them.
         let full = MU * P0 * 4.0 / 3.0;
         let within = 2.0 * full / (real(n) * real(n));
         for step in 1..40 {
@@ -141,7 +141,7 @@ fn the_pad_slips_from_the_rim_inwards() {
             assert_close!(pad.virgin(x), q);
             let mindlin = full * (1.0 - (1.0 - (x / X_STAR).min(1.0)).powf(1.5));
             assert!((q - mindlin).abs() <= within, "N = {n}, x = {x}: {q} against {mindlin} ± {within}");
-            // The stick zone reaches to (1 - Q/μP)^{1/3}, within half a cell and the effect of the load's error.
+            // The stick zone reaches to (1 - Q/μP)^{1/3}, up to half a cell and the error of the load.
             let stuck = state.contacts.iter().filter(|c| c.margin > 1e-9).count();
             let zone = (1.0 - x / X_STAR).max(0.0).sqrt();
             assert!((real(stuck) / real(n) - zone).abs() <= 1.0 / real(n) + 1e-12, "{stuck} of {n}, {zone}");
@@ -234,7 +234,7 @@ fn a_loop_inside_is_forgotten_where_it_was_left() {
         assert_close!(x_of(event), pad.limits[i] / pad.c);
         assert_close!(event.load.to_vector()[0], pad.virgin(pad.limits[i] / pad.c));
     }
-    // The end of the path equals that of a single leg.
+    // The end of the path is that of a single leg.
     let (straight, _) = pad.follow(&[q3]);
     let (a, b) = (path.state().unwrap(), straight.state().unwrap());
     for (a, b) in a.contacts.iter().zip(&b.contacts) {

@@ -8,7 +8,7 @@ use grasp_lcp::load_path::PathEnd;
 use support::odd_paths::{Odd, in_space};
 use support::samples::{samples, seeded};
 
-/// The least of a convex function of one number between two.
+/// The minimum of a convex function in an interval, by golden-section search.
 fn least(mut low: f64, mut high: f64, f: &dyn Fn(f64) -> f64) -> f64 {
     let part = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut a, mut b) = (high - part * (high - low), low + part * (high - low));
@@ -27,12 +27,12 @@ fn least(mut low: f64, mut high: f64, f: &dyn Fn(f64) -> f64) -> f64 {
     fa.min(fb)
 }
 
-/// The factor of a push (force in the plane of the feet and moment about z) at which friction of these feet (x, y, μN) gives way.
+/// The limit factor of a push (force in the plane of the feet and moment about z) on feet (x, y, μN).
 fn limit(feet: &[[f64; 3]; 3], push: [f64; 3]) -> f64 {
     let force = push[0].hypot(push[1]);
     let (along, across) = ([push[0] / force, push[1] / force], [-push[1] / force, push[0] / force]);
     let work = |turn: f64, side: f64| {
-        // Work one: force·v + moment ω = 1.
+        // Unit work: force·v + moment ω = 1.
         let forward = (1.0 - push[2] * turn) / force;
         let v = [0, 1].map(|k| forward * along[k] + side * across[k]);
         feet.iter().map(|[x, y, limit]| limit * (v[0] - turn * y).hypot(v[1] + turn * x)).sum::<f64>()
@@ -56,7 +56,7 @@ fn pushes_end_at_their_limit_loads() {
             [point[0], point[1], contact.friction_coefficient() * first.contacts[i].normal_force()]
         });
         let ([x, y, _], [.., about]) = (loss.load.resultant(), loss.load.moment());
-        // The load there is as large as the limit of its own direction.
+        // The load at the end equals the limit load in its direction.
         let factor = limit(&feet, [x, y, about]);
         assert!((factor - 1.0).abs() < 1e-7, "{number}: {:e}", factor - 1.0);
     }

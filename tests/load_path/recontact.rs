@@ -25,7 +25,7 @@ fn body(mu: f64) -> Grasp {
     Grasp::new([foot, spring(-1.0), spring(1.0)]).unwrap()
 }
 
-/// The foot's command goes to (a, b).
+/// A leg that changes the foot's command to (a, b).
 fn to(a: f64, b: f64) -> Leg {
     Leg::commands_to(vec![[a, b], [0.0; 2], [0.0; 2]])
 }
@@ -37,9 +37,9 @@ fn follow<'g>(grasp: &'g Grasp, legs: &[Leg]) -> (LoadPath<'g>, Vec<grasp_lcp::p
     (path, events)
 }
 
-/// Pressed and dragged along from no force at all (e b > μ c a) the foot slides from the first moment. Let go while it is dragged on
-/// it slides until N = 0 at the very end of the leg. Pressed and dragged back from there it slides the other way at once: it
-/// reverses where all its forces vanish, which is the only place where it can. Friction takes ∫ μN |ds|, with
+/// Pressed and dragged from zero force (e b > μ c a), the foot slides from the start. Released while it is dragged on, it slides until
+/// N = 0 at the end of the leg. Pressed and dragged back from there, it slides in the other direction at once. It can reverse only
+/// where all its forces vanish. Friction dissipates ∫ μN |ds|, with
 /// s = b - μN/e: on a leg with N from 0 to N₁ (or back) and b over L it is μN₁ L/2 ∓ (μN₁)²/(2e).
 #[test]
 fn it_reverses_where_its_force_vanishes() {
@@ -50,7 +50,7 @@ fn it_reverses_where_its_force_vanishes() {
     // Last leg: it sticks at T = -μN₁ as it is released, and slides as soon as N no longer suffices, at once.
     assert_story(&events[..2], &[(0, 0.0, vec![(0, "slides")]), (2, 0.0, vec![(0, "reverses")])]);
     let [(0, Change::Reverses { direction })] = changes(&events[1])[..] else { panic!() };
-    // Tangents are clockwise of the normal: t = (1, 0). It is dragged back to -x.
+    // The tangent is t = (1, 0), and the foot is dragged back to -x.
     assert_close!(direction[0], -1.0);
     assert_eq!(events[1].other_continuations, Some(0));
     for (leg, sign) in [(0, 1.0), (2, -1.0)] {
@@ -66,7 +66,7 @@ fn it_reverses_where_its_force_vanishes() {
     }
 }
 
-/// The same, but pressed straight where N = 0: it sticks with T = 0, and keeps the slip it has.
+/// If the foot is pressed along the normal where N = 0, it sticks with T = 0, and its slip does not change.
 #[test]
 fn it_sticks_where_its_force_vanishes() {
     let (a, l) = (0.2, 0.5);
@@ -80,9 +80,9 @@ fn it_sticks_where_its_force_vanishes() {
     assert_eq!(end.contacts[0].state, ContactState::Sticking);
 }
 
-/// Lifted past N = 0 (after μN has shrunk to its T, it slides: T = e b = μ c a there), it opens, travels, comes down elsewhere: pressed and
-/// dragged by enough (e Δb > μ c Δa from the closing on) it closes sliding, else it closes and sticks, T = e (b - b₀) from
-/// where it closes.
+/// Lifted past N = 0, the foot first slides, at T = e b = μ c a, then opens, moves, and is lowered at another place. If it is dragged
+/// far enough while it is pressed (e Δb > μ c Δa after closing), it closes sliding. Otherwise it closes and sticks, with T = e (b - b₀) from
+/// the closing point.
 #[test]
 fn it_closes_without_tangential_force() {
     let (a, b) = (0.2, 0.03);
@@ -91,7 +91,7 @@ fn it_closes_without_tangential_force() {
     let slides = 1.0 - stuck / (MU * C * a);
     for (drag, how) in [(0.05, "closes"), (0.3, "closes sliding")] {
         let grasp = body(MU);
-        // The first leg leads straight from rest: stuck. Then up to a = -a, along, and down while it is dragged.
+        // On the first leg the foot sticks. Then it is lifted to -a, moved along, and lowered while it is dragged.
         let legs = [to(a, b), to(-a, b), to(-a, 1.0), to(a, 1.0 + 2.0 * drag)];
         let (path, events) = follow(&grasp, &legs);
         // Up, a(1 - 2f): it slides when μ c a(1 - 2f) = e b and opens at f = ½.
@@ -110,7 +110,7 @@ fn it_closes_without_tangential_force() {
     }
 }
 
-/// With a clearance the finger comes from afar: closed at a = clearance, and N = c (a - clearance) from there.
+/// With a clearance the finger closes at a = clearance, and N = c (a - clearance) from there.
 #[test]
 fn a_clearance_is_travelled_first() {
     let foot = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(K, KT).friction(MU).clearance(0.3);
@@ -127,8 +127,8 @@ fn a_clearance_is_travelled_first() {
     assert_close!(path.state().unwrap().contacts[0].gap, 0.3);
 }
 
-/// Two fingers pinch a body (N = k a each) that weighs w and let go until 2μN = w. No load changes, the commands alone lose it: a
-/// limit load all the same, and it falls.
+/// Two fingers pinch a body of weight w (N = k a each) and are released until 2μN = w. Only the commands change, and the path ends at a
+/// limit load: the body falls.
 #[test]
 fn letting_go_drops_the_body() {
     let (k, kt, mu, w, a) = (40.0, 6.0, 0.5, 1.2, 0.1);

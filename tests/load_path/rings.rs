@@ -15,7 +15,7 @@ const K: f64 = 10.0;
 const KT: f64 = 4.0;
 const MU: f64 = 0.3;
 const A: f64 = 0.1;
-/// Stiffness of the elastic base, per metre and per radian.
+/// Stiffness of the elastic base, in N/m and N m/rad.
 const BASE: f64 = 1.0;
 
 fn ring(n: usize) -> impl Iterator<Item = (f64, f64)> {
@@ -29,7 +29,7 @@ fn fingers(n: usize) -> impl Iterator<Item = planar::Contact> {
     (0..n).map(move |i| around::<2>(i, n, 1.0, [K, KT], MU).command([A, 0.0]))
 }
 
-/// The commands of the fingers become a, those of the other contacts zero.
+/// Commands a for n fingers, and zero for the `rest` of the contacts.
 fn squeeze<const C: usize>(n: usize, rest: usize, a: f64) -> Vec<nalgebra::SVector<f64, C>> {
     let mut command = nalgebra::SVector::zeros();
     command[0] = a;
@@ -41,7 +41,7 @@ fn all(n: usize, what: &'static str) -> Vec<(usize, &'static str)> {
     (0..n).map(|i| (i, what)).collect()
 }
 
-/// Turned until it gives way: all at once at M = n μN.
+/// Under a growing torque all contacts slide at once at M = n μN.
 #[test]
 fn a_torque_takes_all_at_once() {
     for n in 2..=64 {
@@ -51,7 +51,7 @@ fn a_torque_takes_all_at_once() {
             let leg = planar::Leg::load_to(planar::Wrench::new([0.0; 2], 1.6 * sign * limit));
             let mut path = grasp.follow(planar::Wrench::ZERO, &[leg]).unwrap();
             assert!(path.run().is_empty(), "{n}");
-            // Up to 7 contacts all their states are tried beyond; whether among more something else holds is not known.
+            // With up to 7 contacts all states are enumerated beyond the loss; with more it is unknown whether another equilibrium exists.
             let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{n}: {:?}", path.end()) };
             assert!(n > 7 || matches!(path.beyond(), Some(Beyond::LimitLoad)), "{n}");
             assert_close!(loss.fraction, 1.0 / 1.6);
@@ -88,14 +88,14 @@ fn squeezed_turned_let_go_and_squeezed_again() {
         let end = path.state().unwrap();
         for c in &end.contacts[..n] {
             assert_close!(c.normal_force(), 2.0 * K * A);
-            // t = (n_y, -n_x) goes the way of a positive turn, friction against it.
+            // t = (n_y, -n_x) points in the direction of a positive rotation, and friction opposes it.
             assert_close!(c.force[1], share - MU * K * 0.5 * A);
         }
         assert!(path.energies().iter().all(|e| e.residual().abs() < 1e-13));
     }
 }
 
-/// No two events of a leg at one load, and every one with the mirror image of each of its contacts.
+/// Checks that no two events of a leg have the same load, and that every event contains the mirror images of its contacts.
 fn assert_mirrored<const C: usize>(n: usize, events: &[Event<C>]) {
     for pair in events.windows(2) {
         let apart = pair[1].leg > pair[0].leg || pair[1].fraction - pair[0].fraction > 1e-9;
@@ -115,7 +115,7 @@ fn assert_mirrored<const C: usize>(n: usize, events: &[Event<C>]) {
     }
 }
 
-/// The contacts that slide first under a side load along x, and the displacement at that load: N_i = N + k x cos φ, T_i = kt x |sin φ|.
+/// The displacement at first slip under a side load along x, and the contacts that slide: N_i = N + k x cos φ, T_i = kt x |sin φ|.
 fn first_to_let_go(n: usize) -> (f64, Vec<usize>) {
     let at = |(c, s): (f64, f64)| {
         let x = MU * K * A / (KT * s.abs() - MU * K * c);
@@ -126,7 +126,7 @@ fn first_to_let_go(n: usize) -> (f64, Vec<usize>) {
     (first, (0..n).filter(|&i| each[i] < first * (1.0 + 1e-9)).collect())
 }
 
-/// Pushed to the side, there and back and there again, against an elastic base: the contacts let go, part and come back in pairs.
+/// Under a side load that goes there, back and there again, against an elastic base, contacts slide, open and close in pairs.
 #[test]
 fn a_side_load_goes_through_mirror_images() {
     for n in 2..=64 {
@@ -204,7 +204,7 @@ fn a_ring_on_facets_slides_and_turns_as_one() {
     }
 }
 
-/// The same on the round cone: the drag keeps its direction, so nothing turns, r = μN, and they slide back after twice the first load.
+/// On the round cone the drag keeps its direction, so friction does not turn, r = μN, and the contacts slide back after twice the first load.
 #[test]
 fn a_ring_in_space_slides_and_sticks_as_one() {
     for n in [2, 3, 4, 5, 8, 13, 64] {
@@ -233,7 +233,7 @@ fn a_ring_in_space_slides_and_sticks_as_one() {
     }
 }
 
-/// Let go and squeezed again in space, under a pull along the axis: one event each.
+/// Releasing and squeezing again in space, under a pull along the axis, has one event each.
 #[test]
 fn a_ring_in_space_let_go_and_squeezed_again() {
     for n in 2..=64 {
@@ -253,7 +253,7 @@ fn a_ring_in_space_let_go_and_squeezed_again() {
     }
 }
 
-/// Pushed to the side in space, with the axis upright by symmetry: mirror images again.
+/// Under a side load in space the axis stays upright by symmetry, and events contain mirror images.
 #[test]
 fn a_side_load_in_space_goes_through_mirror_images() {
     for n in [2, 3, 4, 5, 6, 8, 11, 16, 31, 64] {

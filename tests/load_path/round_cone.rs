@@ -16,12 +16,12 @@ use support::samples::{assert_met, samples};
 
 type Spatial = Scene<6, 3>;
 
-/// Tolerances grow with the error of the steps.
+/// Settings with the smallest step error, because tolerances grow with it.
 fn to_all_digits() -> Settings {
     Settings::default().with_step_error(1e-13)
 }
 
-/// From what follows events and samples the law; slips go along the friction force, over ever shorter ways.
+/// Checks the law at events and samples, and that slips point along the friction force over shorter and shorter pieces.
 fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
     let asked = grasp.with(&to_all_digits());
@@ -59,8 +59,8 @@ fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError
     Ok(())
 }
 
-/// A contact that slides in both of two near states has slipped along the friction force between them, up to the turn of the force. A contact that
-/// sticks in both has not slipped.
+/// Checks that a contact that slides in two neighbouring states has slipped along the friction force, except for its rotation, and that
+/// one that sticks in both has not slipped.
 fn slips_along_friction(a: &Equilibrium<3>, b: &Equilibrium<3>) -> Result<usize, TestCaseError> {
     let (_, motion) = sizes(a);
     let mut sliding = 0;
@@ -90,8 +90,8 @@ fn the_law_holds_along_arcs() {
     assert_met(&[(t.checked, 83), (t.slides, 26), (t.sticks, 16), (t.opens, 3), (t.closes, 1)]);
     assert_met(&[(t.completed, 10), (t.limits, 3)]);
     assert!(t.undecided == 0 && t.admitted == 0, "{t:?}");
-    // Where a path is lost the error asked for grows; on the others errors add up to more than 1e-10 only where displacements are huge,
-    // and rounding allows no less.
+    // At a loss the step error grows. On other paths errors exceed 1e-10 only with very large displacements,
+    // where rounding allows no less.
     assert!(t.inaccurate <= samples(2), "{t:?}");
 }
 
@@ -106,7 +106,7 @@ fn word(change: &Change<3>) -> &'static str {
     }
 }
 
-/// Events without directions; the last changes of a lost path belong to the loss.
+/// The events without directions. The last event before a loss counts as part of the loss.
 fn story(events: &[Event<3>], path: &LoadPath<'_, 3>, contacts: &[usize]) -> Vec<(usize, f64, Vec<String>)> {
     let what = |event: &Event<3>| {
         let mut list: Vec<_> =
@@ -120,17 +120,16 @@ fn story(events: &[Event<3>], path: &LoadPath<'_, 3>, contacts: &[usize]) -> Vec
     events.iter().filter(before).map(|e| (e.leg, e.fraction, what(e))).collect()
 }
 
-/// Sliding that comes to an end at vanishing force may stick and slide ever faster: what happens within this of another event
-/// is one thing.
+/// Near vanishing force a contact may stick and slide in quick succession. Events closer than this count as one.
 const APART: f64 = 1e-6;
 
-/// Whether no two events are so close that rounding could exchange them.
+/// Whether no two events are so close that rounding may change their order.
 fn clear(events: &[Event<3>]) -> bool {
     events.windows(2).all(|w| w[0].leg != w[1].leg || w[1].fraction - w[0].fraction > APART)
 }
 
-/// A contact that slides while its normal force vanishes turns ever faster, so that rounding determines its final direction. The load at which it
-/// opens, and all later events, are known to this accuracy only.
+/// The direction of a contact that slides while its normal force vanishes turns faster and faster, and ends as rounding. This limits the accuracy
+/// of the load at which it opens, and of all later events.
 const AFTER_OPENING: f64 = 1e-8;
 
 fn same_story(
@@ -139,7 +138,7 @@ fn same_story(
     error: f64,
 ) -> Result<(), TestCaseError> {
     prop_assert_eq!(a.len(), b.len(), "{:?} against {:?}", a, b);
-    // Errors of the steps become errors of loads where forces change slowly.
+    // Step errors become errors of event loads, larger where forces change slowly.
     let mut within = 1e-10_f64.max(1e4 * error);
     for (x, y) in a.iter().zip(b) {
         if x.2.iter().any(|what| what.ends_with("opens")) {
@@ -151,7 +150,7 @@ fn same_story(
     Ok(())
 }
 
-/// Whether another view of a scene starts from the same equilibrium: of several it may be another.
+/// Whether another view of a scene starts from the same equilibrium; with several it may start from another one.
 fn same_start(start: &Equilibrium<3>, other: &Spatial, contacts: &[usize], press: f64) -> bool {
     let outcome = other.grasp().solve(other.start()).unwrap();
     let Some(there) = outcome.equilibrium() else { return false };
@@ -216,7 +215,7 @@ fn frames_and_order_do_not_matter() {
     assert_met(&[(t.checked, 26)]);
 }
 
-/// The tangents of every contact turned about its normal, commands with them.
+/// The scene with the tangents and commands of every contact rotated about its normal.
 fn turned(scene: &Spatial, angle: f64) -> Spatial {
     let (sin, cos) = angle.sin_cos();
     let mut other = scene.clone();
@@ -233,7 +232,7 @@ fn turned(scene: &Spatial, angle: f64) -> Spatial {
     other
 }
 
-/// A leg cut in two has the same events and the same end.
+/// A leg that is cut half way has the same events and the same end.
 #[test]
 fn cutting_legs_changes_nothing() {
     let t = over(27, &spatial_scenes(), |scene, tally| {
@@ -266,7 +265,7 @@ fn cutting_legs_changes_nothing() {
             .collect();
         same_story(&story(&events, &path, &own), &in_halves, path.step_error().max(pieces.step_error()))?;
         prop_assert_eq!(path.end().map(|e| e.loss().is_some()), pieces.end().map(|e| e.loss().is_some()));
-        // Where a path is lost its state changes ever faster: like the root of the distance.
+        // Near a loss the state changes like the square root of the distance.
         let completed = matches!(path.end(), Some(PathEnd::Completed));
         if let (Some(a), Some(b), true) = (path.state(), pieces.state(), completed) {
             same_state(&scene, &a, &b, 1e-9)?;
@@ -278,8 +277,8 @@ fn cutting_legs_changes_nothing() {
     assert_met(&[(t.checked, 3)]);
 }
 
-/// Equal steps along the whole program by one-shot equilibria, each from the slips of the one before: backward Euler, without events or
-/// arcs. `None` where a step has no equilibrium, or jumps.
+/// Backward Euler with equal steps along the whole program: each step is an equilibrium with the slips of the previous one, without events or
+/// arcs. `None` if a step has no equilibrium, or jumps.
 fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f64, 3>>> {
     let mut slips = vec![SVector::<f64, 3>::zeros(); scene.spots.len()];
     let mut forces: Vec<SVector<f64, 3>> = Vec::new();
@@ -303,7 +302,7 @@ fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f
         }
         forces = state.contacts.iter().map(|c| c.force).collect();
         for (slip, contact) in slips.iter_mut().zip(&state.contacts) {
-            // Also that of an open contact, whose surfaces move past each other: it closes without friction.
+            // Open contacts too, so that they close without friction.
             if !matches!(contact.state, ContactState::Sticking | ContactState::Frictionless) {
                 *slip += contact.slip;
             }
@@ -312,7 +311,7 @@ fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f
     Some(forces)
 }
 
-/// The end of a path is where small steps lead, the closer the smaller they are.
+/// Small steps converge to the end of the path.
 #[test]
 fn small_steps_lead_to_the_same_end() {
     let t = over(20, &spatial_scenes(), |scene, tally| {
@@ -342,7 +341,7 @@ fn small_steps_lead_to_the_same_end() {
     assert_met(&[(t.checked, 0)]);
 }
 
-/// A larger error of the steps makes fewer of them, and the end is off by about as much.
+/// With a larger allowed error there are fewer steps, and the end has about this error.
 #[test]
 fn coarse_steps_end_nearby() {
     let t = over(20, &spatial_scenes(), |scene, tally| {
@@ -369,6 +368,6 @@ fn the_law_holds_along_arcs_under_loads_that_turn() {
     let t = over(80, &turning(spatial_scenes(), 12.0), |scene, tally| the_law_holds(&scene, tally));
     println!("{t:?}");
     assert_met(&[(t.checked, 62), (t.slides, 20), (t.sticks, 12), (t.opens, 2), (t.closes, 1)]);
-    // Events where a contact slides with next to no normal force, and directions that turn within a billionth of the way.
+    // Exceptions are contacts that slide with almost no normal force, and directions that turn within a billionth of a leg.
     assert!(t.undecided <= samples(1) && t.admitted <= samples(1), "{t:?}");
 }

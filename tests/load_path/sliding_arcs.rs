@@ -12,11 +12,11 @@ const K: f64 = 80.0;
 const KT: f64 = 50.0;
 const MU: f64 = 0.5;
 const A: f64 = 0.1;
-/// Of the elastic support, along each axis.
+/// Stiffness of the elastic support along each axis, N/m.
 const BASE: f64 = 400.0;
 
-/// A finger on top of a body that four bonded springs around it hold, equally stiff along all axes: pushed at its middle the body
-/// does not turn.
+/// A finger on top of a body on four bonded springs around it, equally stiff along all axes. A push at its middle does not turn
+/// the body.
 fn dragged() -> Grasp {
     let finger = Contact::new([0.0; 3], [0.0, 0.0, 1.0])
         .tangent([1.0, 0.0, 0.0])
@@ -33,7 +33,7 @@ fn dragged() -> Grasp {
     Grasp::new([finger].into_iter().chain(around.map(|(x, y)| support(x, y)))).unwrap()
 }
 
-/// The closed forms are met to rounding.
+/// Settings with the smallest step error, so that closed forms are met to rounding.
 fn to_all_digits() -> Settings {
     Settings::default().with_step_error(1e-13)
 }
@@ -47,26 +47,26 @@ fn normal_force() -> f64 {
     in_series(K) * A
 }
 
-/// Distance of the finger from the body that it drags.
+/// The distance between the finger and the dragged contact point, the leash.
 fn leash() -> f64 {
     MU * normal_force() / in_series(KT)
 }
 
-/// The finger goes by this much.
+/// A leg that moves the finger by (x, y).
 fn drag(x: f64, y: f64) -> Leg {
     let mut commands = vec![Vector3::zeros(); 5];
     commands[0] = Vector3::new(0.0, x, y);
     Leg::commands_by(commands)
 }
 
-/// The finger moves straight, starting at right angles to its leash L. The dragged body follows a tractrix, and the friction force is along the
-/// leash, at an angle θ to the motion with
+/// The finger moves straight, starting perpendicular to its leash L. The dragged point follows a tractrix, and the friction force points along the
+/// leash, at the angle θ to the path with
 ///
 /// ```text
 /// tan(θ/2) = tan(θ₀/2) exp(-x/L)
 /// ```
 ///
-/// The slip is the displacement of the end of the leash. Distances are short, long, and a million leashes long.
+/// The slip is the position of the dragged point. Paths are short, long, and a million leashes long.
 #[test]
 fn what_is_dragged_follows_a_tractrix() {
     let grasp = dragged();
@@ -78,12 +78,12 @@ fn what_is_dragged_follows_a_tractrix() {
             let mut path = asked.follow(Wrench::ZERO, &legs).unwrap();
             let events = path.run();
             assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
-            // One event, at the end of the leash; where that is the end of the leg it is the beginning of the next.
+            // There is one event, when the leash is tight. At the end of a leg it belongs to the beginning of the next.
             let [event] = &events[..] else { panic!("{events:?}") };
             assert!(matches!(changes(event)[..], [(0, Change::Slides { .. })]));
             let at = event.leg as f64 + event.fraction;
             assert_close!(at, 1.0 / ahead);
-            // Rounding is relative to the distance, in lengths of the leash.
+            // The rounding error grows with the length of the path in leashes.
             let most = 1e-11_f64.max(1e-15 * way);
             assert!(path.step_error() > 0.0 && path.step_error() < most, "{}", path.step_error());
             for f in [0.01, 0.2, 0.5, 0.77, 1.0] {
@@ -106,7 +106,7 @@ fn what_is_dragged_follows_a_tractrix() {
     }
 }
 
-/// The heat of it: F_t·ds with ds = dx cos θ along the leash, so μN L ln cosh(x/L) from a right angle.
+/// The heat of the tractrix is the integral of F_t·ds with ds = dx cos θ along the leash: μN L ln cosh(x/L) from a right angle.
 #[test]
 fn the_heat_of_a_tractrix() {
     let grasp = dragged();
@@ -121,13 +121,13 @@ fn the_heat_of_a_tractrix() {
     }
 }
 
-/// The finger moves in a circle of radius R. The dragged body converges to a circle of radius ρ with ρ² + L² = R², to which the leash is a tangent.
+/// If the finger moves on a circle of radius R, the dragged point ends on a circle of radius ρ with ρ² + L² = R², to which the leash is tangent.
 #[test]
 fn round_in_a_circle_what_is_dragged_keeps_to_a_smaller_one() {
     let grasp = dragged();
     let l = leash();
     let radius = 2.0 * l;
-    // In chords, each of them a leg; around again and again until it has forgotten how it began.
+    // The circle is made of chords, one leg each, repeated until the initial state has no influence.
     let sides = 96_u32;
     let at = |i: u32| {
         let angle = std::f64::consts::TAU * f64::from(i) / f64::from(sides);
@@ -141,7 +141,7 @@ fn round_in_a_circle_what_is_dragged_keeps_to_a_smaller_one() {
     path.run();
     let ((last, _), end) = (path.place(), path.state().unwrap());
     assert_eq!(last + 1, legs.len());
-    // Where it is: the slip, from the centre of the circle.
+    // The position of the dragged point, from the centre of the circle.
     let slip = &end.contacts[0].slip;
     let place = Vector2::new(slip[1] + radius, slip[2]);
     // A polygon of 96 sides is a circle up to (π/96)²/2 or so.
@@ -151,7 +151,7 @@ fn round_in_a_circle_what_is_dragged_keeps_to_a_smaller_one() {
     assert!(force.normalize().dot(&place.normalize()).abs() < 2e-3 + 1.0 / f64::from(sides));
 }
 
-/// Coarser steps have larger errors, and the estimate is above them.
+/// Coarser steps have larger errors, below the estimate.
 #[test]
 fn the_error_of_the_steps_is_what_was_asked_for() {
     let grasp = dragged();
@@ -176,8 +176,8 @@ fn the_error_of_the_steps_is_what_was_asked_for() {
     }
 }
 
-/// Two springs that differ: dragged along one of the axes of the springs, off the other, the leash is an ellipse. Against a thousand times finer
-/// steps of the closest-point return, extrapolated twice, written out here.
+/// With two different springs the leash is an ellipse. The finger moves along one of the axes, off the other. The reference is a closest-point return
+/// with much finer steps, extrapolated, written out here.
 #[test]
 fn springs_that_differ_along_the_tangents() {
     let (k1, k2) = (70.0, 20.0);
@@ -186,7 +186,7 @@ fn springs_that_differ_along_the_tangents() {
         .series_stiffness_axes([K, k1, k2])
         .friction(MU)
         .command([A, 0.0, 0.0]);
-    // Held from below, as stiff as can be: the body stays where it is.
+    // A very stiff bonded contact keeps the body in place.
     let held = |x: f64, y: f64| {
         Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e12, 1e12).friction(1.0).bonded()
     };
@@ -208,7 +208,7 @@ fn springs_that_differ_along_the_tangents() {
     assert!(reference[0] > 0.5 * r && reference[1] > 0.01 * r);
 }
 
-/// n steps along two legs: F = S (a - s) with S = (K⁻¹ + λ)⁻¹ by bisection on λ, s on from there by λF.
+/// The force after n steps along two legs: F = S (a - s) with S = (K⁻¹ + λ)⁻¹, λ by bisection; then s grows by λF.
 fn returned(k1: f64, k2: f64, r: f64, first: [f64; 2], second: [f64; 2], n: u32) -> [f64; 2] {
     let (mut a, mut s, mut f) = ([0.0; 2], [0.0; 2], [0.0; 2]);
     for leg in [first, second] {
@@ -236,7 +236,7 @@ fn returned(k1: f64, k2: f64, r: f64, first: [f64; 2], second: [f64; 2], n: u32)
     f
 }
 
-/// Richardson's extrapolation of something with an error in powers of 1/n.
+/// Richardson extrapolation of a quantity whose error is a power series in 1/n.
 fn extrapolated(of: impl Fn(u32) -> [f64; 2]) -> [f64; 2] {
     let table: Vec<_> = [1000, 2000, 4000, 8000].map(of).to_vec();
     let mut row = table;
@@ -247,7 +247,7 @@ fn extrapolated(of: impl Fn(u32) -> [f64; 2]) -> [f64; 2] {
     row[0]
 }
 
-/// At right angles to the leash nothing slides at first, and then it does: the edge of the cone is left along a tangent.
+/// If the finger moves perpendicular to the leash, the force starts tangentially to the edge of its cone, and the contact slides at once.
 #[test]
 fn a_leash_at_right_angles_gives_way_at_once() {
     let grasp = dragged();

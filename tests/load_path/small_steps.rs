@@ -12,15 +12,15 @@ use support::programs::tally::Tally;
 use support::programs::{Scene, sizes};
 use support::samples::assert_met;
 
-/// Steps a leg.
+/// Number of steps of each leg.
 const STEPS: usize = 100;
-/// Number of halvings of a step in which something changes: events are found to 1/25600 of a leg.
+/// Number of bisections of a step with a change, so that events are found to 1/25600 of a leg.
 const HALVINGS: usize = 8;
-/// Forces agree to this part of the largest one: the slip of a contact that changes within a step is off by that much.
+/// Tolerance of forces relative to the largest one, the error of slip if a contact changes within a step.
 const FORCES: f64 = 5e-4;
-/// A step this long leads beyond where a path is lost.
+/// Length of a step beyond a loss.
 const AHEAD: f64 = 1e-6;
-/// A state this far from the last one (relative forces and motion) does not continue it.
+/// A state that differs from the last one by more than this (relative forces and motion) is no continuation.
 const JUMP: f64 = 1e-3;
 
 fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> {
@@ -39,7 +39,7 @@ fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> 
             if leg == last_leg && to > last {
                 break;
             }
-            // From where the continuation is not unique the two may go different ways.
+            // After an event with several continuations the two methods may differ.
             let before = |e: &&grasp_lcp::planar::Event| (e.leg, e.fraction) <= (leg, to);
             if events.iter().filter(before).any(|e| e.other_continuations != Some(0)) {
                 return Ok(());
@@ -49,7 +49,7 @@ fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> 
             };
             let exact = path.state_at(leg, to).unwrap();
             let states = scene.does(&exact);
-            // For a contact that stays on an edge several states describe the same equilibrium.
+            // A contact that stays on an edge may have several equivalent states.
             if next.does != states {
                 let tied = |other: &Step| other.does == states && next.apart(other) <= 1e-9;
                 next = scene.steps_to(leg, to, &next).into_iter().find(tied).unwrap_or(next);

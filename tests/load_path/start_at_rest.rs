@@ -8,7 +8,7 @@ use support::ends::limit_load;
 const RADIUS: f64 = 0.03;
 const MU: f64 = 0.5;
 
-/// Contacts on a circle that nothing presses, with normals up or inwards.
+/// Contacts without normal force on a circle, with normals up or inwards.
 fn around(count: u32, up: bool) -> Grasp {
     let contact = |i: u32| {
         let (s, c) = (TAU / f64::from(count) * f64::from(i)).sin_cos();
@@ -24,12 +24,12 @@ fn follow(grasp: &Grasp, load: Wrench) -> LoadPath<'_> {
     path
 }
 
-/// A plate on contacts that touch it from below carries any load within friction and footprint, and no other at all.
+/// A plate on contacts that touch it from below carries every load within friction and footprint, and no other.
 #[test]
 fn a_plate_without_weight_holds_all_or_nothing() {
     for count in 3..=6 {
         let plate = around(count, true);
-        // Down; down and aside within friction; down beside the middle.
+        // Down; down and sideways within friction; down off the middle.
         for load in [
             Wrench::force([0.0, 0.0, -1.0]),
             Wrench::force([0.8 * MU, 0.0, -1.0]),
@@ -39,7 +39,7 @@ fn a_plate_without_weight_holds_all_or_nothing() {
             let end = path.end().unwrap();
             assert!(matches!(end, PathEnd::Completed), "{count} {load:?}: {end:?}");
         }
-        // Up; aside; down and aside beyond friction; down beside the plate; a twist.
+        // Up; sideways; down and sideways beyond friction; down outside the plate; a torque.
         for load in [
             Wrench::force([0.0, 0.0, 1.0]),
             Wrench::force([1.0, 0.0, 0.0]),
@@ -54,7 +54,7 @@ fn a_plate_without_weight_holds_all_or_nothing() {
     }
 }
 
-/// Fingers around a glass that do not press do not carry it, although pressed together they could.
+/// Fingers around a glass without squeeze do not carry it, although they could with a squeeze.
 #[test]
 fn fingers_that_do_not_press_carry_nothing() {
     for count in [2, 3] {
@@ -64,8 +64,8 @@ fn fingers_that_do_not_press_carry_nothing() {
     }
 }
 
-/// Where forces grow from nothing in proportion to the load there is an equilibrium all the way. The path may not be found, but it is
-/// not lost.
+/// If forces can grow in proportion to the load, an equilibrium exists at every load. The path may be undecided, but it is
+/// never lost.
 #[test]
 fn what_grows_from_nothing_is_not_lost() {
     for count in 3..=6 {
@@ -78,8 +78,8 @@ fn what_grows_from_nothing_is_not_lost() {
 }
 
 /// A cylinder of weight w and radius r rolls freely on a floor and just touches a rough wall. A couple that rolls it into the wall is held up to
-/// `w r μ(1 + μ)/(1 + μ²)`, where floor and wall slide; one that rolls it away from there by nothing. Of all the places along the
-/// floor it starts from the one where it lies.
+/// `w r μ(1 + μ)/(1 + μ²)`, where floor and wall slide; one that rolls it away from there by nothing. Its position along the
+/// floor at the start is the given one.
 #[test]
 fn a_cylinder_that_touches_a_wall_is_held_by_it() {
     use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};

@@ -12,13 +12,13 @@ use support::jaws::around;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// Feet of a table on uneven springs and a floor that is not quite even.
+/// A table with feet on uneven springs and a slightly uneven floor.
 fn table(feet: usize, across: f64, numbers: &mut Random) -> Result<Grasp, Error> {
     let foot = |i: usize| {
         let (sin, cos) = (TAU * i as f64 / feet as f64 + 0.4 * numbers.signed()).sin_cos();
         let k = 1000.0 * (1.0 + 0.3 * numbers.signed());
         let normal = [0.1 * numbers.signed(), 0.1 * numbers.signed(), 1.0];
-        // With less than 0.8 they are softer along one tangent.
+        // With `across` below 0.8 they are softer along one tangent.
         Contact::new([cos, sin, 0.0], normal)
             .series_stiffness_axes([k, 0.8 * k, across * k])
             .friction(0.5 + 0.2 * numbers.signed())
@@ -26,12 +26,12 @@ fn table(feet: usize, across: f64, numbers: &mut Random) -> Result<Grasp, Error>
     Grasp::new((0..feet).map(foot).collect::<Vec<_>>())
 }
 
-/// The table's weight, and a pull along the floor and about the vertical.
+/// The weight of the table, a horizontal pull, and a vertical moment.
 fn pulled([x, y]: [f64; 2], moment: f64) -> Wrench {
     Wrench::new([x, y, -10.0], [0.0, 0.0, moment])
 }
 
-/// Sheared and twisted by turns, sheared around, and let go.
+/// Legs with shear and torsion in turn, a turning shear, and unloading.
 fn program(numbers: &mut Random) -> Vec<Leg> {
     let mut pull = |size: f64| {
         let shear = [0, 1].map(|_| size * numbers.signed());
@@ -87,7 +87,7 @@ fn they_end_where_paths_from_event_to_event_end() -> Result<(), Error> {
     Ok(())
 }
 
-/// A disc of springs under Hertz's pressure, 10 N in all, on the floor of a body. Radii and normal forces beside it.
+/// A disc of springs under Hertz's pressure, 10 N in total, and the radius and normal force of each spring.
 fn disc(count: usize) -> Result<(Grasp, Vec<[f64; 2]>), Error> {
     let area = |i: usize| (i as f64 + 0.5) / count as f64;
     let whole: f64 = (0..count).map(|i| (1.0 - area(i)).sqrt()).sum();
@@ -104,7 +104,7 @@ fn disc(count: usize) -> Result<(Grasp, Vec<[f64; 2]>), Error> {
 
 #[test]
 fn errors_are_as_large_as_estimated() -> Result<(), Error> {
-    // Sheared, twisted beside it, back over the start, and let go: an even patch, an uneven one, and one with springs softer along one tangent.
+    // Shear, additional torsion, reversal beyond the start, and unloading; for an even patch, an uneven one, and one with springs softer along one tangent.
     let legs = [([3.0, 0.0], 0.0), ([3.0, 0.0], 1.5), ([-2.0, 0.5], -1.0), ([0.0; 2], 0.0)]
         .map(|(shear, moment)| Leg::load_to(pulled(shear, moment)));
     let (mut numbers, mut times) = (seeded(17), Vec::new());
@@ -150,7 +150,7 @@ fn errors_are_as_large_as_estimated() -> Result<(), Error> {
             made.push(steps);
             times.push(estimated / off);
         }
-        // A hundredth of the error takes ten times the steps, where steps are of second order, and less where errors are forgotten.
+        // For a hundredth of the error, second-order steps need ten times the number, and fewer where old errors decay.
         assert!(made[3] < 12 * made[1] && made[2] < 12 * made[0], "{made:?}");
     }
     times.sort_by(f64::total_cmp);
@@ -160,7 +160,7 @@ fn errors_are_as_large_as_estimated() -> Result<(), Error> {
 
 #[test]
 fn torsion_slides_ring_by_ring() -> Result<(), Error> {
-    // M(θ) = Σ r min(k r θ, μ F_n), and on the way back by twice the half, Masing's rule.
+    // M(θ) = Σ r min(k r θ, μ F_n), and on the way back Masing's rule.
     let (grasp, rings) = disc(400)?;
     let moment =
         |turn: f64| -> f64 { rings.iter().map(|[r, press]| r * (2.0 * r * turn).min(0.5 * press)).sum() };
@@ -224,7 +224,7 @@ fn they_are_lost_where_paths_from_event_to_event_are() -> Result<(), Error> {
                 if exact.kind == loss.kind {
                     alike += 1;
                 } else {
-                    // A corner just before a maximum, or one just after it.
+                    // One method may find a corner just before a maximum, the other just after it.
                     assert!(
                         ![exact.kind, loss.kind].contains(&LossKind::Asymptote),
                         "{scene}: {exact:?} {loss:?}"
@@ -233,7 +233,7 @@ fn they_are_lost_where_paths_from_event_to_event_are() -> Result<(), Error> {
                 }
             }
             [_, PathEnd::Undecided { .. }] => undecided += 1,
-            // Events without end before a limit.
+            // Infinitely many events before a limit.
             [PathEnd::Undecided { fraction, .. }, PathEnd::Lost(loss)] => {
                 worst = worst.max((fraction - loss.fraction).abs());
                 undecided += 1;
@@ -259,7 +259,7 @@ fn a_patch_slides_on_without_bound_at_its_limit() -> Result<(), Error> {
         let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{:?}", path.end()) };
         println!("{steps} steps, {}", path.end().expect("lost"));
         assert!(loss.kind == LossKind::Asymptote && loss.contacts.len() == grasp.len());
-        // The object leaves the way it is pulled, and every force is at its limit.
+        // The object moves in the direction of the pull, and every force is at its limit.
         let motion = loss.motion.as_ref().expect("it leaves");
         let [v, w] = [motion.object.translation(), motion.object.rotation()];
         assert!(v[0] * shear[0] + v[1] * shear[1] + w[2] * torsion > 0.0);

@@ -10,9 +10,9 @@ use support::programs::tally::Tally;
 use support::programs::views::View;
 use support::programs::{Goal, Scene, brief, same_state};
 
-/// Error of the forces that the steps of a leg may make, over the largest force.
+/// Allowed error of forces for each leg, relative to the largest force.
 const ERROR: f64 = 1e-4;
-/// Steps that a leg may take: near the apex of a cone they become ever shorter, and the path then ends undecided.
+/// Largest number of steps of a leg. Near the apex of a cone steps become shorter and shorter, and the path ends undecided.
 const MOST_STEPS: usize = 300;
 
 fn the_law_holds<const D: usize, const C: usize>(
@@ -50,7 +50,7 @@ fn the_law_holds<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// A scene and its mirror image, held together: what happens, happens to a contact and its image at once.
+/// A scene joined with its mirror image, so that a contact and its image change at once.
 fn with_its_image(scene: &Scene<3, 2>) -> Scene<3, 2> {
     let image = View::mirrored().scene(scene);
     let goal = |(a, b): (&Goal<3, 2>, &Goal<3, 2>)| Goal {

@@ -15,7 +15,7 @@ use grasp_lcp::planar::{Contact, Grasp, Leg, PathEnd, Wrench};
 const MU: f64 = 0.4;
 const K: f64 = 70.0;
 const C: f64 = 50.0;
-/// Error of the forces that the steps may make, over the largest force.
+/// Allowed error of forces, relative to the largest force.
 const ERROR: f64 = 1e-4;
 
 fn real(n: usize) -> f64 {
@@ -24,7 +24,7 @@ fn real(n: usize) -> f64 {
 
 struct Pad {
     grasp: Grasp,
-    /// μ N_i in the order of the contacts.
+    /// Friction limits μ N_i in the order of the contacts.
     limits: Vec<f64>,
 }
 
@@ -46,7 +46,7 @@ impl Pad {
         Wrench::force([q, -self.limits.iter().sum::<f64>() / MU])
     }
 
-    /// Q(x).
+    /// Shear force Q(x) on first loading.
     fn virgin(&self, x: f64) -> f64 {
         self.limits.iter().map(|limit| (C * x).min(*limit)).sum()
     }
@@ -56,11 +56,11 @@ impl Pad {
 fn every_spring_is_where_masings_rule_puts_it() {
     for n in [2, 33, 1000] {
         let pad = Pad::new(n);
-        // Half of the springs, more or less, slide at the turning point.
+        // About half of the springs slide at the turning point.
         let x0 = 0.6 * MU / C;
         let [most, least] = [pad.virgin(x0), pad.virgin(x0) - 2.0 * pad.virgin(0.9 * x0)];
         let mut path = pad.grasp.follow_in_steps(pad.load(0.0), &[], ERROR).unwrap();
-        // Each spring holds back by up to its limit on the way there, and then pushes on by up to as much.
+        // Each spring carries at most its limit on the way there, and at most the opposite limit on the way back.
         let there = |limit: f64| (C * x0).min(limit);
         let back = |limit: f64| (there(limit) - C * 1.8 * x0).max(-limit);
         let frictions: [&dyn Fn(f64) -> f64; 2] = [&there, &back];
@@ -98,8 +98,8 @@ fn a_pad_gives_way_when_every_spring_slides() {
     }
 }
 
-/// Pairs of springs at ±x with clearances that grow from the middle outwards: pressed, pair j touches when the block has moved by its clearance,
-/// at the load that the pairs before it carry there; let go, they part at the same loads.
+/// Pairs of springs at ±x with clearances that grow from the middle outwards: pair j touches when the block has moved by its clearance,
+/// at the load that the inner pairs carry there. On unloading they separate at the same loads.
 #[test]
 fn pairs_touch_and_part_at_known_loads() {
     let (n, deepest) = (100, 0.5);
@@ -113,7 +113,7 @@ fn pairs_touch_and_part_at_known_loads() {
             .command([0.01, 0.0])
     };
     let grasp = Grasp::new((0..2 * n).map(spring)).unwrap();
-    // Load at which the block has gone down by z from where the innermost pair touches without force.
+    // Load at which the block has moved down by z from the first touch of the innermost pair.
     let load = |z: f64| -> f64 { (0..n).map(|j| 2.0 * K * (z - clearance(j)).max(0.0)).sum() };
     let press = |z: f64| Wrench::force([0.0, -load(z)]);
     let first = 0.5 * clearance(1);

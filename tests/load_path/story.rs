@@ -9,10 +9,10 @@ pub(crate) fn completed<const C: usize>(end: Option<&PathEnd<C>>) -> bool {
     matches!(end, Some(PathEnd::Completed))
 }
 
-/// Leg, fraction, and the changes of the contacts.
+/// An event: leg, fraction, and the changes of contacts.
 pub(crate) type Line = (usize, f64, Vec<(usize, &'static str)>);
 
-/// Leg, fraction and what changes, without directions.
+/// The events of a path, without directions.
 pub(crate) fn story<const C: usize>(events: &[Event<C>]) -> Vec<Line> {
     let word = |change: &Change<C>| match change {
         Change::Slides { .. } => "slides",

@@ -15,7 +15,7 @@ fn direction<const C: usize>(random: &mut Random) -> [f64; C] {
     v.map(|x| x / size)
 }
 
-/// Two fingers opposite each other, and others beside them that touch, press a little, or are away.
+/// Two opposed fingers, and further fingers that touch, press slightly, or are open.
 fn fingers<const C: usize>(random: &mut Random) -> Vec<Contact<C>> {
     let out = direction::<C>(random);
     let mut contacts = Vec::new();
@@ -41,7 +41,7 @@ fn is_one<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> bool {
     a.contacts.iter().zip(&b.contacts).all(|(a, b)| (a.force - b.force).norm() <= 1e-7 * largest)
 }
 
-/// Compares states on the way to a load with solutions; how many of them were one, and how many of these had something free.
+/// Compares states on a path to a load with solutions. Counts states equal to a solution, and those of them with a free motion.
 fn compared<const C: usize>(contacts: Vec<Contact<C>>, load: Wrench<C>, counts: &mut [usize; 2]) {
     let grasp = Grasp::new(contacts).unwrap();
     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_by(load)]).unwrap();

@@ -39,7 +39,7 @@ fn a_block_on_a_spring_goes_round_its_hysteresis() -> Result<(), Error> {
         }
         assert_eq!(event.changes.len(), 2);
     }
-    // Slip from rest to the first turning point, then twice as much in each half turn, and the remainder of the last one.
+    // Slip from rest to the first turning point, twice as much in each half turn, and the rest of the last one.
     let once = pull / 20.0 - 0.07 * mu;
     let slipped = once + (2.0 * f64::from(turns) - 1.0) * 2.0 * once + once - 0.07 * mu;
     let energy = path.energies()[0];
@@ -48,7 +48,7 @@ fn a_block_on_a_spring_goes_round_its_hysteresis() -> Result<(), Error> {
     Ok(())
 }
 
-/// Eight fingers press on a shaft from all sides, and a load goes round that takes the pressure from some of them.
+/// Eight fingers press on a shaft from all sides. A rotating load reduces the pressure of some of them.
 fn shaft(sense: f64) -> Grasp {
     let finger = |k: i32| {
         let (sin, cos) = (sense * TAU * (f64::from(k) + 0.3) / 8.0).sin_cos();
@@ -62,7 +62,7 @@ fn radial(sense: f64) -> Turn {
     if sense < 0.0 { turn.reversed() } else { turn }
 }
 
-/// How far the shaft has turned by the end of each turn.
+/// The rotation of the shaft at the end of each turn of the load.
 fn creep(sense: f64, turns: usize) -> Result<Vec<f64>, Error> {
     let grasp = shaft(sense);
     let mut path = grasp.follow(Wrench::force([2.4, 0.0]), &vec![Leg::turn(&radial(sense)); turns])?;
@@ -76,7 +76,7 @@ fn a_shaft_creeps_with_each_turn_of_its_load() -> Result<(), Error> {
     let [on, back] = [creep(1.0, 6)?, creep(-1.0, 6)?];
     let each: Vec<f64> = on.windows(2).map(|two| two[1] - two[0]).collect();
     println!("{on:?} {each:?}");
-    // The same for ever from the third turn on, and to the other side in the mirror.
+    // From the third turn on the creep is constant, and its mirror image is opposite.
     assert!(each[3].abs() > 1e-4 && (each[4] - each[3]).abs() < 1e-12, "{each:?}");
     for (on, back) in on.iter().zip(&back) {
         assert!((on + back).abs() < 1e-15, "{on} {back}");
@@ -107,7 +107,7 @@ fn chords_close_in_on_a_turn_in_the_plane() -> Result<(), Error> {
         path.run();
         Ok((path.state().expect("has passed").twist.rotation() - exact).abs())
     };
-    // How large it is depends on where in a chord events fall: the worst of some numbers of chords near each other.
+    // The error depends on the position of events within a chord, so the largest error over neighbouring numbers of chords is used.
     let worst = |about: i32| {
         (about..about + 6).try_fold(0.0, |most: f64, n| Ok::<_, Error>(most.max(chord_error(n)?)))
     };
@@ -119,7 +119,7 @@ fn chords_close_in_on_a_turn_in_the_plane() -> Result<(), Error> {
 
 #[test]
 fn chords_close_in_on_a_turn_on_the_round_cone() -> Result<(), Error> {
-    // A plate on three feet, dragged by a force that turns: directions of sliding follow it.
+    // A turning force drags a plate on three feet, and the sliding directions follow it.
     let foot = |x: f64, y: f64, mu: f64| {
         spatial::Contact::new([x, y, 0.0], [0.0, 0.0, 1.0])
             .series_stiffness(500.0, 300.0)

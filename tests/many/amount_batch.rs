@@ -29,7 +29,7 @@ const ALL: [(Quantity, Demand); 4] = [
     (Quantity::Load, Demand::Sticks),
 ];
 
-/// Jaws hold 2 μ N, wherever the load acts along them: this gives the load and the squeeze in closed form.
+/// Jaws hold 2 μ N for every tangential direction of the load. This gives the needed load and the needed squeeze.
 #[test]
 fn jaws_need_what_the_closed_form_says() {
     let rows: Vec<Row> = (1..30)
@@ -48,7 +48,7 @@ fn jaws_need_what_the_closed_form_says() {
     }
 }
 
-/// Three fingers in the plane with forces and moments at random, some with a load at rest, a clearance or lower friction once they slide.
+/// Three planar fingers with random forces and moments, some with a load at rest, a clearance or kinetic friction.
 fn fingers(random: &mut Random) -> Row {
     let mut contacts = Vec::new();
     for k in 0..3 {
@@ -97,7 +97,7 @@ fn amounts_are_those_of_single_grasps() {
     assert_met(&[(bounds, 20)]);
 }
 
-/// A base load, malformed contacts and other questions go the long way, and each has its own error.
+/// Rows with a base load, malformed contacts or other questions are computed by the general method, and each has its own error.
 #[test]
 fn errors_are_of_their_row() {
     let good = || vec![jaw(-0.03, 0.5), jaw(0.03, 0.5)];

@@ -47,7 +47,7 @@ fn few_contacts_have_the_bits_of_single_grasps() {
     let own = batch.own_onsets(pulls.clone());
     assert!(own.iter().map(bits).eq(alone.iter().map(bits)));
     assert!(alone.iter().filter(|onset| onset.factor().is_some()).count() > samples(100));
-    // Common loads, too; and as many loads as grasps are asked for.
+    // Common loads give the same onsets. Own loads must be as many as grasps.
     let mut common = Vec::new();
     batch.onsets_into(&pulls[..2], &mut common);
     assert_eq!(
@@ -96,7 +96,7 @@ fn pads_and_many_contacts_slide_where_the_grasp_does() {
     }
 }
 
-/// Fingers with other numbers of points, too many points or fingers, and contacts that screening does not know are left out.
+/// A batch refuses fingers with other numbers of points, too many points or fingers, and contacts that screening does not support.
 #[test]
 fn what_does_not_fit_is_left_out() {
     let mut random = seeded(43);

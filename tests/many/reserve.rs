@@ -12,10 +12,10 @@ use support::jaws::jaw;
 use support::samples::{config, samples, seeded};
 
 const SAMPLES: u64 = 20_000;
-/// Φ(-2) and Φ(-3).
+/// Deviations 2 and 3, and the probabilities Φ(-2) and Φ(-3).
 const TAILS: [(f64, f64); 2] = [(2.0, 0.022_750_131_948_179_21), (3.0, 0.001_349_898_031_630_094_5)];
 
-/// Samples that slide below the reserve are no more than it says, by four standard deviations of their number.
+/// Checks that no more samples slide below the reserve than it states, within four standard deviations of their number.
 fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<C>, off: &Uncertainty) {
     let ramp = grasp_lcp::load_path::Ramp::load(base, direction);
     let known = grasp.onset(&ramp).unwrap().factor().unwrap_or(0.0);
@@ -29,7 +29,7 @@ fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<
         let below = onsets.iter().filter(|onset| **onset < held).count() as f64;
         let expected = tail * SAMPLES as f64;
         assert!(below <= expected + 4.0 * expected.sqrt(), "{below} {expected} {known}");
-        // Nor is it less than it needs to be, unless about as many slide at rest already.
+        // The reserve is not too small either, unless about as many samples already slide at rest.
         let at_rest = onsets.iter().filter(|onset| **onset == 0.0).count() as f64;
         if at_rest < 0.2 * expected {
             let quantile = onsets[onsets.len() * (if sigmas == 2.0 { 2275 } else { 135 }) / 100_000];
@@ -38,20 +38,20 @@ fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<
     }
 }
 
-/// How reserves compare with quantiles of samples.
+/// Counts of the comparison of reserves with quantiles of samples.
 #[derive(Debug, Default)]
 struct Compared {
     asked: usize,
-    /// More samples slide below than chance allows.
+    /// Reserves below which more samples slide than chance allows.
     unsafe_ones: usize,
-    /// Less than four fifths of the quantile.
+    /// Reserves below four fifths of the quantile.
     far_below: usize,
-    /// No reserve at all where the quantile is above zero.
+    /// Reserves of zero although the quantile is positive.
     none: usize,
 }
 
 impl Compared {
-    /// One direction, with two and with three standard deviations in reserve.
+    /// Adds one direction, with two and with three standard deviations in reserve.
     fn add<const C: usize>(&mut self, grasp: &Grasp<C>, direction: Wrench<C>, off: &Uncertainty) {
         const DRAWN: u64 = 10_000;
         let ramp = grasp_lcp::load_path::Ramp::load(Wrench::ZERO, direction);
@@ -67,7 +67,7 @@ impl Compared {
             self.unsafe_ones += usize::from(below > expected + 4.0 * expected.sqrt());
             if held < 0.8 * quantile {
                 println!("{held} of {quantile} with {sigmas} deviations, {off:?}");
-                // A grasp that all but slides at rest has no reserve.
+                // A grasp that almost slides at rest has no reserve.
                 self.far_below += usize::from(held > 0.0);
                 self.none += usize::from(held == 0.0);
             }
@@ -75,7 +75,7 @@ impl Compared {
     }
 }
 
-/// Grasps whose friction, stiffness and squeeze are known to a fifth or better: no reserve is unsafe, and few are far below the quantile.
+/// If friction, stiffness and squeeze are known to 20 % or better, no reserve is unsafe, and few are far below the quantile.
 #[test]
 fn reserves_come_near_to_quantiles() {
     let (mut random, mut plane, mut space) = (seeded(62), Compared::default(), Compared::default());
@@ -115,7 +115,7 @@ fn reserves_come_near_to_quantiles() {
             let tip = spatial::Contact::new([0.03 * x, 0.03 * y, 0.0], [-x, -y, 0.0]);
             tip.series_stiffness(*normal, *tangential).friction(*mu).pressed_with(*newtons)
         });
-        // Two points leave a turn about their line to nobody.
+        // A third support resists the rotation about the line of the two fingers.
         let tips = tips.chain([spatial::Contact::new([0.0, 0.0, -0.03], [0.0, 0.0, 1.0])
             .series_stiffness(1e3, 1e3)
             .friction(0.5)
@@ -142,7 +142,7 @@ fn reserves_come_near_to_quantiles() {
     }
 }
 
-/// Where friction is known to a fifth alone, margins that hardly ever fail are far from straight: a search for where they do must not stop short.
+/// If only friction is uncertain, by 20 %, margins with rare failures are strongly nonlinear. The search for the failure must not end too early.
 #[test]
 fn a_reserve_is_smooth_where_friction_is_hardly_known() {
     let jaw = |x: f64| {
@@ -172,8 +172,8 @@ fn everything() -> Uncertainty {
 }
 
 proptest! {
-    // The seed is fixed: some grasps have no reserve, because contacts that nearly slide at rest count as sliding. This is on the safe side; the
-    // report `reserve` prints by how much.
+    // The grasps are always the same. Some have a reserve of zero, because contacts that almost slide at rest count as sliding.
+    // This is safe; the report `reserve` prints how conservative reserves are.
     #![proptest_config(config(6))]
 
     #[test]
@@ -217,7 +217,7 @@ proptest! {
     }
 }
 
-/// Between two fingers the weight goes down either; with friction alone unknown each slides at `2 μ N exp(σ z)`, so that the reserve is known.
+/// Each of two fingers carries half of the weight. If only friction is uncertain, each slides at `2 μ N exp(σ z)`, which gives the reserve in closed form.
 #[test]
 fn of_two_fingers_either_may_be_the_bad_one() {
     let finger = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
@@ -231,12 +231,13 @@ fn of_two_fingers_either_may_be_the_bad_one() {
     // Φ(-3.2052) is half of Φ(-3).
     let exact = 10.0 * (-3.2052 * sigma).exp();
     assert!(held <= exact && held > 0.98 * exact, "{held} {exact}");
-    // With nothing unknown the reserve is the onset.
+    // Without uncertainty the reserve is the onset.
     let held = grasp.reserve(planar::Wrench::ZERO, &Uncertainty::seeded(1), 3.0).unwrap().along(&down);
     assert!((held - 10.0).abs() < 1e-7, "{held}");
 }
 
-/// On the round cone a contact that nothing drags may slide any way: `|F_t|` of two normal numbers alike is beyond r with probability `exp(-r²/2σ²)`.
+/// On the round cone a contact without mean tangential force may slide in any direction. With two equal normal components, `|F_t|` exceeds r with the
+/// probability `exp(-r²/2σ²)`.
 #[test]
 fn any_way_around_a_round_cone() {
     // A load of random size along both tangents is what tilting normals of four stiff supports about a pressed pad gives; here the direct case:
@@ -265,7 +266,7 @@ fn any_way_around_a_round_cone() {
             grasp.onset_of_samples(grasp_lcp::load_path::Ramp::load(down * weight, down), &off, 40_000);
         samples.into_iter().filter(|onset| onset.as_ref().is_ok_and(|onset| onset.factor().is_none())).count()
     };
-    // As much weight as the pad needs to stick with two deviations: found by trial of its base load.
+    // The least weight with which the pad sticks with two deviations, by bisection of the base load.
     let sticks = |weight: f64| grasp.reserve(down * weight, &off, 2.0).unwrap().along(&down) > 0.0;
     let (mut no, mut yes) = (0.0, 10.0);
     for _ in 0..40 {
@@ -273,11 +274,11 @@ fn any_way_around_a_round_cone() {
         if sticks(weight) { yes = weight } else { no = weight }
     }
     let fails = is_far_below(yes) as f64 / 40_000.0;
-    // The sum over both ends counts what fails twice.
+    // The sum over both ends counts common failures twice.
     assert!((0.2..1.0).contains(&(fails / TAILS[0].1)), "{fails} at {yes}");
 }
 
-/// A reserve is continuous over directions.
+/// The reserve is continuous over directions.
 #[test]
 fn a_reserve_is_continuous_over_directions() {
     let finger = |x: f64, y: f64| {

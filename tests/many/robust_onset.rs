@@ -11,7 +11,7 @@ use support::jaws::jaw;
 
 const SAMPLES: u64 = 4000;
 
-/// Where one contact leaves clearly before the others.
+/// A grasp in which one contact slides clearly before the others.
 fn in_the_plane() -> (planar::Grasp, planar::Ramp) {
     let finger = |x: f64, y: f64, mu: f64| {
         planar::Contact::new([x, y], [-x, 0.2 * y])
@@ -54,7 +54,7 @@ fn spread<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>, off: &Uncertainty) -
     grasp.robust_onset(ramp, off).unwrap().spread.unwrap()
 }
 
-/// Each σ alone, then all of them.
+/// Uncertainties with a single σ each, then with all of them.
 fn uncertainties() -> [Uncertainty; 7] {
     let none = Uncertainty::seeded(11);
     [
@@ -79,9 +79,9 @@ fn compare<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) {
         let spread = spread(grasp, ramp, &off);
         let [mean, deviation] = sampled(grasp, ramp, &off);
         let known = spread.deviation.unwrap();
-        // A standard deviation of so many samples is known to 1/√8000 = 1.1 %.
+        // The standard deviation of 4000 samples has an error of 1/√8000 = 1.1 %.
         assert!(known > 0.0 && (deviation / known - 1.0).abs() < 0.05, "{off:?}: {deviation} {known}");
-        // The sampling error of the mean, 1/√4000 = 1.6 % of a deviation, and terms of second order.
+        // The mean has an error of 1/√4000 = 1.6 % of a deviation, plus second-order terms.
         let error = (mean - spread.mean.unwrap()).abs() / known;
         assert!(error < 0.1, "{off:?}: {mean} {spread:?}");
     }
@@ -99,7 +99,7 @@ fn small_deviations_are_those_of_samples_in_space() {
     compare(&grasp, &ramp);
 }
 
-/// The onset is 2 P min(μ₁, μ₂): of two normal numbers alike the lesser has the mean μ (1 - σ/√π) and the variance σ² μ² (1 - 1/π).
+/// The onset is 2 P min(μ₁, μ₂). The minimum of two equal normal variables has the mean μ (1 - σ/√π) and the variance σ² μ² (1 - 1/π).
 #[test]
 fn the_lesser_of_two_that_leave_together() {
     let finger = |x: f64| jaw::<2>(x, [1000.0, 800.0], 0.4).pressed_with(10.0);
@@ -116,7 +116,7 @@ fn the_lesser_of_two_that_leave_together() {
     assert!((found - mean).abs() < 0.1 * deviation && (off_by / deviation - 1.0).abs() < 0.05);
 }
 
-/// Angles of a load that turns, sample by sample.
+/// Onset angles of a turning load agree with samples.
 #[test]
 fn onsets_of_turns_spread_alike() {
     let (grasp, _) = in_space();
@@ -133,7 +133,7 @@ fn onsets_of_turns_spread_alike() {
     assert!((deviation / known - 1.0).abs() < 0.05, "{deviation} {known}");
 }
 
-/// A σ of zero, or of other data, does not change the draws of friction, stiffness and squeeze.
+/// The σ of other data do not change the samples of friction, stiffness and squeeze.
 #[test]
 fn other_uncertainties_do_not_change_a_sample() {
     let (grasp, _) = in_space();
@@ -154,7 +154,7 @@ fn other_uncertainties_do_not_change_a_sample() {
     }
 }
 
-/// Points and normals have the stated distribution, and frames do not rotate about their normals.
+/// Points and normals have their stated distributions, and frames tilt without a rotation about their normals.
 #[test]
 fn positions_and_normals_have_their_deviations() {
     let contact = Contact::new([0.3, -0.2, 0.1], [0.0, 0.6, 0.8]).series_stiffness(1.0, 1.0).friction(0.5);

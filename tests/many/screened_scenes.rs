@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use grasp_lcp::grasp::Contact;
 use support::scene::Datum;
 
-/// How often each verdict came.
+/// Number of scenes for each verdict.
 pub(crate) type Tally = RefCell<BTreeMap<String, usize>>;
 
 pub(crate) fn count(tally: &Tally, verdict: &str) {
@@ -17,13 +17,13 @@ pub(crate) fn of(tally: &Tally, verdict: &str) -> usize {
     tally.borrow().get(verdict).copied().unwrap_or_default()
 }
 
-/// Contacts from data, with one tangential stiffness each; some are held in other ways.
+/// Contacts from data, with one tangential stiffness each. Some are kept closed or bonded.
 pub(crate) fn contacts<const C: usize, const N: usize>(data: &[Datum<C>], holds: &[u8]) -> [Contact<C>; N] {
     std::array::from_fn(|i| {
         let mut datum = data[i];
         datum.stiffness[C - 1] = datum.stiffness[1];
         if C == 3 && datum.friction < 10.0 {
-            // Fewer slide at once.
+            // So fewer contacts slide at once.
             datum.normal -= 2.0 * datum.point;
             datum.friction *= 2.0;
             datum.command.rows_range_mut(1..).fill(0.0);
@@ -36,7 +36,7 @@ pub(crate) fn contacts<const C: usize, const N: usize>(data: &[Datum<C>], holds:
     })
 }
 
-/// Fingers that point more towards the middle, with more friction and less shear: most of them stick before a load acts.
+/// Fingers with normals closer to the middle, more friction and less shear, most of which stick at rest.
 pub(crate) fn firmer<const C: usize>(mut data: Vec<Datum<C>>) -> Vec<Datum<C>> {
     for datum in &mut data {
         datum.normal -= datum.point * 2.0;
@@ -46,7 +46,7 @@ pub(crate) fn firmer<const C: usize>(mut data: Vec<Datum<C>>) -> Vec<Datum<C>> {
     data
 }
 
-/// The same contacts with points and stiffnesses off by parts of this size, to either side.
+/// The contacts with relative changes of points and stiffnesses of this size and alternating sign.
 pub(crate) fn shaken<const C: usize>(data: &[Datum<C>], part: f64) -> Vec<Datum<C>> {
     let mut sign = part;
     let mut data = data.to_vec();
@@ -60,8 +60,8 @@ pub(crate) fn shaken<const C: usize>(data: &[Datum<C>], part: f64) -> Vec<Datum<
     data
 }
 
-/// Whether two factors agree to a relative accuracy, to ten times that, or within the spread of answers to questions perturbed in the twelfth digit.
-/// A search ends where the remaining part may be rounding, and its factor is too low by as much.
+/// Whether an answer agrees with a reference: to a relative tolerance, or as well as answers to questions with changed twelfth digits. A search may end
+/// slightly too low, because it ends when the missing part may be rounding.
 pub(crate) fn agrees(
     [found, exact]: [f64; 2],
     close: f64,

@@ -20,7 +20,7 @@ use support::facts;
 use support::jaws::jaw;
 use support::samples::{assert_met, samples};
 
-/// Compares an answer of screening with the onset; factors agree to this relative accuracy.
+/// Checks screening against the onset, with a relative tolerance for factors.
 fn check<const C: usize, const N: usize>(
     contacts: &[Contact<C>; N],
     [base, direction]: [Wrench<C>; 2],
@@ -39,7 +39,7 @@ fn check<const C: usize, const N: usize>(
             let factor = screened.factor().unwrap();
             prop_assert!((factor - event.factor).abs() <= close * event.factor, "{factor} {}", event.factor);
             prop_assert!(screened.holds_up_to(0.999 * factor) && !screened.holds_up_to(1.001 * factor));
-            // Those of the first that the walk saw leave; at a tie the rates may let some stay.
+            // Screening names these contacts too. At a tie some of them may stay, depending on the rates.
             for leaving in &event.leaving {
                 prop_assert!(
                     screened.leaving().any(|i| i == leaving.contact.index),
@@ -51,7 +51,7 @@ fn check<const C: usize, const N: usize>(
         (ScreeningVerdict::GivesWay, Onset::GivesWay { .. } | Onset::NoBase(_))
         | (ScreeningVerdict::NotSticking, Onset::AlreadySliding(_) | Onset::NoBase(_))
         | (ScreeningVerdict::NotSticking | ScreeningVerdict::Unclear, Onset::Undecided(_)) => {}
-        // A contact that is open at the base may well close on the way.
+        // A contact that is open at the base may close along the ramp.
         (ScreeningVerdict::NotSticking, onset) => {
             let state = grasp.solve(base).unwrap();
             let open = state
@@ -59,20 +59,20 @@ fn check<const C: usize, const N: usize>(
                 .is_some_and(|e| e.contacts.iter().any(|contact| contact.state == ContactState::Separated));
             prop_assert!(open, "{onset:?}");
         }
-        // The edge itself, or extreme numbers: counted by the callers.
+        // Contacts on the edge, or extreme numbers. Callers count them.
         (ScreeningVerdict::Unclear, _) => prop_assert_eq!(screened.factor(), None),
         (verdict, onset) => prop_assert!(false, "{verdict:?} {onset:?}"),
     }
     Ok(())
 }
 
-/// A finger that touches without force knows no margin; that another finger slides is clear nevertheless.
+/// A finger that touches without force has no margin. It is clear nevertheless that another finger slides.
 #[test]
 fn a_finger_without_force_does_not_hide_one_that_slides() {
     let finger = |point: [f64; 3], normal: [f64; 3], command: [f64; 3]| {
         Contact::<3>::new(point, normal).series_stiffness(1e3, 1e3).friction(0.5).command_world(command)
     };
-    // Two jaws press with 10 N and are dragged with 10 N each; the finger above carries both.
+    // Two jaws press with 10 N and are dragged with 10 N each. The finger above balances both drags.
     let fingers = [
         finger([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.01, 0.01, 0.0]),
         finger([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [-0.01, 0.01, 0.0]),
@@ -129,7 +129,7 @@ fn agrees_in_space() {
     assert!(counts.get("Unclear").is_none_or(|&n| n <= samples(2)), "{counts:?}");
 }
 
-/// Stiffness 1 to 1e6, friction none, tiny, huge and infinite.
+/// Stiffness from 1 to 1e6, friction zero, tiny, huge and infinite.
 #[test]
 fn agrees_on_wide_ranges() {
     let tally = Tally::default();
@@ -142,8 +142,8 @@ fn agrees_on_wide_ranges() {
     assert!(counts.get("Unclear").is_none_or(|&n| 2 * n < counts["Leaves"]), "{counts:?}");
 }
 
-/// A pair pressed along its line by N each and pulled across by w: it holds w = 2 μ N, whatever the stiffnesses; a load along the line
-/// takes half of w from one contact and opens it at w = 2 N if the springs are alike.
+/// A pair presses with N along its line and holds a perpendicular load w = 2 μ N, for all stiffnesses. A load w along the line reduces
+/// one normal force by w/2, and opens this contact at w = 2 N if the springs are equal.
 #[test]
 fn a_pinched_pair() {
     for (k, kt) in [(1e3, 8e2), (1e12, 1.0), (1e-6, 1e9)] {
@@ -159,8 +159,8 @@ fn a_pinched_pair() {
     }
 }
 
-/// A finger pressed far in through a soft normal spring, with tangential springs ten decades stiffer: a press along a slanted normal must not
-/// become a tangential force by rounding, for what another finger holds may be five decades smaller.
+/// A finger with a large command through a soft normal spring, and tangential springs ten decades stiffer. The command along an inclined normal must not
+/// become a tangential force by rounding, because forces of another finger may be five decades smaller.
 #[test]
 fn far_pressed_fingers_with_stiff_tangents() {
     let tally = Tally::default();
@@ -180,8 +180,8 @@ fn far_pressed_fingers_with_stiff_tangents() {
     assert_eq!(tally.borrow()["Leaves"], 4);
 }
 
-/// Two contacts of which one has no friction and its normal along the line through both: the object turns about the other one, however the normal
-/// is rounded. The nearly singular balance must not be taken for one that holds.
+/// One of two contacts is frictionless, with its normal along the line through both. The object turns about the other contact, whatever the rounding of the
+/// normal. The nearly singular balance must not be accepted.
 #[test]
 fn a_pair_with_a_slippery_jaw_opposite() {
     for turn in [0.0, 1.3e-16, -1e-14, 1e-10] {
@@ -195,8 +195,8 @@ fn a_pair_with_a_slippery_jaw_opposite() {
     }
 }
 
-/// In space the way out of the cone is found from squares of forces times rates. In units in which they underflow there is no factor rather than a
-/// wrong one; in all others it is the same.
+/// In space the exit from the cone is computed from squares of forces times rates. If they underflow in some units, screening gives no factor; in all
+/// other units the factor is the same.
 #[test]
 fn units_in_space() {
     let onset = |exponent: i32| {
@@ -225,7 +225,7 @@ fn units_in_space() {
     }
 }
 
-/// A pinch in space turns freely about its line: a moment about it is not resisted, one across it is.
+/// A pinch in space turns freely about its line. A moment about it is not resisted, a perpendicular moment is.
 #[test]
 fn a_pinch_in_space_gives_way() {
     let jaw = |side: f64| {
@@ -240,13 +240,13 @@ fn a_pinch_in_space_gives_way() {
         fingers.onset(&spatial::Pull::new(&spatial::Wrench::ZERO, &direction).unwrap())
     };
     assert_eq!(onset([0.0; 3], [1.0, 0.0, 0.0]).verdict(), ScreeningVerdict::GivesWay);
-    // A force through the line; the same force through the origin also turns.
+    // A force through the line is held; the same force through the origin turns the object.
     let held = onset([0.0, 0.0, -1.0], [-0.3, 0.0, 0.0]);
     assert!((held.factor().unwrap() - 6.0).abs() < 1e-13, "{held:?}");
     assert_eq!(onset([0.0, 0.0, -1.0], [0.0; 3]).verdict(), ScreeningVerdict::GivesWay);
 }
 
-/// Of a batch every lane, also of a last block that is not full, gives the bits of the grasp on its own; so do all threads together.
+/// Every lane of a batch, also in a last block that is not full, gives the bits of the single grasp, for any number of threads.
 #[test]
 fn a_batch_gives_the_same_bits() {
     fn bits(screened: &Screened) -> (Option<u64>, ScreeningVerdict, Vec<usize>) {
@@ -329,7 +329,7 @@ fn nothing_is_allocated() {
     assert_eq!(counted.count_total, 0);
 }
 
-/// A tangent that the user turned round, with the command turned round, is the same contact.
+/// A contact with reversed tangent and reversed tangential command has the same factor.
 #[test]
 fn tangents_turned_round() {
     let pull = Pull::new(&Wrench::ZERO, &Wrench::from_components(([0.3, -1.0, 0.1]).as_slice())).unwrap();

@@ -45,7 +45,7 @@ impl Exact {
         }
     }
 
-    /// Forces (normal, tangential) where the object has moved by q.
+    /// Forces (normal, tangential) at the motion q of the object.
     fn force(&self, q: &[Rational; 3], commanded: bool) -> [Rational; 2] {
         [0, 1].map(|a| {
             let u = (0..3).fold(Rational::zero(), |sum, k| sum + &self.axes[a][k] * &q[k]);
@@ -76,12 +76,12 @@ fn motion(contacts: &[Exact], load: [f64; 3], commanded: bool) -> Option<[Ration
     Eliminated::of(t.iter().zip(&right).map(beside), 3).solution()?.try_into().ok()
 }
 
-/// The exact answer.
+/// The exact result.
 enum Truth {
-    /// Not every contact sticks clearly at factor zero.
+    /// Not every contact sticks at factor zero with a clear margin.
     NotSticking,
     Never,
-    /// At this factor, with the change of it that the rounding of forces may cause.
+    /// A contact stops sticking at this factor. The second number is its possible error by rounding of forces.
     Leaves(Rational, f64),
 }
 
@@ -125,7 +125,7 @@ fn datum(decades: f64, normals: Vec<[i32; 3]>) -> impl Strategy<Value = Datum> {
     ([unit(), unit()], normal, [stiffness(), stiffness()], 0.2..3.0_f64, [0.1..0.3_f64, -0.1..0.1_f64])
 }
 
-/// The largest error relative to the rounding of forces, over all scenes with an onset, and the number of these scenes.
+/// The largest ratio of error to the error that rounding of forces allows, over all scenes with an onset, and the number of these scenes.
 fn worst<const N: usize>(decades: f64, cases: usize, normals: &[[i32; 3]], across: bool) -> (f64, usize) {
     let (worst, count) = (Cell::new(0.0_f64), Cell::new(0));
     let question = (
@@ -134,7 +134,7 @@ fn worst<const N: usize>(decades: f64, cases: usize, normals: &[[i32; 3]], acros
     );
     for_all(file!(), cases, &question, |(mut data, direction)| {
         if across {
-            // Normals towards each other: then most pairs hold.
+            // Opposite normals, so that most pairs hold.
             let [i, j, length] = data[0].1;
             data[1].1 = [-i, -j, length];
             let along = [0, 1].map(|a| f64::from([i, j][a]) / f64::from(length));
@@ -156,7 +156,7 @@ fn worst<const N: usize>(decades: f64, cases: usize, normals: &[[i32; 3]], acros
                 worst.set(worst.get().max(error));
                 count.set(count.get() + 1);
             }
-            // The noise of a single pass: it has to say so.
+            // Rounding in a single pass; screening must report it.
             (ScreeningVerdict::Unclear, _) => prop_assert!(decades > 4.0, "unclear"),
             (verdict, Truth::Never) => prop_assert!(false, "{verdict:?}, exactly never"),
             (verdict, Truth::Leaves(factor, _)) => {
@@ -172,12 +172,12 @@ fn exact_of(factor: Option<f64>) -> Rational {
     exact(factor.expect("leaves"))
 }
 
-/// Normals that are floating point numbers, and others.
+/// Unit normals that are exact doubles, and others.
 const STRAIGHT: [[i32; 3]; 4] = [[0, 1, 1], [1, 0, 1], [0, -1, 1], [-1, 0, 1]];
 const SLANTED: [[i32; 3]; 5] = [[3, 4, 5], [-5, 12, 13], [8, -15, 17], [0, 1, 1], [-4, -3, 5]];
 
-/// The closed form: no stiffness cancels, over twelve decades. A normal that is rounded is another normal, which counts where one axis is so
-/// much stiffer than the other.
+/// Two contacts, by a closed form without cancellation, with stiffnesses over twelve decades. Rounding of a normal matters if one axis is much
+/// stiffer than the other.
 #[test]
 fn pairs() {
     let (worst_straight, count) = worst::<2>(12.0, 160, &STRAIGHT, true);

@@ -18,7 +18,7 @@ use support::samples::assert_met;
 type Rational = BigRational;
 type Vector = [Rational; 3];
 
-/// Where the contact is off from a place opposite to its normal, normal with its length, stiffness, friction, command.
+/// Offset of the contact from the place opposite to its normal; normal with its length, stiffness, friction, command.
 type Datum = ([f64; 3], [i32; 4], [f64; 2], f64, [f64; 2]);
 
 fn exact(x: f64) -> Rational {
@@ -49,25 +49,25 @@ struct Exact {
 impl Exact {
     fn new(point: [f64; 3], &(_, [i, j, k, length], stiffness, friction, [press, shear]): &Datum) -> Self {
         let normal = [i, j, k].map(|c| Rational::new(c.into(), length.into()));
-        // Along the tangent that the contact is given.
+        // Along the given tangent.
         let tangent = tangent([i, j, k]).map(|c| exact(f64::from(c)));
         let command = [0, 1, 2].map(|a| exact(press) * &normal[a] + exact(shear) * &tangent[a]);
         Self { point: point.map(exact), normal, k: stiffness.map(exact), command, friction }
     }
 
-    /// The force of a displacement of its springs.
+    /// The force of the springs at a displacement.
     fn stretched(&self, u: &Vector) -> Vector {
         let along = dot(&self.normal, u) * (&self.k[0] - &self.k[1]);
         [0, 1, 2].map(|a| &self.k[1] * &u[a] + &along * &self.normal[a])
     }
 
-    /// A force and its moment.
+    /// The wrench of a force at the contact.
     fn wrench(&self, force: Vector) -> Vec<Rational> {
         let moment = cross(&self.point, &force);
         force.into_iter().chain(moment).collect()
     }
 
-    /// The displacement of the object there.
+    /// The displacement of the object at the contact.
     fn moved(&self, q: &[Rational]) -> Vector {
         let turn = [0, 1, 2].map(|a| q[3 + a].clone());
         let turned = cross(&turn, &self.point);
@@ -75,7 +75,7 @@ impl Exact {
     }
 }
 
-/// A tangent of length one to a normal along an axis, none to others.
+/// A unit tangent for a normal along a coordinate axis, zero for other normals.
 fn tangent([i, j, k]: [i32; 3]) -> [i32; 3] {
     match [i, j, k].map(i32::abs) {
         [_, 0, 0] => [0, 1, 0],
@@ -85,7 +85,7 @@ fn tangent([i, j, k]: [i32; 3]) -> [i32; 3] {
     }
 }
 
-/// Motions under two loads, by elimination.
+/// Motions of the object under two loads, by elimination.
 fn motions(contacts: &[Exact], loads: &[Vec<Rational>; 2]) -> Option<[Vec<Rational>; 2]> {
     let mut rows: Vec<Vec<Rational>> = vec![vec![Rational::zero(); 6]; 6];
     for column in 0..6 {
@@ -105,7 +105,7 @@ fn motions(contacts: &[Exact], loads: &[Vec<Rational>; 2]) -> Option<[Vec<Ration
     Eliminated::of(rows.into_iter().enumerate().map(beside), 6).solutions()?.try_into().ok()
 }
 
-/// Normal forces and friction of all contacts, at factor zero and their rates.
+/// Forces of all contacts at factor zero, and their rates.
 fn forces(contacts: &[Exact], direction: [f64; 6]) -> Option<[Vec<Vector>; 2]> {
     let mut commanded = vec![Rational::zero(); 6];
     for contact in contacts {
@@ -124,7 +124,7 @@ fn forces(contacts: &[Exact], direction: [f64; 6]) -> Option<[Vec<Vector>; 2]> {
     )
 }
 
-/// `μ F_n - |F_t|`; only exact numbers cancel in it.
+/// The margin `μ F_n - |F_t|`, without cancellation of rounded numbers.
 fn margin(contact: &Exact, force: &Vector) -> f64 {
     let normal = dot(&contact.normal, force);
     let pressed = &normal * exact(contact.friction);
@@ -137,16 +137,16 @@ fn size(forces: &[Vector]) -> f64 {
     forces.iter().flatten().map(|x| float(x).abs()).fold(0.0, f64::max)
 }
 
-/// How the scenes of one kind came out.
+/// Results of the scenes of one kind.
 #[derive(Default)]
 struct Worst {
-    /// The margin at the factor, in parts of the forces there.
+    /// Largest margin at the factor, relative to the forces.
     off: Cell<f64>,
     leaving: Cell<usize>,
     unclear: Cell<usize>,
 }
 
-/// The largest errors over scenes with stiffnesses over this many decades, and triangles narrower by this factor.
+/// Results for stiffnesses over `decades`, and triangles of contacts narrower by the factor `narrow`.
 fn worst(decades: f64, narrow: f64, cases: usize, normals: &[[i32; 4]]) -> Worst {
     let unit = || -1.0..1.0_f64;
     let stiffness = || (-decades / 2.0..=decades / 2.0).prop_map(|e| 10_f64.powf(e));
@@ -200,7 +200,7 @@ fn worst(decades: f64, narrow: f64, cases: usize, normals: &[[i32; 4]]) -> Worst
     worst
 }
 
-/// Normals that are floating point numbers, and others.
+/// Unit normals that are exact doubles, and others.
 const STRAIGHT: [[i32; 4]; 6] =
     [[1, 0, 0, 1], [-1, 0, 0, 1], [0, 1, 0, 1], [0, -1, 0, 1], [0, 0, 1, 1], [0, 0, -1, 1]];
 const SLANTED: [[i32; 4]; 6] =
@@ -213,7 +213,7 @@ fn even_triangles() {
     assert!(off.get() < 5e-16 && unclear.get() == 0, "{off:?} {leaving:?} {unclear:?}");
 }
 
-/// Quantities that depend on the height of a slim triangle have the relative rounding error of that height.
+/// Results that depend on the height of a slim triangle have the relative rounding error of this height.
 #[test]
 fn slim_triangles() {
     for narrow in [0.1, 1e-2, 1e-4] {

@@ -13,14 +13,14 @@ use support::jaws::jaw;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// Of the largest number of a field.
+/// Tolerance, relative to the largest number of a field.
 const CLOSE: f64 = 1e-9;
 
 fn vector<const N: usize>(random: &mut Random) -> SVector<f64, N> {
     SVector::from_fn(|_, _| random.signed())
 }
 
-/// Fingers around a place, most of them ordinary.
+/// Fingers around a point, most of them with ordinary data.
 fn contacts<const C: usize, const N: usize>(random: &mut Random, place: f64) -> [Contact<C>; N] {
     std::array::from_fn(|_| {
         let out = vector::<C>(random).normalize();
@@ -48,7 +48,7 @@ fn contacts<const C: usize, const N: usize>(random: &mut Random, place: f64) -> 
 
 fn load<const D: usize, const C: usize>(random: &mut Random, size: f64, place: f64) -> Wrench<C> {
     let mut load = vector::<D>(random) * size;
-    // Moments about the place.
+    // Moments about this point.
     if C == 2 {
         load[2] += place * (load[1] - load[0]);
     } else {
@@ -59,10 +59,10 @@ fn load<const D: usize, const C: usize>(random: &mut Random, size: f64, place: f
     Wrench::from_components(load.as_slice())
 }
 
-/// The largest difference of two fields, in parts of their largest number; those that are not numbers in ours are left out, and counted.
+/// The largest difference of two fields, relative to their largest number. Fields with NaN in screening are left out and counted.
 struct Compared {
     off: f64,
-    /// Fields below this are rounding: what carries a load without springs does not depend on them.
+    /// Smaller fields are rounding: statically determinate forces do not depend on springs.
     least: f64,
     left_out: usize,
     numbers: usize,
@@ -84,7 +84,7 @@ fn along<const C: usize>(frame: &SMatrix<f64, C, C>, ours: [f64; C]) -> SVector<
     frame.tr_mul(&SVector::from(ours))
 }
 
-/// Compares every field of one gradient; `None` if the whole has none.
+/// Compares every field of one gradient; `None` if `sensitivity` has no gradient.
 fn compare<const C: usize>(
     grasp: &Grasp<C>,
     pull: [Wrench<C>; 2],
@@ -114,14 +114,14 @@ fn compare<const C: usize>(
     compared.field(all.clone().flat_map(|i| pairs(along(frames[i], ours.normal(i)), &geometry.normal[i], 1)));
     compared.field(ours.base_load().iter().copied().zip(theirs.base_load.iter().copied()));
     for i in all {
-        // Lengths of normals change nothing.
+        // The derivative along the normal is zero.
         let normal = along(frames[i], ours.normal(i));
         assert!(normal[0].is_nan() || normal[0].abs() <= 1e-9 * normal.norm(), "{normal}");
     }
     Some(())
 }
 
-/// How many gradients were compared; those of one grasp and those of a batch have the same bits.
+/// Compares gradients and returns their number. Those of a batch must have the bits of single grasps.
 fn agree<const D: usize, const C: usize, const N: usize>(scenes: usize) -> (usize, Compared) {
     let mut random = seeded(100 * N as u64 + C as u64);
     let (mut count, mut compared) = (0, Compared { off: 0.0, least: 0.0, left_out: 0, numbers: 0 });
@@ -164,7 +164,7 @@ fn those_of_the_whole_method_in_space() {
     }
 }
 
-/// Two hard fingers in space let the object rotate about the line through them: gradients by data that do not move this line exist.
+/// Two point fingers in space leave the rotation about their line free. Only derivatives that do not move this line are known.
 #[test]
 fn pairs_in_space_know_what_leaves_their_line() {
     let finger = |x: f64, friction: f64| jaw::<3>(x, [1e3, 8e2], friction).pressed_with(10.0);
@@ -176,13 +176,13 @@ fn pairs_in_space_know_what_leaves_their_line() {
     // 2 μ N: 8 N.
     assert!((gradient.screened().factor().unwrap() - 8.0).abs() < 1e-13);
     assert!((gradient.friction(1) - 20.0).abs() < 1e-12);
-    // One millimetre more of one finger presses half of its stiffness.
+    // A larger command of one finger adds half of it times the stiffness to the normal force.
     assert!((gradient.command(0)[0] - 400.0).abs() < 1e-10);
     assert!(gradient.point(0).iter().chain(gradient.base_load()).all(|number| number.is_nan()));
 }
 
-/// However a pair in space lies, a load that turns the object about its line gives way, and one without a moment about it has a factor or none for
-/// another reason; derivatives by loads are never finite.
+/// For every pair in space, a load with a moment about its line gives way. A load without this moment has a factor, or none for another reason.
+/// Derivatives with respect to loads are never finite.
 #[test]
 fn the_free_motion_of_a_pair_in_space_is_always_seen() {
     let mut random = seeded(68);
@@ -205,7 +205,7 @@ fn the_free_motion_of_a_pair_in_space_is_always_seen() {
             let pull = Pull::new(&Wrench::ZERO, &spatial::Wrench::new(force, moment)).unwrap();
             match fingers.onset(&pull).verdict() {
                 ScreeningVerdict::NotSticking => {}
-                // Along the line, forces may press the fingers ever more.
+                // A force along the line may increase the squeeze without bound.
                 ScreeningVerdict::Never => assert_eq!(moment, through),
                 ScreeningVerdict::GivesWay => gave_way += usize::from(moment != through),
                 ScreeningVerdict::Leaves => left += usize::from(moment == through),
@@ -219,7 +219,7 @@ fn the_free_motion_of_a_pair_in_space_is_always_seen() {
     assert_met(&[(gave_way, 300), (left, 300)]);
 }
 
-/// Three fingers on a disc leave together under a load along its axis; each by its own friction.
+/// Three fingers on a disc slide together under a load along its axis. Each has its own gradient.
 #[test]
 fn ties_are_told_and_each_has_its_gradient() {
     let finger = |turn: f64| {
@@ -249,7 +249,7 @@ fn ties_are_told_and_each_has_its_gradient() {
     assert_eq!(first.get(1), None);
 }
 
-/// A finger that is pulled straight off leaves through the apex of its cone: with some friction on it, it would slide before.
+/// A finger under a pure pull leaves through the apex of its cone. With some tangential force it would slide before.
 #[test]
 fn a_finger_pulled_off_leaves_through_the_apex() {
     let finger = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
@@ -259,7 +259,7 @@ fn a_finger_pulled_off_leaves_through_the_apex() {
     let gradient = gradients.get(0).unwrap();
     assert!(gradient.is_one_sided() && gradients.len() == 1);
     assert!((gradient.screened().factor().unwrap() - 20.0).abs() < 1e-12);
-    // F_n = 10 - τ/2: with a command more of d it is 500 d more.
+    // F_n = 10 - τ/2, and a larger command by d adds 500 d.
     assert!((gradient.command(0)[0] - 1000.0).abs() < 1e-9);
 }
 
@@ -283,7 +283,7 @@ fn without_a_factor_no_gradient() {
     }
 }
 
-/// Grasps of every kind in one batch, under several loads, have the same bits for every kind of call and any number of threads.
+/// Checks grasps of every kind in one batch under several loads: results have the same bits for any number of threads.
 fn same_bits<const D: usize, const C: usize, const N: usize>() {
     let mut random = seeded(7 + N as u64);
     let fingers: Vec<_> =
@@ -319,7 +319,7 @@ fn same_bits<const D: usize, const C: usize, const N: usize>() {
     for (k, fingers) in fingers.iter().enumerate() {
         for (p, pull) in pulls.iter().enumerate() {
             let of_batch = gradients.get(k * pulls.len() + p).unwrap();
-            // The status of an unclear answer may be NaN, so that texts are compared.
+            // Unclear results may contain NaN.
             assert_eq!(format!("{:?}", of_batch.screened()), format!("{:?}", fingers.onset(pull)));
             let alone = fingers.onset_gradients(pull);
             let Some(alone) = alone.get(0) else { continue };

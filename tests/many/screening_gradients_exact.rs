@@ -12,14 +12,14 @@ use support::samples::{samples, seeded};
 
 type Rational = BigRational;
 
-/// Of the largest number of a field.
+/// Tolerance, relative to the largest number of a field.
 const CLOSE: f64 = 1e-9;
 
 fn exact(x: f64) -> Rational {
     Rational::from_float(x).expect("finite")
 }
 
-/// Over which differences are taken: small beside every datum here.
+/// The step of differences, small compared with every datum here.
 fn step() -> Rational {
     exact(2_f64.powi(-40))
 }
@@ -38,13 +38,13 @@ struct Exact {
 }
 
 impl Exact {
-    /// The force of a displacement of the springs.
+    /// The force of the springs at a displacement.
     fn stretched(&self, u: &[Rational]) -> Vec<Rational> {
         let along = dot(&self.normal, u) * (&self.k[0] - &self.k[1]);
         u.iter().zip(&self.normal).map(|(u, n)| &self.k[1] * u + &along * n).collect()
     }
 
-    /// A force with its moment.
+    /// The wrench of a force at the contact.
     fn wrench(&self, force: &[Rational]) -> Vec<Rational> {
         let (p, f) = (&self.point, force);
         let turns = |a: usize, b: usize| &p[a] * &f[b] - &p[b] * &f[a];
@@ -53,7 +53,7 @@ impl Exact {
         f.iter().cloned().chain(moments).collect()
     }
 
-    /// The displacement of the object there: what works against the wrench.
+    /// The displacement of the object at the contact.
     fn moved(&self, q: &[Rational]) -> Vec<Rational> {
         let axes = self.point.len();
         (0..axes)
@@ -64,7 +64,7 @@ impl Exact {
             .collect()
     }
 
-    /// Tilts the normal and the command with it: along a direction across the normal.
+    /// The contact with its normal tilted in a perpendicular direction; the command tilts with it.
     fn tilted(&self, across: &[Rational]) -> Self {
         let (mut tilted, along) = (self.clone(), dot(&self.normal, &self.command));
         let sheared: Vec<_> = self.command.iter().zip(&self.normal).map(|(a, n)| a - &along * n).collect();
@@ -78,7 +78,7 @@ impl Exact {
     }
 }
 
-/// The force of one contact under a load, every contact sticking.
+/// The force of one contact under a load while every contact sticks.
 fn force(contacts: &[Exact], of: usize, load: &[Rational]) -> Vec<Rational> {
     let size = load.len();
     let mut rows: Vec<Vec<Rational>> = vec![vec![Rational::zero(); size + 1]; size];
@@ -114,10 +114,10 @@ fn force(contacts: &[Exact], of: usize, load: &[Rational]) -> Vec<Rational> {
     contact.stretched(&u)
 }
 
-/// `μ² F_n² - |F_t|²`.
+/// The margin `μ² F_n² - |F_t|²`.
 fn margin(contacts: &[Exact], of: usize, load: &[Rational]) -> Rational {
     let (contact, force) = (&contacts[of], force(contacts, of, load));
-    // The normal need not be one long to the last digit.
+    // The normal need not have exactly unit length.
     let normal = dot(&contact.normal, &force);
     let square = dot(&contact.normal, &contact.normal);
     let pressed = &contact.friction * &contact.friction * &normal * &normal / &square;
@@ -137,7 +137,7 @@ impl Scene {
         base.iter().zip(&self.direction).map(|(base, direction)| base + factor * direction).collect()
     }
 
-    /// How m changes from one side to the other of a change.
+    /// The difference of m between both sides of a change.
     fn difference(
         &self,
         change: impl Fn(&mut Vec<Exact>, &mut Vec<Rational>, &mut Rational, Rational),
@@ -152,10 +152,10 @@ impl Scene {
     }
 }
 
-/// Of contacts and the base load, by a step.
+/// A change of contacts and base load by a step.
 type Change<'a> = dyn Fn(&mut Vec<Exact>, &mut Vec<Rational>, Rational) + 'a;
 
-/// The largest difference, in parts of the largest number of a field.
+/// The largest difference, relative to the largest number of a field.
 fn off(pairs: &[(f64, f64)]) -> f64 {
     let size = pairs.iter().map(|(_, exact)| exact.abs()).fold(0.0, f64::max);
     pairs.iter().map(|(ours, exact)| (ours - exact).abs()).fold(0.0, f64::max) / size
@@ -173,7 +173,7 @@ fn worst_field<const C: usize>(scene: &Scene, ours: &ScreenedGradient<'_, C>) ->
         for axis in 0..C {
             fields[0].push((ours.point(i)[axis], by(&|c, _, step| c[i].point[axis] += step)));
             fields[1].push((ours.command(i)[axis], by(&|c, _, step| c[i].command[axis] += step)));
-            // The part of an axis that lies across the normal.
+            // The component of a coordinate axis perpendicular to the normal.
             let across = |step: &Rational| -> Vec<Rational> {
                 (0..C)
                     .map(|k| (exact(f64::from(u8::from(k == axis))) - &normal[axis] * &normal[k]) * step)
@@ -192,7 +192,7 @@ fn worst_field<const C: usize>(scene: &Scene, ours: &ScreenedGradient<'_, C>) ->
     fields.iter().map(|field| off(field)).fold(0.0, f64::max)
 }
 
-/// The worst field of some grasps that slide.
+/// The largest error of a field over some sliding grasps.
 fn worst<const D: usize, const C: usize, const N: usize>(grasps: usize) -> f64 {
     let (mut random, mut worst, mut count) = (seeded(10 * N as u64 + C as u64), 0.0_f64, 0);
     while count < samples(grasps) {

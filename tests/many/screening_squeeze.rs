@@ -21,7 +21,7 @@ use support::facts;
 use support::jaws::jaw;
 use support::samples::assert_met;
 
-/// Compares screening with the search. Contacts are those of a scene, perturbed by a relative amount.
+/// Checks screening against the search. `contacts` gives the scene with relative changes of its data of the given size.
 fn check<const C: usize, const N: usize>(
     contacts: impl Fn(f64) -> [Contact<C>; N],
     loads: &[Wrench<C>],
@@ -41,7 +41,7 @@ fn check<const C: usize, const N: usize>(
     let whole = needed(0.0, loads);
     count(tally, &format!("{:?}", screened.verdict()));
     match (screened.verdict(), &whole) {
-        // Clearances that the object gets out of the way of leave no forces: the search takes what rounding leaves of them for forces.
+        // If the object moves away from contacts with clearances, no forces remain, but the search takes rounding errors for forces.
         (
             SqueezeVerdict::Suffices,
             LeastSqueeze::NoFactor { load, factor, .. }
@@ -59,7 +59,7 @@ fn check<const C: usize, const N: usize>(
             prop_assert!(agrees([found, *factor], close, shaken, tally), "{found} {factor}");
             match (screened.binding(), binding) {
                 (Some((contact, load)), Some((other, wrench))) => {
-                    // Where several need as much, as both contacts of a pair do, either is right.
+                    // If several contacts need the same squeeze, like both of a pair, each is right.
                     count(
                         tally,
                         if contact == *other && loads[load] == *wrench { "binding" } else { "tied" },
@@ -74,7 +74,7 @@ fn check<const C: usize, const N: usize>(
         (SqueezeVerdict::NoFactor, LeastSqueeze::NoFactor { .. })
         | (SqueezeVerdict::GivesWay, LeastSqueeze::GivesWay { .. }) => {}
         (SqueezeVerdict::Unclear, _) => prop_assert_eq!(screened.factor(), None),
-        // A last step of the search may be all rounding where commands do not help.
+        // If commands do not help, the last step of the search may be only rounding.
         (_, LeastSqueeze::Undecided) => count(tally, "search undecided"),
         _ => prop_assert!(false, "{screened:?} {whole:?}"),
     }
@@ -128,7 +128,7 @@ fn agrees_in_space() {
     assert!(of(&tally, "tied") < of(&tally, "binding"), "{tally:?}");
 }
 
-/// Stiffness 1 to 1e6, friction none, tiny, huge and infinite.
+/// Stiffness from 1 to 1e6, friction zero, tiny, huge and infinite.
 #[test]
 fn agrees_on_wide_ranges() {
     let tally = Tally::default();
@@ -141,8 +141,8 @@ fn agrees_on_wide_ranges() {
     assert!(2 * of(&tally, "Unclear") < of(&tally, "Suffices") + of(&tally, "NoFactor"), "{tally:?}");
 }
 
-/// Palms that press with 1 N each times s: w across needs `s = w / 2μ`, w along the line `s = w/2`, both together `μ (s - w/2) = w/2`; whatever
-/// the stiffnesses.
+/// Palms press with s newtons each. A perpendicular load w needs `s = w / 2μ`, a load w along the line `s = w/2`, both together `μ (s - w/2) = w/2`, for all
+/// stiffnesses.
 #[test]
 fn palms_of_any_stiffness() {
     for (k, kt) in [(1e3, 8e2), (1e12, 1.0), (1e-6, 1e9), (1e9, 1e-12)] {
@@ -166,8 +166,8 @@ fn palms_of_any_stiffness() {
     }
 }
 
-/// A finger that stands a clearance c off: palms touch from the factor on at which the other has taken up the whole way, `s (a₁ + a₂) = c`, and hold
-/// a weight by `μ k (s (a₁ + a₂) - c) / 2 = w / 2`.
+/// One finger has the clearance c. Both palms touch from the factor s on at which the commands close it, `s (a₁ + a₂) = c`, and hold a weight
+/// if `μ k (s (a₁ + a₂) - c) / 2 = w / 2`.
 #[test]
 fn clearances_stay() {
     let palm =
@@ -181,8 +181,8 @@ fn clearances_stay() {
     assert!((needed(-4.0) - 1.9).abs() < 1e-13, "{}", needed(-4.0));
 }
 
-/// Two palms that press with `10 s` and lift by `2 mm · s` while a support below bears part of the weight w, all springs alike. The support lets go
-/// beyond `s = w/4`, the palms need `s = w / (30 μ - 2)`: some factor does if μ > 0.2.
+/// Two palms press with `10 s` and lift by `2 mm · s`, while a support below carries part of the weight w. All springs are equal. The support opens beyond
+/// `s = w/4`, and the palms need `s = w / (30 μ - 2)`, so some factor suffices if μ > 0.2.
 #[test]
 fn a_range_that_closes() {
     let plane = |mu: f64| {
@@ -210,8 +210,8 @@ fn a_range_that_closes() {
     }
 }
 
-/// Of a batch every lane, also of a last block that is not full, gives the bits of the grasp on its own; so do all threads together. Scenes with
-/// clearances stand beside others without.
+/// Every lane of a batch, also in a last block that is not full, gives the bits of the single grasp, for any number of threads. Scenes with and
+/// without clearances are mixed.
 #[test]
 fn a_batch_gives_the_same_bits() {
     fn bits(screened: &ScreenedSqueeze) -> (Option<u64>, SqueezeVerdict, Option<(usize, usize)>) {

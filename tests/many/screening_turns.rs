@@ -23,7 +23,7 @@ use support::facts;
 use support::jaws::jaw;
 use support::samples::assert_met;
 
-/// Compares screening with the onset. Contacts are those of a scene, perturbed by a relative amount.
+/// Checks screening against the onset. `contacts` gives the scene with relative changes of its data of the given size.
 fn check<const C: usize, const N: usize>(
     contacts: impl Fn(f64) -> [Contact<C>; N],
     turn: &Turn<C>,
@@ -62,7 +62,7 @@ fn check<const C: usize, const N: usize>(
         )
         | (ScreeningVerdict::NotSticking, Onset::AlreadySliding(_) | Onset::NoBase(_))
         | (ScreeningVerdict::NotSticking | ScreeningVerdict::Unclear, Onset::Undecided(_)) => {}
-        // A contact that is open at the beginning may well close on the way.
+        // A contact that is open at the beginning may close during the turn.
         (ScreeningVerdict::NotSticking, onset) => {
             let state = grasp.solve(turn.load_at(0.0)).unwrap();
             let open = state
@@ -82,7 +82,7 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: usize, spread: 
         prop::collection::vec(datum::<C>(spread), N),
         prop::collection::vec(0..12_u8, N),
         [wrench(), wrench(), wrench()],
-        // How much of the load turns, and how far.
+        // The part of the load that turns, and the angle.
         (0.02..1.0_f64, prop_oneof![Just(TAU), 0.1..7.0_f64]),
     );
     let close = if spread == Spread::Narrow { 1e-12 } else { 1e-8 };
@@ -122,7 +122,7 @@ fn agrees_in_space() {
     assert!(20 * of(&tally, "as the question") < of(&tally, "close"), "{tally:?}");
 }
 
-/// Stiffness 1 to 1e6, friction none, tiny, huge and infinite.
+/// Stiffness from 1 to 1e6, friction zero, tiny, huge and infinite.
 #[test]
 fn agrees_on_wide_ranges() {
     let tally = Tally::default();
@@ -157,7 +157,7 @@ fn palms_of_any_stiffness() {
                 (onset.angle().unwrap() / closed - 1.0).abs() < 1e-12,
                 "{k} {kt} {w}: {onset:?} {closed}"
             );
-            // Palms that turn the other way round leave at the same angle, by the other palm.
+            // For the reversed turn the other palm slides at the same angle.
             let back = palms.onset_of_turn(&TurningPull::new(&turn.reversed()).unwrap());
             assert!((back.angle().unwrap() / closed - 1.0).abs() < 1e-12, "{back:?}");
             assert!(back.leaving().ne(onset.leaving()) && onset.leaving().count() == 1);
@@ -166,7 +166,7 @@ fn palms_of_any_stiffness() {
 }
 
 /// A pinch across which a load turns in space: palms along x, a force of size w about y at the middle, `F_t = (w/2) sin θ` along z and
-/// `F_n = p ∓ (w/2) cos θ`. The more the force falls short of an edge, the nearer the angle is to where they just touch; there it is not clear.
+/// `F_n = p ∓ (w/2) cos θ`. If the force just reaches the edge of a cone, the result is unclear.
 #[test]
 fn a_force_that_turns_in_space_touches_an_edge() {
     let (mu, press) = (0.75_f64, 1.0);
@@ -199,13 +199,13 @@ fn a_force_that_turns_in_space_touches_an_edge() {
         let closed = (1.0 / (1.0 + over)).acos();
         let closed = (1.0 / mu).atan() - closed;
         let angle = onset.angle().unwrap();
-        // A root of a nearly double one keeps half its digits.
+        // A nearly double root has only half of the digits.
         assert!((angle - closed).abs() < 1e-14 / over.sqrt(), "{over}: {angle} {closed}");
         assert!(onset.leaving().count() == 2, "{onset:?}");
     }
 }
 
-/// Turns that end before, at and behind the onset.
+/// Turns that end before, at and beyond the onset.
 #[test]
 fn parts_of_a_turn() {
     let palm = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
@@ -223,7 +223,7 @@ fn parts_of_a_turn() {
     }
 }
 
-/// Of a batch every lane, also of a last block that is not full, gives the bits of the grasp on its own; so do all threads together.
+/// Every lane of a batch, also in a last block that is not full, gives the bits of the single grasp, for any number of threads.
 #[test]
 fn a_batch_gives_the_same_bits() {
     fn bits(screened: &ScreenedTurn) -> (Option<u64>, ScreeningVerdict, Vec<usize>) {
@@ -261,7 +261,7 @@ fn a_batch_gives_the_same_bits() {
     grasps::<6, 3, 5>(Spread::Narrow);
 }
 
-/// In units in which squares leave the range of numbers there is no angle rather than a wrong one; in all others it is the same.
+/// If squares leave the range of doubles in some units, screening gives no angle; in all other units the angle is the same.
 #[test]
 fn units() {
     let onset = |exponent: i32| {

@@ -27,7 +27,7 @@ fn contacts<const C: usize, const N: usize>(random: &mut Random) -> [Contact<C>;
     })
 }
 
-/// How many grasps stuck, and how many of them need more squeeze.
+/// Compares the watch with onset and least squeeze. Returns the number of sticking grasps, and how many of them need more squeeze.
 fn compare<const D: usize, const C: usize, const N: usize>(grasps: usize) -> [usize; 2] {
     let (mut random, mut counts) = (seeded(3 * N as u64 + C as u64), [0, 0]);
     for _ in 0..samples(grasps) {
@@ -52,11 +52,11 @@ fn compare<const D: usize, const C: usize, const N: usize>(grasps: usize) -> [us
             None => assert_eq!(watched.first_slip().verdict(), ScreeningVerdict::Never),
         }
         assert!(watched.first_slip().leaving().eq(onset.leaving()));
-        // All loads together, and all of the squeeze, from rest.
+        // The least squeeze from rest for the sum of all loads.
         let least = fingers.least_squeeze(&LoadCases::new(&[base + more]).unwrap());
         match (least.factor(), watched.extra_squeeze().factor()) {
             (Some(all), Some(extra)) => {
-                // One is there already.
+                // A squeeze of one is already applied.
                 assert!(close(extra, (all - 1.0).max(0.0)) || all < 1.0 && extra == 0.0, "{all} {extra}");
                 counts[1] += usize::from(extra > 0.0);
             }
@@ -86,17 +86,17 @@ fn forces_of_the_springs_in_space() {
     }
 }
 
-/// Whatever springs would give: a jaw that has lost half of its force slides at half of the load.
+/// Measured forces count, not those of the springs: a jaw with half of its force slides at half of the load.
 #[test]
 fn forces_are_taken_as_they_are_measured() {
     let jaw = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
     let fingers = planar::Fingers::new(&[jaw(-1.0), jaw(1.0)]).unwrap();
     let watched = fingers.watch(&[[5.0, 1.0], [-10.0, 1.0]], &planar::Wrench::force([0.0, -1.0])).unwrap();
-    // 0.5 · 5 N - 1 N, of which half of each newton of load is taken; the right jaw has 4 N.
+    // The left margin is 0.5 · 5 N - 1 N, and each newton of load takes half a newton of it. The right margin is 4 N.
     assert!((watched.margin() - 1.5).abs() < 1e-14 && watched.tightest() == 0);
     assert!((watched.first_slip().factor().unwrap() - 3.0).abs() < 1e-13);
     assert_eq!(watched.extra_squeeze().factor(), Some(0.0));
-    // Outside of its cone: it slides already, and 0.1 of the squeeze, 1 N, brings it back.
+    // The left force is outside its cone. An extra squeeze of 0.1, 1 N, brings it back inside.
     let watched = fingers.watch(&[[5.0, 3.0], [-10.0, 1.0]], &planar::Wrench::ZERO).unwrap();
     assert!((watched.margin() + 0.5).abs() < 1e-14);
     assert_eq!(watched.first_slip().verdict(), ScreeningVerdict::NotSticking);

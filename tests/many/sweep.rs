@@ -14,7 +14,7 @@ const MU: f64 = 0.4;
 const K: f64 = 1000.0;
 const A: f64 = 0.01;
 
-/// Pressed from both sides alike: each finger carries half of a weight, and the one with less friction slides first, at 2 μ K A.
+/// Two equal opposed fingers each carry half of a weight. The one with less friction slides first, at 2 μ K A.
 fn pinch(k: f64) -> Grasp {
     let finger = |x: f64| jaw::<2>(x, [k, 0.8 * k], MU).command([A, 0.0]);
     Grasp::new([finger(1.0), finger(-1.0)]).unwrap()
@@ -58,7 +58,7 @@ fn a_sweep_that_is_stopped_answers_no_more() {
     );
     let answered = answers.iter().flatten().count();
     assert_eq!(answered, begun.into_inner());
-    // Questions that other threads had begun are answered, too.
+    // Questions that other threads had started are answered as well.
     assert!((20..1000).contains(&answered), "{answered}");
 }
 
@@ -69,7 +69,7 @@ fn one_bad_question_does_not_stop_the_rest() {
         let expected = 2.0 * MU * K * A * (k + 1) as f64;
         assert!((factor(onset) / expected - 1.0).abs() < 1e-14);
     }
-    // Where a standard deviation is so large that some friction overflows, others do not.
+    // With a very large standard deviation the friction of some samples overflows, that of others does not.
     let wild = Uncertainty::seeded(1).with_friction(500.0);
     let onsets = pinch(K).onset_of_samples(weight(), &wild, 300);
     let errors = onsets.iter().filter(|o| matches!(o, Err(Error::Contact { .. }))).count();
@@ -94,7 +94,7 @@ fn samples_are_distributed_as_they_should_be() {
         let deviation = (expected * (1.0 - expected) / count as f64).sqrt();
         assert!((share - expected).abs() < 4.0 * deviation, "{c}: {share} {expected}");
     }
-    // Stiffness alone: moments leave each finger half of the weight, and the squeeze is that of springs in series.
+    // Only stiffness is uncertain. By moments each finger carries half of the weight, and the squeeze is that of springs in series.
     let off = Uncertainty::seeded(5).with_stiffness(0.3);
     for number in 0..200 {
         let sample = grasp.sample(&off, number).unwrap();
@@ -133,7 +133,7 @@ fn samples_depend_on_seed_and_number_alone() {
     assert_eq!(distinct.len(), 300);
 }
 
-/// Infinite friction and zero friction are laws of their own: no finite coefficient may become one of them.
+/// Infinite and zero friction are separate laws. No sample of a finite coefficient may become one of them.
 #[test]
 fn friction_of_samples_stays_finite_and_positive_or_is_refused() -> Result<(), Error> {
     let contact = |mu| Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(K, 0.8 * K).friction(mu);

@@ -85,7 +85,7 @@ fn answers_come_in_the_order_of_the_questions() {
     }
 }
 
-/// Sums over thousands of contacts are made of halves, so that their bits do not depend on the threads.
+/// Sums over thousands of contacts are added in pairs, so that their bits do not depend on the number of threads.
 #[test]
 fn paths_in_steps_do_not_depend_on_who_computes_them() {
     use grasp_lcp::planar;

@@ -11,7 +11,7 @@ use support::splitmix::Random;
 
 type Row<const C: usize> = (Vec<Contact<C>>, [Wrench<C>; 2]);
 
-/// Verdicts that stop at the whole load, as those of the quick road.
+/// Settings for verdicts that end at the whole load, like those of screening.
 fn up_to_the_load() -> Settings {
     Settings::default().with_most_load(1.0)
 }
@@ -24,7 +24,7 @@ fn batch<const C: usize>(rows: &[Row<C>], settings: &Settings) -> Vec<Option<Sho
     Grasp::hold_batch(rows.len(), &row, settings).into_iter().map(Result::ok).collect()
 }
 
-/// Compares every column with the verdict of each row; the first slip up to rounding. The number of rows by their conclusion.
+/// Compares every column with the verdict of each row, first slips up to rounding. Returns the number of rows for each conclusion.
 fn check<const C: usize>(rows: &[Row<C>], settings: &Settings) -> [usize; 7] {
     let mut count = [0; 7];
     for (number, (short, (contacts, [base, load]))) in batch(rows, settings).into_iter().zip(rows).enumerate()
@@ -44,7 +44,7 @@ fn check<const C: usize>(rows: &[Row<C>], settings: &Settings) -> [usize; 7] {
         let mut same = short;
         same.first_slip = whole.first_slip;
         assert_eq!(same, whole, "row {number}: {verdict}");
-        // The words are those of the sentence.
+        // The words of the columns appear in the sentence.
         let words = verdict.to_string();
         let begins = match (short.holds(), short.motion) {
             (Some(true), _) => "HOLDS".to_owned(),
@@ -58,7 +58,7 @@ fn check<const C: usize>(rows: &[Row<C>], settings: &Settings) -> [usize; 7] {
     count
 }
 
-/// Fingers around a ball whose normals point to its middle up to an error, with friction, squeeze and load at random: a few contacts are odd.
+/// Fingers around a ball with inaccurate normals and random friction, squeeze and load. A few contacts have unusual data.
 fn fingers<const C: usize>(random: &mut Random, count: usize) -> Row<C> {
     let mut contacts = Vec::new();
     let load_size = 10.0_f64.powf(1.0 + random.signed());
@@ -145,7 +145,7 @@ fn odd_rows() {
     for load in [down(4.0), turned([0.01, 0.0, 0.0]), none] {
         rows.extend([(0.5, 10.0), (0.5, 0.0)].map(|(mu, force)| (pads(mu, force), [none, load])));
     }
-    // So soft that it turns far while everything sticks.
+    // Soft pads, which turn far while everything sticks.
     for moment in [0.001, 0.004, 0.008] {
         rows.push((pads(5.0, 10.0), [none, turned([moment * 10.0, 0.0, 0.0])]));
     }
@@ -159,12 +159,12 @@ fn odd_rows() {
     let found = check(&rows, &up_to_the_load());
     assert!(found[How::Sticks as usize] > 10 && found[How::Lost as usize] > 5, "{found:?}");
     assert!(found[How::NoRest as usize] + found[How::LostAtRest as usize] > 5, "{found:?}");
-    // Beyond the whole load, and on a polygon, nothing is screened.
+    // Verdicts beyond the whole load, and on a polygon, are not screened.
     check(&rows, &Settings::default());
     check(&rows, &up_to_the_load().on_the_polygon());
 }
 
-/// The closed form: pads of sixteen points hold 2 μ N along their faces, also in a batch.
+/// In a batch, pads of sixteen points hold 2 μ N along their faces, as by the closed form.
 #[test]
 fn a_parallel_jaw_with_pads_is_answered() {
     let tip = spatial::SoftFingertip::disc(0.006, 1, 8, spatial::Pressure::Uniform).unwrap();
@@ -200,7 +200,7 @@ fn threads_do_not_change_a_bit() {
         let some: Vec<_> = pool.install(|| batch(&rows, &up_to_the_load())).iter().map(bits).collect();
         assert_eq!(some, all);
     }
-    // Nor do the rows beside a row.
+    // Neither do other rows of the batch.
     let backwards: Vec<_> = rows.iter().rev().cloned().collect();
     assert!(batch(&backwards, &up_to_the_load()).iter().rev().map(bits).eq(all));
 }

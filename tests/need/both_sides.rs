@@ -26,14 +26,13 @@ fn scene(random: &mut Random) -> Result<(Grasp, Wrench), grasp_lcp::Error> {
 
 type Tried<'t> = &'t dyn Fn(f64) -> Result<Option<bool>, grasp_lcp::Error>;
 
-/// Whether it is held, or else whether nothing slides.
+/// With `held` whether the load is held, otherwise whether nothing slides.
 fn verdict(grasp: &Grasp, load: Wrench, held: bool) -> Result<Option<bool>, grasp_lcp::Error> {
     let verdict = grasp.hold(load)?;
     Ok(if held { verdict.holds() } else { verdict.sticks() })
 }
 
-/// Bounds on squeeze, friction and load for grasps that stick or that hold: at least `least` scenes, of which at most one in `one_in` has a bound
-/// that is not sharp.
+/// Checks bounds on squeeze, friction and load, for sticking or for holding. At least `least` bounds must exist, and at most one in `one_in` may be blurred.
 fn a_billionth_decides(held: bool, least: usize, one_in: usize) -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(17);
     let (mut bounds, mut blurred) = (0, 0);
@@ -54,7 +53,7 @@ fn a_billionth_decides(held: bool, least: usize, one_in: usize) -> Result<(), gr
         for (need, tried, more) in sought {
             let Amount::Bound { does, does_not, .. } = grasp.need(&aimed(need))?.amount else { continue };
             bounds += 1;
-            // If the bound itself is undecided, the insufficient amount is searched a little beyond.
+            // If the verdict at the bound is undecided, an insufficient amount is sought slightly beyond.
             blurred += usize::from((does - does_not).abs() > 1e-12 * does);
             assert!((does - does_not).abs() <= 1e-9 * does, "{does} {does_not}");
             assert_eq!(tried(does * (1.0 + more * 1e-9))?, Some(true), "{does}");

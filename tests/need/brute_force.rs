@@ -6,12 +6,12 @@ use support::splitmix::Random;
 
 type Tested = Result<(), grasp_lcp::Error>;
 
-/// Scenes that are drawn for each quantity.
+/// Number of random scenes for each quantity.
 const SCENES: usize = 2;
-/// Amounts that are tried in each scene: by default, and where more scenes are drawn.
+/// Number of tried amounts in each scene: by default, and if more scenes are requested.
 const AMOUNTS: [i32; 2] = [12, 200];
 
-/// Asks for amounts in random scenes, and tries others around each answer.
+/// Asks for needed amounts in random scenes, and checks other amounts around each answer.
 fn is_met<const C: usize>(
     name: &str,
     draw: &dyn Fn(&mut Random) -> Result<Scene<C>, grasp_lcp::Error>,

@@ -14,7 +14,7 @@ fn is(need: &Need<2>, grasp: &Grasp, amount: f64) -> Tested {
     Ok(())
 }
 
-/// W <= 2 μ N.
+/// A pinch holds W <= 2 μ N.
 #[test]
 fn a_pinch() -> Tested {
     let (pinch, weight) = (jaws([0.5; 2])?, Wrench::force([0.0, -12.0]));
@@ -36,7 +36,7 @@ fn a_pinch() -> Tested {
     Ok(())
 }
 
-/// A wedge between two pressing faces stays if μ >= tan α/2.
+/// A wedge between two pressing faces is held if μ >= tan α/2.
 #[test]
 fn a_wedge_locks() -> Tested {
     for half in [2.0_f64, 7.5, 20.0].map(f64::to_radians) {
@@ -52,7 +52,7 @@ fn a_wedge_locks() -> Tested {
     Ok(())
 }
 
-/// A ladder is climbed until friction of foot and wall is used up at once; put on from nothing, its load is then at the boundary in all of its parts.
+/// A ladder is climbed until friction at foot and wall is exhausted together. If the whole load grows from zero, every load factor is then at the limit.
 #[test]
 fn a_ladder_is_climbed() -> Tested {
     let ([mu_foot, mu_wall], [reach, height]) = ([0.4, 0.2], [2.113, 4.532]);
@@ -75,7 +75,7 @@ fn box_on_feet(friction: f64) -> Result<Grasp, grasp_lcp::Error> {
 /// A block on a slope slides at tan θ = μ.
 #[test]
 fn a_block_is_tilted() -> Tested {
-    // A weight above the feet loads them unevenly: the lighter one slides first, and both when it is lost.
+    // A weight above the feet loads them unevenly. The foot with less load slides first, and both at the loss.
     let turn = |height: f64| Turn::tilting([0.0, -10.0], [0.0, height]).up_to(1.0);
     is(&Need::angle(turn(0.0)), &box_on_feet(0.4)?, 0.4_f64.atan())?;
     is(&Need::angle(turn(0.01)).to_hold(), &box_on_feet(0.4)?, 0.4_f64.atan())?;
@@ -84,7 +84,7 @@ fn a_block_is_tilted() -> Tested {
     Ok(())
 }
 
-/// A box of 10 N with 5 N hung out over its foot tips at 10 · 0.05 = 5 (x - 0.05).
+/// A box of 10 N with 5 N beyond its foot, at x, tips at 10 · 0.05 = 5 (x - 0.05).
 #[test]
 fn a_box_tips_over_an_arm() -> Tested {
     let [at_the_middle, a_metre_on] = [0.0, 1.0].map(|x| Wrench::force_at([0.0, -5.0], [x, 0.0]));
@@ -93,7 +93,7 @@ fn a_box_tips_over_an_arm() -> Tested {
     is(&arm, &box_on_feet(0.5)?, 0.15)
 }
 
-/// The need of a force of any direction equals the least squeeze, which has a closed form.
+/// The amount for a force of any direction is the least squeeze, which has a closed form.
 #[test]
 fn a_force_of_any_direction() -> Tested {
     let finger = |angle: f64| {
@@ -146,7 +146,7 @@ fn an_angle_on_top_of_a_steady_pull() -> Tested {
     Ok(())
 }
 
-/// The load at rest leaves less for the push: `sqrt((w + p)²) <= 2 μ N`, along the same line, in any direction, and at the end of an arm.
+/// The load at rest leaves less friction for the push, `w + p <= 2 μ N`: along the same line, in any direction, and on an arm.
 #[test]
 fn a_push_on_top_of_a_weight() -> Tested {
     let (pinch, weight) = (jaws([0.5; 2])?, Wrench::force([0.0, -6.0]));
@@ -155,13 +155,13 @@ fn a_push_on_top_of_a_weight() -> Tested {
     is(&Need::friction(Wrench::force([0.0, -9.0])).on_top_of(weight), &pinch, 0.75)
 }
 
-/// A lobe of a climbing cam: its axle runs along the middle of the crack, the wall touches it at an angle α below. Two forces meet in the axle, so that
-/// the wall's goes through it: μ >= tan α, whatever hangs there.
+/// A lobe of a climbing cam: its axle is guided along the middle of the crack, and touches the wall at an angle α below it. The other two forces act at
+/// the axle, so the wall's force passes through it too: μ >= tan α, for every weight.
 #[test]
 fn a_cam_climbs() -> Tested {
     for (alpha, weight) in [(13.75_f64.to_radians(), 800.0), (0.3, 1.0), (0.6, 5e4)] {
         let (sin, cos) = alpha.sin_cos();
-        // The other lobe pushes back level, as a guide along the middle does.
+        // The other lobe pushes horizontally, like a guide along the middle.
         let axle = Contact::new([0.0, 0.0], [-1.0, 0.0]).series_stiffness(3e9, 1e9).kept_closed();
         let wall =
             Contact::new([-0.02 * cos, -0.02 * sin], [1.0, 0.0]).series_stiffness(1e9, 4e8).friction(0.5);
@@ -171,7 +171,7 @@ fn a_cam_climbs() -> Tested {
     Ok(())
 }
 
-/// A weight that the given squeeze does not even hold is put on from nothing at every amount: `2 μ s 10 N` are to carry it with the force beside it.
+/// If the given squeeze does not hold the weight, the weight is applied from zero at every amount: `2 μ s 10 N` must carry it together with the other force.
 #[test]
 fn a_force_of_any_direction_beside_a_weight_that_is_not_held() -> Tested {
     let pinch = jaws([0.5; 2])?;
@@ -180,7 +180,7 @@ fn a_force_of_any_direction_beside_a_weight_that_is_not_held() -> Tested {
         panic!("some squeeze does")
     };
     is(&Need::squeeze(loads.clone()).to_stick(), &pinch, factor)?;
-    // Without friction nothing carries the load, and the answer states how the object leaves.
+    // Without any friction the answer says how the weight is lost.
     let needed = pinch.with_friction(|_, _| 0.0)?.need(&Need::squeeze(loads))?;
     assert!(matches!(needed.amount, Amount::None { .. }), "{needed}");
     assert!(needed.to_string().contains("DROPS at once"), "{needed}");
@@ -201,7 +201,7 @@ fn directions_are_not_compared_across_an_open_contact() -> Tested {
     Ok(())
 }
 
-/// A bracket whose edges touch a post at a height h of each other jams where its load hangs at h / 2μ or farther. The first line has that end, too.
+/// A bracket whose edges touch a post, with a height h between them, jams if its load hangs at h / 2μ or farther. The first line reports this bound.
 #[test]
 fn a_bracket_jams_from_an_arm_on() -> Tested {
     let edge = |x: f64, y: f64| Contact::new([x, y], [x, 0.0]).series_stiffness(1e7, 1e7).friction(0.2);

@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use support::samples::{assert_met, config, samples, seeded};
 use support::shaken::in_the_plane;
 
-/// Two feet under a presser that does not rub, `p` newtons in all.
+/// Two feet under a frictionless presser with a total force of `p` newtons.
 fn block(p: f64, mu: f64, k_t: f64) -> Result<Grasp, Error> {
     let foot = |x: f64| {
         Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(3.0 * k_t, k_t).friction(mu).pressed_with(0.5 * p)
@@ -22,7 +22,7 @@ fn block(p: f64, mu: f64, k_t: f64) -> Result<Grasp, Error> {
     ])
 }
 
-/// To and fro, so that each foot carries `m` less in turn.
+/// Rocking moments of both signs, so that each foot in turn carries `m` less.
 fn rocked(m: f64) -> Vec<Wrench> {
     [2.0 * m, -2.0 * m].map(|moment| Wrench::new([0.0, 0.0], moment)).to_vec()
 }
@@ -35,7 +35,7 @@ fn bound(grasp: &Grasp, need: &Need<2>) -> Result<f64, TestCaseError> {
 
 proptest! {
     #![proptest_config(config(6))]
-    /// It rests, and stays, up to a pull of q = μ (p - 2 m). Slips below a billionth of what springs are stretched by count as none.
+    /// The block comes to rest up to a pull of q = μ (p - 2 m). Slips below a billionth of the spring deflections count as zero.
     #[test]
     fn rests_up_to_what_one_foot_leaves_to_the_other(
         p in 1.0..100.0, part in 0.05..0.9, mu in 0.2..1.0, k_t in 1e2..1e5,
@@ -76,7 +76,7 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
         else {
             continue;
         };
-        // Where a finger opens the factor bounds nothing.
+        // If a finger opens, the shakedown factor is no bound.
         let is_closed = |load: Wrench| {
             let held = drawn.grasp.hold(load).map(|verdict| verdict.state);
             held.is_ok_and(|state| {
@@ -88,7 +88,7 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
         }
         compared += 1;
         assert!(does <= most.factor * (1.0 + 1e-9), "{does} {}", most.factor);
-        // Sticking implies rest, rest implies that the object stays, and staying implies that it is held.
+        // The demands grow: sticking implies rest, rest implies no walking, and this implies holding.
         let bound = |need: &Need<2>| Ok::<_, Error>(drawn.grasp.need(need)?.amount.bound());
         let sticks = bound(&need.clone().to_stick())?.unwrap_or(0.0);
         let stays = bound(&need.to_stay())?.unwrap_or(f64::INFINITY);
@@ -98,8 +98,8 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
     Ok(())
 }
 
-/// Rocked by 1.6 N m times the sine of an angle, there and back: one foot carries 0.8 N less at a quarter turn, the other s · 0.8 N less where the sine
-/// is -s. A pull of 0.4 N = 0.5 (2 N - 0.8 N - s · 0.8 N) rests up to s = 1/2.
+/// A moment of 1.6 N m times the sine of an angle goes there and back. One foot carries 0.8 N less at a quarter turn, the other s · 0.8 N less at the sine
+/// -s. A pull of 0.4 N = 0.5 (2 N - 0.8 N - s · 0.8 N) rests up to s = 1/2.
 #[test]
 fn a_load_that_turns_goes_there_and_back() -> Result<(), Error> {
     let grasp = block(2.0, 0.5, 100.0)?;

@@ -7,8 +7,8 @@ use grasp_lcp::scene::{Scene, Space};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// A jaw presses with 4 N a squeeze, its motor with 6 N at most, against a wall; a finger from above pushes with 1 N a squeeze, and friction is 0.5:
-/// `W + s <= min(4 s, 6)`. More contacts may be given, commanded in squeezes, too.
+/// At the squeeze s a jaw presses with 4 s newtons against a wall, its motor with 6 N at most. A finger pushes from above with s newtons, and μ = 0.5:
+/// `W + s <= min(4 s, 6)`. `more` adds contacts whose commands also grow with s.
 fn pushed_from_above(given: f64, more: &str) -> Result<Grasp, Box<dyn std::error::Error>> {
     let text = format!(
         r#"{{ "format": "grasp-lcp/1", "planar": {{
@@ -37,7 +37,7 @@ fn is(found: f64, squeeze: f64, given: f64) {
 fn a_window_is_found_from_wherever_the_search_begins() -> Tested {
     for given in [0.1, 0.4, 1.0, 1.55, 4.0, 16.0, 300.0] {
         let grasp = pushed_from_above(given, "")?;
-        // The last two are narrower than a doubling by far.
+        // The last two intervals are far narrower than a factor of two.
         for weight in [3.0, 4.4, 4.4999] {
             for demanded in [Need::to_stick, Need::to_hold] {
                 let need = demanded(Need::squeeze(Wrench::force([0.0, -weight]))).if_lower_by(0.0, 0.0);
@@ -73,7 +73,7 @@ fn both_ends_say_what_presses_there() -> Tested {
     }
     assert!(otherwise.contains("right and left") && end.otherwise.contains("right and left"), "{needed}");
     assert!(tried.count == 11 && tried.from < 0.25 && tried.to < 0.75, "{needed}");
-    // Beyond a squeeze no friction carries the load and the push, and there the jaws press with 4 N.
+    // At no squeeze does friction carry load and push. At the best squeeze the jaws press with 4 N.
     let needed = pushed_from_above(4.0, "")?.need(&need(5.0))?;
     let Amount::None { best, otherwise, .. } = &needed.amount else { panic!("{needed}") };
     assert!((best * 4.0 - 1.0).abs() < 1e-6, "{needed}");
@@ -81,7 +81,7 @@ fn both_ends_say_what_presses_there() -> Tested {
     Ok(())
 }
 
-/// If only half of the squeeze may be reached, the safe amount is too much where all of it is reached.
+/// A squeeze that is safe if only half of it arrives can be too large if all of it arrives.
 #[test]
 fn what_is_safe_may_not_do_as_given() -> Tested {
     let half = Need::squeeze(Wrench::force([0.0, -4.2])).to_stick().if_lower_by(0.0, 0.5);
@@ -92,8 +92,8 @@ fn what_is_safe_may_not_do_as_given() -> Tested {
     Ok(())
 }
 
-/// Two more jaws close later, `e = 0.0004 s - 0.0022` m deep, and take over where the motor presses no harder: held by `6 + 1e4 (e - 2e-4)`, which is
-/// the push and 3 N again at 7 squeezes.
+/// Two more jaws close later, with the depth `e = 0.0004 s - 0.0022` m, and add force after the motor has reached its limit. They hold
+/// `6 + 1e4 (e - 2e-4)` together, which equals the push and 3 N again at s = 7.
 #[test]
 fn a_second_window_is_told_beside_the_first() -> Tested {
     let need = Need::squeeze(Wrench::force([0.0, -3.0])).to_hold().if_lower_by(0.0, 0.0);
@@ -118,8 +118,8 @@ fn a_second_window_is_told_beside_the_first() -> Tested {
     Ok(())
 }
 
-/// The left jaw comes 20 mm a squeeze, which presses with 10 N and drags the part 10 mm along under a pad from above, farther than small motions allow: a
-/// squeeze of one is too much. Friction of both jaws carries a weight of 1 N from a tenth of it on, where the pad has let go.
+/// The left jaw moves 20 mm for each unit of squeeze. It presses with 10 N and drags the part 10 mm along under a pad, farther than small motions allow, so a
+/// squeeze of one is too large. Friction of both jaws carries a weight of 1 N from a tenth of it on, after the pad has opened.
 #[test]
 fn less_does_where_the_squeeze_given_moves_too_far() -> Tested {
     let jaw = |side: f64, come: f64| {
@@ -133,7 +133,7 @@ fn less_does_where_the_squeeze_given_moves_too_far() -> Tested {
     let needed = grasp.need(&Need::squeeze(Wrench::force([0.0, -1.0])).if_lower_by(0.0, 0.0))?;
     let Amount::Bound { does, until: Some(end), .. } = &needed.amount else { panic!("{needed}") };
     is(*does, 0.1, 1.0);
-    // A tenth of the grasp's size, the root mean square distance of its contacts from their centroid.
+    // The limit is a tenth of the grasp's size, the root mean square distance of contacts from their centroid.
     let farthest = 0.1 * 0.0008_f64.sqrt();
     assert!((end.does - farthest / 0.01).abs() < 1e-4, "{needed}");
     Ok(())

@@ -15,19 +15,19 @@ use support::samples::samples;
 use support::scene::Scene;
 
 fn polygon(facets: usize, fit: Fit) -> Settings {
-    // Sticking states need no search through all combinations.
+    // Sticking states need no enumeration of state combinations.
     Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit).unwrap())
 }
 
-/// Whether everything that touches sticks. Equilibria found by these two rules use the cone only for acceptance. By other rules a smaller cone may
-/// lead to fewer contacts at rest, which then stick longer.
+/// Whether everything in contact sticks. The two accepted rules use the cone only to accept or refuse a proposal. With other rules a
+/// smaller cone may give an equilibrium with fewer contacts, which then stick for longer.
 fn sticks(outcome: &Outcome) -> bool {
     let rule = outcome.equilibrium().map(|e| e.rule);
     matches!(rule, Some(FoundBy::EverythingSticks | FoundBy::EverythingTouchingSticks))
 }
 
-/// Factors of a bracket are in order up to rounding, each from a base that sticks on the smaller cone. An onset may stay undecided
-/// where contacts touch without force; `undecided` counts those.
+/// Checks that the factors of a bracket are in order up to rounding, from a base that sticks on the smaller cone. With contacts
+/// that touch without force the onset may be undecided; `undecided` counts these.
 fn check_order(
     scene: &Scene<6, 3>,
     change: &Change<6, 3>,
@@ -70,7 +70,7 @@ fn polygons_bracket_the_onset() {
     assert!(undecided.get() <= samples(4), "{} undecided", undecided.get());
 }
 
-/// If everything sticks on the inscribed polygon the three answers are one, and the inscribed polygon sticks only where the
+/// Checks that the three answers are equal if everything sticks on the inscribed polygon, and that it sticks only where the
 /// others do.
 fn check_sticking(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result<(), TestCaseError> {
     let bracket = scene.grasp().with(&polygon(5, Fit::Balanced)).bracket(scene.wrench()).unwrap();
@@ -105,7 +105,7 @@ fn the_spread_of_a_sliding_foot() {
     ])
     .unwrap();
     for angle in [0.3_f64, 1.9, 4.4] {
-        // The floor pulls the other way: friction is along -e, and so is the corner.
+        // Friction acts along -e, and so the nearest corner is in this direction.
         let e = [angle.cos(), angle.sin()];
         let load = Wrench::force([w * e[0], w * e[1], -normal]);
         let mut before = f64::INFINITY;
@@ -134,7 +134,7 @@ fn the_spread_of_a_sliding_foot() {
     }
 }
 
-/// The planar cone is a polygon by nature.
+/// The planar cone is a polygon, so there is no bracket.
 #[test]
 fn in_the_plane_there_is_nothing_to_bracket() {
     let finger = |side: f64| jaw::<2>(side, [100.0, 80.0], 0.5).command([0.1, 0.02 * side]);

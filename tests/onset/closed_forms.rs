@@ -31,7 +31,7 @@ fn never_and_opening() {
     assert!(matches!(onset(&sticky, Wrench::ZERO, Wrench::force([0.0, -1.0])), Onset::Never));
     let Onset::At(event) = onset(&sticky, Wrench::ZERO, sideways) else { panic!("opens") };
     assert!((event.factor - 2.0).abs() < 1e-14);
-    // A load that presses straight onto both never uses friction up: sticking rates stay inside the cone.
+    // A load that presses both contacts along their normals never exhausts friction: the rates stay inside the cone.
     let on_two_feet = Grasp::new(
         [-1.0, 1.0].map(|x| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 5.0).friction(0.5)),
     )
@@ -39,7 +39,7 @@ fn never_and_opening() {
     assert!(matches!(onset(&on_two_feet, Wrench::ZERO, Wrench::force([0.3, -1.0])), Onset::Never));
 }
 
-/// From no force at all the rates decide: |F_t'| <= μ F_n' or not, whatever the size of the load.
+/// If all forces start from zero, the rates decide, |F_t'| <= μ F_n' or not, for every size of the load.
 #[test]
 fn at_once_from_rest() {
     let on_two_feet = Grasp::new(
@@ -57,7 +57,7 @@ fn at_once_from_rest() {
 
 #[test]
 fn already_sliding_and_no_base() {
-    // A spring along the incline takes what friction cannot: the feet slide at the base load.
+    // A spring along the incline carries the rest of the load, and the feet slide at the base load.
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(100.0, 50.0).friction(0.2);
     let stop = Contact::new([-2.0, 0.0], [1.0, 0.0]).series_stiffness(10.0, 10.0);
     let grasp = Grasp::new([foot(-1.0), foot(1.0), stop]).unwrap();
@@ -69,7 +69,7 @@ fn already_sliding_and_no_base() {
     assert!(matches!(onset(&grasp, Wrench::force([0.0, 1.0]), base), Onset::NoBase(_)));
 }
 
-/// A load direction that works on a free motion is not carried from the start: the motion is the reason.
+/// A load that does work on a free motion is not held at any factor. The answer names this motion.
 #[test]
 fn gives_way() {
     let finger = |x: f64| jaw::<3>(x, [10.0, 5.0], 0.5).command([0.1, 0.0, 0.0]);
@@ -92,7 +92,7 @@ fn a_contact_closes_on_the_way_without_tangential_force() {
     let foot = |x: f64, gap: f64| {
         Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(k, kt).friction(mu).clearance(gap)
     };
-    // One more: a guide that resists the sideways load with a known limit: an elastic stop far softer, without friction.
+    // With b < μ nothing ever slides.
     let grasp = Grasp::new([foot(-1.0, 0.0), foot(1.0, 0.0), foot(0.0, c)]).unwrap();
     assert!(matches!(onset(&grasp, Wrench::ZERO, Wrench::force([0.3, -1.0])), Onset::Never));
     // Now pre-press the outer feet by a moment-free base and load sideways only after the middle has closed:
@@ -143,7 +143,7 @@ fn along_commands_and_both_at_once() {
     assert!((alone.factor().unwrap() - (a - w / (2.0 * mu * k))).abs() < 1e-15);
     let both = grasp.with(&settings).onset(Ramp::load(load, load).with_commands(release)).unwrap();
     assert!((both.factor().unwrap() - (mu * k * a - w / 2.0) / (w / 2.0 + mu * k)).abs() < 1e-15);
-    // At the onset the state is the equilibrium of the commands there.
+    // The state at the onset is the equilibrium with the commands of the onset.
     let event = both.event().unwrap();
     let state = grasp.state_at_onset(event).expect("its own event");
     assert!(state.residuals.worst() < 1e-15);
@@ -158,7 +158,7 @@ fn along_commands_and_both_at_once() {
     }
 }
 
-/// Rings of identical contacts under a torque about their axis leave together, at one factor.
+/// Identical contacts of a ring under a torque about its axis slide together, at one factor.
 #[test]
 fn rings_leave_together() {
     for n in [2, 3, 5, 8, 17, 64] {

@@ -10,7 +10,7 @@ use support::jaws::around;
 
 type Failure = Box<dyn std::error::Error>;
 
-/// A disc in evenly spaced fingers.
+/// A disc held by evenly spaced fingers.
 fn ring(fingers: usize) -> Result<Grasp, grasp_lcp::Error> {
     Grasp::new((0..fingers).map(|k| around::<2>(k, fingers, 1.0, [50.0, 30.0], 0.3).command([0.1, 0.0])))
 }
@@ -27,7 +27,7 @@ fn onset(grasp: &Grasp, angle: f64) -> Result<f64, Failure> {
     Ok(grasp.onset(pull(angle))?.factor().ok_or("sticks without load")?)
 }
 
-/// Rows (c, g) with c + g·W >= 0 while nothing slides or opens, from the equilibria under three small loads.
+/// Half planes (c, g): nothing slides or opens while c + g·W >= 0. They follow from the equilibria under three small loads.
 fn half_planes(grasp: &Grasp) -> Result<Vec<(f64, [f64; 2])>, Failure> {
     let slacks = |load: [f64; 2]| -> Result<Vec<f64>, Failure> {
         let outcome = grasp.solve(Wrench::force(load))?;
@@ -56,7 +56,7 @@ fn onsets_lie_on_the_polygon_of_plain_equilibria() -> Result<(), Failure> {
             let found = onset(&grasp, angle)?;
             assert!((found - expected).abs() <= 1e-11 * expected, "{angle} {found} {expected}");
         }
-        // The nearest edge is as far as the weakest direction is strong, and across it.
+        // The weakest direction is perpendicular to the nearest edge, and its onset is the distance of this edge.
         let distance = |(c, g): &(f64, [f64; 2])| c / g[0].hypot(g[1]);
         let nearest = rows.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).ok_or("rows")?;
         let least = distance(nearest);
@@ -69,7 +69,7 @@ fn onsets_lie_on_the_polygon_of_plain_equilibria() -> Result<(), Failure> {
     Ok(())
 }
 
-/// How the load path towards a large force in a direction ends; that no equilibrium lies beyond where it is lost.
+/// The end of the load path towards a large force. Checks that no equilibrium exists beyond a loss.
 fn end(grasp: &Grasp, angle: f64) -> Result<PathEnd, Failure> {
     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(pull(angle) * MOST)])?;
     path.by_ref().for_each(drop);
@@ -130,7 +130,7 @@ fn a_limit_is_no_less_than_the_onset_and_nothing_holds_beyond() -> Result<(), Fa
 
 #[test]
 fn in_space_the_region_is_convex_and_as_symmetric_as_the_grasp() -> Result<(), Failure> {
-    // Three equal fingers around z: a third of a turn brings them into each other.
+    // Three equal fingers around z map onto each other under a third of a turn.
     let grasp = spatial::Grasp::new((0..3).map(|k| {
         let (sin, cos) = (TAU * f64::from(k) / 3.0).sin_cos();
         spatial::Contact::new([0.03 * cos, 0.03 * sin, 0.0], [-cos, -sin, 0.1])

@@ -8,7 +8,7 @@ use nalgebra::{SMatrix, SVector};
 use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
-/// Steps of 1e-6 leave about 1e-10 of a derivative, and of a force of 1 N as much by rounding.
+/// Differences with steps of 1e-6 have errors of about 1e-10, from truncation and from rounding of a force of 1 N.
 const STEP: f64 = 1e-6;
 const TOLERANCE: f64 = 1e-6;
 
@@ -28,7 +28,7 @@ struct Scene<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Scene<D, C> {
-    /// Fingers around an object whose middle is at `place`.
+    /// Random fingers around an object with its centre at `place`.
     fn random(dice: &mut Random, contacts: usize, place: f64) -> Self {
         let around: Vec<SVector<f64, C>> = (0..contacts).map(|_| vector::<C>(dice).normalize()).collect();
         let mut scene = Self {
@@ -43,7 +43,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             load: [0.03, 0.5, 0.5].map(|size| vector::<D>(dice) * size),
         };
         scene.command.iter_mut().for_each(|a| a[0] = 0.1);
-        // Moments about the middle.
+        // Moments about the centre.
         for load in &mut scene.load {
             let force = SVector::<f64, C>::from_fn(|a, _| load[a]);
             let moved = if C == 2 {
@@ -69,7 +69,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
                 .series_stiffness_axes(self.stiffness[i])
                 .friction(self.friction[i])
                 .command(self.command[i])
-                // A vacuum pulls along the normal at the point, and goes with both.
+                // A vacuum acts at the point along the normal, and changes with both.
                 .suction(if i == 0 { 0.1 } else { 0.0 })
         }))
         .unwrap()
@@ -126,7 +126,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 }
 
-/// Compares forces and motions; how many comparisons had a sliding contact.
+/// Compares forces and motions. Returns the number of comparisons with a sliding contact.
 fn compare_equilibria<const D: usize, const C: usize>(
     seed: u64,
     scenes: usize,
@@ -174,7 +174,7 @@ fn compare_equilibria<const D: usize, const C: usize>(
     sliding
 }
 
-/// Compares onsets of ramps with changing commands, or of turns; how many.
+/// Compares onsets of ramps with changing commands, or of turns. Returns their number.
 fn compare_onsets<const D: usize, const C: usize>(
     seed: u64,
     scenes: usize,
@@ -195,7 +195,7 @@ fn compare_onsets<const D: usize, const C: usize>(
             let same = |e: &grasp_lcp::load_path::OnsetEvent<C>| {
                 e.leaving.len() == 1 && e.leaving[0].contact.index == event.leaving[0].contact.index
             };
-            // Far from the edge a small change of the data may move the onset by far.
+            // A small change of the data may change the onset strongly; such cases are skipped.
             if !same(up) || !same(down) || (up.factor - down.factor).abs() > 1e-3 * event.factor {
                 continue;
             }
@@ -223,7 +223,7 @@ fn equilibria_in_space() {
     assert!(compare_equilibria::<6, 3>(22, 40, 6, 0.0) > samples(200));
 }
 
-/// The reference point of loads and motions is far from the contacts, and not in their middle.
+/// The reference point of loads and motions is far from the contacts.
 #[test]
 fn equilibria_far_from_the_origin() {
     assert!(

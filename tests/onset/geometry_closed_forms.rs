@@ -7,7 +7,7 @@ use support::jaws::jaw;
 const MU: f64 = 0.5;
 const PRESS: f64 = 10.0;
 
-/// Springs alike along both axes: then a tilted finger presses along its normal as before.
+/// A finger with equal stiffness along both axes, so that a tilted finger still presses along its normal.
 fn palm(x: f64) -> planar::Contact {
     jaw::<2>(x, [800.0, 800.0], MU).pressed_with(PRESS)
 }
@@ -55,7 +55,7 @@ fn a_palm_that_is_elsewhere() {
     }
 }
 
-/// Seen with its fingers turned all at once, a weight turns the other way: the sum over all tilts is that of the load.
+/// Rotating all fingers together is equivalent to rotating the weight in the opposite direction. The derivatives with respect to both must agree.
 #[test]
 fn a_grasp_that_turns_as_a_whole() {
     let at = |angle: f64, mu: f64| {
@@ -68,19 +68,19 @@ fn a_grasp_that_turns_as_a_whole() {
     let onset = grasp.onset(weight()).unwrap();
     let event = onset.event().unwrap();
     let gradient = &grasp.sensitivity().onset_gradients_by_geometry(event).unwrap()[0];
-    // From x to y: a point p moves by (-y, x), and the normal tilts away from t.
+    // For a positive rotation a point p moves by (-y, x), and the normal tilts away from t.
     let turned: f64 = grasp
         .contacts()
         .iter()
         .zip(gradient.point.iter().zip(&gradient.normal))
         .map(|(c, (point, normal))| point[1] * c.point()[0] - point[0] * c.point()[1] - normal[1])
         .sum();
-    // The weight (0, -1) turned back by the same angle changes by (-1, 0) for each rad.
+    // The weight (0, -1) rotated back changes by (-1, 0) per rad.
     let by_load = -grasp.sensitivity().onset_gradients(event)[0].base_load[0] * event.factor;
     assert!(by_load.abs() > 0.1 && (turned - by_load).abs() < 1e-11, "{turned} {by_load}");
 }
 
-/// Commands that stay along the coordinate axes: the part that the docs add.
+/// Commands that are constant along the coordinate axes: the derivative gains the term in the docs.
 #[test]
 fn commands_along_the_coordinate_axes() {
     let grasp = |phi: f64| {
@@ -108,7 +108,7 @@ fn pinch(y: f64, z: f64) -> spatial::Grasp {
     spatial::Grasp::new([finger(-1.0, [y, z]), finger(1.0, [0.0, 0.0])]).unwrap()
 }
 
-/// Two point fingers turn freely about their line. A finger may move as long as the line still meets the load.
+/// The object turns freely about the line of two point fingers. Derivatives exist only for moves of a finger that keep the load on this line.
 #[test]
 fn a_pinch_whose_line_leaves_the_load() {
     let ramp = spatial::Ramp::load(spatial::Wrench::ZERO, spatial::Wrench::force([0.0, 0.0, -1.0]));
@@ -119,17 +119,17 @@ fn a_pinch_whose_line_leaves_the_load() {
     let up = (factor(1e-7) - factor(0.0)) / 1e-7;
     let least = gradients.iter().map(|gradient| gradient.point[0][2]).fold(f64::INFINITY, f64::min);
     assert!((up - least).abs() < 1e-5, "{up} {least}");
-    // Aside, the weight turns the object about the line.
+    // If a finger moves sideways, the weight turns the object about the line.
     assert!(gradients.iter().all(|gradient| gradient.point[0][1].is_nan()), "{gradients:?}");
 }
 
-/// A motion that is free in this geometry, and held in all others: how far the object goes is not said to first order.
+/// A motion is free in this geometry and resisted in all neighbouring ones. Its first derivative does not exist.
 #[test]
 fn a_motion_that_another_geometry_holds() {
     let at = |x: f64, n: f64| {
         spatial::Contact::new([x, 0.0, 0.0], [0.0, 0.0, n]).series_stiffness(1000.0, 700.0).friction(MU)
     };
-    // Three points on a line, pressed together along z; the third moves along z, as its force.
+    // Three points on a line press along z. The third moves along z, like its force.
     let fingers = [at(-1.0, 1.0), at(1.0, 1.0), at(0.0, -1.0)].map(|c| c.pressed_with(PRESS));
     let grasp = spatial::Grasp::new(fingers).unwrap();
     let outcome = grasp.solve(spatial::Wrench::force([0.1, 0.0, 0.0])).unwrap();
@@ -155,7 +155,7 @@ fn what_there_is_not_has_no_derivative() {
     }
 }
 
-/// Twice the load slides at half the factor; beside a base load and commands that change, small changes say.
+/// Twice the load slides at half the factor. With a base load and changing commands, differences give the derivative.
 #[test]
 fn the_whole_load_times_a_number() {
     let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
@@ -187,7 +187,7 @@ fn a_hand_is_refused_by_name() -> Result<(), Error> {
     Ok(())
 }
 
-/// A finger below moves aside faster than the object moves down: it slides as soon as it touches, at a gap that depends on no margin.
+/// A finger below moves sideways faster than the object moves down. It slides as soon as it touches, so the onset has no margin to differentiate.
 #[test]
 fn a_contact_that_slides_as_it_closes_has_no_margin() {
     let below = planar::Contact::new([0.0, -1.0], [0.0, 1.0])

@@ -13,7 +13,7 @@ use support::random::{Spread, for_all};
 use support::scene::Scene;
 use support::transform::Transform;
 
-/// The same contacts leave; a contact that leaves in one description only is on the edge of its cone in the other.
+/// Checks that the same contacts stop sticking. One that does so in only one of the scenes must be on the edge of its cone in the other.
 fn same_leave<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     image: &Scene<D, C>,
@@ -42,7 +42,7 @@ fn check_image<const D: usize, const C: usize>(
     transform: &Transform<C>,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
-    // As in the bisection: only where the onset is not decided by rounding.
+    // Only scenes in which rounding does not decide the onset.
     if slack(scene, Friction::Polygon).is_none_or(|slack| slack < 1e-3) {
         return Ok(());
     }
@@ -61,7 +61,7 @@ fn check_image<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// The first contact as two halves: the same onset.
+/// Checks that the onset is the same with the first contact split into two halves.
 fn check_split<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     change: &Change<D, C>,

@@ -8,7 +8,7 @@ use support::samples::{assert_met, samples, seeded};
 
 type Tested = Result<(), grasp_lcp::Error>;
 
-/// Two jaws that press with 5 N each on springs alike: a force of 10 N along x takes all from the left one.
+/// Two jaws with equal springs press with 5 N each. A force of 10 N along x reduces the left normal force to zero.
 fn jaw(x: f64, name: &str) -> Contact {
     jaws::jaw::<2>(x, [1e3, 8e2], 0.5).name(name).pressed_with(5.0)
 }
@@ -26,7 +26,7 @@ fn with_friction_it_would_have_to_pull() -> Tested {
     let first = verdict.first_slip.as_ref().expect("further on");
     assert_eq!(first.would_pull.iter().map(|part| part.label.as_str()).collect::<Vec<_>>(), ["left"]);
     assert!(verdict.lost.as_ref().is_some_and(|lost| (lost.factor - 2.0).abs() < 1e-13), "{verdict}");
-    // One that may open does.
+    // A contact that may open does so.
     let loose = Grasp::new([jaw(-0.05, "left"), jaw(0.05, "right")])?;
     let Onset::At(event) = loose.onset(push)? else { panic!("opens at 10 N") };
     assert_eq!(event.leaving[0].how, Departure::Opens);
@@ -49,7 +49,7 @@ fn on_the_round_cone_too() -> Tested {
     Ok(())
 }
 
-/// Without friction its spring acts both ways, whatever the load.
+/// The spring of a frictionless guide pushes and pulls, for every load.
 #[test]
 fn a_guide_without_friction_pulls() -> Tested {
     let guide = jaw(-0.05, "guide").friction(0.0).kept_closed();
@@ -63,7 +63,7 @@ fn a_guide_without_friction_pulls() -> Tested {
     Ok(())
 }
 
-/// Nothing presses, and a force along the guide does not load it: the stone slides, and the answer reports no change of the guide.
+/// Without normal forces the guide does not resist a force along itself. The object slides, and the answer does not name the guide.
 #[test]
 fn a_guide_without_load_is_not_told_to_open() -> Tested {
     let guide = Contact::new([0.0, 0.0], [1.0, 0.0]).name("guide").series_stiffness(1e6, 5e5).kept_closed();

@@ -9,7 +9,7 @@ use support::jaws::jaw;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// A spatial grasp of so many fingers round a ball, whose commands press with `press` N each.
+/// Data of a spatial grasp of fingers around a ball, whose commands press with `press` N each.
 struct Ball {
     fingers: Vec<([f64; 3], [f64; 3], f64, f64)>,
 }
@@ -38,7 +38,7 @@ impl Ball {
     }
 }
 
-/// Whether everything touches and sticks under a load.
+/// Whether all contacts stick under a load.
 fn sticks(grasp: &spatial::Grasp, load: &spatial::Wrench) -> bool {
     match grasp.solve(load).expect("a load") {
         Outcome::Equilibrium(e) => e.rule == FoundBy::EverythingSticks,
@@ -73,7 +73,7 @@ fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
             let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
             least = least.min(onset(v.map(|x| x / norm))?.factor().expect("sticks at rest"));
         }
-        // Beside it, too: where it would be weaker if it were not the least near by.
+        // Neighbouring directions are not weaker either.
         for step in [1e-2, 1e-4] {
             let near: [f64; 3] = numbers.vector();
             let v: [f64; 3] = std::array::from_fn(|a| direction[a] + step * near[a]);
@@ -101,7 +101,7 @@ fn enough_is_enough_and_less_is_not() -> Result<(), Error> {
             1 => Loads::AnyForce { base, size: 2.0, point },
             _ => Loads::Turn(spatial::Turn::tilting([0.0, 0.0, -3.0], point, numbers.vector())?.beside(base)),
         };
-        // One newton each: the factor counts newtons.
+        // With 1 N for each finger the factor is in newtons.
         let answer = ball.pressed(1.0)?.least_squeeze(&loads)?;
         let LeastSqueeze::Factor { factor, binding: Some((_, worst)), .. } = answer else { continue };
         factors[number % 3] += 1;
@@ -131,7 +131,7 @@ fn enough_is_enough_and_less_is_not() -> Result<(), Error> {
 
 #[test]
 fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
-    // Two palms below: to press them harder lifts the box, and carries nothing sideways without weight.
+    // Two palms below: pressing harder only lifts the box, so without weight it holds no sideways load.
     let palm = |x: f64| {
         planar::Contact::new([x, 0.0], [0.0, 1.0])
             .series_stiffness(1000.0, 800.0)
@@ -144,7 +144,7 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
     // A load that needs no squeeze.
     let little = planar::Wrench::force([1.0, -4.0]);
     assert_eq!(tray.least_squeeze(&Loads::Each(vec![little]))?, factor_of_none());
-    // Two fingers on a line do not resist a turn about it.
+    // Two fingers do not resist a rotation about their line.
     let finger = |x: f64| jaw::<3>(x, [1e3, 1e3], 0.5).pressed_with(1.0);
     let pinch = spatial::Grasp::new([finger(-1.0), finger(1.0)])?;
     let off = Loads::AnyForce { base: spatial::Wrench::ZERO, size: 1.0, point: [0.0, 0.1, 0.0] };
@@ -153,13 +153,13 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
         pinch.weakest_direction(spatial::Wrench::ZERO, [0.0, 0.1, 0.0])?,
         WeakestDirection::GivesWay { .. }
     ));
-    // On the line it is as strong all round: μ F_n at each finger across, and nearer in between, as in the plane.
+    // For forces through the line, all perpendicular directions have μ F_n at each finger; oblique directions are weaker, as in the plane.
     let WeakestDirection::Force { size, .. } = pinch.weakest_direction(spatial::Wrench::ZERO, [0.0; 3])?
     else {
         panic!("slides")
     };
     assert!((size - 0.8_f64.sqrt()).abs() < 1e-15, "{size}");
-    // A base load that slides already.
+    // A base load under which contacts already slide.
     let heavy = spatial::Wrench::force([0.0, 0.0, -1.5]);
     assert!(matches!(pinch.weakest_direction(heavy, [0.0; 3])?, WeakestDirection::NotSticking));
     Ok(())
@@ -194,7 +194,7 @@ fn what_is_no_set_of_loads_is_refused() {
 
 #[test]
 fn a_squeeze_that_presses_nothing_helps_nothing() {
-    // Fingers that carry from below lift the load wherever they are; remaining friction forces are rounding.
+    // Fingers that all support from below only lift the object. Their remaining forces are rounding.
     let mut numbers = seeded(23);
     for _ in 0..samples(300) {
         let finger = |numbers: &mut Random| {

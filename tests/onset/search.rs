@@ -18,7 +18,7 @@ fn bisected<const D: usize, const C: usize>(
     friction: Friction,
 ) -> Option<f64> {
     let sticks = |factor: f64| slack(&change.at(scene, factor), friction).is_some_and(|slack| slack >= 0.0);
-    // A base clearly inside, so that the edge is where it is and not where rounding puts it.
+    // The base is clearly inside the cones, so that rounding does not decide.
     if !slack(scene, friction).is_some_and(|slack| slack > 1e-3) {
         return None;
     }
@@ -62,7 +62,7 @@ fn check_bisection<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Just below the onset everything sticks, just above something does not.
+/// Checks that everything sticks just below the onset, and that something does not just above it.
 fn check_both_sides<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     change: &Change<D, C>,
@@ -78,7 +78,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     friction: Friction,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
-    // A base clearly inside.
+    // The base is clearly inside the cones.
     if slack(scene, friction).is_none_or(|slack| slack < 1e-6) {
         return Ok(());
     }
@@ -89,7 +89,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     };
     let onset = onset.expect("a finite ramp");
     let Some(event) = onset.event() else { return Ok(()) };
-    // In a stiff scene 1e-9 of the factor may be less than rounding leaves of the largest force.
+    // In a stiff scene 1e-9 of the factor may be less than the rounding of the largest force.
     let beyond = slack(&change.at(scene, event.factor * (1.0 + 1e-9)), friction);
     let Some(beyond) = beyond.filter(|slack| *slack < -2e-12) else { return Ok(()) };
     let solve = |part: f64| {
@@ -106,8 +106,8 @@ fn check_both_sides_on<const D: usize, const C: usize>(
             .iter()
             .any(|c| matches!(c.state, ContactState::Sliding { .. } | ContactState::Separated)),
         Outcome::NoEquilibrium(_) => true,
-        // Where a state is nearly singular nothing can be said so close to the edge.
-        // On the round cone nothing is proved where the nearest equilibrium is a millionth away.
+        // A nearly singular state cannot be decided so close to the edge.
+        // On the round cone there is no proof if the nearest equilibrium is only a millionth away.
         _ => friction == Friction::Round || beyond > -3e-10,
     };
     prop_assert!(leaves, "{event:?} {above:?}");
@@ -116,7 +116,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// The state at the onset: everything that leaves is at the edge of its cone, everything else inside.
+/// Checks the state at the onset: the contacts that stop sticking are on the edge of their cones, all others inside.
 fn is_at_the_edge<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     event: &OnsetEvent<C>,

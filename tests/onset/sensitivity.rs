@@ -108,7 +108,7 @@ fn states<const C: usize>(e: &Equilibrium<C>) -> Vec<u8> {
     e.contacts.iter().map(word).collect()
 }
 
-/// Compares on random scenes; how many derivatives were compared in scenes with sliding contacts.
+/// Compares derivatives on random scenes. Returns their number in scenes with sliding contacts.
 fn compare_equilibria<const D: usize, const C: usize>(seed: u64, scenes: usize, contacts: usize) -> usize {
     let (mut dice, mut sliding) = (seeded(seed), 0);
     for _ in 0..samples(scenes) {
@@ -131,7 +131,7 @@ fn compare_equilibria<const D: usize, const C: usize>(seed: u64, scenes: usize, 
             let scale = |x: f64| TOLERANCE * (1.0 + x.abs());
             for (i, force) in exact.forces.iter().enumerate() {
                 let difference = (up.contacts[i].force - down.contacts[i].force) / (2.0 * step);
-                // A difference that jumps belongs to another edge of the polygon or another equilibrium.
+                // A jump means another edge of the polygon or another equilibrium.
                 if (up.contacts[i].force - here.contacts[i].force).norm() > 1e-3 {
                     continue;
                 }
@@ -207,7 +207,7 @@ fn onsets_on_the_round_cone() {
     assert!(compare_onsets::<6, 3>(4, 500, 4) > samples(120));
 }
 
-/// A symmetric pinch by hand: N = k a, so dN/da = k/2 for one command alone (the other spring gives way as much), the object
+/// A symmetric pinch by hand: N = k a, so dN/da = k/2 for one command alone (the other spring is compressed as much), the object
 /// moves by half the command, and the smallest commands that move it by x are ±x on the two fingers.
 #[test]
 fn position_control_of_a_pinch() {

@@ -12,7 +12,7 @@ fn palm(x: f64) -> planar::Contact {
     jaw::<2>(x, [1000.0, 800.0], 0.5).pressed_with(10.0)
 }
 
-/// A box between two palms, which starts on its side: each palm carries F_n = 10 ∓ w/2 cos θ and F_t = w/2 sin θ.
+/// A box between two palms whose weight starts horizontal: each palm carries F_n = 10 ∓ w/2 cos θ and F_t = w/2 sin θ.
 fn box_on_its_side(weight: f64) -> (planar::Grasp, Turn) {
     let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).expect("two palms");
     (grasp, Turn::force_at([weight, 0.0], [0.0, 0.0]))
@@ -42,7 +42,7 @@ fn an_edge_that_is_touched_is_told() {
             );
         }
         if let Some(event) = answer.onset.event() {
-            // Before the place of the double root, by √(2 · part of it).
+            // The root precedes the double root by √(2 · relative excess of the load).
             let before = angle - event.factor - (1.0 / part).acos();
             assert!(before.abs() < 1e-15 / (1.0 / part).acos().max(1e-7), "{part}: {before:e}");
         }
@@ -58,13 +58,13 @@ fn a_turn_ends_where_it_is_told_to() {
         assert!((onset(turn.up_to(angle)) - whole).abs() < 1e-15);
     }
     assert!(onset(turn.up_to(whole * (1.0 - 1e-9))).is_infinite());
-    // Turned to the other side.
+    // The reversed turn has the same angle.
     assert!((onset(turn.reversed()) - whole).abs() < 1e-15);
 }
 
 #[test]
 fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
-    // A third palm without friction lies 2 mm below: the box reaches it where each of the others carries 800 N/m · 2 mm = 1.6 N.
+    // A third, frictionless palm is 2 mm below. The box reaches it when each of the others carries 800 N/m · 2 mm = 1.6 N.
     let below = planar::Contact::new([0.0, -1.0], [0.0, 1.0])
         .series_stiffness(500.0, 400.0)
         .friction(0.0)
@@ -79,7 +79,7 @@ fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
     let leaving: Vec<_> = event.leaving.iter().map(|leaving| (leaving.contact.index, leaving.how)).collect();
     assert_eq!(leaving, [(2, planar::Departure::Opens)]);
     let angle = event.factor;
-    // By chords, whose error falls with the square of their number.
+    // The error of chords falls with the square of their number.
     let error = |chords: usize| {
         let at = |k: usize| turn.load_at(3.0 * k as f64 / chords as f64);
         let legs: Vec<_> = (1..=chords).map(|k| planar::Leg::load_to(at(k))).collect();
@@ -87,7 +87,7 @@ fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
         let event = path.find(|event| changes(event).contains(&(2, planar::Change::Opens))).expect("opens");
         (3.0 * (event.leg as f64 + event.fraction) / chords as f64 - angle).abs()
     };
-    // How large it is depends on where in a chord it falls: the worst of some numbers of chords near each other.
+    // The error depends on the position within a chord, so the largest error over neighbouring numbers of chords is used.
     let worst = |about: usize| (about..about + 8).map(error).fold(0.0, f64::max);
     let [coarse, fine] = [20, 320].map(worst);
     let order = (coarse / fine).log2() / 16_f64.log2();
@@ -102,7 +102,7 @@ fn what_nothing_resists_gives_way_at_once() {
     let off_the_line = spatial::Turn::tilting([0.0, 0.0, -2.0], [0.0, 0.0, -0.1], [1.0, 0.0, 0.0]).unwrap();
     let answer = grasp.onset_of_turn(off_the_line).unwrap();
     assert!(matches!(answer.onset, spatial::Onset::GivesWay { factor: 0.0, .. }), "{answer:?}");
-    // About the same line the weight on it tilts as in the plane.
+    // A weight on this line turns as in the plane.
     let on_the_line = spatial::Turn::force_at([12.0, 0.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]).unwrap();
     let (plane, turn) = box_on_its_side(12.0);
     let known = plane.onset_of_turn(turn).unwrap().onset.factor().unwrap();
@@ -140,9 +140,9 @@ fn the_state_at_the_onset_and_what_comes_beyond() {
     let state = grasp.state_at_onset(event).expect("its own");
     assert!((state.contacts[0].friction_used() - 0.5).abs() < 1e-15 && state.residuals.worst() < 1e-15);
     assert!((event.load.resultant()[1] - 12.0 * event.factor.sin()).abs() < 1e-14);
-    // Moments about the middle ask for the same of both palms: one that slides takes the other along.
+    // By moments about the middle both palms carry the same, so if one slides the other slides too.
     assert!(matches!(grasp.beyond(event), Some(planar::Beyond::LimitLoad)));
-    // A short chord from just before ends there too.
+    // A path along a short chord that starts just before also ends there.
     let near = |angle: f64| turn.load_at(event.factor + angle);
     let mut path = grasp.follow(near(-1e-4), &[planar::Leg::load_to(near(1e-4))]).unwrap();
     path.run();
@@ -213,7 +213,7 @@ fn what_is_no_turn_is_refused() {
         let refused = spatial::Turn::tilting([0.0, 0.0, -1.0], [0.0; 3], axis).unwrap_err();
         assert!(matches!(refused, Error::Argument { what, .. } if what.ends_with("the axis")), "{refused}");
     }
-    // A quarter turn of nothing changes nothing.
+    // The turn of a zero load changes nothing.
     let still = Turn::new(Wrench::force([0.0, -1.0]), Wrench::ZERO, Wrench::ZERO).up_to(FRAC_PI_2.max(PI));
     assert!(grasp.onset_of_turn(still).unwrap().onset.factor().unwrap().is_infinite());
 }

@@ -10,7 +10,7 @@ use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
 const BITS: u64 = 200;
-/// Isolated to so many halvings, counted by Sturm's chain in the first ones.
+/// Number of bisections that isolate a root; the first ones count roots by Sturm's chain.
 const HALVINGS: usize = 60;
 const COUNTED: usize = 20;
 
@@ -20,7 +20,7 @@ fn d(x: f64) -> Dyadic {
 
 const SCENES: usize = 48;
 
-/// One contact as numbers: rows of Gᵀ along its axes, stiffnesses, command along the normal, friction.
+/// Data of one contact: rows of Gᵀ along its axes, stiffnesses, command along the normal, friction.
 struct Spring {
     rows: Vec<Vec<Dyadic>>,
     stiffness: Vec<Dyadic>,
@@ -45,7 +45,7 @@ impl Spring {
     }
 }
 
-/// Forces of all contacts under a load while everything sticks, exact up to the last division; with the commands if they count.
+/// Forces of all contacts under a load while everything sticks, exact except for the last division; commands are included if `commanded`.
 fn forces(springs: &[Spring], load: &[f64], commanded: bool) -> Vec<Vec<Dyadic>> {
     let n = load.len();
     let mut matrix = vec![vec![Dyadic::zero(); n]; n];
@@ -75,10 +75,10 @@ fn forces(springs: &[Spring], load: &[f64], commanded: bool) -> Vec<Vec<Dyadic>>
     springs.iter().map(force).collect()
 }
 
-/// `c + a cos θ + b sin θ` as the three numbers.
+/// The coefficients of `c + a cos θ + b sin θ`.
 type Linear = [Dyadic; 3];
 
-/// `[c, a₁, b₁, a₂, b₂]` of a trigonometric polynomial of degree two.
+/// The coefficients `[c, a₁, b₁, a₂, b₂]` of a trigonometric polynomial of degree two.
 type Trigonometric = [Dyadic; 5];
 
 fn square([c, a, b]: &Linear) -> Trigonometric {
@@ -87,7 +87,7 @@ fn square([c, a, b]: &Linear) -> Trigonometric {
     [&cc + &half(&(&aa + &bb)), &d(2.0) * &(c * a), &d(2.0) * &(c * b), half(&(&aa - &bb)), a * b]
 }
 
-/// Coefficients in t = tan(θ/2), times (1 + t²)², the constant first.
+/// Coefficients of the polynomial in t = tan(θ/2), multiplied by (1 + t²)², constant first.
 fn polynomial([c, a, b, a2, b2]: &Trigonometric) -> Vec<Dyadic> {
     let (two_b, four_b2) = (&d(2.0) * b, &d(4.0) * b2);
     vec![&(c + a) + a2, &two_b + &four_b2, &(&d(2.0) * c) - &(&d(6.0) * a2), &two_b - &four_b2, &(c - a) + a2]
@@ -101,7 +101,7 @@ fn value(p: &[Dyadic], t: &Dyadic) -> Dyadic {
     p.iter().rev().fold(Dyadic::zero(), |sum, p| &(&sum * t) + p)
 }
 
-/// Sturm's chain by pseudo-remainders, which keep the signs.
+/// Sturm's chain by pseudo-remainders, which preserve signs.
 fn chain(p: &[Dyadic]) -> Vec<Vec<Dyadic>> {
     let trimmed = |mut p: Vec<Dyadic>| {
         while p.last().is_some_and(Dyadic::is_zero) {
@@ -121,7 +121,7 @@ fn chain(p: &[Dyadic]) -> Vec<Vec<Dyadic>> {
         let mut rest = dividend.clone();
         let lead = divisor.last().expect("not empty");
         while rest.len() >= divisor.len() {
-            // Times the square of the leading coefficient, which is positive.
+            // Multiplication by the square of the leading coefficient is positive.
             let top = &rest[rest.len() - 1] * lead;
             let shift = rest.len() - divisor.len();
             let square = lead * lead;
@@ -137,14 +137,14 @@ fn chain(p: &[Dyadic]) -> Vec<Vec<Dyadic>> {
     }
 }
 
-/// Changes of sign of the chain at a place.
+/// Number of sign changes of the chain at t.
 fn changes(chain: &[Vec<Dyadic>], t: &Dyadic) -> usize {
     let signs: Vec<bool> =
         chain.iter().map(|p| value(p, t)).filter(|x| !x.is_zero()).map(|x| x.is_negative()).collect();
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
-/// The first angle in (0, 2π] at which it is zero, and whether a second root is close by.
+/// The first root in (0, 2π], and whether a second root is close to it.
 fn first_root(f: &Trigonometric) -> Option<(f64, bool)> {
     let mut here = f.clone();
     for quarter in 0..4 {
@@ -172,7 +172,7 @@ fn first_root(f: &Trigonometric) -> Option<(f64, bool)> {
     None
 }
 
-/// The first root of the margin of any contact, in space of the round cone.
+/// The first root of the margin of any contact; in space on the round cone.
 fn reference(springs: &[Spring], parts: [&[f64]; 3]) -> Option<(f64, bool)> {
     let [constant, cosine, sine] = [(parts[0], true), (parts[1], false), (parts[2], false)]
         .map(|(load, with)| forces(springs, load, with));
@@ -193,7 +193,7 @@ fn reference(springs: &[Spring], parts: [&[f64]; 3]) -> Option<(f64, bool)> {
     first
 }
 
-/// How many agree.
+/// Counts of onsets that agree.
 #[derive(Debug, Default)]
 struct Tally {
     onsets: usize,
@@ -202,11 +202,11 @@ struct Tally {
     worst: f64,
 }
 
-/// A contact as numbers: its point, both stiffnesses, the command along its normal, friction.
+/// Data of a contact: its point; both stiffnesses, the command along its normal, and friction.
 type Datum<const C: usize> = ([f64; C], [f64; 4]);
 
 impl Tally {
-    /// Compares the onset of a turn from where everything touches and sticks.
+    /// Compares the onset of a turn that starts with all contacts sticking.
     fn compare<const C: usize>(
         &mut self,
         grasp: &Grasp<C>,
@@ -246,7 +246,7 @@ impl Tally {
     }
 }
 
-/// Stiffnesses, the command for 10 N and friction; in every second scene stiffnesses lie up to 1e8 apart.
+/// Random stiffnesses, the command for 10 N, and friction. In every second scene stiffnesses differ by up to 1e8.
 fn springs(number: usize, numbers: &mut Random) -> [f64; 4] {
     let decades = if number.is_multiple_of(2) { 0.3 } else { 4.0 };
     let k = 1000.0 * 10_f64.powf(decades * numbers.signed());

@@ -13,7 +13,7 @@ use support::ramps::ramps;
 use support::random::{Spread, for_all};
 use support::samples::assert_met;
 
-/// Grasps and ramps of any kind: with free motions, closing contacts, without a base.
+/// Random grasps and ramps: with free motions, closing contacts, or without an equilibrium at the base.
 fn questions<const D: usize, const C: usize>(cases: usize) -> Vec<(Grasp<C>, Ramp<C>)> {
     let list = RefCell::new(Vec::new());
     for spread in [Spread::Narrow, Spread::Wide] {
@@ -30,7 +30,7 @@ fn tells_the_same<const D: usize, const C: usize>(settings: Settings) {
     let mut events = 0;
     for (grasp, ramp) in questions::<D, C>(100) {
         let told = workspace.onset(&grasp, &ramp).expect("valid");
-        // Numbers are written so that they come back as they were.
+        // Debug prints floats so that they read back to the same bits.
         let expected = grasp.with(&settings).onset(&ramp).expect("valid");
         assert_eq!(format!("{told:?}"), format!("{expected:?}"));
         events += usize::from(told.event().is_some());
@@ -50,12 +50,12 @@ fn in_space() {
     tells_the_same::<6, 3>(Settings::default().on_the_polygon());
 }
 
-/// Number of questions that allocate nothing when they are asked again. Their answer is an event of one contact.
+/// The number of questions that allocate nothing when asked again. Their onsets are events of one contact.
 fn without_allocation<const D: usize, const C: usize>() -> usize {
     let mut workspace = OnsetWorkspace::<C>::default();
     let mut count = 0;
     for (grasp, ramp) in &questions::<D, C>(75) {
-        // The factors of the grasp, and the lists if it is larger than all before.
+        // The first call factorises, and lengthens lists for a larger grasp.
         assert!(workspace.onset(grasp, ramp).is_ok());
         let counted = measure(|| assert!(workspace.onset(grasp, ramp).is_ok()));
         if counted.count_total == 0 {
@@ -92,7 +92,7 @@ fn nor_for_a_hand() {
     assert_eq!(counted.count_total, 0);
 }
 
-/// Malformed input is an error, and does not affect the next question.
+/// Invalid input is refused, and an error does not affect the next question.
 #[test]
 fn an_error_leaves_it_as_good_as_new() {
     let jaw = |x: f64, friction: f64| jaw::<2>(x, [1e3, 8e2], friction).pressed_with(10.0);

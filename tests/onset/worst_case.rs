@@ -17,7 +17,7 @@ fn weight() -> planar::Ramp {
     planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0]))
 }
 
-/// Each press is `1000 (0.01 - 0.5 (δ_1 + δ_2))` newtons; the weight may come with a pull of b and be d times as heavy.
+/// Each palm presses with `1000 (0.01 - 0.5 (δ_1 + δ_2))` newtons. The weight may have a side load b, and may be larger by the factor d.
 #[test]
 fn two_palms_in_closed_form() {
     let bounds = planar::Bounds::none()
@@ -30,12 +30,12 @@ fn two_palms_in_closed_form() {
         panic!("slides")
     };
     assert!((factor - (8.5 - 0.7) / 1.1).abs() < 1e-13, "{factor}");
-    // The worst case by itself slides there.
+    // The grasp of the worst case slides at this factor.
     let alone = palms().with_commands(commands).unwrap().onset(&ramp).unwrap();
     assert!((alone.factor().unwrap() - factor).abs() < 1e-13, "{alone:?}");
 }
 
-/// The least onset of all corners of the box.
+/// The least onset over all corners of the box.
 fn least_of_corners<const D: usize, const C: usize>(
     grasp: &Grasp<C>,
     ramp: [SVector<f64, D>; 2],
@@ -150,7 +150,7 @@ fn what_does_not_stick_in_some_case_is_told() {
     let open = planar::Bounds::none().with_commands([[0.011, 0.0]; 2]);
     let answer = palms().least_onset_within(weight(), &open).unwrap();
     assert!(matches!(answer, LeastOnset::NotSticking { .. }), "{answer:?}");
-    // Pressed further together however far the load goes.
+    // The ramp only increases the squeeze.
     let tighter = planar::Ramp::commands(planar::Wrench::ZERO, [[1e-3, 0.0]; 2]);
     let slightly = planar::Bounds::none().with_commands([[1e-3, 1e-3]; 2]);
     let answer = palms().least_onset_within(&tighter, &slightly).unwrap();

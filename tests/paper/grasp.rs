@@ -7,7 +7,7 @@ use support::paper::{
     DISK_FORCES, DISK_RATIOS, TWO_FINGER_MISPRINTS, TWO_FINGER_TABLE, disk, disk_load, down, two_fingers,
 };
 
-/// Half a digit of the print and what rounding adds.
+/// Half a unit of the last printed digit, plus rounding.
 const PRINTED: f64 = 0.5001e-4;
 
 #[test]
@@ -29,7 +29,7 @@ fn second_table_to_the_digits_printed() {
         for (column, (a, b)) in ours.iter().zip(&row[1..]).enumerate() {
             let misprint = column == 2 && TWO_FINGER_MISPRINTS[0].0 == index;
             let print = if misprint { 0.4988 } else { *b };
-            // Print that was cut off instead of rounded is within one digit.
+            // Truncated instead of rounded numbers are within one unit.
             assert!((a - print).abs() < 2.0 * PRINTED, "{index} {a} {print}");
         }
     }
@@ -96,7 +96,7 @@ fn four_equilibria_below_w_star() {
 fn more_squeeze_carries_more() {
     let grasp = two_fingers().unwrap();
     let exact = 65f64.sqrt() / 66.0;
-    // At 1.2 W* nothing holds; squeezing along the normals from there is no base. Start below and release the squeeze.
+    // At 1.2 W* there is no base equilibrium. The ramp starts below W* and releases the squeeze.
     let load = down() * (0.9 * exact);
     let release = vec![[-0.01, 0.0]; 2];
     let onset = grasp.onset(Ramp::commands(load, release.clone())).unwrap();
@@ -134,7 +134,7 @@ fn first_table_but_for_its_rounded_dy() {
                 _ => (parts.interaction[i], rounded),
             };
             let value = print.misprint.map_or(print.force, |(_, value)| value);
-            // The print of the equilibrating forces is good to 2e-4 only.
+            // The printed equilibrating forces are accurate only to 2e-4.
             for (a, b) in [(ours[0], value[0]), (ours[1] + missing, value[1])] {
                 assert!((a - b).abs() < 2e-4, "{kind} {i}: {a} printed {b}");
             }

@@ -21,7 +21,7 @@ fn row_of_feet(limits: &[f64], kt: f64) -> Grasp {
             .friction(limit / (k * press))
             .command([press, 0.0])
     });
-    // Two frictionless guides from above hold the block down and keep it level: they are pressed by the feet.
+    // Two frictionless guides from above hold the block down and level, against the feet.
     let stiff = 1e6;
     let n = f64::from(u32::try_from(limits.len()).unwrap());
     let guides = [-1.0, 1.0].map(|x| {
@@ -170,12 +170,12 @@ fn a_support_lets_go_and_takes_hold_again() {
     assert!(total.abs() < 1e-13, "{total}");
 }
 
-/// A finger that pulls back, moves sideways and presses again starts with F_t = 0: its slip follows the surfaces.
+/// A finger that is withdrawn, moved sideways and pressed again starts with F_t = 0.
 #[test]
 fn regrasping_starts_without_tangential_force() {
     let (k, kt, mu) = (10.0, 6.0, 0.5);
     let side = |x: f64| jaw::<2>(x, [k, kt], mu).command([0.1, 0.0]);
-    // Two pairs of fingers on top of each other: one pair holds while the other regrasps.
+    // Two pairs of fingers at the same places: one pair holds while the other regrasps.
     let grasp = Grasp::new([side(-1.0), side(1.0), side(-1.0), side(1.0)]).unwrap();
     let w = 0.4;
     let (hold, away) = ([0.1, 0.0], [-0.1, 0.0]);
@@ -204,12 +204,12 @@ fn regrasping_starts_without_tangential_force() {
     }
 }
 
-/// Ring of n identical contacts under a torque: all leave at one load, and that is the limit.
+/// On a ring of n identical contacts under a torque all slide at one load, the limit.
 #[test]
 fn rings_have_one_event() {
     for n in [2, 3, 5, 8, 17, 64] {
         let finger = |i: usize| around::<2>(i, n, 1.0, [10.0, 4.0], 0.3).command([0.1, 0.0]);
-        // An elastic stop about the axis takes over when friction is exhausted.
+        // An elastic stop about the axis carries the torque beyond friction.
         let stop = Contact::new([1.0, 0.0], [0.0, -1.0]).series_stiffness(0.5, 1.0).kept_closed();
         let counter = Contact::new([-1.0, 0.0], [0.0, 1.0]).series_stiffness(0.5, 1.0).kept_closed();
         let ring = Grasp::new((0..n).map(finger).chain([stop, counter])).unwrap();
@@ -219,7 +219,7 @@ fn rings_have_one_event() {
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{n}: {:?}", path.end());
         let sizes: Vec<_> = events.iter().map(|e| (e.leg, e.changes.len())).collect();
         assert_eq!(sizes, [(0, n), (1, n), (1, n), (2, n), (2, n)], "{n}");
-        // All slide when the turn times kt is μ N: with the stop the torque is n · 0.3 · (1 + 1.0/(4 n)).
+        // All slide when the rotation times kt is μ N. With the stop the torque is n · 0.3 · (1 + 1.0/(4 n)).
         assert_close!(events[0].fraction * size, size * 0.3 + 0.3 / 4.0);
     }
 }

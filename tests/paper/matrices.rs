@@ -6,7 +6,7 @@ use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use grasp_lcp::{Error, Field, PolygonCone, spatial};
 use nalgebra::{DMatrix, DVector};
 
-/// k_nb, k_tb, k_nf, k_tf all different, so that every entry shows which stiffness it is made of.
+/// k_nb, k_tb, k_nf, k_tf, all different, so that every entry shows its stiffness.
 const SPRINGS: [f64; 4] = [10.0, 8.0, 6.0, 4.0];
 const MU: f64 = 0.25;
 const COMMANDS: [[f64; 2]; 2] = [[0.1, -0.0125], [0.2, 0.025]];
@@ -74,7 +74,7 @@ fn two_fingers_as_printed() {
     assert_eq!(program.b, b);
     assert_eq!(program.d, DVector::from_vec(vec![0.0, 0.0, -q17, 0.0, 0.0, 0.0, 0.0, -q27, 0.0, 0.0]));
 
-    // C as printed; A, which is not, in the order that C implies.
+    // C as printed. A is not printed; its order follows from C.
     let c = vec![alpha * q17, beta * q18, 0.0, alpha * q27, beta * q28, 0.0, 0.0, 0.0, 0.0, 0.0];
     assert_eq!(program.c, DVector::from_vec(c));
     let a1 = rows(&[
@@ -110,8 +110,8 @@ fn two_fingers_as_printed() {
     assert_eq!(qp.inequalities[9], Inequality::Friction { contact: 1, facet: 1 });
 }
 
-/// If the misprint were corrected the other way, k_nf in place of k_tf, the two-finger table would not result. Its stiffnesses are all 10, so only
-/// grasps with different ones decide. The cost of unit stretches is the energy of the springs.
+/// The cost of unit stretches is the energy of the springs. This decides how the misprint must be corrected, k_tf or k_nf, but only for
+/// grasps with different stiffnesses; in the two-finger example all are 10.
 #[test]
 fn the_cost_is_the_energy_of_the_springs() {
     let grasp = grasp(SPRINGS);
@@ -130,7 +130,7 @@ fn the_cost_is_the_energy_of_the_springs() {
     assert!((qp.program.value(&x) + qp.constant - energy).abs() < 1e-13);
 }
 
-/// Any number of contacts, in space with a polygonal cone; contacts that need fewer rows have fewer.
+/// The program exists for any number of contacts, in space with a polygonal cone. Contacts with fewer conditions have fewer rows.
 #[test]
 fn shapes_in_space_and_of_other_contacts() {
     let contact = |x: f64| {
@@ -171,10 +171,10 @@ fn shapes_in_space_and_of_other_contacts() {
         qp.inequalities.iter().filter(of).count()
     };
     assert_eq!((0..5).map(inequalities).collect::<Vec<_>>(), [11, 3, 3, 8, 0]);
-    // The clearance is the distance by which the surfaces may approach each other.
+    // The clearance is the allowed approach of the surfaces.
     let gap = qp.inequalities.iter().position(|e| *e == Inequality::NoPenetration { contact: 0 }).unwrap();
     assert_eq!(program.d[gap], -0.01);
-    // A facet: μ F_n - h·F_t over k_nb, for a force of the body's springs.
+    // A facet has μ F_n - h·F_t divided by k_nb, for the force of the body's springs.
     let facet =
         qp.inequalities.iter().position(|e| *e == Inequality::Friction { contact: 0, facet: 3 }).unwrap();
     let mut x = DVector::zeros(51);

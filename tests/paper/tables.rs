@@ -11,10 +11,10 @@ use support::paper::{
 };
 use support::reduced_program::ReducedProgram;
 
-/// The last digit printed: some numbers are cut off instead of rounded.
+/// One unit of the last printed digit, because some numbers are truncated.
 const LAST_DIGIT: f64 = 1.0001e-4;
 
-/// Contact forces by all three forms of the program.
+/// Contact forces from all three forms of the program.
 fn by_every_form(grasp: &Grasp, load: &Wrench) -> [Vec<SVector<f64, 2>>; 3] {
     let settings = Settings::default();
     let accurate = grasp.with(&settings).energy().minimum(load).unwrap();
@@ -74,7 +74,7 @@ fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
         let binding: Vec<_> = minimum.binding.iter().map(|b| (b.contact, b.facet)).collect();
         assert_eq!(binding, [(0, Some(1)), (1, Some(0))]);
         assert!(minimum.binding.iter().all(|b| b.multiplier > 0.0));
-        // The imbalance from the multipliers is that of the forces.
+        // The residual from the multipliers is that of the forces.
         let sum: SVector<f64, 2> = minimum.contacts.iter().map(|c| c.force_world).sum();
         assert!((sum[1] - w - missing[1]).abs() < 1e-14);
     }

@@ -134,7 +134,7 @@ fn a_mass_is_tilted_as_its_weight_is() {
     assert_eq!(run(&["turn", &scene, "--at", "0,0.1"]).status.code(), Some(2));
 }
 
-/// A scene may stand last or before its command; without a load the question is about rest; one option accelerates; a point belongs to every force.
+/// A scene may come after or before its command. Without a load the question is about rest. `--at` applies to every force.
 #[test]
 fn what_is_typed_otherwise_means_the_same() {
     let gripper = scene("box.json");
@@ -177,7 +177,7 @@ fn what_is_typed_otherwise_means_the_same() {
     );
 }
 
-/// A named picture is written to that file; a fault in a table is reported with its line.
+/// A picture is written to the named file. Errors in a table are reported with their line.
 #[test]
 fn files_that_are_named() {
     let folder = folder("named");
@@ -195,7 +195,7 @@ fn files_that_are_named() {
     }
 }
 
-/// Each of 3000 equal slips says the same: 8.2 N on two contacts that press with 8 N each. They are predicted once.
+/// 3000 equal slips of 8.2 N, on two contacts that press with 8 N each, are predicted only once.
 #[test]
 fn thousands_of_equal_slips() {
     let table = folder("equal").join("slips.csv").display().to_string();

@@ -7,7 +7,7 @@ use support::svg::{outside, overlap, plaques, shapes};
 
 use crate::{ROOT, folder, run, run_on, text};
 
-/// One question of each kind, and such as have no equilibrium.
+/// One question of each kind, and questions without an equilibrium.
 const KINDS: &str = r#"{
     "format": "grasp-lcp/1",
     "planar": {
@@ -32,7 +32,7 @@ const KINDS: &str = r#"{
         ]
     }
 }"#;
-/// Texts in the picture of each question.
+/// Text in the picture of each question.
 const SAID: [&str; 12] = [
     "HOLDS, everything sticks",
     "where it goes",
@@ -48,7 +48,7 @@ const SAID: [&str; 12] = [
     "where it goes",
 ];
 
-/// Everything that is written.
+/// All text of a picture.
 fn words(svg: &str) -> String {
     let texts = shapes(svg).expect("is read").into_iter().filter(|shape| shape.tag == "text");
     texts.map(|text| text.words).collect::<Vec<_>>().join(" ")
@@ -76,12 +76,12 @@ fn every_kind_of_question_is_drawn() {
         let svg = picture(&folder, "kinds", k + 1);
         assert!(words(&svg).contains(said), "question {}: {}", k + 1, words(&svg));
         check(&format!("question {}", k + 1), &svg);
-        // Two arrows of contacts and one of the load: no picture is empty.
+        // Every picture has two arrows of contacts and one of the load.
         let load =
             shapes(&svg).expect("is read").into_iter().filter(|s| s.ink == "#000000" && s.width == Some(3.0));
         assert_eq!(load.count(), 1, "question {}", k + 1);
     }
-    // Of the ways of holds, onsets, turns and programs there are charts.
+    // Holds, onsets, turns and programs have charts of their paths.
     let charts = words(&std::fs::read_to_string(folder.join("kinds_friction.svg")).expect("is there"));
     for chart in [1, 2, 9, 11, 12].map(|number| format!("kinds, question {number}")) {
         assert!(charts.contains(&chart), "{chart}: {charts}");
@@ -98,7 +98,7 @@ fn slips_of_a_load_that_repeats_are_drawn_cycle_by_cycle() {
         assert!(drawn.status.success(), "{name}: {}", text(&drawn.stderr));
         let svg = std::fs::read_to_string(folder.join(format!("{name}_cycles.svg"))).expect("is there");
         assert!(words(&svg).contains("question 1: slip"), "{name}");
-        // An object that has come to rest has no loop.
+        // A load that comes to rest has no hysteresis loop.
         assert_eq!(words(&svg).contains("question 1: friction"), charts == 2, "{name}");
         check(name, &svg);
     }

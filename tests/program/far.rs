@@ -23,14 +23,14 @@ fn every_command_says_so() {
         (&["hold", "--moment", "0.0037"], lost),
         (&["shake", "--base", "0,0.2", "--at", "0.1,0", "--force", "0,0.01"], far),
         (&["hold", "--moment", "0.6"], lost),
-        // 0.3 N m by a force of 1 N at 0.3 m.
+        // A force of 1 N at 0.3 m has a moment of 0.3 N m.
         (&["follow", "--to", "0,1", "--at", "0.3,0"], far),
         (&["follow", "--to", "0,3", "--at", "0.3,0"], far),
     ] {
         let words = told(arguments);
         assert!(words.contains(label), "{arguments:?}: {words}");
     }
-    // 15 rad, and where the force at 0.3 m has 3.6 mN m.
+    // 15 rad, and the fraction at which the force at 0.3 m has 3.6 mN m.
     assert!(told(&["onset", "--moment", "1"]).contains("turns 859.437° anticlockwise about (0, 0) m"));
     assert!(told(&["follow", "--to", "0,1", "--at", "0.3,0"]).contains("leg 0 at 0.012: CAUTION"));
     for near in [

@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 
 use crate::{ROOT, run, text};
 
-/// The name of a definition without the number of its sibling in space.
+/// The name of a definition without the number that marks its spatial version.
 fn base(name: &str) -> &str {
     name.rsplit('/').next().unwrap_or(name).trim_end_matches(char::is_numeric)
 }
@@ -41,7 +41,7 @@ fn kind(of: &Value) -> String {
     }
 }
 
-/// Lines of the fields of an object, and of those of its variants.
+/// Adds lines for the fields of an object and of its variants.
 fn fields(page: &mut String, of: &Value) {
     let required: BTreeSet<_> =
         of["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
@@ -73,7 +73,7 @@ fn page(schema: &Value) -> String {
     for (name, of) in definitions {
         let mut own = String::new();
         fields(&mut own, of);
-        // The sibling in space has the same fields, or more.
+        // The spatial version has the same fields, or more.
         let is_first = definitions.contains_key(&format!("{name}2"));
         if own.is_empty() || is_first || !told.insert(own.clone()) {
             continue;

@@ -33,7 +33,7 @@ fn started(arguments: &[String], stdout: Stdio) -> Child {
     program.spawn().expect("starts")
 }
 
-/// The exit code, and the text on standard error.
+/// The exit code and the messages on standard error.
 fn ended(program: Child) -> (Option<i32>, String) {
     let output = program.wait_with_output().expect("ends");
     (output.status.code(), text(&output.stderr))
@@ -59,7 +59,7 @@ fn a_full_disk_is_told_in_one_line() {
     assert!(code == Some(1) && message.starts_with("standard output: "), "{code:?} {message}");
 }
 
-/// A full place for messages changes no code.
+/// If messages cannot be written, the exit code is the same.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_place_for_messages() {

@@ -25,7 +25,7 @@ use std::sync::LazyLock;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// The installed program: the one that `GRASP_LCP` names, otherwise cargo builds it, since it belongs to another package.
+/// The program: the one in the variable `GRASP_LCP`, or one that cargo builds here, because it belongs to another package.
 static PROGRAM: LazyLock<PathBuf> = LazyLock::new(|| {
     if let Some(program) = std::env::var_os("GRASP_LCP") {
         return PathBuf::from(program);
@@ -73,12 +73,12 @@ fn run(arguments: &[&str]) -> Output {
     run_on(b"", arguments)
 }
 
-/// Whether a word of a command is the name of a scene, or of a table or a mesh that stands beside one.
+/// Whether a word of a command is the name of a scene, a table or a mesh.
 fn is_a_scene(word: &str) -> bool {
     Path::new(word).extension().is_some_and(|end| end == "json" || end == "csv" || end == "stl")
 }
 
-/// Commands of a dialogue with their output: scenes lie in a folder below those of the repository.
+/// Commands of a dialogue and their expected output. Scenes are in a folder below the example scenes.
 fn dialogues<'t>(block: &'t str, folder: &str) -> Vec<(Vec<String>, &'t str)> {
     let in_folder = |word: &str| {
         let name = word.strip_prefix(folder).unwrap_or(word);

@@ -2,7 +2,7 @@
 
 use crate::{is_a_scene, run, run_on, scene, text};
 
-/// A scene with one thing wrong, wherever it stands.
+/// Exit code and message for the valid scene with one change.
 fn told(from: &str, to: &str) -> (i32, String) {
     const GOOD: &str = r#"{"format": "grasp-lcp/1", "planar": {"outline": [[-1, -1], [1, -1], [1, 1], [-1, 1]], "contacts": [
         {"name": "index", "point": [1, 0], "normal": [-1, 0], "series_stiffness": [1000, 800], "friction": 0.5, "pressed_with": 3},
@@ -13,7 +13,7 @@ fn told(from: &str, to: &str) -> (i32, String) {
     (output.status.code().expect("ends"), text(&output.stderr))
 }
 
-/// A row of the table: the command, its scene if it has one, and the message.
+/// A row of the table: the arguments, the scene if the mistake is in one, and the expected message.
 struct Mistake<'t> {
     arguments: Vec<String>,
     scene: String,
@@ -21,7 +21,7 @@ struct Mistake<'t> {
     told: &'t str,
 }
 
-/// The table: a scene with a text of it put differently, or a command, and the parts of its message that carry the facts, in order.
+/// The rows of the table: a scene with changed text, or a command, and the parts of its message with the facts, in order.
 fn table() -> Vec<Mistake<'static>> {
     const SCENES: [(&str, &str); 3] = [
         ("box", include_str!("mistakes/box.json")),
@@ -48,7 +48,7 @@ fn table() -> Vec<Mistake<'static>> {
     blocks.filter(|block| !block.starts_with('#')).map(mistake).collect()
 }
 
-/// Each message names the place, the given value and the allowed values; the table was reviewed for readers who do not know the program.
+/// Each message states the place, the given value and what is allowed.
 #[test]
 fn each_has_its_message() {
     let mistakes = table();
@@ -57,7 +57,7 @@ fn each_has_its_message() {
         let output = run_on(scene.as_bytes(), &arguments.iter().map(String::as_str).collect::<Vec<_>>());
         let folder = crate::scene("everyday/");
         let message = text(&output.stderr).replace("standard input: ", "").replace(&folder, "");
-        // The text after a message about the command line is the same for all.
+        // The hint after a wrong command line is always the same.
         let message = message.split("\n\n").next().expect("a message").replace("\n  ", " ");
         let begins = told.split(" … ").next().is_some_and(|first| message.starts_with(first));
         if !begins
@@ -102,7 +102,7 @@ fn scenes_that_are_seldom_meant() {
         assert!(code == 0 && message.starts_with("warning: standard input: "), "{code} {message}");
         assert!(message.contains(expected), "{message}");
     }
-    // The scenes of the repository have no warning: a ladder, or a glass on a tray, needs no pressing finger.
+    // The example scenes have no warnings: a ladder or a glass on a tray needs no pressing finger.
     let files = ["", "everyday", "repeat"].map(|folder| std::fs::read_dir(scene(folder)).expect("is there"));
     for file in files.into_iter().flatten() {
         let file = file.expect("is there").path();
@@ -112,7 +112,7 @@ fn scenes_that_are_seldom_meant() {
     }
 }
 
-/// A wrong command line ends with 2, a scene that is refused with 3, a file that is not there with 1.
+/// Exit codes: 2 for a wrong command line, 3 for a refused scene, 1 for a missing file.
 #[test]
 fn each_kind_has_its_exit_code() {
     let mug = scene("mug.json");

@@ -2,7 +2,7 @@
 
 use crate::{folder, run, text};
 
-/// Escape sequences, a line that looks like a verdict, a turned direction of writing, a bell.
+/// A name with an escape sequence, a line like a verdict, a change of writing direction, and a bell.
 const WICKED: &str = "left\u{1b}[2J\nHOLDS\u{202e}\u{7}";
 
 fn scene() -> String {
@@ -21,7 +21,7 @@ fn scene() -> String {
     .to_string()
 }
 
-/// Whether a text has none of the characters.
+/// Whether a text has no control characters except line ends.
 fn is_clean(told: &str) -> bool {
     !told.chars().any(|c| (c.is_control() && c != '\n') || c == '\u{202e}')
         && !told.lines().any(|line| line.starts_with("HOLDS, everything sticks\\"))

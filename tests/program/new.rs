@@ -8,7 +8,7 @@ use crate::{run, run_on, text};
 
 const NAMES: [&str; 6] = ["gripper", "three-fingers", "suction", "fixture", "hand", "wedge"];
 
-/// First lines of `hold` and `need` of the scenes from a shop, by hand.
+/// First lines of `hold` and `need` for the workshop scenes, with values computed by hand.
 const IN_A_SHOP: [(&str, &[&str], &[&str]); 8] = [
     // Load stepping of Coulomb springs, and limit analysis: 1.461 times, 5457 N.
     ("vise", &["lost at 2359.98 N (1.46079 times"], &["NEEDS 5457.4 N at", "at moving jaw so"]),
@@ -26,7 +26,7 @@ const IN_A_SHOP: [(&str, &[&str], &[&str]); 8] = [
     ),
     // μ (m g + 2 T sin 60°) = 4069.6 N; T = (0.8/0.3 - 1) m g / 2 sin 60°.
     ("tie-down", &["lost at 4069.58 N"], &["4719.84 N at strap left"]),
-    // The ropes pull with 100 N aside at 150 mm above the pin and 100 N down at 200 mm beside it; jaws are 300 mm below it: 166.7 N and friction 0.6.
+    // The ropes pull with 100 N sideways, 150 mm above the pin, and 100 N down, 200 mm beside it. Jaws are 300 mm below it: 166.7 N and friction 0.6.
     ("tongs", &["HOLDS, everything sticks"], &["NEEDS a coefficient", "friction of 0.6 "]),
     // μ R N (1 + √2): a flank presses with N/√2.
     ("v-jaws", &["lost at 7.72548 N m"], &["517.767 N at flat jaw"]),
@@ -63,7 +63,7 @@ fn every_scene_answers_at_once() {
     }
 }
 
-/// JSON has no comments: the help has a line for every name of a field.
+/// JSON has no comments, so the help has a line for every field name.
 #[test]
 fn every_field_is_explained() {
     let help = text(&run(&["new", "--help"]).stdout);

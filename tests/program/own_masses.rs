@@ -18,7 +18,7 @@ fn refused(arguments: &[&str]) -> String {
     text(&output.stderr)
 }
 
-/// The tangent of the angle and the acceleration in g are the coefficient of friction.
+/// The tangent of the tilt angle, and the acceleration divided by g, equal the coefficient of friction.
 #[test]
 fn of_their_own_weight() {
     let tilted = told(&["need", "-", "angle", "--may-slide"]);
@@ -46,7 +46,7 @@ fn a_weight_twice_is_refused() {
     }
     let beside = refused(&["hold", "-", "--acceleration", "2,0", "--force", "1,0"]);
     assert!(beside.contains("--acceleration: accelerates"), "{beside}");
-    // Other things on the tray are a force.
+    // An additional load is given as a force.
     assert!(told(&["hold", "-", "--force", "0,-5"]).starts_with("HOLDS"));
     let jaws = ON_A_TRAY.replace(r#""gravity": [0, -10],"#, "");
     let output = run_on(jaws.as_bytes(), &["hold", "-", "--acceleration", "1,0"]);

@@ -68,7 +68,7 @@ fn a_pad_begins_to_slide_and_slides_everywhere() {
         let behind = event.trim_start().strip_prefix(place);
         assert!(behind.is_some_and(|behind| behind.starts_with(told)), "{event}");
     }
-    // Let go it keeps 1/30 N m less half of what was taken away.
+    // After unloading the tip keeps 1/30 N m minus half of the removed moment.
     assert_eq!(lines_of(&words, "tip"), ["tip 10 0 -0.0116667 0 3.33333 sticks"]);
     let points = told("follow", &["--points"]);
     assert_eq!(points.lines().filter(|line| line.contains(": tip, point ")).count(), 16, "{points}");
@@ -85,7 +85,7 @@ fn json_has_points_and_pads() {
     assert!((moment + 0.025).abs() < 1e-15, "{moment}");
 }
 
-/// 20 N on two pads that hold 15 N: the search does not decide, the path and a proof do.
+/// For 20 N on two pads that hold 15 N the search does not decide, but the path and a proof do.
 #[test]
 fn an_undecided_search_says_what_is_known() {
     for (scene, held) in

@@ -31,7 +31,7 @@ fn every_command_of_the_table_answers() {
     let mut commands = 0;
     for line in readme.lines().filter(|line| line.starts_with("| ")) {
         let command = line.rsplit_once("`grasp-lcp ").and_then(|(_, rest)| rest.strip_suffix("` |"));
-        // Commands that read their input from a file are left out.
+        // Commands with redirected input are skipped.
         let Some(command) = command.filter(|command| !command.contains('<')) else { continue };
         let mut arguments: Vec<_> = command
             .split_whitespace()
@@ -46,7 +46,7 @@ fn every_command_of_the_table_answers() {
     assert_eq!(commands, 19);
 }
 
-/// Short enough to be read.
+/// The README is short.
 #[test]
 fn it_has_less_than_a_thousand_words() {
     let words = readme().split_whitespace().count();

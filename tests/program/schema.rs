@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::{run, run_on, scene, text};
 
-/// A schema of the program, and what judges by it.
+/// A schema of the program, with its validator.
 struct Judge {
     schema: Value,
     schemas: Schemas,
@@ -91,7 +91,7 @@ fn lines_of_the_stream_are_of_their_schema() {
     }
 }
 
-/// Every way to spoil a value in one place.
+/// All changes of a value in one place that may make it invalid.
 fn spoiled(value: &Value) -> Vec<Value> {
     let mut all = Vec::new();
     match value {
@@ -136,7 +136,7 @@ fn what_the_schema_refuses_is_refused() {
     let (mut both, mut reader, mut neither) = (0, 0, 0);
     for (name, scene) in scenes() {
         let mut all = spoiled(&scene);
-        // Long outlines and lists of contacts have faults of the same kind; every tenth element is enough.
+        // Changes in long lists are alike, so a part of them suffices.
         let step = (all.len() / 400).max(1);
         all = all.into_iter().step_by(step).collect();
         for spoiled in all {

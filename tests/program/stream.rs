@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::{run_on, scene, text};
 
-/// A pinch that slides at 2 μ times its squeeze; every other one without an id.
+/// A pinch that slides at 2 μ times its squeeze. Every second line has no id.
 fn line(number: usize) -> String {
     let jaw = |x: f64| {
         json!({ "name": if x < 0.0 { "left" } else { "right" }, "point": [x, 0], "normal": [-x, 0],
@@ -26,7 +26,7 @@ fn replies(input: &str, arguments: &[&str]) -> Vec<Value> {
     text(&output.stdout).lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
 }
 
-/// As anybody can compute it.
+/// The hash of a line, FNV-1a.
 fn hash(line: &str) -> String {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     for byte in line.bytes() {

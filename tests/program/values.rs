@@ -16,7 +16,7 @@ fn every_value_has_a_source_and_a_sane_range() {
         let largest = match (quantity, unit) {
             ("friction", "") => 2.0,
             ("stiffness", "N/m") => 1e9,
-            // A part of another number.
+            // A fraction of another number.
             ("stiffness" | "kinetic", "") => 1.0,
             other => panic!("{other:?}"),
         };
@@ -33,7 +33,7 @@ fn every_value_has_a_source_and_a_sane_range() {
     assert!(rows.len() - sources.len() >= 20);
 }
 
-/// Stiffnesses with a formula are computed: Gent's modulus of rubber over a pad, Hertz's stiffness of a tip, a bar held at one end.
+/// Printed stiffnesses agree with formulas: Gent's modulus of rubber under a pad, Hertz's stiffness of a tip, and a cantilever.
 #[test]
 fn formulas_give_the_stiffnesses() {
     let printed = text(&run(&["values"]).stdout);

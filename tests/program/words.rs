@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::{ROOT, folder, run, text};
 
-/// Scenes of the repository, and scenes kept here because their output was once wrong.
+/// The example scenes, and scenes kept here because their output was wrong once.
 fn scenes() -> Vec<PathBuf> {
     let folders = ["examples/scenes", "tests/program/scenes"];
     let files = folders.into_iter().flat_map(|folder| {
@@ -17,7 +17,7 @@ fn scenes() -> Vec<PathBuf> {
     files
 }
 
-/// Commands with a load of their own, in the plane or in space.
+/// Commands with their own loads, in the plane or in space.
 fn commands(is_planar: bool) -> Vec<Vec<&'static str>> {
     let [down, aside, axis] =
         if is_planar { ["0,-1", "0.5,0.1", ""] } else { ["0,0,-1", "0.5,0.1,0", "0,1,0"] };
@@ -41,7 +41,7 @@ fn commands(is_planar: bool) -> Vec<Vec<&'static str>> {
     all
 }
 
-/// A word that does not belong in plain language.
+/// A part of a text that is not meant for people.
 fn inside(told: &str) -> Option<String> {
     let debug = ["Some(", "None", " { ", "::", "NaN", "\u{1b}"].into_iter().find(|word| told.contains(word));
     let is_of_a_name = |c: char| c.is_alphanumeric() || c == '_';
@@ -90,7 +90,7 @@ fn every_command_speaks_to_people() {
     for scene in scenes() {
         let content = std::fs::read_to_string(&scene).expect("is there");
         let path = scene.display().to_string();
-        // Amounts are found by many trials; words do not depend on how many points a contact has.
+        // Amounts need many trials, so most are skipped for soft contacts, whose words are the same.
         let is_soft = content.contains("\"soft\"");
         let commands = commands(content.contains("\"planar\"")).into_iter();
         for command in
@@ -100,7 +100,7 @@ fn every_command_speaks_to_people() {
             let (words, remarks) = (text(&output.stdout), text(&output.stderr));
             let context = format!("{command:?} {path}: {words}");
             assert!(matches!(output.status.code(), Some(0 | 3 | 4)), "{context}");
-            // The name of a file is not ours.
+            // File names are not checked.
             let remarks = remarks.replace(&path, "");
             for said in [&words, &remarks] {
                 assert_eq!(inside(said), None, "{context}");
@@ -111,7 +111,7 @@ fn every_command_speaks_to_people() {
     assert!(told > 120, "{told}");
 }
 
-/// Texts of a picture or a page, without marks, scripts and styles.
+/// The text of a picture or a page, without markup, scripts and styles.
 fn texts(picture: &str) -> String {
     let mut text = picture.to_owned();
     for (from, to) in [("<script", "</script>"), ("<style", "</style>")] {

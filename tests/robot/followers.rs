@@ -11,7 +11,7 @@ use crate::robots::{joint, robot, wrist_and_fingers};
 const AT: [f64; 3] = [0.0, 0.0, 0.06];
 
 fn tip(point: [f64; 3], inward: f64) -> Contact {
-    // Bonded, so that forces are linear in the load wherever the links are.
+    // Bonded, so that forces are linear in the load for every pose of the links.
     Contact::new(point, [inward, 0.1, 0.0]).series_stiffness(5e3, 4e3).bonded().pressed_with(6.0)
 }
 
@@ -22,7 +22,7 @@ fn posed(knuckle: f64, bend: f64, wrist: f64) -> Robot {
     robot.expect("joints")
 }
 
-/// Forces and motion under a load, of the robot's hand and of one whose Jacobians are differences of poses.
+/// Under a load the robot's hand has the forces and motion of a hand whose Jacobians are differences of poses.
 #[test]
 fn contacts_move_as_differences_of_poses_say() {
     let (knuckle, bend, wrist) = (0.2, 0.1, 0.3);
@@ -72,7 +72,7 @@ fn contacts_move_as_differences_of_poses_say() {
     assert!(joints.iter().all(|joint| joint.kind == JointKind::Turns));
 }
 
-/// Two jaws that slide towards each other, the second by mimicking the first, on a carriage that slides, too.
+/// Two jaws that slide towards each other on a sliding carriage. The second jaw mimics the first.
 fn jaws() -> Robot {
     let slide = |xyz: &str, axis: &str, more: &str| {
         format!(
@@ -95,8 +95,8 @@ fn jaws() -> Robot {
     Robot::from_urdf(&text).expect("a robot")
 }
 
-/// Jaws that close together do not yield to a pull along their way: carriage K and both pads k are in series, `1/K + 1/2k`. Two jaws with a spring each
-/// would yield by theirs as well.
+/// Coupled jaws do not yield to a pull along their motion: carriage K and both pads k are in series, `1/K + 1/2k`. Independent jaws would
+/// yield by their own springs as well.
 #[test]
 fn jaws_that_close_together_hold_their_middle() {
     let (carriage, pad) = (2e3, 5e3);
@@ -119,7 +119,7 @@ fn jaws_that_close_together_hold_their_middle() {
     );
 }
 
-/// A contact on a link that no joint moves has no joints, and comes first.
+/// A contact on the root link has no joints, and comes first.
 #[test]
 fn a_contact_on_the_root_comes_first() {
     let robot = jaws().stiffness(100.0);

@@ -5,13 +5,13 @@ use grasp_lcp::robot::Robot;
 
 use crate::robots::wrist_and_fingers;
 
-/// Roll about x, then pitch about y, then yaw about z, after a translation.
+/// The pose of a URDF `origin`: roll about x, then pitch about y, then yaw about z, then the translation.
 fn origin(place: [f64; 3], [roll, pitch, yaw]: [f64; 3]) -> Matrix4<f64> {
     let at = Matrix4::new_translation(&Vector3::from(place));
     at * about([0.0, 0.0, 1.0], yaw) * about([0.0, 1.0, 0.0], pitch) * about([1.0, 0.0, 0.0], roll)
 }
 
-/// Rodrigues' formula.
+/// The rotation about an axis by Rodrigues' formula.
 fn about(axis: [f64; 3], angle: f64) -> Matrix4<f64> {
     let cross = Vector3::from(axis).cross_matrix();
     let turned = cross * angle.sin() + cross * cross * (1.0 - angle.cos());

@@ -19,7 +19,7 @@ pub(crate) fn robot(links: &[&str], joints: &[String]) -> String {
     text + &joints.concat() + "</robot>"
 }
 
-/// A wrist that carries two fingers of two joints each, turned about skew axes. The second finger follows the first, and slides at its end.
+/// A wrist with two fingers of two joints each, with skew axes. The second finger mimics the first, and has a prismatic joint at its end.
 pub(crate) fn wrist_and_fingers() -> String {
     let limit = r#"<limit lower="-1" upper="1" effort="2" velocity="1"/>"#;
     let placed = |xyz: &str, rpy: &str, axis: &str| {

@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 
 use crate::robots::wrist_and_fingers;
 
-/// The folder of the robot, which the first test that asks for it writes.
+/// The folder with the robot file, written at first use.
 fn folder() -> &'static Path {
     static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("robot");
@@ -48,7 +48,7 @@ fn grasp_of(scene: &Scene) -> Grasp {
     setup.grasp().expect("a grasp")
 }
 
-/// The hand of the scene, made in Rust point by point.
+/// The hand of the scene, built in Rust from its points.
 fn hand() -> Grasp {
     let turned = UnitQuaternion::from_euler_angles(0.0, 30_f64.to_radians(), 10_f64.to_radians());
     let robot = Robot::read(folder().join("hand.urdf")).expect("a robot").stiffness(4.0).limited_by_effort();
@@ -98,7 +98,7 @@ fn a_scene_has_the_hand_of_its_robot() {
     assert!((written[2]["command"].as_f64().expect("a number") - 2_f64.to_radians()).abs() < 1e-16);
 }
 
-/// Written before its file is read, a scene keeps the robot; afterwards it has fingers, and needs no file.
+/// A scene that is written before its file is read keeps the robot. Afterwards it has fingers and needs no file.
 #[test]
 fn a_scene_is_written_and_read_again() {
     let before = read(&scene()).expect("a scene");

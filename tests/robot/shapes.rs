@@ -10,7 +10,7 @@ use grasp_lcp::spatial::{Contact, Grasp, Wrench};
 use grasp_lcp::touch::{Pad, Part, Touch};
 use serde_json::{Value, json};
 
-/// Two jaws that slide towards each other, 60 mm apart, with this collision element each.
+/// A robot with two jaws that slide towards each other, 60 mm apart, each with this collision element.
 fn gripper(collision: &str) -> String {
     let jaw = |name: &str, x: f64, axis: f64| {
         format!(
@@ -60,7 +60,7 @@ fn folder() -> &'static Path {
     &FOLDER
 }
 
-/// The grasp of a block of 40 mm by jaws of this file, with these data of their touch.
+/// The grasp of a block of 40 mm by the jaws of this file, with these fields of `touches`.
 fn grasp(urdf: &str, touches: &[(&str, Value)]) -> Grasp {
     let (vertices, faces) = cuboid([0.02, 0.02, 0.02]);
     let jaw = |closing: f64| {
@@ -80,7 +80,7 @@ fn grasp(urdf: &str, touches: &[(&str, Value)]) -> Grasp {
     setup.grasp().expect("a grasp")
 }
 
-/// Onsets of two grasps agree to a relative error.
+/// Checks that onsets of two grasps agree to a relative error.
 fn assert_alike(one: &Grasp, other: &Grasp, error: f64) {
     for load in [[0.0, 0.0, -1.0], [0.0, 1.0, 0.3]] {
         let load = Wrench::force_at(load, [0.0, 0.0, 0.004]);
@@ -108,7 +108,7 @@ fn a_cylinder_is_a_round_finger() {
     assert_alike(&found, &grasp("cylinder.urdf", &[("round", json!(0.005)), strips, sides]), 1e-3);
 }
 
-/// A ball on an elastic foundation of K: F = π K R δ² at the depth δ.
+/// A ball on an elastic foundation of modulus K has F = π K R δ² at the depth δ.
 #[test]
 fn a_ball_presses_with_the_square_of_its_depth() -> Result<(), grasp_lcp::Error> {
     let (radius, depth, modulus, thickness) = (0.01_f64, 1e-4, 1e6, 0.002);
@@ -122,7 +122,7 @@ fn a_ball_presses_with_the_square_of_its_depth() -> Result<(), grasp_lcp::Error>
     let wall = Part::new(&corners, &faces)?;
     let touched = Touch::new(pad.of_layer(modulus, thickness), ahead.command([depth, 0.0, 0.0])).on(&wall)?;
     let grasp = Grasp::new(touched.contacts().to_vec())?;
-    // The block stands still: contacts on its other side are rigid beside the layer.
+    // The block does not move: contacts on its other side are rigid compared with the layer.
     let rests = [[0.0, 0.0], [0.01, 0.0], [0.0, 0.01]].map(|[y, z]| {
         Contact::new([0.02, y, z], [-1.0, 0.0, 0.0]).series_stiffness(1e12, 1e12).friction(1.0)
     });

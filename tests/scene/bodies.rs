@@ -56,7 +56,7 @@ fn slides_at_3_newtons(scene: &str) {
     assert!(upper.body == "upper" && direction[0] > 1.0 - 1e-9, "{verdict}");
 }
 
-/// The lower box is pulled one way and the upper one the other, twice as hard: it slides at 3 N.
+/// The lower box is pulled in one direction, and the upper box in the other with half the force. The upper box slides at 3 N.
 #[test]
 fn loads_of_bodies_grow_together() {
     let hold = r#"{ "hold": { "load": { "force": [6, 0], "at": [0, 0.2] } } }"#;
@@ -90,7 +90,7 @@ fn loads_of_bodies_grow_together() {
     }
 }
 
-/// The same for an equilibrium and for an amount: pulled by 3 N and 6 N the other way the upper box is just held, so that the factor is 1/2.
+/// Equilibria and amounts also use loads that grow together: with 3 N and 6 N the upper box is just held, so half of the given load is the bound.
 #[test]
 fn loads_grow_together_in_other_questions() {
     let hold = r#"{ "hold": { "load": { "force": [6, 0], "at": [0, 0.2] } } }"#;
@@ -114,7 +114,7 @@ fn loads_grow_together_in_other_questions() {
     };
     assert_eq!(under(2.999)["solve"]["outcome"], "equilibrium");
     assert_eq!(under(3.001)["solve"]["outcome"], "no_equilibrium");
-    // The table below carries the difference of both.
+    // The table carries the difference of both loads.
     let carried: f64 = under(2.0)["solve"]["contacts"].as_array().expect("contacts")[..2]
         .iter()
         .map(|contact| contact["force_world"][0].as_f64().expect("a number"))
@@ -122,7 +122,7 @@ fn loads_grow_together_in_other_questions() {
     assert!((carried - 2.0).abs() < 1e-12, "{carried}");
 }
 
-/// A leg says of each body what becomes of its load.
+/// A leg states the change of the load of each body.
 #[test]
 fn legs_have_loads_of_bodies() {
     let hold = r#"{ "hold": { "load": { "force": [6, 0], "at": [0, 0.2] } } }"#;
@@ -157,7 +157,7 @@ fn it_is_written_as_it_was_read() {
     assert_eq!((setup.bodies.len(), setup.bodies[1].outline.len()), (2, 3));
 }
 
-/// An answer has each body with its motion, and reads back.
+/// An answer has the motion of each body, and reads back.
 #[test]
 fn bodies_are_in_the_answer() {
     let asked = BOXES.replace(

@@ -5,7 +5,7 @@ use std::path::Path;
 use grasp_lcp::scene::Scene;
 use serde_json::{Value, json};
 
-/// The faultless scenes of the examples.
+/// The example scenes, which are valid.
 fn scenes() -> Vec<Value> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/scenes");
     let mut texts = Vec::new();
@@ -24,7 +24,7 @@ fn scenes() -> Vec<Value> {
     texts.iter().map(|text| serde_json::from_str(text).unwrap()).collect()
 }
 
-/// The pointers, as [`Value::pointer`] reads them, and paths of all values below this one.
+/// Collects pointers for [`Value::pointer`], and field paths, of all values below this one.
 fn places(value: &Value, pointer: &str, path: &str, found: &mut Vec<(String, String)>) {
     match value {
         Value::Object(fields) => {
@@ -35,7 +35,7 @@ fn places(value: &Value, pointer: &str, path: &str, found: &mut Vec<(String, Str
                 found.push((pointer, path));
             }
         }
-        // The first and the last element represent the others.
+        // Only the first and the last entry are tested.
         Value::Array(list) => {
             for i in [0, list.len().wrapping_sub(1)] {
                 let Some(value) = list.get(i) else { continue };
@@ -59,7 +59,7 @@ fn a_wrong_value_is_reported_under_its_own_field() {
             for wrong in &wrong {
                 let mut faulty = scene.clone();
                 *faulty.pointer_mut(&pointer).unwrap() = wrong.clone();
-                // Spaces and lines must not matter.
+                // White space must not matter.
                 for text in [faulty.to_string(), serde_json::to_string_pretty(&faulty).unwrap()] {
                     let Err(fault) = Scene::from_json(text.as_bytes()) else { continue };
                     let field = fault.field.clone().unwrap_or_default();
@@ -74,7 +74,7 @@ fn a_wrong_value_is_reported_under_its_own_field() {
     assert!(asked > 1000, "{asked}");
 }
 
-/// Braces, quotes and commas in a name do not end it.
+/// Braces, quotes and commas may be part of a name.
 #[test]
 fn names_with_signs_of_json_are_names() {
     let legs = json!([{ "body_loads_by": { "a \"left\"], {b}": { "force": [1, "x"] } } }]);
@@ -86,7 +86,7 @@ fn names_with_signs_of_json_are_names() {
     assert_eq!(field.as_deref(), Some(expected));
 }
 
-/// An id that is none is reported under `id`, also where nothing follows it.
+/// An invalid id is reported under `id`, also if it is the last field.
 #[test]
 fn an_id_is_a_text_or_a_whole_number() {
     let contact = r#"{"point": [0, 0], "normal": [1, 0], "stiffness": 1}"#;

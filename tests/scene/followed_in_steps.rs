@@ -5,14 +5,14 @@ use serde_json::{Value, json};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// Weight on the fingertip, N, its friction, and its tangential stiffness, N/m.
+/// Normal force on the fingertip, N, its friction, and its tangential stiffness, N/m.
 const PRESS: f64 = 10.0;
 const MU: f64 = 0.5;
 const SHEAR: f64 = 2000.0;
-/// Error of the forces, over the largest force.
+/// Error of the forces, relative to the largest force.
 const ERROR: f64 = 1e-4;
 
-/// An object on one soft fingertip, with the legs to be followed.
+/// A scene with an object on one soft fingertip, and legs to follow.
 fn scene(place: &str, normal: &[u8], soft: &Value, force: &[f64], legs: &Value, error: f64) -> String {
     let contact = json!({
         "name": "tip", "point": vec![0; normal.len()], "normal": normal,
@@ -23,7 +23,7 @@ fn scene(place: &str, normal: &[u8], soft: &Value, force: &[f64], legs: &Value, 
         .to_string()
 }
 
-/// The answer, read again as it was written.
+/// The answer after writing and reading.
 fn followed<const C: usize>(answers: &[Answer<C>]) -> Result<PathAnswer<C>, Box<dyn std::error::Error>> {
     let [Answer::Follow(path)] = answers else { return Err("one path".into()) };
     assert_eq!(*path, serde_json::from_value(serde_json::to_value(path)?)?);
@@ -31,7 +31,7 @@ fn followed<const C: usize>(answers: &[Answer<C>]) -> Result<PathAnswer<C>, Box<
 }
 
 /// Each spring has the same share s of normal force and stiffness, and slides from `r θ = μP/k` on:
-/// `M(θ) = Σ s r min(k r θ, μP)`, and on the way back twice the half (Masing's rule).
+/// `M(θ) = Σ s r min(k r θ, μP)`, and on the way back Masing's rule.
 #[test]
 fn a_twisted_fingertip_slides_ring_by_ring() -> Tested {
     let soft = json!({ "disc": { "radius": 0.006, "annuli": 10, "points": 6, "pressure": "hertz" } });
@@ -59,7 +59,7 @@ fn a_twisted_fingertip_slides_ring_by_ring() -> Tested {
         };
         springs.iter().map(of).sum()
     };
-    // The turn at the end of the first leg, by halving.
+    // The rotation at the end of the first leg, by bisection.
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..100 {
         let middle = 0.5 * (low + high);

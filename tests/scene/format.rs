@@ -11,7 +11,7 @@ use support::jaws::jaw;
 use support::random::{Spread, for_all, scene};
 use support::scene::Scene as Drawn;
 
-/// The contacts use every notation of a contact in turn.
+/// Contacts that use all forms of the fields in turn.
 fn contacts<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Vec<Contact<C>> {
     let contact = |(i, datum): (usize, &support::scene::Datum<C>)| {
         let contact = datum.contact();
@@ -62,13 +62,13 @@ fn spatial_grasps_read_back_to_the_bit() {
     });
 }
 
-/// Answers written and read again are the answers; they are those of the grasp, and they are written without `null`.
+/// Checks that answers read back as they were written, agree with those of the grasp, and are written without `null`.
 fn answers_read_back<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Result<(), TestCaseError>
 where
     Setup<C>: Into<Scene>,
 {
     let load = drawn.wrench();
-    // Along no load at all there is no onset to ask for.
+    // An onset needs a load other than zero.
     let direction = if load == Wrench::ZERO { Wrench::from_components(&[1.0; D]) } else { load };
     let asked: Vec<Question<C>> = serde_json::from_value(json!([
         { "solve": { "load": load } },
@@ -100,12 +100,12 @@ where
         None => assert!(solved["outcome"] != "equilibrium"),
     }
     only_equilibria_have_forces(&written);
-    // The same from the scene as text.
+    // The scene as text has the same answers.
     let scene: Scene = setup.into();
     same(&serde_json::to_string(&there_and_back(&scene).answers().unwrap()).unwrap(), &text)
 }
 
-/// A value with a twist has residuals; an answer without equilibrium has neither a twist nor forces.
+/// Checks that objects with a twist have residuals, and that others have no forces.
 fn only_equilibria_have_forces(value: &Value) {
     match value {
         Value::Array(list) => list.iter().for_each(only_equilibria_have_forces),
@@ -158,7 +158,7 @@ fn what_is_left_out_has_the_defaults_of_the_crate() {
     assert_eq!(setup.contacts[0].contact, Contact::new([1.0, 2.0], [-1.0, 0.0]).finger_stiffness(10.0, 20.0));
     assert_eq!(setup.settings, Settings::default());
     assert!(setup.questions.is_empty() && setup.outline.is_empty() && scene.id.is_none());
-    // Fields with their defaults are left out.
+    // Fields with default values are not written.
     let written = serde_json::to_string(&scene).unwrap();
     let expected = r#"{"format":"grasp-lcp/1","planar":{"contacts":[{"point":[1.0,2.0],"normal":[-1.0,0.0],"finger_stiffness":[10.0,20.0]}]}}"#;
     assert_eq!(written, expected);
@@ -237,7 +237,7 @@ fn what_is_not_finite_is_said_in_words() {
     assert_eq!(text, r#"{"translation":["not a number","infinite"],"rotation":"-infinite"}"#);
     let back: Twist<2> = serde_json::from_str(&text).unwrap();
     assert!(back.translation()[0].is_nan() && back.rotation() == f64::NEG_INFINITY);
-    // No scene can be made of them.
+    // These words are refused for forces.
     for word in ["infinite", "rigid", "not a number"] {
         assert!(serde_json::from_value::<Wrench<2>>(json!({ "force": [0, word] })).is_err());
     }
@@ -253,7 +253,7 @@ fn what_is_not_finite_is_said_in_words() {
     assert_eq!(answers[0]["solve"]["contacts"][0]["margin"], "infinite");
 }
 
-/// A soft fingertip in a scene is the one of the crate, and its points follow the command of their contact.
+/// A soft fingertip in a scene is that of the crate, and its points have the command of their contact.
 #[test]
 fn soft_fingertips_are_spread() {
     let finger = |x: f64| jaw::<3>(x, [2000.0, 1000.0], 0.5).command([0.005, 0.0, 0.0]);
@@ -312,7 +312,7 @@ fn rectangular_pads_are_spread() {
     assert!(contact(r#"{"sides": [0.02]}"#).unwrap_err().to_string().contains('2'));
 }
 
-/// A grasp's own answer is written like that of its scene, which measures it besides. What was read knows no more than what was written.
+/// The answer of a grasp is written like that of its scene, which adds `accuracy` and `distinct`. An answer that was read has only the written data.
 #[test]
 fn an_answer_that_was_read_has_nothing_more_to_say() {
     let jaw = |side: f64| jaw::<2>(side, [1e3, 8e2], 0.5);

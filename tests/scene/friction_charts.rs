@@ -12,7 +12,7 @@ fn jaw(name: &str, x: f64) -> Contact {
     jaws::jaw::<2>(x, [1000.0, 800.0], 0.5).name(name).pressed_with(10.0)
 }
 
-/// So many contacts all around, each pressing with another force, so that each uses another part of its friction.
+/// Contacts on all sides with different normal forces, so that each uses a different fraction of its friction.
 fn ring(count: usize) -> Result<Grasp, grasp_lcp::Error> {
     let support = |k: usize| {
         let at = around::<2>(k, count, 0.05, [2000.0, 1500.0], 0.5).name(format!("support {k}."));
@@ -21,7 +21,7 @@ fn ring(count: usize) -> Result<Grasp, grasp_lcp::Error> {
     Grasp::new((0..count).map(support).collect::<Vec<_>>())
 }
 
-/// Everything that is written, line by line.
+/// All text of a picture, line by line.
 fn words(svg: &str) -> Result<Vec<String>, Failure> {
     let texts = shapes(svg)?.into_iter().filter(|shape| shape.tag == "text");
     Ok(texts.map(|text| text.words).collect())
@@ -48,7 +48,7 @@ fn of_very_many_contacts_those_that_use_least_are_named_below() -> Result<(), Fa
         let name = format!("support {k}.");
         assert_eq!(note.matches(&name).count(), 1, "{name}");
     }
-    // Drawn curves are higher than those left out.
+    // Drawn curves reach higher than those left out.
     let (drawn, least) =
         (curves(&chart)?, note.split("no more than ").nth(1).and_then(|rest| rest.split(' ').next()));
     let least: f64 = least.ok_or("a number")?.parse()?;
@@ -91,7 +91,7 @@ fn a_pad_has_one_curve_that_of_its_sums() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Turned by a moment besides, parts of a pad slide before all of it does; its curve ends at 1 when all does.
+/// Under an additional moment a part of a pad slides first. Its curve ends at 1 when all points slide.
 #[test]
 fn a_pad_that_slides_in_part_says_that_it_begins_to() -> Result<(), Failure> {
     let pad = SoftFingertip::pad(0.02, 5, Pressure::Parabolic)?;
@@ -115,7 +115,7 @@ fn curves_that_coincide_are_both_seen() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Down by 8 N, then up by 6: half of 8 N is 0.8 of 5 N, and of 2 N 0.2.
+/// The load is 8 N down, then 6 N less. Each jaw carries half: 0.8 of its 5 N, then 0.2.
 #[test]
 fn a_program_is_drawn_leg_by_leg() -> Result<(), Failure> {
     let jaws = Grasp::new([jaw("left", -0.03), jaw("right", 0.03)])?;

@@ -8,7 +8,7 @@ use grasp_lcp::scene::{Answers, Scene, Setup, Space};
 use grasp_lcp::words::Words;
 use serde_json::{Value, json};
 
-/// The largest number of sentences that tests compare word by word.
+/// The largest number of sentences in these files.
 const MOST: usize = 60;
 /// The beginning of a line with an answer.
 const ANSWER: &str = "    ";
@@ -17,7 +17,7 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("golden")
 }
 
-/// A scene by its file among the examples, or the fields of its setup.
+/// A scene from the name of an example file, or from the fields of its setup.
 fn scene_of(text: &str) -> Value {
     let text = text.trim();
     if Path::new(text).extension().is_some_and(|end| end == "json") {
@@ -33,7 +33,7 @@ fn first_lines<const C: usize>(setup: &Setup<C>, answers: &[grasp_lcp::scene::An
     pairs.map(|(question, answer)| question.first_line(answer, Words::default())).collect()
 }
 
-/// The first line of an answer; of a scene that is refused its fault, and without questions its warnings.
+/// The first line of each answer; the fault of a refused scene; the warnings of a scene without questions.
 fn told(scene: &Value) -> Vec<String> {
     let scene = match Scene::from_json(scene.to_string().as_bytes()) {
         Ok(scene) => scene,
@@ -56,8 +56,8 @@ fn told(scene: &Value) -> Vec<String> {
     }
 }
 
-/// A file with the present answers, and their number. A scene goes up to the next empty line. Below it `? question` is a question about this scene, and
-/// `! from => to` a change of its text.
+/// The file with current answers, and their number. A scene ends at the next empty line. Below it `? question` asks about this scene, and
+/// `! from => to` changes its text.
 fn renewed(text: &str) -> (String, usize) {
     let (mut new, mut scene) = (Vec::new(), String::new());
     for line in text.lines().filter(|line| !line.starts_with(ANSWER)) {

@@ -14,7 +14,7 @@ use support::jaws::jaw;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// Everything that a finger of the plane can say.
+/// A scene with all fields of a planar finger.
 fn planar_scene() -> Value {
     let pad = |point: Value, normal: Value| json!({ "point": point, "normal": normal, "series_stiffness": [2000.0, 1500.0], "friction": 0.6 });
     let mut first = pad(json!([-1.0, 0.3]), json!([1.0, 0.1]));
@@ -59,7 +59,7 @@ fn planar_scene() -> Value {
     })
 }
 
-/// The same hand by calls.
+/// The same hand, built in Rust.
 fn by_calls() -> Result<planar::Grasp, grasp_lcp::Error> {
     let pad = |point: [f64; 2], normal: [f64; 2]| {
         Contact::new(point, normal).series_stiffness(2000.0, 1500.0).friction(0.6)
@@ -147,7 +147,7 @@ fn a_written_hand_reads_back_and_answers_as_the_one_that_is_built() -> Tested {
     Ok(())
 }
 
-/// In space, and with more coordinates than small hands have.
+/// Hands in space with many joints are answered too.
 #[test]
 fn hands_of_every_size_are_answered() -> Tested {
     for joints in [1, 3, 8] {
@@ -184,7 +184,7 @@ fn hands_of_every_size_are_answered() -> Tested {
     Ok(())
 }
 
-/// Points of a soft fingertip on a link are moved by its joints, and are named by their contact.
+/// The points of a soft fingertip on a link move with its joints, and have the name of their contact.
 #[test]
 fn a_finger_has_soft_tips() -> Tested {
     let jaw = |side: f64| {
@@ -201,13 +201,13 @@ fn a_finger_has_soft_tips() -> Tested {
     let places: Vec<_> =
         told.contacts.iter().map(|touch| (touch.contact.index, touch.contact.point)).collect();
     assert_eq!(places, [(0, Some(0)), (0, Some(1)), (1, Some(0)), (1, Some(1))]);
-    // The pairs share 1e4 N/m a side; the joints feel the sum alone.
+    // The points of each side share 1e4 N/m; the joints carry their sum.
     let force = 0.01 / (1e-3 + 1e-4);
     assert!((told.joints[0].torque - force).abs() < 1e-12);
     Ok(())
 }
 
-/// The answer describes the joints' part of a motion without resistance.
+/// A free motion includes the motion of joints.
 #[test]
 fn free_motions_tell_what_joints_do() -> Tested {
     let jaw = |side: f64| {
@@ -265,7 +265,7 @@ fn what_is_wrong_with_a_hand_is_named() {
     }
 }
 
-/// A contact of a finger that cannot be built is named by its place in the scene, soft fingertips before it counted once.
+/// The error of an invalid contact of a finger has its index in the scene, where each preceding soft fingertip counts once.
 #[test]
 fn a_wrong_contact_of_a_finger_is_named_by_its_place() {
     let pad = |x: f64| jaw::<2>(x, [1e4, 8e3], 0.5);
@@ -276,12 +276,12 @@ fn a_wrong_contact_of_a_finger_is_named_by_its_place() {
     );
     let told = setup.answers().expect_err("negative friction").to_string();
     assert!(told.contains("contact 1") && told.contains("thumb"), "{told}");
-    // Its grasp has more coordinates than the object.
+    // The grasp of this hand has more coordinates than the object.
     let told = Setup::<2>::new([]).finger(scene::FingerSetup::new([]).contact(pad(1.0)));
     assert!(told.grasp().is_ok());
 }
 
-/// `presses_with` of a finger is the `force` of its contact, soft or not; of two contacts, or beside a squeeze, it is refused.
+/// `presses_with` of a finger is the `force` of its contact, soft or not. With two contacts, or together with `pressed_with`, it is refused.
 #[test]
 fn a_finger_presses_with_the_force_of_its_contact() -> Tested {
     let read = |change: Change<'_>| {
@@ -300,7 +300,7 @@ fn a_finger_presses_with_the_force_of_its_contact() -> Tested {
     let Space::Planar(setup) = &soft.space else { return Err("planar".into()) };
     let state = setup.grasp()?.solve(Wrench::ZERO)?;
     let state = state.equilibrium().ok_or("holds")?;
-    // Its points are one joint, on which the force acts.
+    // All its points share one joint with the constant force.
     assert!(state.joints.len() == 4 && (state.joints[3].torque - 2.5).abs() < 1e-12);
     let told =
         read(&|s| s["fingers"][2]["contacts"][0]["pressed_with"] = json!(1)).expect_err("both").to_string();

@@ -10,7 +10,7 @@ fn feet(half: f64) -> [Contact; 2] {
     [-half, half].map(|x| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 7e4).friction(0.5))
 }
 
-/// A question with all fields: two layouts, a pull and a tilt, a known sum, friction of each foot, loads of supports.
+/// A question with all fields: two layouts, a pull and a tilt, a known sum, friction of each foot, and loads of supports.
 fn asked() -> Identify<2> {
     let carried = |contact| Unknown::carried().of_contacts([contact]);
     let unknowns = [Unknown::friction().named("rubber").starting_at(0.4), carried(0), carried(1)];
@@ -52,7 +52,7 @@ fn it_comes_back_as_it_was_written() -> Tested {
     Ok(())
 }
 
-/// A tilt in place of a load; in short the first unknown.
+/// A slip may have a tilt in place of a load. The short answer has the first unknown.
 #[test]
 fn an_angle_at_which_it_slid() -> Tested {
     let turn = Turn::tilting([0.0, -5.0], [0.0, 0.0]).up_to(0.4_f64.atan());

@@ -4,7 +4,7 @@ use grasp_lcp::scene::{Answer, Answers, Scene};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// Answer for two jaws on the sides of a box, the left one movable; `hold` has further fields of both contacts, `beside` of the question.
+/// The answer for two jaws on a box, of which the left one may move. `hold` is a field of both, `beside` are further fields of the question.
 fn answered(hold: &str, beside: &str) -> Result<Answers, Box<dyn std::error::Error>> {
     let scene: Scene = serde_json::from_str(&format!(
         r#"{{
@@ -34,7 +34,7 @@ fn comes_back(answers: &Answers) -> Result<(Option<f64>, Option<f64>), Box<dyn s
 fn an_answer_comes_back() -> Tested {
     let (before, after) = comes_back(&answered(r#""friction": 0.5, "pressed_with": 8"#, "")?)?;
     let [before, after] = [before, after].map(|factor| factor.expect("sticks at rest"));
-    // Level with the other one both carry half of 2 μ N.
+    // If the jaws are level, both carry half of 2 μ N.
     assert!(before < after && (after - 8.0).abs() < 1e-9, "{before} {after}");
     Ok(())
 }
@@ -49,7 +49,7 @@ fn what_never_slides_is_told_as_infinite() -> Tested {
 #[test]
 fn a_reserve_is_asked_for_and_told_to_be_one() -> Tested {
     let answers = answered(r#""friction": 0.5, "pressed_with": 8"#, r#", "goal": "reserve""#)?;
-    // Each carries half of 1 N with the 4 N of its friction.
+    // Each jaw carries half of 1 N, with a friction limit of 4 N.
     let (before, after) = comes_back(&answers)?;
     assert!(before < after && (after.expect("sticks") - 3.5).abs() < 1e-9, "{before:?} {after:?}");
     let told = serde_json::to_value(&answers)?;

@@ -19,7 +19,7 @@ fn line(id: usize) -> String {
     };
     let load = json!({ "force": [0.01, -0.03 * (id % 500) as f64] });
     let mut questions = vec![json!({ "solve": { "load": load } })];
-    // Some take longer than others.
+    // Some lines take longer than others.
     for _ in 0..(id * 7 % 11) {
         questions.push(json!({ "onset": { "direction": load } }));
     }
@@ -28,7 +28,7 @@ fn line(id: usize) -> String {
         .to_string()
 }
 
-/// Options with this number of workers, and defaults.
+/// Default options with this number of threads.
 fn on(threads: usize) -> StreamOptions {
     StreamOptions::default().on_threads(threads)
 }
@@ -71,7 +71,7 @@ fn a_bad_line_stays_by_itself() {
         line(4).replace("\"questions\":[", "\"questions\":[],\"unread\":["),
         line(5)[..100].to_owned(),
     ];
-    // The last line has no end.
+    // The last line has no line end.
     let input = format!("{}\n\n  \r\n{}\n{}\r\n{}", line(1), bad.join("\n"), line(6), line(7));
     for threads in [1, 2] {
         let (tally, output) = run(&input, threads);
@@ -127,7 +127,7 @@ fn a_line_without_end_is_not_kept() {
     assert!(message.contains(&format!(" {LONGEST_LINE} bytes")), "{message}");
 }
 
-/// Gives lines without end and counts them.
+/// An endless input that counts its lines.
 struct Endless<'a> {
     text: Vec<u8>,
     at: usize,
@@ -160,7 +160,7 @@ fn lines_in(text: &[u8]) -> usize {
     text.split(|byte| *byte == b'\n').count() - 1
 }
 
-/// Counts lines, and takes its time with the first ones.
+/// An output that counts lines, and is slow at first.
 struct Slow<'a>(&'a AtomicUsize);
 
 impl Write for Slow<'_> {
@@ -183,19 +183,19 @@ fn no_more_is_read_than_can_be_kept() {
     for threads in [1, 2] {
         let [given, written, most] = [const { AtomicUsize::new(0) }; 3];
         let text = b"{\"format\": \"grasp-lcp/1\", \"id\": 1}\n".to_vec();
-        // The last line of the buffer may be counted before the worker inspects the buffer.
+        // The lines of the last block may be counted before they are processed.
         let in_buffer = BLOCK_BYTES / text.len() + 1;
         let input = Endless { text, at: 0, left: LINES, given: &given, written: &written, most: &most };
         let tally = answer_lines(input, Slow(&written), &on(threads)).unwrap();
         assert_eq!(tally, Tally { lines: LINES, answered: 0, errors: LINES });
         assert_eq!(written.into_inner(), LINES);
         let most = most.into_inner();
-        // It does read ahead, so that no core waits.
+        // The stream does read ahead, so that no core waits.
         assert!((most_ahead(threads) / 2..=most_ahead(threads) + in_buffer).contains(&most), "{most}");
     }
 }
 
-/// Asks the next line only when the last one was answered.
+/// An input that gives the next line only after the answer to the last one.
 struct Patient {
     lines: std::vec::IntoIter<String>,
     answered: Receiver<()>,
@@ -213,7 +213,7 @@ impl Read for Patient {
     }
 }
 
-/// Says so when it is flushed with a new answer.
+/// An output that reports each flush with a new answer.
 struct Prompt {
     text: io::BufWriter<Vec<u8>>,
     shown: usize,
@@ -244,7 +244,7 @@ fn every_line_is_answered_before_the_next_one_comes() {
     assert_eq!(answer_lines(input, output, &on(2)).unwrap(), Tally { lines: 5, answered: 5, errors: 0 });
 }
 
-/// Fails after so many writes.
+/// An output that fails after this number of writes.
 struct Broken(usize);
 
 impl Write for Broken {
@@ -268,7 +268,7 @@ fn it_ends_when_nobody_reads_on() {
     assert!(given.into_inner() < 10_000);
 }
 
-/// Ends in an error.
+/// An input that ends with an error.
 struct Torn;
 
 impl Read for Torn {
@@ -286,7 +286,7 @@ fn what_was_read_before_reading_failed_is_answered() {
     assert_eq!(replies(&String::from_utf8(output).unwrap()).len(), 2);
 }
 
-/// Every line of a stream is answered, whatever another one does: one whose scene makes the library fail says so for itself.
+/// Every line of a stream is answered, even if the scene of another line makes the library panic. That line gets an error.
 #[test]
 fn a_scene_that_panics_takes_no_other_line_with_it() {
     let input: String = (1..=300).map(|id| line(id) + "\n").collect();
@@ -313,7 +313,7 @@ fn a_scene_that_panics_takes_no_other_line_with_it() {
     }
 }
 
-/// A page asks line by line, and continues after a line that fails.
+/// A caller that asks line by line can continue after a panic.
 #[test]
 fn a_line_that_panics_is_answered_by_an_error() {
     let mut options = on(1);

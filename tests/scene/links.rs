@@ -4,7 +4,7 @@
 use grasp_lcp::scene::{Scene, Space, Warning};
 use serde_json::Value;
 
-/// A lever on a hinge presses a plate on a bed; a rope keeps the plate.
+/// A lever on a hinge presses a plate on a bed, and a rope restrains the plate.
 const CLAMP: &str = r#"{
 "format": "grasp-lcp/1",
 "planar": {
@@ -49,7 +49,7 @@ fn in_space_too() {
     let door = scene(text);
     assert_eq!(scene(&serde_json::to_string(&door).expect("written")), door);
     let state = &answers(text)[0]["solve"];
-    // A single object needs no bodies; the points of the hinge are reported as those of one contact.
+    // A single object needs no bodies. The points of the hinge are reported as one contact.
     let told: Vec<_> = state["contacts"]
         .as_array()
         .expect("a list")
@@ -84,7 +84,7 @@ fn answers_say_what_is_a_link() {
         [None, None, None, Some("hinge".into()), Some("cable".into()), Some("spring".into())]
     );
     assert_eq!(contacts[5]["name"], "spring 2");
-    // The plate gives way to the left until the rope is tight.
+    // The plate moves to the left until the rope is tight.
     let events = answers[1]["follow"]["events"].as_array().expect("a list");
     let tight = events.iter().flat_map(|event| event["changes"].as_array().expect("a list"));
     let tight: Vec<_> =
@@ -99,7 +99,7 @@ fn refused() {
         Scene::from_json(CLAMP.replacen(from, to, 1).as_bytes()).expect_err(to).message
     };
     let hinge = r#""hinge": { "point": [0, 0.02] }"#;
-    // The link or its field, and the value.
+    // Replaced text, its replacement, the link or its field, and the value in the message.
     for (from, to, of, value) in [
         (
             hinge,
@@ -135,7 +135,7 @@ fn refused() {
     assert!(told.ends_with("plate, lever"), "{told}");
 }
 
-/// The force of a beam's link beside two props depends on its stiffness, and a warning says so. The force of a single link does not.
+/// A beam on three props, one of them a link: its force depends on its stiffness. The stiffness of a statically determinate link does not matter.
 #[test]
 fn a_stiffness_that_counts_is_told() {
     let beam = |prop: &str| {

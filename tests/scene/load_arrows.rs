@@ -5,9 +5,9 @@ use grasp_lcp::{planar, spatial};
 use support::svg::{Failure, Shape, outside, shapes};
 
 const LOAD: &str = "#000000";
-/// Least pixels of an arrow, with its head.
+/// Least length of an arrow with its head, pixels.
 const LEAST: f64 = 17.9;
-/// Where the legend of a still begins.
+/// Left end of the legend, pixels.
 const LEGEND: f64 = 620.0;
 
 fn jaws() -> Result<planar::Grasp, grasp_lcp::Error> {
@@ -27,7 +27,7 @@ fn fingers() -> Result<spatial::Grasp, grasp_lcp::Error> {
     spatial::Grasp::new([finger(180.0, 0.0), finger(60.0, 0.01), finger(-60.0, -0.01)])
 }
 
-/// From the tail to the tip of each arrow of a colour: its line, and the head in whose direction it goes.
+/// Length of each load arrow of this line width, from its tail to the tip of its head.
 fn arrows(shapes: &[Shape], width: f64) -> Vec<f64> {
     let is = |shape: &&Shape| shape.tag == "polyline" && shape.ink == LOAD && shape.width == Some(width);
     let tips: Vec<_> = shapes
@@ -97,7 +97,7 @@ fn a_spatial_force_of_any_size_and_place_has_an_arrow_beside_a_grasp_that_is_see
         let shapes = shapes(&svg)?;
         let arrows = arrows(&shapes, 3.0);
         assert!(arrows.len() == 1 && arrows[0] >= 0.8 * LEAST, "{newtons} {arm} {arrows:?}");
-        // Fingers are not a dot beside a load that acts far away.
+        // Fingers remain visible if the load acts far away.
         let fingers = shapes.iter().filter(|shape| shape.ink == "#6E6E6E" && shape.width == Some(5.0));
         let long = fingers
             .map(|line| (line.points[0][0] - line.points[1][0]).hypot(line.points[0][1] - line.points[1][1]));
@@ -134,7 +134,7 @@ fn a_load_that_points_to_the_eye_is_a_circle_with_a_dot_or_a_cross() -> Result<(
             let of = |shape: &&Shape| shape.tag == tag && shape.ink == LOAD && shape.points[0][0] < LEGEND;
             shapes.iter().filter(of).count()
         };
-        // A ring, and the dot in it or two strokes.
+        // A ring with a dot, or with two strokes.
         assert_eq!((black("circle"), black("polyline")), (if lines == 0 { 2 } else { 1 }, lines), "{side}");
     }
     Ok(())

@@ -37,6 +37,6 @@ mod turns;
 mod units;
 mod warnings;
 
-/// A name that has room nowhere.
+/// A name too long for every place.
 const LONG: &str =
     "a finger whose name goes on and on, as if nobody were ever to write it on a sheet of paper";

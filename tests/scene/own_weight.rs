@@ -27,7 +27,7 @@ fn answer(text: &str) -> serde_json::Value {
     serde_json::to_value(scene.answers().expect("well posed")).expect("written")
 }
 
-/// A box on a tray slides at the angle of friction, whatever it weighs.
+/// A box on a tray slides at the angle of friction, for every weight.
 #[test]
 fn gravity_itself_turns() {
     let expected = 0.4_f64.atan().to_degrees();

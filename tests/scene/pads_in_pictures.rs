@@ -9,7 +9,7 @@ const STICKING: &str = "#0072B2";
 /// Width of a rim, pixels.
 const RIM: f64 = 1.5;
 
-/// Two pads of 20 x 12 mm on both sides of a box, seen from the front, with so many strips in half of each side.
+/// Two pads of 20 x 12 mm on both sides of a box, seen from the front. `strips` is the number of strips in half of each side.
 fn pinch(strips: usize, stiffness: f64) -> Result<(Grasp, Equilibrium), Failure> {
     let pad = SoftFingertip::rectangle([0.02, 0.012], [strips, strips])?;
     let jaw = |name: &str, y: f64| {
@@ -26,7 +26,7 @@ fn still(grasp: &Grasp, state: &Equilibrium) -> Result<String, Failure> {
     Ok(SpatialPage::new(grasp, "A pinch").frame("held", state).to_svg(Some(0), View::FRONT)?)
 }
 
-/// Width and height of these places, pixels, of those that are left of the legend.
+/// Width and height of the region of these places, pixels, without the legend.
 fn extent(places: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for place in places.filter(|place| place[0] < 620.0) {

@@ -9,7 +9,7 @@ use support::svg::{Failure, shapes, view_box};
 
 use crate::LONG;
 
-/// Width of a letter of a sans serif face in parts of its height, on the average.
+/// Average width of a sans serif letter, relative to its height.
 const LETTER: f64 = 0.55;
 
 fn polar() -> Polar {
@@ -122,7 +122,7 @@ fn places_are_written_in_hundredths_of_a_pixel() -> Result<(), Failure> {
         let places = shapes(&svg)?.into_iter().flat_map(|shape| shape.points).flatten();
         let off = places.map(|x| (100.0 * x - (100.0 * x).round()).abs()).fold(0.0, f64::max);
         assert!(off < 1e-9);
-        // A hundredth is used: a curve is not rounded to whole pixels.
+        // Curves are not rounded to whole pixels.
         assert!(shapes(&svg)?.iter().flat_map(|shape| &shape.points).any(|p| p[0].fract() != 0.0));
     }
     Ok(())

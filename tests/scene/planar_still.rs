@@ -12,10 +12,10 @@ const STICKING: &str = "#0072B2";
 /// Widths of the arrow of a force and of the arc of a moment, pixels.
 const FORCE: f64 = 3.0;
 const ARC: f64 = 2.0;
-/// Pixels.
+/// Tolerance, pixels.
 const NEAR: f64 = 0.02;
 
-/// Shapes of the picture of a grasp, and its scale: the wedges of two fingers end at two contacts, which determine it.
+/// The shapes of a picture, and its scale and origin, found from the tips of two fingers.
 struct Drawn {
     shapes: Vec<Shape>,
     origin: [f64; 2],
@@ -30,7 +30,7 @@ impl Drawn {
         let [p, q] = [0, 1].map(|i| <[f64; 2]>::from(grasp.contacts()[i].point()));
         let [a, b] = [ends[0], ends[1]];
         let metres = (q[0] - p[0]).hypot(q[1] - p[1]) / (b[0] - a[0]).hypot(b[1] - a[1]);
-        // The same turn of neither, y upwards.
+        // Pictures are not rotated, and y points up.
         let origin = [a[0] - p[0] / metres, a[1] + p[1] / metres];
         let drawn = Self { shapes, origin, metres };
         let second = drawn.point(b);
@@ -42,14 +42,14 @@ impl Drawn {
         [(place[0] - self.origin[0]) * self.metres, (self.origin[1] - place[1]) * self.metres]
     }
 
-    /// Lines of this colour and width.
+    /// Lines of a colour and a width.
     fn lines(&self, ink: &str, width: f64) -> Vec<Vec<[f64; 2]>> {
         let is = |shape: &&Shape| shape.tag == "polyline" && shape.ink == ink && shape.width == Some(width);
         let points = |shape: &Shape| shape.points.iter().map(|place| self.point(*place)).collect();
         self.shapes.iter().filter(is).map(points).collect()
     }
 
-    /// Tips of all arrows of this colour: first corners of areas that are no wedges.
+    /// Tips of all arrows of a colour: first corners of polygons that are not wedges.
     fn tips(&self, ink: &str) -> Vec<[f64; 2]> {
         let heads = self.shapes.iter().filter(|shape| shape.tag == "polygon" && shape.ink == ink);
         heads.map(|head| self.point(head.points[0])).collect()
@@ -91,7 +91,7 @@ fn the_load_lies_on_its_line_of_action() -> Result<(), Failure> {
     for end in arrows[0].iter().chain([&tip]) {
         assert!((end[0] - 1003.675 / 950.0).abs() < NEAR * drawn.metres, "{end:?}");
     }
-    // The arrow of the load is in proportion to that of the foot.
+    // Arrow lengths are proportional to forces.
     let foot = state.contacts[0].force_world;
     let tips = drawn.tips(STICKING);
     let of_foot =
@@ -110,7 +110,7 @@ fn a_moment_is_an_arc_that_turns_its_way() -> Result<(), Failure> {
     for (force, moment, words) in [
         ([0.0, 0.0], 0.3, "moment 0.3 N m"),
         ([0.0, 0.0], -0.3, "moment −0.3 N m"),
-        // Lines of action far beside the disk: at its middle with a moment about that, half a metre above the origin less.
+        // The line of action is far from the disk, so the load is drawn at the middle of the disk, with the moment about this point.
         ([0.0, 0.1], 0.3, "moment 0.3 N m"),
         ([0.1, 0.0], -0.3, "moment −0.275 N m"),
     ] {
@@ -118,7 +118,7 @@ fn a_moment_is_an_arc_that_turns_its_way() -> Result<(), Failure> {
         let arcs = drawn.lines(LOAD, ARC);
         assert_eq!(arcs.len(), 1);
         assert!(drawn.says(words), "{words}");
-        // Around the middle between the lowest and the highest contact.
+        // The arc is around the middle between the lowest and the highest contact.
         let middle = [0.0, 0.25];
         let away: Vec<[f64; 2]> = arcs[0].iter().map(|p| [p[0] - middle[0], p[1] - middle[1]]).collect();
         let radius = away[0][0].hypot(away[0][1]);
@@ -127,7 +127,7 @@ fn a_moment_is_an_arc_that_turns_its_way() -> Result<(), Failure> {
             away.windows(2).map(|p| (p[0][0] * p[1][1] - p[0][1] * p[1][0]) / radius.powi(2)).sum();
         assert!(turns * moment > 0.0 && (3.0..5.0).contains(&turns.abs()), "{turns}");
         assert_eq!(drawn.lines(LOAD, FORCE).len(), usize::from(force != [0.0, 0.0]));
-        // No line of action is drawn where it is not.
+        // No line of action is drawn at a wrong place.
         assert!(!drawn.shapes.iter().any(|shape| shape.ink == GREY && shape.dashed));
     }
     Ok(())
@@ -135,7 +135,7 @@ fn a_moment_is_an_arc_that_turns_its_way() -> Result<(), Failure> {
 
 #[test]
 fn forces_do_not_leave_through_the_back() -> Result<(), Failure> {
-    // Flat fingers at a high box: arrows as long as the box is high would go far beyond its other side.
+    // Fingers on a tall narrow box: arrows as long as the height would pass through its other side.
     let finger = |x: f64| {
         let at = Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0);
         at.friction(0.5).command([0.01, 0.0])
@@ -144,7 +144,7 @@ fn forces_do_not_leave_through_the_back() -> Result<(), Failure> {
     let box_ = [[-0.02, -0.1], [0.02, -0.1], [0.02, 0.1], [-0.02, 0.1]];
     let drawn = Drawn::new(&grasp, &state(&grasp, &Wrench::ZERO)?, Some(&box_))?;
     let tips = drawn.tips(STICKING);
-    // A cone and an arrow for each.
+    // Each finger has a cone and an arrow.
     assert_eq!(tips.len(), 4);
     assert!(tips.iter().all(|tip| tip[0].abs() <= 0.02 + NEAR * drawn.metres), "{tips:?}");
     Ok(())

@@ -10,7 +10,7 @@ use grasp_lcp::squeeze::Loads;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// The text is read as the value, which comes back as it was written.
+/// Checks that the text is read as the value, and the value written as the text.
 macro_rules! is_written {
     ($text:expr, $value:expr) => {{
         let value = $value;
@@ -121,7 +121,7 @@ fn friction_of_a_soft_fingertip_is_that_of_all_its_points() -> Tested {
     Ok(())
 }
 
-/// A layout by points is that of a grasp that was built there, also for the points of a soft fingertip.
+/// A layout by points equals a grasp built at these points, also for the points of a soft fingertip.
 #[test]
 fn contacts_of_a_layout_are_moved() -> Tested {
     let grasp = jaws(0.03)?;
@@ -137,7 +137,7 @@ fn contacts_of_a_layout_are_moved() -> Tested {
     Ok(())
 }
 
-/// A spring keeps its pretension while fingers are commanded to where they are.
+/// Commands of fingers do not change the pretension of a spring.
 #[test]
 fn commands_leave_springs_alone() -> Tested {
     let scene: Scene = serde_json::from_str(
@@ -165,7 +165,7 @@ fn commands_leave_springs_alone() -> Tested {
     Ok(())
 }
 
-/// A box of 10 N on a box of 20 N on a table: the table lets go at 0.5 · 30 N, the lower box at 0.3 · 10 N.
+/// A box of 10 N on a box of 20 N on a table: both slide on the table at 0.5 · 30 N, the upper box slides at 0.3 · 10 N.
 #[test]
 fn a_need_has_loads_that_grow_together() -> Tested {
     let face = |y: f64, mu: f64| {

@@ -6,7 +6,7 @@ use grasp_lcp::planar::{Contact, Grasp, Turn};
 use grasp_lcp::spatial;
 use support::svg::{Failure, shapes};
 
-/// A glass on a tray that is tilted until it tips: its upper edge carries nothing any more.
+/// A glass on a tray that is tilted until it tips. Its upper edge carries no force any more.
 #[test]
 fn a_glass_about_to_tip_stands_on_one_edge() -> Result<(), Failure> {
     let edge = |x: f64, name: &str| {
@@ -44,14 +44,14 @@ fn neither_arrows_nor_tables_of_a_page_show_it() -> Result<(), Failure> {
     let (html, arrows) = drawn(&state)?;
     let forces = |html: &str| html.matches("\"layer\":\"forces\"").count();
     assert!(!html.contains("<td>0</td><td>0</td>") && forces(&html) == 3);
-    // A fraction of 1e-12 of the other forces.
+    // A force 1e12 times smaller than the others.
     let last = &mut state.contacts[2];
     last.force *= 1e-12;
     last.force_world *= 1e-12;
     last.margin *= 1e-12;
     let (html, fewer) = drawn(&state)?;
     assert!(html.contains("<td>0</td><td>0</td><td>0</td>") && forces(&html) == 2);
-    // The head of its arrow, its cone and the edge of that are gone.
+    // The head of its arrow, its cone and the edge of the cone are not drawn.
     assert!(fewer < arrows, "{fewer} of {arrows}");
     Ok(())
 }

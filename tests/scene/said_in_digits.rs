@@ -9,7 +9,7 @@ use grasp_lcp::words::Words;
 use serde_json::json;
 use support::jaws::jaw;
 
-/// Two jaws of 7.123456789 N each, μ = 0.5, that hold as much together.
+/// Two jaws of 7.123456789 N each, μ = 0.5, which together hold the same load.
 fn jaws() -> Setup<2> {
     let jaw = |x: f64, name| jaw::<2>(x, [1e3, 8e2], 0.5).name(name).pressed_with(7.123_456_789);
     Setup::new([jaw(-0.03, "left").into(), jaw(0.03, "right").into()])
@@ -33,7 +33,7 @@ fn hold_and_need_obey_the_digits() {
         let need = json!({ "need": { "quantity": "squeeze", "demand": "held", "load": { "force": [0, -9.123_456_789] } } });
         let Answer::Need(needed) = in_digits(need, digits) else { panic!("need was asked") };
         assert_eq!(needed.says, format!("{:.digits$}", needed.needed));
-        // The sentence about a smaller amount has the same number of digits.
+        // The sentence about a smaller amount has these digits too.
         let Amount::Bound { otherwise, .. } = &needed.needed.amount else { panic!("some squeeze does") };
         let load = Words::with_digits(digits).number(9.123_456_789);
         assert!(otherwise.contains(&format!("{load} N of {load} N")), "{otherwise}");
@@ -77,7 +77,7 @@ fn undecided_comes_with_what_happens_from_rest() {
                 (lost.factor * weight - 15.0).abs() < 1e-9 && matches!(told.verdict.holding, Holding::Lost)
             );
         }
-        // Answers are the same after writing and reading.
+        // The answers read back as they were written.
         let written = serde_json::to_string(&answers.as_ref().expect("one answer")).expect("written");
         let read: Vec<Answer<2>> = serde_json::from_str(&written).expect("read");
         assert_eq!(serde_json::to_string(&read).expect("written"), written);

@@ -9,7 +9,7 @@ use support::svg::{Failure, Shape, circles, shapes};
 const STICKING: &str = "#0072B2";
 /// Width of the arrow of a force, pixels.
 const FORCE: f64 = 3.0;
-/// Points of a fingertip, and fingertips.
+/// Number of points of a fingertip, and of fingertips.
 const POINTS: usize = 16;
 const TIPS: usize = 2;
 
@@ -23,7 +23,7 @@ fn pinch() -> Result<(Grasp, Equilibrium), Failure> {
     let grasp =
         Grasp::new([tip.contacts(&finger("thumb", -0.03))?, tip.contacts(&finger("index", 0.03))?].concat())?;
     assert_eq!(grasp.len(), TIPS * POINTS);
-    // Its weight acts beside the line of the pinch, so that pressure is not even.
+    // The weight acts beside the line of the pinch, so that the pressure is uneven.
     let state = grasp.solve(Wrench::force_at([0.0, 0.0, -1.0], [0.02, 0.0, 0.0]))?;
     let state = state.equilibrium().ok_or("it holds")?.clone();
     assert!(state.contacts.iter().all(|c| matches!(c.state, spatial::ContactState::Sticking)));
@@ -40,14 +40,14 @@ fn a_fingertip_has_one_force_at_its_centre_of_pressure() -> Result<(), Failure> 
     let (grasp, state) = pinch()?;
     let svg = SpatialPage::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
     let shapes = shapes(&svg)?;
-    // In the legend stands one more.
+    // The legend has one more.
     let mut starts = thick(&shapes, STICKING);
     starts.retain(|at| at[0] < 620.0);
     assert_eq!(starts.len(), TIPS);
     let mut dots = circles(&svg, STICKING)?;
     dots.retain(|at| at[0] < 620.0);
     assert_eq!(dots.len(), TIPS * POINTS);
-    // Pixels of a metre from the two outermost points of the disc, seen from the side.
+    // Scale in pixels per metre, from the two outermost points of the disc seen from the side.
     let heights = |side: f64| {
         let of_tip = dots.iter().filter(move |at| (at[0] > 316.0) == (side > 0.0)).map(|at| at[1]);
         of_tip.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)))
@@ -68,7 +68,7 @@ fn a_fingertip_has_one_force_at_its_centre_of_pressure() -> Result<(), Failure> 
         let nearest = starts.iter().map(|at| (at[1] - on_paper).abs()).fold(f64::INFINITY, f64::min);
         assert!(nearest < 0.03, "{on_paper} {starts:?}");
     }
-    // The fingertips' names, not those of their points.
+    // The picture has the names of fingertips, not of their points.
     assert!(shapes.iter().any(|shape| shape.words == "thumb") && !svg.contains("thumb 0"));
     Ok(())
 }
@@ -122,7 +122,7 @@ fn a_planar_fingertip_has_one_force() -> Result<(), Failure> {
     let svg = draw_grasp(&grasp, state, None, "A pinch")?;
     assert_eq!(thick(&shapes(&svg)?, STICKING).len(), TIPS);
     assert_eq!(circles(&svg, STICKING)?.len(), grasp.len());
-    // Both together carry the weight: each says half of it and the squeeze.
+    // Each fingertip carries half of the weight.
     let total: f64 = state.contacts[..grasp.len() / TIPS].iter().map(|c| c.force_world[1]).sum();
     assert!((total - 0.5).abs() < 1e-9);
     Ok(())

@@ -69,7 +69,7 @@ fn names_are_text_and_nothing_else() -> Result<(), Failure> {
     let (page, ..) = page_of(NASTY)?;
     for tag in ["<script", "</script", "<button", "<td", "alert("] {
         let expected = plain.matches(tag).count();
-        // The name occurs as text only: title, heading, sentence, canvas, button, section, row and data.
+        // The name occurs as text in title, heading, sentence, canvas, button, section, row and data.
         let expected = if tag == "alert(" { 8 } else { expected };
         assert_eq!(page.matches(tag).count(), expected, "{tag}");
     }
@@ -88,11 +88,11 @@ fn numbers_are_those_of_the_answer() -> Result<(), Failure> {
         let force = of_tip(frame, "arrow", "forces", i).ok_or("a force")?;
         assert_eq!(row(&force["arrow"]), contact.point().as_slice());
         assert_eq!(row(&force["along"]), (answer.force_world * scale).as_slice());
-        // All displacements have one factor, which is a round number.
+        // All displacements have one magnification, a round number.
         let moves = of_tip(frame, "arrow", "displacements", i).ok_or("a displacement")?;
         let factor = row(&moves["along"])[0] / answer.body_core[0];
         assert_eq!(row(&moves["along"]), (answer.body_core * factor.round()).as_slice(), "{factor}");
-        // The cone has the normal force, a little longer, along its axis.
+        // The axis of the cone is slightly longer than the normal force.
         let cone = of_tip(frame, "cone", "cones", i).ok_or("a cone")?;
         let high = Vector3::from_row_slice(&row(&cone["middle"])) - contact.point();
         assert!((high.norm() - 1.15 * answer.normal_force() * scale).abs() < 1e-15);
@@ -125,7 +125,7 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A page fits a narrow screen: nothing has a fixed width above 400 pixels, and wider parts scroll in a frame.
+/// The page fits a narrow screen: no fixed width exceeds 400 pixels, and wider parts scroll.
 #[test]
 fn a_narrow_screen_is_wide_enough() -> Result<(), Failure> {
     let (page, ..) = page_of("thumb")?;
@@ -147,7 +147,7 @@ fn a_narrow_screen_is_wide_enough() -> Result<(), Failure> {
     }
     assert_eq!(page.matches("<table>").count(), page.matches("<div class=\"scrolls\">\n<table>").count());
     assert!(style.contains(".scrolls { overflow-x: auto; }"));
-    // Touch turns and enlarges the picture, and does not move the page while it does.
+    // Touch rotates and enlarges the picture, and does not scroll the page.
     assert!(
         style.contains("touch-action: none")
             && page.contains("pointerdown")
@@ -156,7 +156,7 @@ fn a_narrow_screen_is_wide_enough() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Three pads of twelve points are three rows and three entries; the points are there on request.
+/// Three pads of twelve points have three rows and three entries; points are shown on request.
 #[test]
 fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
     let tip = SoftFingertip::ring(0.005, 12)?;
@@ -187,7 +187,7 @@ fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A way out goes with the motion, the sentence of an answer is said, and cones have the friction of the answer.
+/// The page shows the way out as a motion, the sentence of the answer, and cones with the friction of the answer.
 #[test]
 fn what_an_answer_has_besides_is_on_the_page() -> Result<(), Failure> {
     let grasp = jar("thumb")?;
@@ -228,7 +228,7 @@ fn what_an_answer_has_besides_is_on_the_page() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Of several bodies each outline has the motion of its own, and where all is lost each goes its own way.
+/// With several bodies each outline has the motion of its body, also in the motion by which the grasp is lost.
 #[test]
 fn bodies_move_on_their_own() -> Result<(), Failure> {
     let face = |height: f64, friction: f64| {
@@ -261,7 +261,7 @@ fn bodies_move_on_their_own() -> Result<(), Failure> {
         let lines = marks(frame, "line").into_iter().filter(|mark| mark["layer"] == layer);
         lines.map(|mark| mark["line"].as_array().into_iter().flatten().map(row).collect()).collect()
     };
-    // Each outline has moved with the twist of its body, all with one factor.
+    // Each outline moves with the twist of its body, with one magnification for all.
     let moved = lines("displacements");
     let shift = |line: usize, height: f64| {
         let corner = [-0.1, -0.1, height];

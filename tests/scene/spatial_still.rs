@@ -7,16 +7,16 @@ use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Outcome, Wrench};
 
 use support::svg::{Failure, circles, shapes, view_box};
 
-/// Room that points have on paper, with its middle, pixels.
+/// Region for points on the paper, and its middle, pixels.
 const ROOM: (f64, f64) = (564.0, 484.0);
 const MIDDLE: (f64, f64) = (312.0, 304.0);
-/// With a line of text below the title.
+/// Height of a line of text below the title, pixels.
 const LABEL: f64 = 20.0;
-/// Where the legend begins.
+/// Left end of the legend, pixels.
 const LEGEND: f64 = 624.0;
-/// A finger behind its contact, in parts of the largest extent.
+/// Length of a finger, relative to the largest extent.
 const FINGER: f64 = 0.12;
-/// Places are written in hundredths of a pixel.
+/// Tolerance: coordinates are written in hundredths of a pixel.
 const NEAR: f64 = 0.0051;
 
 const SLIDING: &str = "#D55E00";
@@ -32,19 +32,19 @@ fn pinch() -> Result<Grasp, grasp_lcp::Error> {
     Grasp::new([finger([-0.03, 0.0, 0.0], [0.0; 3]), finger([0.03, 0.0, 0.0], [0.0; 3])])
 }
 
-/// Quarters of a turn around z.
+/// The vector rotated by quarter turns about z.
 fn turned(quarters: u32, v: [f64; 3]) -> [f64; 3] {
     (0..quarters).fold(v, |v, _| [-v[1], v[0], v[2]])
 }
 
-/// Nothing about it is symmetric.
+/// A grasp of a jar without symmetry.
 fn jar(quarters: u32) -> Result<Grasp, grasp_lcp::Error> {
     let turn = |v| turned(quarters, v);
     let spots = [[-0.031, 0.002, 0.004], [0.017, 0.026, 0.011], [0.014, -0.029, -0.013]];
     Grasp::new(spots.map(|spot| finger(turn(spot), turn([0.0, 0.001, 0.002])).tangent(turn([0.1, 0.2, 1.0]))))
 }
 
-/// One of its contacts slides.
+/// An equilibrium in which one contact slides.
 fn slid(grasp: &Grasp, quarters: u32) -> Result<Equilibrium, Failure> {
     let turn = |v| turned(quarters, v);
     match grasp.solve(Wrench::force_at(turn([0.5, 0.4, -3.7]), turn([0.01, 0.02, 0.0])))? {
@@ -53,7 +53,7 @@ fn slid(grasp: &Grasp, quarters: u32) -> Result<Equilibrium, Failure> {
     }
 }
 
-/// With the two ends of the jar.
+/// The page of the grasp, with both ends of the jar.
 fn page(grasp: &Grasp, quarters: u32) -> SpatialPage {
     let turn = |v| turned(quarters, v);
     let edge = |z: f64| [[-0.03, -0.01, z], [0.0, 0.03, z], [0.03, -0.02, z]].map(turn);
@@ -67,12 +67,12 @@ fn page(grasp: &Grasp, quarters: u32) -> SpatialPage {
 fn from_the_front_the_thumb_is_on_the_left() -> Result<(), Failure> {
     let grasp = pinch()?;
     let page = SpatialPage::new(&grasp, "A pinch");
-    // Contacts with the fingers behind them fill the room.
+    // Contacts and fingers fill the region.
     let scale = ROOM.0 / (0.06 * (1.0 + 2.0 * FINGER));
     let hundredths = |x: f64| (100.0 * x).round() / 100.0;
     let places = [-0.03, 0.03].map(|x| [MIDDLE.0 + scale * x, MIDDLE.1].map(hundredths));
     assert_eq!(circles(&page.to_svg(None, View::FRONT)?, GREY)?, places);
-    // From the side they are one behind the other.
+    // From the side both contacts coincide.
     let middle = [MIDDLE.0, MIDDLE.1];
     assert_eq!(circles(&page.to_svg(None, View::RIGHT)?, GREY)?, [middle, middle]);
     Ok(())
@@ -83,7 +83,7 @@ fn forces_and_cones_have_their_lengths() -> Result<(), Failure> {
     let grasp = pinch()?;
     let page = SpatialPage::new(&grasp, "A pinch").outcome("no load", &grasp.solve(Wrench::ZERO)?);
     let svg = page.to_svg(Some(0), View::FRONT)?;
-    // The axis of its free turn, one and a half times as long as the grasp is wide, fills the room.
+    // The axis of the free rotation, 1.5 times as long as the width of the grasp, fills the region.
     assert!(svg.contains("turns freely"));
     let scale = ROOM.0 / (1.5 * 0.06);
     let (x, y) = (MIDDLE.0, (MIDDLE.1 + LABEL));
@@ -115,7 +115,7 @@ fn points_lie_where_the_projection_says() -> Result<(), Failure> {
     let grasp = jar(0)?;
     for (yaw, pitch) in [(-0.6_f64, 0.45_f64), (2.0, -0.3), (0.4, 1.3)] {
         let on_paper = |p: [f64; 3]| {
-            // To the right, and on the level away from the eye.
+            // Components to the right, and horizontally away from the eye.
             let across = yaw.cos() * p[0] + yaw.sin() * p[1];
             let back = yaw.cos() * p[1] - yaw.sin() * p[0];
             [across, -(pitch.cos() * p[2] + pitch.sin() * back)]
@@ -183,7 +183,7 @@ fn a_grasp_and_an_eye_that_turn_together_see_the_same() -> Result<(), Failure> {
         let state = slid(&grasp, quarters)?;
         let view = View::default().with_yaw(0.3 + f64::from(quarters) * FRAC_PI_2).with_pitch(0.5);
         let svg = page(&grasp, quarters).frame("slides", &state).to_svg(Some(0), view)?;
-        // The axes in the corner, drawn last as three lines and their letters, do turn.
+        // The coordinate axes in the corner, drawn last as three lines and letters, do rotate.
         let mut shapes = shapes(&svg)?;
         let axes = shapes.split_off(shapes.len() - 6);
         assert_eq!(axes.iter().filter(|shape| shape.tag == "polyline").count(), 3);
@@ -213,11 +213,11 @@ fn contacts_have_the_colours_of_what_they_do() -> Result<(), Failure> {
     let sliding = state.contacts.iter().filter(|c| c.margin.abs() < 1e-9).count();
     assert!(sliding > 0 && sliding < 3, "{state:?}");
     let svg = page(&grasp, 0).frame("slides", &state).to_svg(Some(0), View::default())?;
-    // One more of each in the legend.
+    // The legend has one more of each.
     assert_eq!(circles(&svg, SLIDING)?.len(), sliding + 1);
     assert_eq!(circles(&svg, STICKING)?.len(), 3 - sliding + 1);
     assert!(svg.contains("slip of the") && !svg.contains("no contact resists"));
-    // Nothing resists a moment about the line of a pinch: without forces the picture says why.
+    // A moment about the line of a pinch is not resisted. The picture has no forces and says why.
     let pinch = pinch()?;
     let none = SpatialPage::new(&pinch, "x")
         .outcome("turned", &pinch.solve(Wrench::new([0.0; 3], [0.1, 0.0, 0.0]))?);
@@ -232,7 +232,7 @@ fn names_are_text_and_nothing_else() -> Result<(), Failure> {
     let nasty = "</text><script>alert(\"1 & 'x'\")</script>\u{1}";
     let named = |name: &str| -> Result<String, Failure> {
         let contacts: Vec<_> = jar(0)?.contacts().iter().map(|c| c.clone().name(name)).collect();
-        // A caution about large motions would name a contact, too.
+        // Without a limit on motions there is no caution, which would also name a contact.
         let grasp = Grasp::new(contacts)?;
         let grasp = grasp.with(&grasp.settings().with_small_motions(1e3, 1e3));
         let page = SpatialPage::new(&grasp, name).frame(name, &slid(&grasp, 0)?);
@@ -266,7 +266,7 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
     for corner in [[f64::NAN, 0.0, 0.0], [0.0, f64::INFINITY, 0.0]] {
         says(page(&grasp, 0).fixture([corner]), None, fine, "outline");
     }
-    // Finite corners whose differences overflow.
+    // The numbers are finite, but some derived numbers are not.
     says(page(&grasp, 0).outline([[1e308, 0.0, 0.0], [-1e308, 0.0, 0.0]]), None, fine, "too large");
     let other = Grasp::new(grasp.contacts()[..2].to_vec())?;
     says(SpatialPage::new(&other, "x").frame("a", &state), None, fine, "3 contacts");

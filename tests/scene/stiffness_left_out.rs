@@ -3,7 +3,7 @@
 use grasp_lcp::scene::{Fingertip, Scene, Space, Warning};
 use serde_json::{Value, json};
 
-/// Two feet on a table that are pushed at a height, and the question.
+/// A scene with two feet on a table that is pushed at a height.
 fn scene(stiffness: &[Value; 2], question: &Value) -> Scene {
     let foot = |x: f64, stiffness: &Value| {
         let mut foot = json!({ "point": [x, 0], "normal": [0, 1], "friction": 0.4 });
@@ -26,14 +26,14 @@ fn push(height: f64) -> Value {
     json!({ "hold": { "base": { "force": [0, -20] }, "load": { "force": [8, 0], "at": [0, height] } } })
 }
 
-/// It tips at 20 N · 50 mm / h whatever the springs; how far it goes under its weight, they say.
+/// The load at which it tips, 20 N · 50 mm / h, does not depend on the springs; its motion under its weight does.
 #[test]
 fn it_is_told_where_an_answer_depends_on_it_and_nowhere_else() {
     let none = [json!({}), json!({})];
     assert_eq!(told(&scene(&none, &push(0.15))), None);
     let turn = json!({ "need": { "quantity": "angle", "demand": "held", "turn": { "weight": [0, -3], "at": [0, 0.2], "angle_rad": 1.5 } } });
     assert_eq!(told(&scene(&none, &turn)), None);
-    // Both feet slide at last at μ W; which one slides first is a matter of how they share the push.
+    // The limit load μ W does not depend on stiffness; which foot slides first does.
     let first = told(&scene(&none, &push(0.05))).unwrap();
     let names = ["contact 0", "contact 1"].map(str::to_owned).to_vec();
     let expected =

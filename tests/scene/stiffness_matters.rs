@@ -9,7 +9,7 @@ fn hold(load: Wrench) -> Question<2> {
     Question::Hold { base: Wrench::ZERO, load, together_with: BTreeMap::default() }
 }
 
-/// Friction of a pinch is μ times its squeeze, whatever gives way.
+/// The friction of a pinch is μ times its squeeze, for every stiffness.
 #[test]
 fn a_pinch_holds_the_same() {
     let jaw = |side: f64| {
@@ -20,7 +20,7 @@ fn a_pinch_holds_the_same() {
     assert_eq!(setup.depends_on_tangential_stiffness().expect("answered"), [0; 0]);
 }
 
-/// A block pressed on its bed slides there at `μ N (1 + k_n/k_t)` if a stop without friction has the stiffness k_n: from 1.05 to 11 times `μ N`.
+/// A block pressed on its bed, next to a frictionless stop of stiffness k_n, slides on the bed at `μ N (1 + k_n/k_t)`: from 1.05 to 11 times `μ N`.
 #[test]
 fn a_bed_beside_a_stop_slides_earlier_if_it_is_stiffer() {
     let (stiffness, tangential) = (1e5, 2e5);

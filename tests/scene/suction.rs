@@ -29,7 +29,7 @@ fn onsets(scene: &Scene) -> Vec<f64> {
     answers.iter().map(factor).collect()
 }
 
-/// A cup and two friction pads on a plate of 2 kg: the figures of the same plate with a ring and the vacuum in its loads, 62.83 N up.
+/// A cup and two friction pads on a plate of 2 kg have the numbers of the plate with a ring and the vacuum of 62.83 N as a load.
 #[test]
 fn a_cup_holds_what_its_vacuum_does_as_a_load() {
     let cases = [
@@ -59,7 +59,7 @@ fn a_cup_is_the_one_of_the_crate() {
         setup.grasp().unwrap().contacts(),
         grasp_lcp::spatial::Grasp::new(expected).unwrap().contacts()
     );
-    // The grasp as a scene: every point of the lip with its part of the vacuum.
+    // In the scene of the grasp, every point of the lip has its part of the vacuum.
     let scene = Scene::from(&setup.grasp().unwrap());
     let back: Scene = serde_json::from_value(serde_json::to_value(&scene).unwrap()).unwrap();
     let Space::Spatial(points) = back.space else { panic!("in space") };

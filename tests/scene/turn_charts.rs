@@ -29,7 +29,7 @@ pub(crate) fn curves(chart: &Chart) -> Result<Vec<Curve>, Box<dyn std::error::Er
         .collect()
 }
 
-/// A box of 8 N that starts on its side: the palms carry F_n = 10 ∓ 4 cos θ and F_t = 4 sin θ, and none slides.
+/// A box of 8 N whose weight starts horizontal. The palms carry F_n = 10 ∓ 4 cos θ and F_t = 4 sin θ, and none slides.
 #[test]
 fn the_friction_used_is_that_of_the_closed_form() -> Tested {
     let palms = Grasp::new([palm("left", -1.0), palm("right", 1.0)])?;
@@ -48,7 +48,7 @@ fn the_friction_used_is_that_of_the_closed_form() -> Tested {
     Ok(())
 }
 
-/// Heavier, the box is lost at 5 = 6 sin θ + 3 cos θ, where all friction of the left palm is used.
+/// A heavier box is lost at 5 = 6 sin θ + 3 cos θ, where the friction of the left palm is exhausted.
 #[test]
 fn a_curve_ends_where_the_grasp_is_lost() -> Tested {
     let palms = Grasp::new([palm("left", -1.0), palm("right", 1.0)])?;

@@ -7,7 +7,7 @@ use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::{Error, planar, spatial};
 use support::jaws::jaw;
 
-/// Contacts are on lines 2 and 3, an onset on line 4, a path on line 5.
+/// A valid scene: contacts are on lines 2 and 3, an onset on line 4, a path on line 5.
 const PLANE: &str = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
 {"point": [1, 0], "normal": [-1, 0], "series_stiffness": [10, 20], "friction": 0.5, "pressed_with": 2},
 {"point": [-1, 0], "normal": [1, 0], "series_stiffness": [10, 20], "friction": 0.5, "pressed_with": 2}], "questions": [
@@ -15,7 +15,7 @@ const PLANE: &str = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
 {"follow": {"start": {"force": [0, -1]}, "legs": [{"turn": {"weight": [0, -1]}}]}}
 ]}}"#;
 
-/// The same on lines 1 and 2.
+/// A valid scene in space on lines 1 and 2.
 const SPACE: &str = r#"{"format": "grasp-lcp/1", "spatial": {"contacts": [{"point": [0, 0, 0], "normal": [0, 0, 1], "series_stiffness": [10, 20]}],
 "questions": [{"onset_of_turn": {"weight": [0, 0, -1], "axis": [1, 0, 0]}}]}}"#;
 
@@ -109,7 +109,7 @@ fn commands_stay_along_a_leg_that_turns() {
     expect(PLANE, 5, &[(turn, moved, 112, leg, &Error::CommandsWhileTurning.to_string())]);
 }
 
-/// A setup that is built by calls is checked when it is asked.
+/// Setups built in Rust are validated when they are asked.
 #[test]
 fn turns_that_were_not_read_are_checked_as_well() {
     let palm = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(9.0);

@@ -62,7 +62,7 @@ fn same(a: &impl std::fmt::Debug, b: &impl std::fmt::Debug) -> Result<(), TestCa
     if a == b { Ok(()) } else { Err(TestCaseError::fail(format!("{a}\n{b}"))) }
 }
 
-/// A setup with an onset under a turning load, and a path along which the load turns further.
+/// A setup that asks for the onset under a turning load, and for a path with the same turn.
 fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<C>, Turn<C>) {
     let load = drawn.wrench();
     let turn = Turn::new(
@@ -77,7 +77,7 @@ fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<C>, Tur
     (setup.ask(Question::OnsetOfTurn(turn)).ask(follow), turn)
 }
 
-/// Setup and answers come back as they were, to the bit, and the answers are those of the grasp.
+/// Checks that setup and answers read back to the last bit, and that the answers are those of the grasp.
 fn read_back_and_answered<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Result<(), TestCaseError> {
     let (setup, turn) = turned(drawn);
     let back: Setup<C> = serde_json::from_str(&serde_json::to_string(&setup).unwrap()).unwrap();
@@ -127,7 +127,7 @@ fn palm(x: f64) -> Value {
         "series_stiffness": [1000.0, 800.0], "friction": 0.5, "pressed_with": 10.0 })
 }
 
-/// A box of 12 N that starts on its side: 6 sin θ + 3 cos θ = 5 where it slides on the left palm.
+/// A box of 12 N whose weight starts horizontal slides on the left palm at 6 sin θ + 3 cos θ = 5.
 #[test]
 fn a_box_slides_at_the_angle_of_its_closed_form() -> Tested {
     let slides = (5.0 / 45_f64.sqrt()).asin() - 3_f64.atan2(6.0);
@@ -146,7 +146,7 @@ fn a_box_slides_at_the_angle_of_its_closed_form() -> Tested {
     assert!((event.at.angle - slides).abs() < 1e-15);
     assert_eq!(event.leaving[0].contact.name.as_deref(), Some("left"));
     assert_eq!((&never.onset, never.touches.len()), (&OnsetAnswer::Never, 0));
-    // Both palms carry the same, so that both slide at once.
+    // Both palms carry the same tangential force, so the loss is at the slip of the left one.
     let PathOutcome::Lost { loss, .. } = &path.end else { return Err(format!("{path:?}").into()) };
     assert!((loss.fraction * 0.5 - slides).abs() < 1e-15);
     assert!((loss.load.resultant()[1] - 12.0 * slides.sin()).abs() < 1e-13);
@@ -170,7 +170,7 @@ fn an_edge_that_is_touched_is_told_by_the_name_of_its_contact() -> Tested {
     Ok(())
 }
 
-/// Jaws commanded by 4 mm, with 1.1 mm/N a side, whose motors stall at 6 N.
+/// Jaws with a command of 4 mm and a compliance of 1.1 mm/N on each side, whose motors stall at 6 N.
 fn jaws() -> Value {
     let jaw = |side: f64| {
         json!({
@@ -183,7 +183,7 @@ fn jaws() -> Value {
 
 #[test]
 fn a_limit_that_is_touched_is_told_by_its_joint() -> Tested {
-    // Pulled by W a jaw carries 4/1.1 N + W/2: to and fro both reach 6 N but for rounding, and neither stalls.
+    // Under a pull W a jaw carries 4/1.1 N + W/2. In both directions a jaw reaches 6 N up to rounding, and neither stalls.
     let pull = 2.0 * (6.0 - 4.0 / 1.1) * (1.0 - 1e-14);
     let answers = answers_of(json!({ "format": "grasp-lcp/1", "planar": {
         "fingers": jaws(),

@@ -4,7 +4,7 @@
 use grasp_lcp::scene::{Scene, Space, Warning};
 use grasp_lcp::words::Unit;
 
-/// Scenes in which `@` stands before every length.
+/// Scenes with `@` before every length.
 const MARKED: [&str; 4] = [
     r#"{"format": "grasp-lcp/1", "spatial": {
         "contacts": [
@@ -77,7 +77,7 @@ const MARKED: [&str; 4] = [
     }}"#,
 ];
 
-/// The marked scene in a unit: its lengths are divided by that many, and its field says the unit.
+/// The marked scene in another unit: the lengths are divided, and the field `unit` is added.
 fn said(marked: &str, unit: &str, divided_by: f64) -> Scene {
     let mut text = String::new();
     for (k, part) in marked.split('@').enumerate() {
@@ -99,7 +99,7 @@ fn lengths_in_mm_or_cm_are_those_in_m() {
         for (unit, divided_by) in [("mm", 1.0), ("cm", 10.0)] {
             let scene = said(marked, unit, divided_by);
             assert_eq!(Some(scene.unit), Unit::of(unit));
-            // A tenth and a hundredth of a number are rounded before and after they are in m.
+            // Divisions by 10 and 100 are rounded, so only mm must agree to the last bit.
             if unit == "mm" {
                 assert_eq!(scene.space, in_metres.space);
             }
@@ -129,7 +129,7 @@ fn assert_near(one: &serde_json::Value, other: &serde_json::Value) {
     }
 }
 
-/// Fields with a length in m, on the page of all fields, are marked in a scene above; an exception has no place in a scene that is read without a mesh.
+/// Every field in m on the page of fields is marked in a scene above, except fields that need a mesh.
 #[test]
 fn every_field_in_metres_is_a_length() {
     let page = include_str!("../../examples/scenes/FIELDS.md");
@@ -143,7 +143,7 @@ fn every_field_in_metres_is_a_length() {
         let is_length = [", m.", ", m;", ", m,", ", m: ", "each contact, m", "rad or m", "or m;"]
             .iter()
             .any(|unit| format!("{about}.").contains(unit));
-        // Joints of a robot are radians or metres by their file: beside it no unit is read.
+        // Joints of a robot are in radians or metres by their file; the unit of the scene does not apply.
         let is_of_a_robot = ["commanded", "joints"].contains(&name);
         if !is_length || is_of_a_robot || ["disc", "rectangle", "round", "thickness"].contains(&name) {
             continue;
@@ -196,7 +196,7 @@ fn what_cannot_be_read_in_mm_is_refused() {
     let fault = |text: &str| Scene::from_json(text.as_bytes()).expect_err("is refused").to_string();
     assert!(fault(&two.replace("UNIT", "feet")).contains("unit: "), "{}", fault(two));
     assert!(fault(&two.replace("UNIT", "feet")).contains("name `feet`"), "{}", fault(two));
-    // A scene by serde alone has no text that distinguishes lengths.
+    // A scene read by serde alone has no text in which lengths can be found.
     let by_serde = serde_json::from_str::<Scene>(&two.replace("UNIT", "mm")).expect_err("is refused");
     assert!(by_serde.to_string().starts_with("unit: mm") && by_serde.to_string().contains("from_json"));
     let jacobian = r#"{"format": "grasp-lcp/1", "unit": "mm", "planar": {"fingers": [{"joints": [{"stiffness": 2}],
@@ -214,7 +214,7 @@ fn what_cannot_be_read_in_mm_is_refused() {
     assert!(fault.contains("planar.contacts[0].normal"), "{fault}");
 }
 
-/// The load hangs straight below two fingers, so that its force points at them, 25 m away.
+/// The load hangs 25 m below two fingers, on their line, so that it has no arm.
 #[test]
 fn a_far_load_without_an_arm_is_named() {
     let text = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
@@ -229,6 +229,6 @@ fn a_far_load_without_an_arm_is_named() {
     assert!(what.starts_with("a load") && (length - 25.0).abs() < 1e-12, "{told}");
     assert!(beside.is_some_and(|apart| (apart - 0.04).abs() < 1e-12), "{told}");
     assert_eq!(warning(&text.replace("-25", "-0.025")), None);
-    // A long arm is named beside all other warnings, once.
+    // A long arm has its own warning, so this one is absent.
     assert_eq!(warning(&text.replace("[0, -25]", "[25, 0]")), None);
 }

@@ -14,7 +14,7 @@ fn warnings(text: &str) -> Vec<Warning> {
     scene.warnings().expect("well posed")
 }
 
-/// The one warning about the jaws with something replaced everywhere.
+/// The single warning about the jaws after these replacements.
 fn one(changes: &[(&str, &str)]) -> Warning {
     let text = changes.iter().fold(JAWS.to_owned(), |text, (from, to)| {
         assert!(text.contains(from), "{from}");
@@ -59,7 +59,7 @@ fn numbers_in_another_unit() {
     let told = one(&[(r#""force": [0, -1]"#, r#""mass": 1800"#)]);
     let Warning::HeavyLoad { force, pressed } = told else { panic!("{told}") };
     assert!((force / 17658.0 - 1.0).abs() < 1e-12 && (pressed - 16.0).abs() < 1e-9, "{force} {pressed}");
-    // An infinite coefficient is none in percent, and the size of a direction says nothing.
+    // An infinite coefficient is not in percent, and the size of a direction has no meaning.
     let more = [
         ("0.35", r#""infinite""#),
         (r#"{"hold": {"load": {"force": [0, -1]}}}"#, r#"{"onset": {"direction": {"force": [0, -1e6]}}}"#),
@@ -78,7 +78,7 @@ fn normals_the_wrong_way_round() {
         (r#""normal": [-1, 0]"#, r#""normal": [1, 0]"#),
     ];
     assert_eq!(one(&out), Warning::Outwards { contacts, names });
-    // An outline decides whether the contacts are in a hole.
+    // With an outline it is known whether the contacts are inside a hole.
     let hole = r#""outline": [[-0.04, -1], [-0.04, 1], [-1, 1], [-1, -1]], "questions""#;
     let text =
         out.iter().fold(JAWS.replace(r#""questions""#, hole), |text, (from, to)| text.replace(from, to));
@@ -89,7 +89,7 @@ fn normals_the_wrong_way_round() {
     );
 }
 
-/// Feet pressed by a weight as hard as `pressed_with` says: all normals point up, and there is no warning.
+/// Feet whose given forces are those of the weight have no warning, although all normals point up.
 #[test]
 fn feet_under_a_weight_are_told_apart_from_it() {
     let feet = JAWS.replace("[1, 0]", "[0, 1]").replace("[-1, 0]", "[0, 1]").replace("0.35", "0.5");
@@ -111,7 +111,7 @@ fn friction_that_is_missing_everywhere() {
     assert_eq!(warnings(&JAWS.replacen(r#""friction": 0.35, "#, "", 1)), []);
 }
 
-/// Four frictionless normals around a rectangle, off the corners so that they turn it neither way: form closure needs no friction.
+/// Four frictionless locators around a rectangle in form closure need no friction.
 #[test]
 fn locators_need_no_friction() {
     let at =
@@ -137,7 +137,7 @@ fn contacts_that_stand_there_twice() {
     assert!(told.contains(&Warning::OnePlace { contacts, names }), "{told:?}");
 }
 
-/// A bracket on a round post: no finger presses, its load jams it. A pinch without a squeeze has a warning.
+/// A bracket on a round post that its load jams needs no pressing finger. A pinch without a squeeze has a warning.
 #[test]
 fn a_load_that_jams_needs_no_finger() {
     let bracket = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
@@ -149,7 +149,7 @@ fn a_load_that_jams_needs_no_finger() {
     assert_eq!(warnings(&idle), [Warning::NothingPresses]);
 }
 
-/// A belt and a floor of equal stiffness share a pretension; a tension is the force that remains.
+/// A belt and a floor of equal stiffness share a pretension, so that the tension at rest is smaller.
 #[test]
 fn a_pull_that_gives_way() {
     let belted = |pull: &str| {
@@ -174,7 +174,7 @@ fn a_pull_that_gives_way() {
     let both = belted(r#""tension": 100, "pretension": 100"#);
     let told = Scene::from_json(both.as_bytes()).expect_err("both").to_string();
     assert!(told.contains("belt: pretension and") && told.contains("tension: "), "{told}");
-    // Nothing holds against a rope that pulls away from the floor.
+    // A rope that pulls the object off the floor is not held.
     let away = installed.replace(r#""to": [0, 0]"#, r#""to": [0, 2]"#);
     let scene = Scene::from_json(away.as_bytes()).expect("a scene");
     assert_eq!(facts(&scene.answers().expect_err("it flies off")), ["belt", "tension", "100"]);

@@ -48,7 +48,7 @@ fn where_nothing_holds_at_rest_that_is_told() -> Result<(), Error> {
 
 #[test]
 fn a_walk_towards_a_stop_ends_there() -> Result<(), Error> {
-    // A stop 1 mm away: a hundred cycles of 0.01 mm lead there, and then it takes the force that the feet cannot hold.
+    // A stop is 1 mm away. The block reaches it after a hundred cycles of 0.01 mm, and the stop then carries the rest.
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(0.5);
     let stop = Contact::new([0.15, 0.0], [-1.0, 0.0]).series_stiffness(1e5, 1e5).command([-1.017_5e-3, 0.0]);
     let block = Grasp::new([foot(-0.1), foot(0.1), stop])?;

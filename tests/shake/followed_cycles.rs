@@ -8,14 +8,14 @@ use support::shaken::{
 };
 use support::splitmix::Random;
 
-/// Cycles that are followed.
+/// Number of cycles that are followed.
 const CYCLES: usize = 30;
-/// One in so many may stay undecided.
+/// One in this number of verdicts may be undecided.
 const FEW: usize = 1000;
-/// Where friction falls cycles may repeat after more of them than are followed.
+/// The same for kinetic friction, where cycles may repeat only after more than the followed ones.
 const FEW_THAT_JUMP: usize = 100;
 
-/// Counts of the verdicts: each agrees with the followed cycles, and all but a few are decided.
+/// Checks that every verdict agrees with the followed cycles, and that all but a few are decided.
 fn judge<const C: usize>(
     (many, few): (usize, usize),
     error: f64,

@@ -10,7 +10,7 @@ use support::interior_point::{Oracle, interior_point};
 use support::samples::{assert_met, samples, seeded};
 use support::shaken::in_the_plane;
 
-/// Whether the grasp comes to rest under these loads in turn, multiplied by `times`.
+/// Whether the grasp comes to rest under the loads, multiplied by `times`, in turn.
 fn rests(grasp: &Grasp, base: &Wrench, loads: &[Wrench], times: f64) -> Result<Option<bool>, Error> {
     let legs: Vec<_> = loads.iter().flat_map(|load| Leg::there_and_back(*load * times)).collect();
     Ok(grasp.shake(base, &legs)?.rests())
@@ -35,7 +35,7 @@ fn feet_in_a_row_rest_up_to_it_and_not_beyond() -> Result<(), Error> {
         let Some(found) = grasp.statics().shakedown(base, &loads)? else { continue };
         assert!(!found.slips_change_normal_forces && found.factor > 0.0);
         assert_eq!([0.98, 1.02].map(|part| found.rests(part * found.factor)), [Some(true), Some(false)]);
-        // No foot may open: the loads reduce normal forces by less than their values at rest.
+        // No foot may open under the loads.
         let most = loads.map(|load| load * (1.02 * found.factor) + base);
         let closed = |load: &Wrench| -> Result<bool, Error> {
             let rigid = Grasp::new(
@@ -118,7 +118,7 @@ fn with_less_friction_once_they_slide_the_order_decides() -> Result<(), Error> {
 
 #[test]
 fn in_space_a_polygon_around_the_cone_bounds_it() -> Result<(), Error> {
-    // Four feet, pulled along a corner of the polygon by 3 N of 5, rocked about one axis: feet carry 2.5 ± m / 4 N.
+    // Four feet are pulled along a corner of the polygon by 3 N, with a friction limit of 5 N, and rocked about one axis: feet carry 2.5 ± m / 4 N.
     let foot = |x: f64, y: f64| {
         spatial::Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5)
     };
@@ -126,14 +126,14 @@ fn in_space_a_polygon_around_the_cone_bounds_it() -> Result<(), Error> {
     let base = spatial::Wrench::force([3.0, 0.0, -10.0]);
     let rocked = [1.0, -1.0].map(|moment| spatial::Wrench::new([0.0; 3], [0.0, moment, 0.0]));
     let found = table.statics().shakedown(base, &rocked)?.expect("rests without rocking");
-    // Slips share the pull as they like: four times μ (2.5 - λ / 4), by the octagon around the cone 1 / cos 22.5° as much along a corner.
+    // Slip can distribute the pull in any way, so the limit is four times μ (2.5 - λ / 4). The circumscribed octagon has 1 / cos 22.5° as much at a corner.
     let corner = (std::f64::consts::PI / 8.0).cos();
     let exact = 4.0 * (2.5 - 3.0 * corner / (4.0 * 0.5));
     assert!((found.factor - exact).abs() < 1e-9, "{} {exact}", found.factor);
     Ok(())
 }
 
-/// The factor by an interior-point method: everything from points, normals and springs alone.
+/// The shakedown factor by an interior-point method, from points, normals and springs alone.
 fn by_an_interior_point(grasp: &Grasp, base: &Wrench, loads: &[Wrench]) -> Option<f64> {
     let n = grasp.len();
     let (mut g, mut k, mut a) =

@@ -37,7 +37,7 @@ fn near(a: f64, b: f64) {
 fn what_slides_at_the_end_of_a_cycle_counts_once() {
     let (way, heat) = to_and_fro(&dragged(foot()));
     near(way, 8e-3);
-    // All of it friction: 5 N over 8 mm.
+    // The heat is 5 N of friction over 8 mm.
     near(heat, 5.0 * 8e-3);
 }
 
@@ -45,13 +45,13 @@ fn what_slides_at_the_end_of_a_cycle_counts_once() {
 fn jumps_count_in_every_cycle() {
     let (way, heat) = to_and_fro(&dragged(foot().kinetic(0.4)));
     near(way, 16e-3);
-    // ∮ F dx, mJ: up 9 mm to 18 N, a jump of 1 mm there, 6 mm to 24 N, and the same way back.
+    // ∮ F dx, mJ: 9 mm up to 18 N, a jump of 1 mm, 6 mm up to 24 N, and the same back.
     let up = 9.0 * 9.0 + 1.0 * 18.0 + 6.0 * 21.0;
     let back = 9.0 * 15.0 + 1.0 * 6.0 + 6.0 * 3.0;
     near(heat, (up - back) * 1e-3);
 }
 
-/// Two feet share a pull, the stiff one jumps once and is caught: from then on nothing slides.
+/// Two feet share a pull. The stiff one jumps once, and the other holds: after this nothing slides.
 #[test]
 fn what_is_caught_comes_to_rest() {
     let foot = |x: f64, k: f64| {

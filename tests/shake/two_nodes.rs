@@ -29,7 +29,7 @@ impl Node {
     }
 }
 
-/// A body on two contacts that rub and two that are glued.
+/// A body on two frictional and two bonded contacts.
 struct System([Node; 4]);
 
 impl System {
@@ -50,7 +50,7 @@ impl System {
         ])
     }
 
-    /// Normal and tangential forces of both contacts that rub, under a load and with commands along both axes of each.
+    /// Normal and tangential forces of both frictional contacts, under a load and with commands along both axes of each contact.
     fn forces(&self, load: Vector3<f64>, commands: [[f64; 2]; 4]) -> [[f64; 2]; 2] {
         let (mut stiffness, mut push) = (Matrix3::zeros(), load);
         for (node, command) in self.0.iter().zip(commands) {
@@ -66,7 +66,7 @@ impl System {
         })
     }
 
-    /// Of each contact and direction `a + λ b + c·s`, which is at least zero where it does not slide: under the worst of these loads, for slips s.
+    /// For each contact and direction of sliding the line `a + λ b + c·s`, nonnegative if the contact does not slide, at the worst load and with the slips s.
     fn lines(&self, loads: &[Vector3<f64>], times: f64) -> Vec<(f64, Vector2<f64>)> {
         let given = self.0.map(|node| [node.command, 0.0]);
         let slip = |j: usize| {
@@ -86,11 +86,11 @@ impl System {
         lines
     }
 
-    /// How many sides the region has in which nothing slides; zero where there is none.
+    /// Number of sides of the region without sliding; zero if the region is empty.
     fn sides(&self, loads: &[Vector3<f64>], times: f64) -> usize {
         let lines = self.lines(loads, times);
         let has_side = |k: usize| {
-            // The part of this line that is inside of all others.
+            // The segment of this line inside all others.
             let (a, c) = lines[k];
             let (foot, along) = (-c * (a / c.norm_squared()), Vector2::new(-c.y, c.x));
             let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -103,7 +103,7 @@ impl System {
         (0..lines.len()).filter(|k| has_side(*k)).count()
     }
 
-    /// Up to how many times the loads the region has so many sides.
+    /// The largest load factor up to which the region has this number of sides.
     fn limit(&self, loads: &[Vector3<f64>], sides: usize) -> f64 {
         let (mut below, mut above) = (0.0, 1.0);
         while self.sides(loads, above) >= sides && above < 1e6 {
@@ -116,7 +116,7 @@ impl System {
         below
     }
 
-    /// With these slips from the beginning: as commands the other way.
+    /// The grasp with these initial slips, as opposite commands.
     fn grasp(&self, slips: [f64; 2]) -> Result<Grasp, Error> {
         Grasp::new(self.0.iter().enumerate().map(|(i, node)| {
             let contact = Contact::new([node.point.x, node.point.y], [node.normal.x, node.normal.y])
@@ -130,7 +130,7 @@ impl System {
     }
 }
 
-/// Whether it comes to rest from each of the beginnings in which nothing slides before the loads come.
+/// Whether the system comes to rest, for each of several initial slips that are in equilibrium without the loads.
 fn rests(system: &System, loads: &[Vector3<f64>], times: f64) -> Result<Vec<bool>, Error> {
     let at_rest = system.lines(&loads[..1], 0.0);
     let legs: Vec<_> = loads
@@ -165,7 +165,7 @@ fn what_it_remembers_decides_between_two_limits() -> Result<(), Error> {
         let found = found.expect("holds at rest");
         assert!(found.slips_change_normal_forces);
         assert!((found.factor - some).abs() <= 1e-8 * some, "{} {some}", found.factor);
-        // Only grasps with two distinct limits and without opening contacts are a test.
+        // Only systems with separate limits and without opening contacts are compared.
         let given = system.0.map(|node| [node.command, 0.0]);
         let pressed = |load: Vector3<f64>| system.forces(load, given).map(|force| force[0]);
         let opens = loads.iter().any(|load| {

@@ -8,12 +8,12 @@ use grasp_lcp::shake::Repeats;
 use proptest::prelude::*;
 use support::samples::config;
 
-/// Twist per cycle of a block of weight `p` pulled by `q`, rocked so that each foot carries `m` less in turn.
+/// The verdict on a block of weight `p` under a pull `q`, rocked so that each foot in turn carries `m` less.
 fn walk(p: f64, q: f64, m: f64, mu: f64, k_t: f64) -> Repeats<2> {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(3.0 * k_t, k_t).friction(mu);
     let block = Grasp::new([foot(-1.0), foot(1.0)]).expect("well posed");
     let pulled = Wrench::new([q, -p], 0.0);
-    // Two feet at a distance of two carry half of the moment more and less each.
+    // With a distance of 2 m between the feet, one carries half of the moment more and the other half less.
     let cycle =
         [2.0 * m, -2.0 * m].map(|moment| Leg::there_and_back(Wrench::new([0.0, 0.0], moment))).concat();
     block.shake(pulled, &cycle).expect("well posed").repeats

@@ -36,7 +36,7 @@ fn goes_to_and_fro<const C: usize>(grasp: &Grasp<C>, down: &Wrench<C>, pull: &Wr
     assert!((dissipated - 50.0 * 2.0 * each).abs() < 1e-9 * 50.0 * GAP, "{dissipated}");
     assert!(shaken.to_string().contains("slow shaking"), "{shaken}");
     assert_eq!(shaken.stays(), Some(true));
-    // Pulled one way alone it comes to rest at the stop.
+    // Under a pull in one direction only, the block comes to rest at the stop.
     let shaken = grasp.shake(down, &Leg::there_and_back(*pull)).expect("well posed");
     assert_eq!(shaken.rests(), Some(true), "{shaken}");
 }
@@ -51,9 +51,8 @@ fn a_block_goes_from_stop_to_stop() {
     goes_to_and_fro(&grasp, &load([0.0, 0.0, -100.0]), &load([80.0, 0.0, 0.0]));
 }
 
-/// A soft block that is rocked walks farther than the distance of its feet in the first cycle; the reported walk is that of all later cycles. The two
-/// feet share 10 N and lean by 4 N m back and forth. In each cycle the feet slide by twice the friction that 3 N lack for 3.5 N, over their
-/// stiffness.
+/// A soft rocked block walks farther in the first cycle than its feet are apart. The reported walk is that of all later cycles. The feet carry 10 N, rocked
+/// by 4 N m. In each cycle they slide by twice the missing force, 3.5 N minus 3 N of friction, divided by their stiffness.
 #[test]
 fn a_walk_is_told_by_the_cycles_to_come() {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 0.4).friction(0.5);
@@ -61,7 +60,7 @@ fn a_walk_is_told_by_the_cycles_to_come() {
     let cycle = [4.0, -4.0].map(|rocked| Leg::there_and_back(Wrench::<2>::new([0.0, 0.0], rocked))).concat();
     let shaken = block.shake(Wrench::<2>::new([3.5, -10.0], 0.0), &cycle).expect("well posed");
     let Repeats::Walks { by, .. } = &shaken.repeats else { panic!("{shaken}") };
-    // 1 mm a cycle at a stiffness of 1 000 N/m, as far as the softness makes it.
+    // 1 mm per cycle at 1 000 N/m corresponds to this at 0.4 N/m.
     assert!((by[0].twist.translation()[0] - 2.5).abs() < 1e-9, "{shaken}");
     assert!(shaken.change < 1e-9 && shaken.cycles > 1, "{shaken:?}");
 }

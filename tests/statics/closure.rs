@@ -16,7 +16,7 @@ fn wrench<const C: usize>(point: [f64; C], force: &SVector<f64, C>) -> Vec<f64> 
     force.iter().copied().chain(planes.iter().map(moment)).collect()
 }
 
-/// Checks the proof in an answer by independent sums. Whether the grasp is closed, if the answer is decided.
+/// Checks forces and motions of an answer. Returns whether the grasp is closed, if the answer decides this.
 fn is_closed<const C: usize>(grasp: &Grasp<C>, points: &[[f64; C]], mu: &[f64]) -> Option<bool> {
     match grasp.statics().force_closure().expect("no hand") {
         Closure::Closed { internal, .. } => {
@@ -66,7 +66,7 @@ fn two_fingers_in_the_plane_by_the_line_between_them() {
         let grasp = planar::Grasp::new([contact(a, na), contact(b, nb)]).expect("two fingers");
         let cosine = 1.0 / mu.hypot(1.0);
         let (x, y) = (along.dot(&na), -along.dot(&nb));
-        // Both inside, or both inside the opposite cones.
+        // The line is inside both cones, or inside both opposite cones.
         let known = (x > cosine && y > cosine) || (x < -cosine && y < -cosine);
         let clear = (x.abs() - cosine).abs() > 1e-6 && (y.abs() - cosine).abs() > 1e-6;
         let Some(closed) = is_closed(&grasp, &[a, b], &[mu, mu]) else { continue };
@@ -114,7 +114,7 @@ fn on_the_round_cone_by_an_interior_point_method() {
                 assert_eq!(closed, margin > 0.0, "{number}: {margin}");
                 counts[usize::from(closed)] += 1;
             }
-            // The largest t is zero where the cones have no force in common but none.
+            // The largest t is zero if only zero forces balance.
             Some(_) if !closed => counts[0] += 1,
             _ => unclear += 1,
         }
@@ -125,7 +125,7 @@ fn on_the_round_cone_by_an_interior_point_method() {
 
 #[test]
 fn without_friction_it_takes_four_normals_in_the_plane() -> Result<(), Error> {
-    // A square held at the middles of its sides turns about its centre; held off the middles, the same way round, it does not.
+    // Without friction, a square with contacts at the middles of its sides can turn about its centre.
     let square = |off: f64| {
         let side =
             |p: [f64; 2], n: [f64; 2]| planar::Contact::new(p, n).series_stiffness(100.0, 50.0).friction(0.3);
@@ -138,10 +138,10 @@ fn without_friction_it_takes_four_normals_in_the_plane() -> Result<(), Error> {
     };
     assert!(matches!(square(0.0)?.statics().form_closure()?, Closure::Open { .. }));
     assert!(matches!(square(0.0)?.statics().force_closure()?, Closure::Closed { .. }));
-    // All moments the same way round: it turns the other way.
+    // If all moments have the same sign, the square turns in the opposite direction.
     let Closure::Open { motion, .. } = square(0.3)?.statics().form_closure()? else { panic!("it turns") };
     assert!(motion.rotation().abs() > 0.1);
-    // Two one way, two the other.
+    // Two moments of each sign.
     let side = |p: [f64; 2], n: [f64; 2]| planar::Contact::new(p, n).series_stiffness(100.0, 50.0);
     let held = planar::Grasp::new([
         side([-1.0, 0.3], [1.0, 0.0]),
@@ -151,7 +151,7 @@ fn without_friction_it_takes_four_normals_in_the_plane() -> Result<(), Error> {
     ])?;
     let Closure::Closed { internal, .. } = held.statics().form_closure()? else { panic!("it is held") };
     assert!(internal.iter().all(|force| force[0] > 0.1 && force[1] == 0.0), "{internal:?}");
-    // Without friction they are one question.
+    // Without friction, form closure and force closure are the same.
     assert!(matches!(held.statics().force_closure()?, Closure::Closed { .. }));
     Ok(())
 }
@@ -170,7 +170,7 @@ fn a_pinch_in_space_turns_about_its_line() -> Result<(), Error> {
 
 #[test]
 fn springs_play_no_part() -> Result<(), Error> {
-    // Stiffnesses 1e±30: rank and forces are those of geometry and friction.
+    // Stiffnesses of 1e±30 do not matter.
     let finger = |angle: f64, k: f64| {
         let point = [angle.cos(), angle.sin(), 0.0];
         spatial::Contact::new(point, point.map(|x| -x)).series_stiffness(k, k).friction(0.6)

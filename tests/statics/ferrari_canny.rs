@@ -26,7 +26,7 @@ fn wrench<const D: usize, const C: usize>(
     wrench
 }
 
-/// About the origin, one metre for a moment's length.
+/// Moments about the origin, divided by 1 m.
 fn plain<const C: usize>() -> WrenchScale<C> {
     WrenchScale { about: [0.0; C], length: 1.0 }
 }
@@ -47,7 +47,7 @@ fn grasp_of<const C: usize>(data: &[Datum<C>]) -> Grasp<C> {
     Grasp::new(data.iter().map(contact)).expect("valid")
 }
 
-/// The distance of the origin from the hull's nearest face, negative outside: every plane through D points with all others on one side.
+/// The distance of the origin from the nearest face of the hull, negative outside. Faces are the planes through D points with all others on one side.
 fn hull_radius<const D: usize>(points: &[SVector<f64, D>]) -> Option<f64> {
     let mut chosen: Vec<usize> = (0..D).collect();
     let mut radius = f64::INFINITY;
@@ -114,7 +114,7 @@ fn in_the_plane_against_all_faces_of_the_hull() {
             .ferrari_canny_scaled(Budget::Total(1.0), &plain())
             .expect("valid");
         closed[0] += usize::from(compare(&ball, &total));
-        // Sums of nothing or one edge of each contact.
+        // Sums with zero or one edge of each contact.
         let mut each = vec![SVector::zeros()];
         for edges in &edges {
             each = each.iter().flat_map(|sum| [*sum, sum + edges[0], sum + edges[1]]).collect();
@@ -162,7 +162,7 @@ fn in_space_against_all_faces_of_the_hull() {
     assert_met(&[(closed, 4)]);
 }
 
-/// How far all wrenches within a budget of 1 N reach in a direction, on the round cone.
+/// The support function of all wrenches within a budget of 1 N in a direction, on the round cone.
 fn reach(data: &[Datum<3>], budget: Budget, v: &SVector<f64, 6>) -> f64 {
     let work = |(point, normal, mu): &Datum<3>| {
         let u = SVector::<f64, 3>::from_fn(|axis, _| {
@@ -180,7 +180,7 @@ fn reach(data: &[Datum<3>], budget: Budget, v: &SVector<f64, 6>) -> f64 {
     }
 }
 
-/// Random steps downhill from many places, shorter where they fail.
+/// Checks that random descents from many directions, with shorter steps after failures, find no lower value.
 fn no_descent_finds_less(
     numbers: &mut Random,
     data: &[Datum<3>],
@@ -208,7 +208,7 @@ fn no_descent_finds_less(
 
 #[test]
 fn where_symmetry_ends_the_search_both_bounds_hold() {
-    // Fingers evenly round a ring: many directions are as weak as the weakest, and faces of the hull become thin.
+    // Evenly spaced fingers on a ring have many equally weak directions, and a hull with thin faces.
     let mut numbers = seeded(59);
     for fingers in [3_u32, 4, 6] {
         let finger = |k: u32| {
@@ -260,7 +260,7 @@ fn on_the_round_cone_no_descent_finds_less() {
 
 #[test]
 fn what_has_no_ball_has_none() -> Result<(), Error> {
-    // Two fingers resist no turn about the line between them.
+    // Two fingers do not resist a rotation about their line.
     let finger = |x: f64| jaw::<3>(x, [1e3, 1e3], 0.5);
     let pinch = spatial::Grasp::new([finger(-1.0), finger(1.0)])?;
     let ball = pinch.statics().ferrari_canny(Budget::Each(1.0))?;

@@ -22,7 +22,7 @@ fn drawn<const C: usize>(numbers: &mut Random, contacts: usize) -> Vec<Datum<C>>
     let mut datum = || {
         let out = SVector::<f64, C>::from_fn(|_, _| numbers.signed()).normalize();
         let tilt = SVector::<f64, C>::from_fn(|_, _| 0.4 * numbers.signed());
-        // In millimetres: nothing depends on units.
+        // Lengths are in millimetres, because units do not matter.
         (out * (700.0 + 300.0 * numbers.uniform()), (tilt - out).normalize(), 0.2 + 0.8 * numbers.uniform())
     };
     (0..contacts).map(|_| datum()).collect()
@@ -58,7 +58,7 @@ impl Tally {
             let frame: &nalgebra::SMatrix<f64, C, C> = frame;
             let columns: Vec<f64> =
                 (0..C).flat_map(|axis| wrench(point, &frame.column(axis).into_owned())).collect();
-            // Moments over a metre, for the interior-point method's sake.
+            // Moments are divided by 1 m for the interior-point method.
             let mut map = DMatrix::from_column_slice(columns.len() / C, C, &columns);
             map.rows_mut(C, columns.len() / C - C).scale_mut(1e-3);
             (map, *mu)
@@ -66,7 +66,7 @@ impl Tally {
         let maps: Vec<_> = data.iter().zip(grasp.frames()).map(map).collect();
         let scaled =
             |load: &SVector<f64, D>| DVector::from_fn(D, |k, _| if k < C { load[k] } else { load[k] * 1e-3 });
-        // From no load, the base load can be multiplied by this factor.
+        // The largest multiple of the base load itself.
         let times = load_limit(&maps, &DVector::zeros(D), &scaled(&base), bound).unwrap();
         let known = load_limit(&maps, &scaled(&base), &scaled(&rate), bound).filter(|_| times > 1.0);
         let [base, rate] = [base, rate].map(|w| Wrench::from_components(w.as_slice()));
@@ -83,7 +83,7 @@ impl Tally {
                 };
                 let against =
                     reach(&data, &grasp, budget, &SVector::<f64, D>::from_column_slice(motion.components()));
-                // Beyond `at_most` the load works more than any forces can against it.
+                // Beyond `at_most` the work of the load exceeds the largest work of contact forces.
                 let excess = work(&base) + at_most * work(&rate) - against;
                 assert!(work(&rate) > 0.0 && excess.abs() <= 1e-9 * against.max(work(&rate)), "{excess:e}");
             }
@@ -98,7 +98,7 @@ impl Tally {
                 );
             }
             (LoadLimit::Factor { at_least, .. }, None) => {
-                // Within the tolerance of the method.
+                // The difference is within the tolerance of the method.
                 self.unknown += 1;
                 assert!(at_least < 1e-2 && (times - 1.0).abs() < 1e-2, "{at_least} {times}");
             }
@@ -107,7 +107,7 @@ impl Tally {
     }
 }
 
-/// Forces balance a load, in their cones and within the budget.
+/// Checks that forces balance a load, in their cones and within the budget.
 fn proves_from_below<const C: usize>(
     data: &[Datum<C>],
     grasp: &Grasp<C>,
@@ -133,7 +133,7 @@ fn proves_from_below<const C: usize>(
     }
 }
 
-/// The most work that forces within the budget can do against a motion.
+/// The largest work of forces within the budget against a motion.
 fn reach<const D: usize, const C: usize>(
     data: &[Datum<C>],
     grasp: &Grasp<C>,

@@ -9,9 +9,9 @@ use support::jaws::jaw;
 
 const VACUUM: f64 = 60.0;
 const FRICTION: f64 = 0.5;
-/// From the middle, m.
+/// Distance of a cup from the middle, m.
 const ASIDE: f64 = 0.1;
-/// Of a grid of directions, from pole to pole.
+/// Number of steps of a grid of directions, from pole to pole.
 const STEPS: i32 = 200;
 
 type Tested = Result<(), Error>;
@@ -28,13 +28,13 @@ fn cups() -> Result<Grasp, Error> {
     Grasp::new([cup(-ASIDE), cup(ASIDE)])
 }
 
-/// The least of the farthest wrench over many directions. Each lip pushes with up to `most` as it likes; each vacuum pulls with V.
+/// The radius is the minimum of the support function over many directions. Each lip pushes with any force up to `most`; each vacuum pulls with V.
 #[test]
 fn the_ball_is_about_no_load_and_beside_the_vacuum() -> Tested {
     for most in [70.0, 100.0, 400.0] {
         let reach = |v: [f64; 3]| {
             let cup = |x: f64| {
-                // Moments over the length of 1 m; the normal is −y.
+                // Moments are divided by 1 m; the normal is −y.
                 let (normal, along) = (-(v[1] + v[2] * x), v[0]);
                 (normal + FRICTION * along.abs()).max(0.0) * most - VACUUM * normal
             };
@@ -43,7 +43,7 @@ fn the_ball_is_about_no_load_and_beside_the_vacuum() -> Tested {
         let scale = WrenchScale { about: [0.0, 0.0], length: 1.0 };
         let ball = cups()?.statics().ferrari_canny_scaled(Budget::Each(most), &scale)?;
         assert!(ball.at_least > 0.0 && ball.at_most - ball.at_least < 1e-6 * most, "{ball:?}");
-        // No direction has a smaller limit than the reported one, whose limit is not larger.
+        // No direction has a lower value, and the reported direction has this value.
         let told = ball.weakest.components();
         let farthest = reach([-told[0], -told[1], -told[2]]);
         assert!((farthest - ball.at_most).abs() < 1e-9 * most, "{farthest} {ball:?}");
@@ -57,13 +57,13 @@ fn the_ball_is_about_no_load_and_beside_the_vacuum() -> Tested {
     Ok(())
 }
 
-/// Lips that may not push as much as the vacuum pulls are not even balanced without load.
+/// If the lips may not push as much as the vacuum pulls, even zero load is not balanced.
 #[test]
 fn lips_must_bear_the_vacuum() -> Tested {
     let ball = cups()?.statics().ferrari_canny(Budget::Each(50.0))?;
     assert_eq!((ball.at_least, ball.at_most), (0.0, 0.0));
     let limit = cups()?.statics().load_limit(Wrench::ZERO, Wrench::force([0.0, -1.0]), Budget::Each(50.0))?;
-    // 20 N more than lips bear have to be taken off them; none of it is there yet.
+    // The vacuum exceeds the limit of the lips by 20 N, which a load would have to take off. At zero load there is no balance.
     assert!(matches!(limit, LoadLimit::NoBase { .. }), "{limit:?}");
     Ok(())
 }
@@ -72,10 +72,10 @@ fn lips_must_bear_the_vacuum() -> Tested {
 fn limits_along_a_load() -> Tested {
     let plate = cups()?;
     for (load, expected) in [
-        // Hang: both vacuums. Shear: friction of what presses.
+        // In tension the limit is both vacuums, in shear the friction of the lips.
         (Wrench::force([0.0, -1.0]), 2.0 * VACUUM),
         (Wrench::force([1.0, 0.0]), FRICTION * 2.0 * VACUUM),
-        // Peel about the far lip, at the near one: W (a + b) = 2 a V for b = a.
+        // Peeling about the far lip, with the load at the near one: W (a + b) = 2 a V for b = a.
         (Wrench::force_at([0.0, -1.0], [ASIDE, 0.0]), VACUUM),
     ] {
         let limit = plate.statics().load_limit(Wrench::ZERO, load, Budget::Each(1e3))?;
@@ -94,7 +94,7 @@ fn closure_does_not_rest_on_a_vacuum() -> Tested {
     let Error::Vacuum { question: "force_closure", contact } = &refused else { panic!("{refused}") };
     assert_eq!(contact.to_string(), "0 (cup)");
     assert!(matches!(cups()?.statics().form_closure(), Err(Error::Vacuum { .. })));
-    // Two jaws are closed with a cup or without.
+    // Two jaws are in force closure with or without a cup.
     let jaw = |x: f64| jaw::<2>(x, [1e3, 1e3], FRICTION);
     let cup =
         Contact::new([0.0, 0.5], [0.0, -1.0]).series_stiffness(1e3, 1e3).friction(FRICTION).suction(VACUUM);

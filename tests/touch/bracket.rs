@@ -58,7 +58,7 @@ fn its_weight_is_held() {
     }
 }
 
-/// The leg ends at 40 mm: of a pad of 20 mm around 40 mm half is beyond, around 45 mm three quarters, to the
+/// The leg ends at 40 mm. Half of a pad of 20 mm centred at 40 mm is beyond it, and three quarters of one at 45 mm, up to the
 /// share of the points at the border.
 #[test]
 fn a_pad_beyond_the_end_of_the_leg_misses_in_part() {

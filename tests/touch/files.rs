@@ -34,7 +34,7 @@ fn text_stl((corners, faces): &Mesh) -> String {
     text + "endsolid\n"
 }
 
-/// The prism with its ends as whole polygons, one of them counted backwards.
+/// The prism as an OBJ with its ends as polygons, one of them in reverse order.
 fn obj((corners, _): &Mesh) -> String {
     let mut text = "# a comment\no bracket\n".to_owned();
     for [x, y, z] in corners {

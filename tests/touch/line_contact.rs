@@ -7,7 +7,7 @@ use grasp_lcp::touch::{Pad, Part, Touch, Touched};
 
 use crate::shapes::{part, round};
 
-/// N/m³.
+/// Modulus of the foundation, N/m³.
 const FOUNDATION: f64 = 1e9;
 const RADIUS: f64 = 0.02;
 const LENGTH: f64 = 0.03;
@@ -18,7 +18,7 @@ fn closed(pad: Pad, part: &Part, advance: f64) -> Touched {
     Touch::new(pad.of_layer(FOUNDATION, 1.0), contact.command([advance, 0.0, 0.0])).on(part).expect("touches")
 }
 
-/// Forces of the points on a part that stays in place, N.
+/// Forces of the points on a fixed part, N.
 fn forces(touched: &Touched) -> Vec<[f64; 3]> {
     let anchor =
         |y: f64, z: f64| Contact::new([0.0, y, z], [0.0, 0.0, 1.0]).series_stiffness(1e15, 1e15).bonded();
@@ -29,12 +29,12 @@ fn forces(touched: &Touched) -> Vec<[f64; 3]> {
     state.contacts.iter().take(touched.contacts().len()).map(|contact| contact.force_world.into()).collect()
 }
 
-/// Their sum along the closing direction.
+/// Sum of these forces along the closing direction, N.
 fn force(touched: &Touched) -> f64 {
     forces(touched).iter().map(|force| force[0]).sum()
 }
 
-/// Six points across the width, and 26.
+/// The error falls from six points across the width to 26.
 #[test]
 fn a_flat_pad_on_a_fine_shaft() {
     let shaft = part(&round(RADIUS, 3000, 0.08));
@@ -48,14 +48,14 @@ fn a_flat_pad_on_a_fine_shaft() {
         let touching = forces(&touched).iter().filter(|force| force[0] > 0.0).count();
         println!("{} points across: {found:e}", touching / 4);
         assert!(found.abs() < off, "{found}");
-        // The last point that presses lies up to a spacing within.
+        // The outermost pressing point is within one spacing of the end of the contact.
         let spacing = 0.003 / strips as f64;
         let end = touched.steepest() * RADIUS - half_width;
         assert!((-spacing..=1e-5).contains(&end), "{end}");
     }
 }
 
-/// The shaft with 96 sides has a corner in front of the pad, and its own integral: of the overlap of two lines with the pad, side by side.
+/// A shaft with 96 sides has a corner in front of the pad. The force is the integral of the overlap of its sides with the pad.
 #[test]
 fn a_flat_pad_on_a_shaft_of_96_sides() {
     let sides = 96;
@@ -99,7 +99,7 @@ fn a_v_touches_with_two_flanks() {
     let found = force(&touched) / (2.0 * flank / SQRT_2) - 1.0;
     assert!(found.abs() < 0.01, "{found}");
     assert!(touched.steepest() < 0.2, "{}", touched.steepest());
-    // The point that presses most is where the flank is tangent.
+    // The point with the largest force is where the flank is tangent.
     let mut strongest = forces(&touched).into_iter().zip(touched.contacts()).collect::<Vec<_>>();
     strongest.sort_by(|one, other| other.0[0].total_cmp(&one.0[0]));
     let y = strongest[0].1.point()[1].abs();
@@ -117,11 +117,11 @@ fn a_round_finger_on_a_face() {
     let expected = 4.0 / 3.0 * FOUNDATION * 1e-4 * (2.0 * RADIUS * 1e-4).sqrt() * LENGTH;
     let found = force(&touched) / expected - 1.0;
     assert!(found.abs() < 0.005, "{found}");
-    // The arc over 6 mm.
+    // The area of the arc over 6 mm.
     assert!((area / (2.0 * RADIUS * 0.15_f64.asin() * LENGTH) - 1.0).abs() < 1e-3, "{area}");
 }
 
-/// The squeeze as a force: the advance is that at which the points press with it.
+/// If the squeeze is given as a force, the points press with this total force.
 #[test]
 fn a_pressed_pad_presses_with_its_force() {
     let shaft = part(&round(RADIUS, 96, 0.08));
@@ -130,7 +130,7 @@ fn a_pressed_pad_presses_with_its_force() {
     for clearance in [0.0, 0.001] {
         let touch = Touch::new(pad.clone(), contact.clone().clearance(clearance).pressed_with(40.0));
         let touched = touch.on(&shaft).expect("touches");
-        // The anchors of the part give way by 1e-14 m.
+        // The anchors of the part move by 1e-14 m.
         assert!((force(&touched) - 40.0).abs() < 1e-7, "{}", force(&touched));
     }
 }

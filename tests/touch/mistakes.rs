@@ -29,7 +29,7 @@ fn a_pad_that_begins_inside_says_so() {
     assert!(contact.to_string() == "0 (jaw)" && fault.starts_with("begins inside"), "{contact}: {fault}");
 }
 
-/// A pad may begin on the face that it presses on.
+/// A pad may start in contact with the face.
 #[test]
 fn a_pad_that_lies_on_the_part_touches_at_once() {
     let touched = jaw([0.0, 0.025, 0.015], [1.0, 0.0, 0.0]).on(&bracket_in_metres()).expect("touches");
@@ -57,7 +57,7 @@ fn numbers_out_of_range_are_named() {
     assert!(matches!(bracket_in_metres().of_mass(-1.0), Err(Error::Argument { .. })));
 }
 
-/// A constant force has one slide along one normal.
+/// A constant force acts along one normal, so all points must have this normal.
 #[test]
 fn a_constant_force_needs_a_flat_face() {
     let flat = Contact::new([-0.03, 0.025, 0.015], [1.0, 0.0, 0.0]).series_stiffness(1e5, 1e5).force(40.0);

@@ -53,8 +53,8 @@ fn a_scene_is_laid_on_its_part() {
     let Space::Spatial(setup) = &scene.space else { panic!("in space") };
     let part = setup.part_read().expect("is read");
     assert!((part.mass().expect("dense") - 0.132_822).abs() < 1e-9);
-    // One fingertip each, with 16 points.
-    assert_eq!(setup.grasp().expect("well posed").len(), 32);
+    // Each pad is one fingertip with 16 points.
+    assert_eq!(setup.points().expect("points"), 32);
 }
 
 #[test]
@@ -66,7 +66,7 @@ fn a_scene_is_written_as_it_was_read() {
     assert_eq!(read(&written).expect("a scene"), given);
 }
 
-/// The leg ends at 40 mm.
+/// The leg of the bracket ends at 40 mm, so a pad there is partly beyond it.
 #[test]
 fn a_pad_that_misses_in_part_is_named() {
     let scene = read(&scene_at(0.04)).expect("a scene").with_files_from(folder()).expect("its part");
@@ -121,7 +121,7 @@ fn a_held_force_and_profiles_are_read() {
     assert!((answer.verdict.lost.as_ref().expect("is lost").factor - 0.4).abs() < 1e-6);
 }
 
-/// Corners and faces are in the scene itself: no file is read, and the written scene contains them again.
+/// A scene may contain vertices and faces. No file is read, and the written scene contains them too.
 #[test]
 fn a_part_may_be_given_by_arrays() {
     let (corners, faces) = bracket();

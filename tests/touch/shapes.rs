@@ -7,7 +7,7 @@ use grasp_lcp::touch::{Pad, Part, Touch, Touched};
 
 pub(crate) type Mesh = (Vec<[f64; 3]>, Vec<[usize; 3]>);
 
-/// A prism along z whose profile is seen whole from one of its corners, the `hub`; counterclockwise, lengths as given.
+/// A prism along z. Its counterclockwise profile is triangulated from the corner `hub`, from which all others must be visible.
 pub(crate) fn prism(profile: &[[f64; 2]], hub: usize, depth: f64) -> Mesh {
     let n = profile.len();
     let corners = [0.0, depth].iter().flat_map(|z| profile.iter().map(move |[x, y]| [*x, *y, *z])).collect();
@@ -22,13 +22,13 @@ pub(crate) fn prism(profile: &[[f64; 2]], hub: usize, depth: f64) -> Mesh {
     (corners, faces)
 }
 
-/// An L of 60 x 40, 6 thick and 30 deep, in mm.
+/// An L-shaped bracket of 60 x 40 mm, 6 mm thick and 30 mm deep, in mm.
 pub(crate) fn bracket() -> Mesh {
     let profile = [[0.0, 0.0], [60.0, 0.0], [60.0, 6.0], [6.0, 6.0], [6.0, 40.0], [0.0, 40.0]];
     prism(&profile, 3, 30.0)
 }
 
-/// A polygon of so many sides on a circle, the first corner on x.
+/// A prism with a regular polygon as profile, first corner on x.
 pub(crate) fn round(radius: f64, sides: usize, length: f64) -> Mesh {
     let corner = |i: usize| {
         let angle = TAU * i as f64 / sides as f64;

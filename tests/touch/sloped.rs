@@ -5,7 +5,7 @@ use grasp_lcp::touch::{Pad, Part, Touch};
 
 use crate::shapes::{part, prism};
 
-/// A roof with its ridge along z at the origin; both sides fall by this angle, rad, away from a pad that comes along x.
+/// A roof with its ridge along z at the origin. Both sides slope by this angle, rad, away from a pad that closes along x.
 fn roof(slope: f64) -> Part {
     let fall = 0.05 * slope.tan();
     part(&prism(
@@ -35,7 +35,7 @@ fn a_ridge_is_an_edge_unless_friction_bridges_it() {
     assert!(!flat.is_over_an_edge() && flat.steepest() == 0.0);
 }
 
-/// On one slope all stick or all slide: the sum of normal and tangential forces along the closing direction is that of the squeeze.
+/// On one slope all points stick or all slide. The sum of their forces along the closing direction is the squeeze.
 #[test]
 fn a_slope_takes_the_squeeze_with_its_friction() {
     let slope = 0.4_f64;

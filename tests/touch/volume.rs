@@ -28,7 +28,7 @@ fn a_polygon_prism_has_its_area_times_its_length() {
     assert!(centre[0].abs() < 1e-16 && centre[1].abs() < 1e-16 && (centre[2] - 0.04).abs() < 1e-16);
 }
 
-/// Far from the origin little cancels; a surface that is inside out is turned.
+/// The volume is accurate far from the origin, and also for a surface with reversed faces.
 #[test]
 fn place_and_order_of_corners_do_not_matter() {
     let (corners, faces) = bracket();

@@ -43,7 +43,7 @@ impl Affine {
     }
 }
 
-/// Result of a system of equations `row · x + constant = 0`.
+/// The solutions of a system of equations `row · x + constant = 0`.
 pub(super) enum Solved {
     Point(Vec<Q>),
     Nothing,

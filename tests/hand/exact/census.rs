@@ -12,7 +12,7 @@ use num_traits::{One, Signed, Zero};
 
 use super::affine::{Affine, Q, Solved, exact, float, solved};
 
-/// One contact: normal with integer components of integer length.
+/// One contact. The normal has integer components and an integer length.
 pub(super) struct Touch {
     pub(super) point: [f64; 2],
     pub(super) normal: [i32; 2],
@@ -20,7 +20,7 @@ pub(super) struct Touch {
     pub(super) friction: f64,
     pub(super) command: [f64; 2],
     pub(super) finger: usize,
-    /// So many of its joints move it.
+    /// Number of joints that move the contact.
     pub(super) link: usize,
 }
 
@@ -49,13 +49,13 @@ pub(super) struct Scene {
     pub(super) load: [f64; 3],
 }
 
-/// One possible state of a part: the force that it exerts, and the quantities that must not be negative.
+/// A state of one part: its forces, and the quantities that must not be negative.
 struct Choice {
     forces: Vec<Affine>,
     conditions: Vec<Affine>,
 }
 
-/// An equilibrium of the oracle: contact forces in the contact frames, joint displacements.
+/// An equilibrium of the oracle: contact forces in the contact frames, and joint displacements.
 pub(super) struct Exact {
     pub(super) forces: Vec<[f64; 2]>,
     pub(super) joints: Vec<f64>,
@@ -63,7 +63,7 @@ pub(super) struct Exact {
 
 pub(super) enum Verdict {
     Clear(Vec<Exact>),
-    /// A condition holds with equality, or a whole family solves.
+    /// A condition holds with equality, or there is a family of solutions.
     Borderline,
 }
 
@@ -167,7 +167,7 @@ impl Scene {
         Verdict::Clear(found)
     }
 
-    /// The solution of a combination, if it has one; `Some(None)` where that is a matter of equality.
+    /// The solution of a combination, if it has one; `Some(None)` if this depends on an equality.
     #[allow(clippy::option_option)]
     fn solve(
         &self,
@@ -185,7 +185,7 @@ impl Scene {
             let chosen = &parts[i][choice[i]];
             for a in 0..2 {
                 let force = &chosen.forces[a];
-                // The force does on every coordinate minus what its stretch loses by it.
+                // The generalised force on a coordinate is minus the force times the derivative of the stretch.
                 for k in 0..n {
                     let arm = -v[a].row[k].clone();
                     balance[k] = balance[k].clone().plus(force, &arm);
@@ -276,7 +276,7 @@ impl Scene {
     }
 }
 
-/// A spring that ends at two bounds.
+/// The states of a spring with two force bounds.
 fn bounded(n: usize, elastic: &Affine, bounds: Option<[f64; 2]>) -> Vec<Choice> {
     let Some(bounds) = bounds else {
         return vec![Choice { forces: vec![elastic.clone()], conditions: vec![] }];

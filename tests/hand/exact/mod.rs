@@ -12,7 +12,7 @@ use support::splitmix::Random;
 
 use census::{Cable, Exact, Knuckle, Scene, Touch, Verdict};
 
-/// A small whole number as an index.
+/// Converts a small integer to an index.
 fn index(whole: f64) -> usize {
     (0..16).find(|k| f64::from(*k) >= whole).map_or(0, |k: u8| k.into())
 }

@@ -2,13 +2,13 @@
 
 use super::Integers;
 
-/// The known answer of a problem.
+/// The known status of a problem.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Known {
     Solvable,
     /// No z ≥ 0 has M z + q ≥ 0.
     Infeasible,
-    /// Some have, but none is complementary.
+    /// Some z ≥ 0 have M z + q ≥ 0, but none is complementary.
     Without,
 }
 use Known::{Infeasible, Solvable, Without};
@@ -18,7 +18,7 @@ fn entry(source: &'static str, m: &[i64], q: &[i64], known: Known) -> (&'static 
 }
 
 /// Handbook: Floudas et al., *Handbook of Test Problems in Local and Global Optimization*, 1999, chapter 10.
-/// Made: constructed for this test, after the failure of another solver.
+/// Made: constructed for this test from the failure of another solver.
 #[allow(clippy::too_many_lines)] // a table
 pub(crate) fn small() -> Vec<(&'static str, Integers, Known)> {
     let triangle = |n: usize, upper: bool, beside: i64| -> Vec<i64> {

@@ -27,7 +27,7 @@ impl Tally {
         let changes = |so: fn(&Change) -> bool| jump.changes.iter().any(|change| so(&change.what));
         self.joined += usize::from(changes(|what| matches!(what, Change::Slides { .. })));
         if changes(|what| matches!(what, Change::Sticks)) {
-            // Where it has stuck depends on the way, and no list has it.
+            // A contact that has stuck again depends on the path, so no enumeration contains it.
             self.stuck_again += 1;
             return;
         }
@@ -43,7 +43,7 @@ impl Tally {
             all.clone().all(|i| catch.states[i] == told(i)) && catch.off(&jump.state) < 1e-10
         };
         let at = catches.iter().find(is_it).unwrap_or_else(|| panic!("{jump:?}"));
-        // Where nothing opens, what holds at the end holds all the way there: forces are affine, and cones convex.
+        // If nothing opens, the conditions that hold at the end hold during the whole motion, because forces are affine and cones convex.
         let fewer = |catch: &&Catch| {
             all.clone().all(|i| !catch.slides(i) || at.slides(i))
                 && all.clone().any(|i| at.slides(i) && !catch.slides(i))
@@ -65,7 +65,7 @@ fn jumps_end_where_rationals_say() {
         let Some((part, first)) = scene.first_slip() else { continue };
         looked += 1;
         let grasp = Grasp::new(scene.contacts.iter().map(Datum::contact)).unwrap();
-        // Twice as far as the first slip.
+        // Up to twice the load at first slip.
         let goal = scene.load(2.0 * part.to_f64().unwrap());
         let mut path = grasp.follow(scene.load(0.0), &[Leg::load_to(goal)]).unwrap();
         let catches = scene.catches(&part, first);
@@ -78,7 +78,7 @@ fn jumps_end_where_rationals_say() {
         let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{looked}: {:?}", path.end()) };
         assert!((loss.fraction - 0.5).abs() < 1e-12);
         if loss.jumped.is_empty() {
-            // No rates continue it with static friction either.
+            // With static friction no continuation exists either.
             tally.at_the_edge += 1;
         } else {
             match path.beyond() {
@@ -86,7 +86,7 @@ fn jumps_end_where_rationals_say() {
                     tally.lost += 1;
                     assert!(catches.is_empty(), "{looked}: {catches:?}");
                 }
-                // One of them holds, but no way that balances all along leads there: the library leaves it open.
+                // One combination is an equilibrium, but no quasi-static motion leads to it; the library leaves this open.
                 Some(Beyond::Snap) => tally.elsewhere += 1,
                 other => panic!("{looked}: {other:?}"),
             }

@@ -4,7 +4,7 @@ use grasp_lcp::load_path::Parameter;
 use grasp_lcp::planar::{Change, PathEnd};
 use grasp_lcp::planar::{Contact, Event, Grasp, Leg, Wrench};
 
-/// Two feet that are pressed with N and slide along x alone, the second one softer by this ratio; a rail without friction keeps the object level.
+/// Two feet pressed with n newtons that slide along x only, with these tangential stiffnesses. A frictionless rail keeps the object level.
 fn feet(n: f64, friction: [f64; 2], stiffness: [f64; 2]) -> Grasp {
     let foot = |x: f64, k: f64| {
         let contact = Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1000.0, k).friction(friction[0]);
@@ -45,14 +45,14 @@ fn of_two_feet_one_catches_what_the_other_loses() {
     assert!(matches!(end, Some(PathEnd::Lost(_))));
 }
 
-/// Caught if and only if k₂/k₁ <= μ_k/μ_s.
+/// The jump ends in an equilibrium if and only if k₂/k₁ <= μ_k/μ_s.
 #[test]
 fn the_ratio_of_stiffnesses_decides() {
     for (rest, sliding) in [(0.5, 0.4), (0.8, 0.3), (1.2, 1.1), (0.3, 0.299_99)] {
         let edge = sliding / rest;
         for off in [1e-1, 1e-3, 1e-6, 1e-9, 1e-12] {
             for (ratio, is_caught) in [(edge * (1.0 - off), true), (edge * (1.0 + off), false)] {
-                // Of two as stiff as each other neither is the first.
+                // With equal stiffness both slide at once.
                 if ratio >= 1.0 {
                     continue;
                 }
@@ -73,7 +73,7 @@ fn the_ratio_of_stiffnesses_decides() {
     }
 }
 
-/// Ratio one: both slide at 10 N, where friction of sliding carries 8 N.
+/// With equal stiffness both slide at 10 N, and kinetic friction carries only 8 N.
 #[test]
 fn both_at_once_are_lost() {
     let (events, end, place) = pulled(&feet(10.0, [0.5, 0.4], [1000.0; 2]), 12.0);
@@ -81,7 +81,7 @@ fn both_at_once_are_lost() {
     assert!(matches!(end, Some(PathEnd::Lost(_))) && (place - 10.0).abs() < 1e-12);
 }
 
-/// A slider that a bonded spring drags over a foot: one drop of (μ_s - μ_k) N, then friction of sliding as long as it moves.
+/// A bonded spring drags a slider over a foot. The force drops once by (μ_s - μ_k) N, then kinetic friction acts while it moves.
 fn slider(k: f64) -> Grasp {
     let foot = Contact::new([0.0, 0.0], [0.0, 1.0])
         .series_stiffness(1e3, 1e9)
@@ -93,7 +93,7 @@ fn slider(k: f64) -> Grasp {
     Grasp::new([foot, weight, spring(-0.1), spring(0.1)]).unwrap()
 }
 
-/// To and fro a thousand times: it sticks as it turns round, and drops by (μ_s - μ_k) N twice a period, so that the two drops make 2 (μ_s - μ_k) N.
+/// The slider moves to and fro a thousand times. It sticks at each reversal, and the force drops by (μ_s - μ_k) N twice in each period.
 #[test]
 fn a_slider_drops_twice_a_period_for_a_thousand_periods() {
     let grasp = slider(1000.0);
@@ -118,7 +118,7 @@ fn a_slider_drops_twice_a_period_for_a_thousand_periods() {
     }
 }
 
-/// A load that turns reaches 7.5 N at an angle of its own, and the jump is the same.
+/// A turning load that reaches 7.5 N has the same jump.
 #[test]
 fn a_load_that_turns_jumps_as_a_straight_one() {
     let grasp = feet(10.0, [0.5, 0.4], [1000.0, 500.0]);
@@ -133,11 +133,11 @@ fn a_load_that_turns_jumps_as_a_straight_one() {
     for (i, after) in [(0, 4.0), (1, 3.5)] {
         assert!((state.contacts[i].force[1].abs() - after).abs() < 1e-12);
     }
-    // It turns back at a right angle, where what slid sticks.
+    // After a quarter turn the load decreases, and the sliding foot sticks.
     assert!(matches!(events[1].changes[0].what, Change::Sticks) && (events[1].fraction - 0.5).abs() < 1e-9);
 }
 
-/// In steps with pauses, a slider sticks and slips: after each rest of the foot it takes 5 N to move on, and friction drops to 4 N.
+/// With pauses the slider sticks and slips: after each rest it needs 5 N to slide, and drops to 4 N.
 #[test]
 fn a_pause_lets_friction_of_rest_come_back() {
     let grasp = slider(1000.0);
@@ -154,13 +154,13 @@ fn a_pause_lets_friction_of_rest_come_back() {
         assert!(slides.jump.is_some() && matches!(sticks.changes[0].what, Change::Sticks));
         let force = path.forces()[0][1].abs();
         assert!((force - 4.0).abs() < 1e-9, "{step}: {force}");
-        // Half a step on: it sticks.
+        // After half a step it still sticks.
         path.continue_with(&[by(0.0005)]).unwrap();
         assert!(path.run().is_empty() && (path.forces()[0][1].abs() - 4.5).abs() < 1e-3);
     }
 }
 
-/// Where the first foot slides its friction follows its normal force at the ratio of sliding, 0.4, not at that of rest.
+/// The friction of the sliding foot is proportional to its normal force with the kinetic coefficient 0.4.
 #[test]
 fn derivatives_have_the_friction_of_sliding() {
     let grasp = feet(10.0, [0.5, 0.4], [1000.0, 500.0]);

@@ -4,7 +4,7 @@ use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Change, Leg, PathEnd};
 
-/// A stiff arm carries an object against a wall that is 1 mm away and along it: for 1 mm that it is pressed on it slides 2 mm.
+/// A stiff arm moves an object against a wall 1 mm away, and along it: for each mm of normal motion it slides 2 mm.
 fn pressed_on<const C: usize>(along: [f64; C], wall: Contact<C>, arm: Vec<Contact<C>>) {
     let grasp = Grasp::new(
         [wall.series_stiffness(1e3, 1e3).friction(0.5).kinetic(0.3).clearance(1e-3)].into_iter().chain(arm),

@@ -5,7 +5,7 @@ use nalgebra::{Rotation3, Vector3};
 use support::kinetic::{Datum, Scene};
 use support::samples::{assert_met, samples, seeded};
 
-/// The contact in space, where the plane lies turned.
+/// The planar contact, in space in a rotated plane.
 fn turned(datum: &Datum, turn: &Rotation3<f64>) -> spatial::Contact {
     let [[x, y], [n_x, n_y], [k_n, k_t]] = [datum.point, datum.normal, datum.stiffness];
     let there = |x: f64, y: f64| <[f64; 3]>::from(turn * Vector3::new(x, y, 0.0));
@@ -42,7 +42,7 @@ fn a_planar_jump_in_space_is_the_same() {
         let mut path = flat.follow(from, &[planar::Leg::load_by(there)]).unwrap();
         let first = path.next();
         let lost = path.end().and_then(|end| end.loss()).map(|loss| loss.jumped.len());
-        // The cone with eight facets is exact in this plane, too: it has a corner there.
+        // The cone with eight facets has corners in this plane, so it is exact here.
         for cone in [*round.settings(), round.settings().on_the_polygon()] {
             let in_space = round.with(&cone);
             let mut in_space = in_space.follow(to, &[spatial::Leg::load_by(beyond)]).unwrap();

@@ -4,7 +4,7 @@ use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd, Ramp};
 use support::kinetic::{Datum, Scene};
 use support::samples::{assert_met, samples, seeded};
 
-/// Contacts and kinds of their changes, in order.
+/// The changes of contacts, in order.
 fn story(events: &[Event]) -> Vec<(usize, std::mem::Discriminant<Change>)> {
     events
         .iter()
@@ -18,13 +18,13 @@ fn apart(a: &Equilibrium, b: &Equilibrium) -> f64 {
     both.map(|(a, b)| (a.force - b.force).norm()).fold(0.0, f64::max) / a.largest_force()
 }
 
-/// With more events than that a path is left.
+/// A path with more events than this is not followed further.
 const MOST: usize = 400;
 
-/// The parts by which friction falls.
+/// Relative differences of static and kinetic friction.
 const PARTS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
-/// Means and maxima of differences over the part.
+/// Means and maxima of differences of paths, divided by the relative difference of friction.
 #[derive(Default)]
 struct Apart {
     count: [usize; 5],
@@ -74,7 +74,7 @@ fn paths_converge_in_proportion() {
         }
         count += 1;
         let all = PARTS.map(|part| followed(Some(part)));
-        // Contacts that slide together may stick and slip in turn, in ever more and ever smaller jumps.
+        // Contacts that slide together may stick and slip in turn, in more and smaller jumps.
         let alike = all[2..].iter().all(|(events, _)| story(events) == story(&plain));
         for (k, (events, state)) in all.iter().enumerate() {
             let Some(state) = state else { continue };
@@ -91,14 +91,14 @@ fn paths_converge_in_proportion() {
     forces_apart.told("forces");
     in_turn.told("forces in turn");
     for apart in [&events_apart, &forces_apart] {
-        // Of order one: with a hundredth of the part a hundredth of the difference.
+        // First-order convergence: a hundredth of the difference of friction gives a hundredth of the difference.
         assert!(apart.most[4] < 2.0 * apart.most[2] && apart.most[4] > 0.5 * apart.most[2]);
         assert_met(&[(apart.count[4], 37)]);
     }
     assert!(in_turn.most[..3].iter().all(|most| *most < 10.0));
 }
 
-/// The coefficient of rest given once more changes no bit.
+/// A kinetic coefficient equal to the static one changes no bit.
 #[test]
 fn friction_of_rest_given_twice_is_given_once() {
     let mut random = seeded(0x6269_7473);
@@ -118,7 +118,7 @@ fn friction_of_rest_given_twice_is_given_once() {
     }
 }
 
-/// The first slip is the same to the last bit, whatever friction falls to.
+/// The first slip does not depend on the kinetic coefficient, to the last bit.
 #[test]
 fn the_first_slip_is_a_matter_of_rest() {
     let mut random = seeded(0x6f6e_7365);

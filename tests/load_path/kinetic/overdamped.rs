@@ -14,12 +14,12 @@ use support::samples::{samples, seeded};
 use support::scene::{Datum, displacement, wrench};
 use support::splitmix::Random;
 
-/// So many steps of time are made at most.
+/// Largest number of time steps.
 const STEPS: usize = 60_000;
-/// Displacement, relative to the squeeze, beyond which the object counts as lost.
+/// Displacement, relative to the squeeze, beyond which the object does not come to rest.
 const FAR: f64 = 1e3;
 
-/// A contact in time.
+/// A contact during the motion.
 struct Moving<const C: usize> {
     datum: Datum<C>,
     kinetic: f64,
@@ -28,7 +28,7 @@ struct Moving<const C: usize> {
 }
 
 impl<const C: usize> Moving<C> {
-    /// Force along the axes of the contact frame at a twist, what slides slipping on.
+    /// Force in the contact frame at a twist. The slip of a sliding contact is updated.
     fn force<const D: usize>(&mut self, twist: &SVector<f64, D>) -> SVector<f64, C> {
         let moved = self.datum.frame().tr_mul(&displacement(&self.datum.point, twist));
         let stretch = self.datum.drive() - moved;
@@ -52,7 +52,7 @@ impl<const C: usize> Moving<C> {
     }
 }
 
-/// Where the object comes to rest: the forces there. `None` if it goes far away.
+/// Contact forces where the object comes to rest. `None` if it moves far away.
 fn comes_to_rest<const D: usize, const C: usize>(
     contacts: &mut [Moving<C>],
     mut twist: SVector<f64, D>,
@@ -84,13 +84,13 @@ fn comes_to_rest<const D: usize, const C: usize>(
 struct Tally {
     caught: usize,
     lost: usize,
-    /// The largest difference of forces, over the largest of them, where both are caught.
+    /// Largest relative differences of forces if both methods find an equilibrium.
     apart: Vec<f64>,
     only_the_jump_is_caught: usize,
     only_time_catches: usize,
 }
 
-/// Fingers around an object with both coefficients, a load that they balance at rest, and one that is put on.
+/// Fingers around an object with both coefficients of friction, a load at rest, and a load that is applied.
 pub(super) fn scene<const D: usize, const C: usize>(
     random: &mut Random,
 ) -> (Vec<Datum<C>>, Vec<f64>, SVector<f64, D>, SVector<f64, D>) {
@@ -166,7 +166,7 @@ fn compare<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
     tally
 }
 
-/// Prints and returns the counts, and the median, the ninth decile and the maximum of the differences.
+/// Prints the tally. Returns it with the median, the 90 % quantile and the maximum of the differences.
 fn told<const D: usize, const C: usize>(count: usize, seed: u64) -> (Tally, [f64; 3]) {
     let tally = compare::<D, C>(count, seed);
     let last = tally.apart.len() - 1;
@@ -182,13 +182,13 @@ fn told<const D: usize, const C: usize>(count: usize, seed: u64) -> (Tally, [f64
 fn in_the_plane_it_comes_to_rest_where_the_jump_ends() {
     let (tally, [_, most, _]) = told::<3, 2>(80, 1);
     assert!(tally.only_the_jump_is_caught + tally.only_time_catches <= samples(1));
-    // Another way may lead elsewhere.
+    // Another motion may end in another equilibrium.
     let elsewhere = tally.apart.iter().filter(|apart| **apart > 1e-6).count();
     println!("{elsewhere} elsewhere");
     assert!(most < 1e-9 && elsewhere <= samples(5));
 }
 
-/// Directions of sliding turn on the way, and by a little otherwise.
+/// In space the sliding directions turn slightly differently during the motion.
 #[test]
 fn in_space_it_comes_to_rest_near_where_the_jump_ends() {
     let (tally, [median, most, all]) = told::<6, 3>(25, 2);

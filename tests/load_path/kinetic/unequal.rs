@@ -9,12 +9,12 @@ use grasp_lcp::{ask, planar, spatial};
 use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
-/// Entries that are zero or equal as often as not.
+/// Small integers, which are often zero or equal.
 fn grid<const N: usize>(random: &mut Random, most: i64) -> [f64; N] {
     std::array::from_fn(|_| random.integer(-most, most) as f64)
 }
 
-/// A contact on a face of the square, or of the cube, of edge 2, with friction of rest and of sliding.
+/// A contact on a face of the square, or of the cube, of edge 2, with static and kinetic friction.
 fn contact<const C: usize>(random: &mut Random) -> grasp_lcp::grasp::Contact<C> {
     let (axis, side) = (random.index(0, C - 1), random.integer(0, 1) as f64 * 2.0 - 1.0);
     let (mut point, mut normal) = (grid(random, 1), [0.0; C]);
@@ -29,10 +29,10 @@ fn contact<const C: usize>(random: &mut Random) -> grasp_lcp::grasp::Contact<C> 
     if kinetic == 1.0 { contact } else { contact.kinetic(rest * kinetic) }
 }
 
-/// Of fingers that press with some newtons.
+/// Forces below this count as zero, for fingers that press with a few newtons, N.
 const NOTHING: f64 = 1e-12;
 
-/// Whether every contact is inside its static cone, and forces balance. If nothing presses any more, remaining forces are rounding.
+/// Whether every force is in the cone of static friction and forces balance. Without normal forces the remaining forces are rounding.
 fn obeys<const C: usize>(grasp: &ask::Grasp<C>, state: &Equilibrium<C>) -> bool {
     let largest = state.largest_force();
     let inside = grasp.contacts().iter().zip(&state.contacts).all(|(contact, answer)| {
@@ -42,7 +42,7 @@ fn obeys<const C: usize>(grasp: &ask::Grasp<C>, state: &Equilibrium<C>) -> bool 
     largest <= NOTHING || inside && state.residuals.worst() <= 1e-10
 }
 
-/// Jumps in which several contacts begin to slide, and paths that stay undecided.
+/// Counts of jumps in which several contacts begin to slide, and of undecided paths.
 #[derive(Debug, Default)]
 struct Tally {
     together: usize,

@@ -48,7 +48,7 @@ fn as_compliant_fingers_of_a_hand() {
     assert!(matches!(path.end(), Some(PathEnd::Completed)));
 }
 
-/// The plate below gives way by 1e-9 m/N.
+/// The plate below has a compliance of 1e-9 m/N.
 #[test]
 fn as_feet_between_two_bodies() {
     let between =
