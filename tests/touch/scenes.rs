@@ -54,7 +54,7 @@ fn a_scene_is_laid_on_its_part() {
     let part = setup.part_read().expect("is read");
     assert!((part.mass().expect("dense") - 0.132_822).abs() < 1e-9);
     // Each pad is one fingertip with 16 points.
-    assert_eq!(setup.points().expect("points"), 32);
+    assert_eq!(setup.grasp().expect("well posed").len(), 32);
 }
 
 #[test]

@@ -20,7 +20,7 @@ pub struct Cup {
     /// Points on the lip; 12 if left out.
     #[serde(default = "twelve")]
     pub points: usize,
-    /// Pressure below that of the air around, Pa.
+    /// Pressure in the cup below that of the surrounding air, Pa.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressure: Option<f64>,
     /// The force of the vacuum, N, instead of the pressure.

@@ -154,14 +154,14 @@ struct Written<const C: usize> {
     /// The joints from the palm on; none if left out.
     #[serde(default)]
     joints: Vec<Joint<C>>,
-    /// Rows of a symmetric matrix among its joints beside their own springs, N m/rad.
+    /// Rows of the symmetric stiffness matrix of the joints, added to their own springs, N m/rad.
     stiffness_matrix: Option<Rows>,
-    /// Rows of a symmetric matrix over its contacts, contact by contact, axis by axis of their frames, m/N.
+    /// Rows of the symmetric compliance matrix of the contacts, m/N, ordered by contact and then by axis of its frame.
     compliance: Option<Rows>,
-    /// The `force` of its only contact, N.
+    /// The constant normal force of the finger's only contact, N.
     #[serde(default, with = "AsGiven::<Option<f64>>")]
     presses_with: Option<f64>,
-    /// At least one; stiffness may be left out where there is a `compliance`.
+    /// The contacts, at least one. Their stiffness may be left out if a `compliance` is given.
     contacts: Vec<LinkedContact<C>>,
 }
 

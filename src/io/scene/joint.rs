@@ -29,7 +29,7 @@ struct WrittenJoint<const C: usize> {
     /// Commanded position of the drive, rad or m; 0 if left out.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     command: f64,
-    /// Constant torque or force beside the drive, whatever the joint does, N m or N; 0 if left out.
+    /// Constant torque or force in addition to the drive, at any position of the joint, N m or N; 0 if left out.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     torque: f64,
     /// The largest torque or force of the drive, N m or N; no limit if left out.
@@ -42,7 +42,7 @@ struct WrittenJoint<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Hinge<const C: usize> {
-    /// A point on its axis, m.
+    /// A point on the axis, m.
     #[serde(with = "AsGiven::<SVector<f64, C>>")]
     point: SVector<f64, C>,
     /// The direction of the axis, right-handed; in space only.
@@ -66,7 +66,7 @@ struct WrittenTendon {
     /// Commanded pull of the drive, m; 0 if left out.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     pull: f64,
-    /// Constant tension beside the drive, N; 0 if left out.
+    /// Constant tension in addition to the drive, N; 0 if left out.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     tension: f64,
     /// The largest tension of the drive, N; no limit if left out.

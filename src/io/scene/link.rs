@@ -79,7 +79,7 @@ struct Written<const C: usize> {
     /// The pull of a spring or cable before anything moves, N; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pretension: Option<f64>,
-    /// The pull of a spring or cable once it is installed, at rest, while all else gives way, N; instead of the pretension.
+    /// The pull of a spring or cable at rest without load, N, after all other parts have yielded to it; instead of the pretension.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     tension: Option<f64>,
     /// The length of a cable beyond the distance of its ends, m; 0 if left out.
@@ -139,9 +139,9 @@ struct Rigid<const C: usize> {
 #[cfg_attr(feature = "schema", schemars(rename = "Between"))]
 #[serde(deny_unknown_fields)]
 struct Line<const C: usize> {
-    /// The beginning of the line, on the body or on the first of two, m.
+    /// The start of the line, m: a point of the linked body, or of the first of two.
     from: AxisRow<Given, C>,
-    /// The end of the line, on the ground or on the second body, m.
+    /// The end of the line, m: a point of the ground, or of the second body.
     to: AxisRow<Given, C>,
 }
 

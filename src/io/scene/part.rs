@@ -27,13 +27,13 @@ pub struct PartSetup {
     /// The three corners of each face, by their index from 0, counterclockwise as seen from outside.
     #[serde(default, skip_serializing_if = "<[_]>::is_empty")]
     pub faces: Arc<[[usize; 3]]>,
-    /// The unit of its lengths; m if left out.
+    /// The unit of the mesh's lengths; m if left out.
     #[serde(default)]
     pub unit: Unit,
-    /// Its mass, kg.
+    /// The mass of the part, kg.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass: Option<f64>,
-    /// Its density, kg/m³, in place of the mass.
+    /// The density of the part, kg/m³, in place of its mass.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub density: Option<f64>,
     /// The mesh once it is read.
@@ -53,24 +53,25 @@ pub struct Touches {
     /// Radius of a disc, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub disc: Option<f64>,
-    /// Of a rectangle: it is bent around an axis along the second tangent, as a round finger of this radius, m.
+    /// Radius of a round finger, m: the rectangle is bent around an axis along the second tangent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub round: Option<f64>,
-    /// Of a rectangle: it is a V of this opening angle, degrees, with its bottom along the second tangent.
+    /// Opening angle of a V, degrees: the rectangle is folded along the second tangent, the bottom of the V.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub v_deg: Option<f64>,
-    /// Of a contact on a link of a robot: the link's collision shapes touch, within the rectangle if it is given. How far along the closing direction
-    /// `from` lies does not matter then.
+    /// Whether the collision shapes of the robot's link are the pad, within the rectangle if it is given. The position of `from` along the closing
+    /// direction then has no effect.
     #[serde(default, skip_serializing_if = "core::ops::Not::not")]
     pub collision_shapes: bool,
-    /// Of a rectangle: strips in half of each side, two points each, 2 and 2 if left out; of a disc: annuli and points on a ring, 2 and 8.
+    /// Of a rectangle: numbers of strips in half of each side, with two points each, 2 and 2 if left out. Of a disc: numbers of annuli and of
+    /// points on a ring, 2 and 8 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strips: Option<[usize; 2]>,
     /// The middle of the pad before it closes, m.
     pub from: [f64; 3],
     /// The direction in which it closes, of any length.
     pub closing: [f64; 3],
-    /// Its elastic layer, in place of a stiffness of the contact.
+    /// The elastic layer of the pad, in place of a stiffness of the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layer: Option<PadLayer>,
     /// The part once its mesh is read.

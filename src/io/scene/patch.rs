@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::grasp::{Face, Pressure, SoftFingertip, Space};
 
 /// The patch of a [`SoftFingertip`]: rings, discs and rectangles in space, pairs and pads in the plane. It is written as
-/// `{"disc": {"radius": 0.006, …}}`. The functions named below state the allowed numbers.
+/// `{"disc": {"radius": 0.006, …}}`. The function that a variant names states the allowed numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]

@@ -22,12 +22,12 @@ use crate::serial::{AsGiven, object};
 pub enum Question<const C: usize> {
     /// Does the grasp hold the load, and what happens while the load grows? See [`Grasp::hold`](crate::ask::Grasp::hold).
     Hold {
-        /// The load that acts before and stays; zero if left out.
+        /// The load that acts from the start and stays constant; zero if left out.
         #[serde(default = "no_load::<C>")]
         base: Wrench<C>,
-        /// The load that grows from zero beside it.
+        /// The load that grows from zero in addition to the base.
         load: Wrench<C>,
-        /// With several bodies: loads on other bodies, by name, that grow with the load; then without a base.
+        /// With several bodies: loads on other bodies, by name, in proportion to the load. The base must then be left out.
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },
@@ -46,10 +46,10 @@ pub enum Question<const C: usize> {
     },
     /// Is the equilibrium under a load the minimum of the paper's quadratic program? See [`Energy::compare`](crate::ask::Energy::compare).
     Compare {
-        /// The load that acts before and stays; zero if left out.
+        /// The load that acts from the start and stays constant; zero if left out.
         #[serde(default = "no_load::<C>")]
         base: Wrench<C>,
-        /// The load that grows from zero beside it.
+        /// The load that grows from zero in addition to the base.
         load: Wrench<C>,
     },
     /// The onset of sliding along a ramp: the load is `base + τ direction` at the factor τ, and commands change by τ times their change.
@@ -72,7 +72,7 @@ pub enum Question<const C: usize> {
         /// The change of a hand's commands per unit of the factor, one for each joint and then each tendon, rad or m; zero if left out.
         #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
         joint_change: Option<Vec<f64>>,
-        /// With several bodies: loads on other bodies, by name, that grow with the direction; then without a base.
+        /// With several bodies: loads on other bodies, by name, in proportion to the factor. The base must then be left out.
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },
@@ -86,8 +86,8 @@ pub enum Question<const C: usize> {
         start: Wrench<C>,
         /// The legs of the load program.
         legs: Vec<Leg<C>>,
-        /// The error of forces that each leg may add, over the largest force, from 1e-9 to 1: the path is then followed in steps, for hundreds of
-        /// contacts and more. Every event is found if left out.
+        /// Error that each leg may add to forces, relative to the largest force, from 1e-9 to 1. The path is then followed in steps, which suits
+        /// hundreds of contacts. If left out, every event is found.
         #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
         in_steps: Option<f64>,
     },
@@ -96,10 +96,10 @@ pub enum Question<const C: usize> {
         /// The load at rest, where every cycle begins and ends; zero if left out.
         #[serde(default = "no_load::<C>")]
         base: Wrench<C>,
-        /// The loads beside it, each put on and taken off in turn.
+        /// The loads in addition to the base, each applied and removed in turn.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         loads: Vec<Wrench<C>>,
-        /// The legs of a cycle, instead of loads; they must lead back to their beginning.
+        /// The legs of a cycle, instead of loads; loads and commands at its end must be those at its beginning.
         #[serde(default, skip_serializing_if = "Vec::is_empty")]
         legs: Vec<Leg<C>>,
     },
@@ -108,7 +108,7 @@ pub enum Question<const C: usize> {
         /// The load at rest; zero if left out.
         #[serde(default = "no_load::<C>")]
         base: Wrench<C>,
-        /// The loads beside it. They come in any order, with any load between two of them.
+        /// The loads in addition to the base. Their order is arbitrary, and so is the path between them within their convex hull.
         loads: Vec<Wrench<C>>,
     },
     /// Which friction, loads of supports, squeeze or stiffness follow from observed slips? See [`Identify`].

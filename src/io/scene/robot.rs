@@ -21,23 +21,23 @@ use crate::touch::Pad;
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct RobotSetup<const C: usize> {
-    /// Its description file; a relative path counts from the folder of the scene.
+    /// The description file of the robot; a relative path counts from the folder of the scene.
     pub urdf: String,
-    /// The place of its root link, m; the origin if left out.
+    /// The position of the robot's root link, m; the origin if left out.
     #[serde(default)]
     pub at: [f64; 3],
-    /// Roll, pitch and yaw of its root link, degrees; 0 if left out.
+    /// Roll, pitch and yaw of the robot's root link, degrees; 0 if left out.
     #[serde(default)]
     pub turned_deg: [f64; 3],
-    /// Where its joints are, degrees, those that slide m; 0 if left out.
+    /// Positions of the joints by name, degrees, of prismatic joints m; 0 if left out.
     #[serde(default)]
     pub joints: BTreeMap<String, f64>,
-    /// Where its joints are commanded to be, degrees or m; where they are if left out.
+    /// Commanded positions of the joints by name, degrees or m; the actual positions if left out.
     #[serde(default)]
     pub commanded: BTreeMap<String, f64>,
-    /// Stiffness of its joints, N m/rad or N/m, by name; `others` is that of all that are not named.
+    /// Stiffness of the joints by name, N m/rad or N/m; `others` is the stiffness of all joints without an entry.
     pub stiffness: BTreeMap<String, f64>,
-    /// `"from file"`: motors stall at the efforts of the file; no limits if left out.
+    /// Limits of the motors: with `"from file"` they stall at the efforts of the description file; no limits if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub effort: Option<MotorLimits>,
     /// Contacts by the link they are on, in the frame of the link.

@@ -31,7 +31,7 @@ impl<'de> Deserialize<'de> for PolygonCone {
 struct WrittenPolygon {
     /// Number of facets.
     facets: usize,
-    /// Position of the polygon relative to the round cone: inside, around, or between.
+    /// Whether the polygon is inscribed in the round cone, circumscribed about it, or between.
     fit: Fit,
 }
 
@@ -57,7 +57,7 @@ enum Cone {
 struct WrittenSettings {
     /// The friction cone of answers; in space only.
     cone: Cone,
-    /// The polygon in place of the round cone, where one is needed.
+    /// The polygon that takes the place of the round cone in methods that need one.
     polygon: PolygonCone,
     /// Largest number of pivots; set by the size of the problem if left out.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -74,7 +74,7 @@ struct WrittenSettings {
     most_load: f64,
     /// Largest number of cycles of a repeated load that are followed.
     most_cycles: usize,
-    /// Up to where motions are small.
+    /// The rotation and slip up to which motions are small.
     small_motions: SmallMotions,
 }
 

@@ -46,10 +46,10 @@ pub struct Setup<const C: usize> {
     /// The plane or space; the vectors of a planar setup may have three components.
     #[serde(skip, default = "space_of_text::<C>")]
     pub(crate) space: Space,
-    /// Contacts whose fingers have no joints. Together with those of fingers there must be at least one, else [`Setup::grasp`] is an error.
+    /// Contacts whose fingers have no joints. [`Setup::grasp`] is an error if neither this list nor a finger has a contact.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<Fingertip<C>>,
-    /// Fingers with joints; their contacts have the numbers behind those above.
+    /// Fingers with joints; their contacts are numbered after those in `contacts`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fingers: Vec<FingerSetup<C>>,
     /// Tendons over the joints of all fingers.
@@ -71,7 +71,7 @@ pub struct Setup<const C: usize> {
     /// Whether loads of questions act on all bodies, on each with the share of its mass.
     #[serde(default, skip_serializing_if = "is_false")]
     pub shared_by_mass: bool,
-    /// Corners of the object in order, m, for pictures by the caller.
+    /// Corners of the object in order, m; only pictures show them.
     #[serde(default, with = "AsGiven::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub outline: Vec<SVector<f64, C>>,

@@ -64,7 +64,7 @@ struct Written<const C: usize> {
     /// The coefficient of friction; 0 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     friction: Option<Number<Friction>>,
-    /// The coefficient of friction while the contact slides, at most that at rest; the same if left out.
+    /// The coefficient of friction while the contact slides, at most `friction`, and equal to it if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     kinetic_friction: Option<Number<Friction>>,
     /// Displacement of the finger's core in the contact frame, normal part first, m; 0 if left out.
@@ -76,7 +76,7 @@ struct Written<const C: usize> {
     /// The clamping force, N, instead of the normal command.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pressed_with: Option<f64>,
-    /// A normal force that stays constant wherever the object goes, N, instead of a position.
+    /// A constant normal force, N, whatever the object's motion; instead of a position of the finger.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     force: Option<f64>,
     /// Gap before anything moves, negative for an overlap, m; 0 if left out.
@@ -91,7 +91,7 @@ struct Written<const C: usize> {
     /// A suction cup instead of the point, or the force of a vacuum within a soft fingertip, N.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     suction: Option<WrittenSuction>,
-    /// The curve or surface along which the contact may move where fingers are improved.
+    /// The curve or surface along which `improve` may move the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     surface: Option<Surface<C>>,
     /// The joints of its finger that move the contact; all if left out.
