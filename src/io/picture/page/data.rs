@@ -45,7 +45,7 @@ impl Drawing<'_> {
             hex(GREY),
             hex(FACE),
             hex(CONTOUR),
-            json_list(&self.tips, &|tip| json_row(tip.middle(contacts).as_slice()))?,
+            json_list(self.tips, &|tip| json_row(tip.middle(contacts).as_slice()))?,
             json_list(&grasp, &Mark::json)?,
             json_list(&frames, &|marks| json_list(marks, &Mark::json))?,
         ))
