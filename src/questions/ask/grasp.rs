@@ -223,6 +223,7 @@ impl<const C: usize> Grasp<C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
+    /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50; [`Error::KineticFriction`] if a contact slides whose [kinetic
     /// friction](crate::grasp::Contact::kinetic) is lower.
     pub fn solve(&self, load: impl Into<Wrench<C>>) -> Result<Outcome<C>, Error> {
