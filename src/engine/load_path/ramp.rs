@@ -11,8 +11,8 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::mapped;
 use crate::prelude::*;
 
-/// At factor τ >= 0 the load is `base + τ direction` and the finger commands are those of the grasp plus τ times their
-/// change. τ has no unit; with a direction of 1 N it counts newtons.
+/// A load and finger commands that grow in proportion to a factor τ >= 0. The load is `base + τ direction`; commands are those of the grasp plus τ
+/// times their change. τ has no unit; with a direction of 1 N it counts newtons.
 ///
 /// ```
 /// use grasp_lcp::planar::{Ramp, Wrench};

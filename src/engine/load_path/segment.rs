@@ -78,7 +78,7 @@ impl PathPoint {
 
 impl<'g> Segment<'g> {
     /// Forces, gaps and their rates at a factor. If the states leave motions free, the twist is the one nearest to `near`, and its rate the one
-    /// nearest to `pushed`: no force drives the object along these motions, but a contact that touches without force may push it.
+    /// nearest to `pushed`. No force drives the object along free motions, but a contact that touches without force may push it.
     pub(super) fn look(
         &self,
         states: &[State],

@@ -164,8 +164,8 @@ impl<'g> Pieces<'g> {
         here.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
-    /// Length of a step along the tangent, if one is to be made: from an apex, where a friction force has no direction yet, or up to the place where
-    /// a normal force that has all but vanished is zero.
+    /// Length of a step along the tangent; `None` if no such step is to be made. It starts at an apex, where a friction force has no direction yet,
+    /// or ends where a normal force that is almost zero vanishes.
     fn straight_length(&self, here: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / here.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {

@@ -182,8 +182,8 @@ pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<I
 
 /// Whether a unit motion proves that a load which grows at this rate cannot be balanced any more.
 ///
-/// It is a proof, for any forces in any state, under three conditions: no admissible contact force works against the motion, the load does not work
-/// against it, and the load's rate works along it.
+/// Three conditions make it a proof for any forces in any state. No admissible contact force works against the motion, the load does not work against
+/// it, and the load's rate works along it.
 pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &Vector) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));

@@ -1,7 +1,7 @@
 //! Equilibrium with the law of each contact relaxed to its convex hull: a point of a polyhedral cone.
 //!
-//! In energy units, `e = K^{1/2}v` and `f = K^{-1/2}F`, with P the orthogonal projector on the span of `K^{1/2}Gᵀ` and f⁰ the
-//! elastic trial state, balance of forces and compatibility of stretches say
+//! In energy units `e = K^{1/2}v` and `f = K^{-1/2}F`. P is the orthogonal projector on the span of `K^{1/2}Gᵀ`, and f⁰ the elastic trial state.
+//! Balance of forces and compatibility of stretches are
 //!
 //! ```text
 //! P f = P f⁰,   (1 - P) e = (1 - P) f⁰        ⟺        e + P (f - e) = f⁰

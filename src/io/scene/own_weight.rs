@@ -18,7 +18,7 @@ impl<const C: usize> Setup<C> {
     /// ```
     /// use grasp_lcp::scene::Scene;
     ///
-    /// // A box on a tray, μ = 0.4: gravity itself turns where the question says of no load that it does.
+    /// // A box on a tray, μ = 0.4. The turn of the question has no load, so that gravity itself turns.
     /// let scene: Scene = serde_json::from_str(r#"{
     ///     "format": "grasp-lcp/1",
     ///     "planar": {

@@ -24,9 +24,9 @@
 //! have derivatives by the implicit function theorem. Elsewhere, as where the object wedges or friction falls, derivatives are differences of exact
 //! answers.
 //!
-//! **Start.** The search starts at the given values. If it does not predict some slip there – the object holds however far the load goes, or it is
-//! lost at once – all friction is halved or doubled, at most twelve times, until it predicts all. If only a slip's own load presses, the part of it
-//! along the normals acts at rest, and only the rest grows: an object that is dragged over a table lies on it first.
+//! **Start.** The search starts at the given values. At these the model may not predict some slip: the object holds any load, or is lost at once. Then
+//! all friction is halved or doubled, at most twelve times, until all slips are predicted. If only a slip's own load presses, its part along the
+//! normals acts at rest, and only the other part grows: an object that is dragged over a table lies on it first.
 //!
 //! **Which contact slips first.** Between two jaws the weaker one slips first, so that a slip depends on the friction of one jaw alone. Which jaw this
 //! is may depend on the start of the search. From the solution, pairs of unknowns of one kind are therefore exchanged, and the search is repeated where
@@ -36,8 +36,8 @@
 //! # Errors
 //!
 //! The errors are those of the linearised problem at the solution. If the slips have no given scatter, it is estimated from the residuals, and
-//! intervals are Student's. A direction in which no slip changes, by the singular values of all derivatives, is a
-//! [combination](FreeCombination) that the slips do not determine, and no number in it is reported.
+//! intervals are Student's. The singular values of all derivatives show directions in which no slip
+//! changes. Such a direction is a [combination](FreeCombination) that the slips do not determine; its unknowns have no number.
 //!
 //! These errors assume independent slips. Slips in one direction, of one specimen or of one day share errors: a surface that is rougher one way,
 //! a finger that slides along the object. Their mean is then less certain than their number suggests. For slips with [groups](Slip::in_group) the
@@ -48,8 +48,8 @@
 //! V = B⁻¹ (Σ_g X_g' A_g ψ_g ψ_g' A_g X_g + Σ_k x_k' x_k) B⁻¹,   B = c Σ_g X_g' X_g + Σ_k x_k' x_k,   A_g = (1 - H_gg)^(-1/2)
 //! ```
 //!
-//! with rows X of derivatives over standard deviations; `ψ`, the residuals over them, limited where Huber's loss becomes linear; c, the mean
-//! derivative of `ψ` by the residuals; rows `x_k` of known sums; and H, the derivatives of the fitted values by the slips. `A_g` is the correction
+//! Rows X are derivatives over standard deviations. `ψ` are residuals over standard deviations, limited where Huber's loss becomes linear, and c is
+//! their mean derivative by the residuals. Rows `x_k` are known sums, and H is the derivative of fitted values by the slips. `A_g` is the correction
 //! CR2 of Bell and McCaffrey (Survey Methodology 28, 2002): V then has the right mean for independent slips. Few groups say little about their own
 //! scatter. Intervals are Student's with Satterthwaite's degrees of freedom of that number, [`Estimate::degrees_of_freedom`] (Pustejovsky and Tipton,
 //! J. Bus. Econ. Stat. 36, 2018). Estimates do not change, and a number that one group determines alone has no error.

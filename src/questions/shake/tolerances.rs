@@ -12,7 +12,7 @@ pub(super) const SAME_CYCLE: f64 = 1e-11;
 /// If smaller, more cycles are followed before the limit is known. If larger, events between here and the limit are missed.
 pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
 
-/// The same if contacts slide along arcs, which are exact up to the error of their steps.
+/// [`NEAR_THE_LIMIT`] if contacts slide along arcs, which are exact up to the error of their steps.
 pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 
 /// Relative change of forces below which a sentence calls them constant, up to the error of steps along arcs.
