@@ -95,7 +95,7 @@ impl Setup<3> {
         self.check_question(question)?;
         let grasp = &self.grasp_asked(grasp, question)?;
         Ok(match &*self.meant(question)? {
-            Question::Hold { .. } => held_briefly(&grasp.hold_briefly(&question.ramp()?)?),
+            Question::Hold { .. } => held_briefly(&grasp.hold_briefly(&question.ramp()?)?.0),
             Question::Need(asked) => needed_briefly(&grasp.need(asked)?),
             Question::Improve(asked) => improved_briefly(&grasp.improve(&self.with_surfaces(asked)?)?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
