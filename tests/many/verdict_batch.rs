@@ -24,7 +24,7 @@ fn batch<const C: usize>(rows: &[Row<C>], settings: &Settings) -> Vec<Option<Sho
     Grasp::hold_batch(rows.len(), &row, settings).into_iter().map(Result::ok).collect()
 }
 
-/// Compares every column with the verdict of each row, first slips up to rounding. Returns the number of rows for each conclusion.
+/// Compares every column with the verdict of each row, factors up to the error of steps. Returns the number of rows for each conclusion.
 fn check<const C: usize>(rows: &[Row<C>], settings: &Settings) -> [usize; 7] {
     let mut count = [0; 7];
     for (number, (short, (contacts, [base, load]))) in batch(rows, settings).into_iter().zip(rows).enumerate()
@@ -36,13 +36,17 @@ fn check<const C: usize>(rows: &[Row<C>], settings: &Settings) -> [usize; 7] {
             assert!(short.is_none() && whole.is_none(), "{number} {short:?} {whole:?}");
             continue;
         };
-        let close = match (short.first_slip, whole.first_slip) {
-            (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * b,
-            (a, b) => a == b,
-        };
-        assert!(close, "{number} {short:?} {whole:?}");
+        let factors = |short: &ShortVerdict| [short.first_slip, short.everything_slides, Some(short.held_to)];
+        for factors in factors(&short).into_iter().zip(factors(&whole)) {
+            let close = match factors {
+                (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * b,
+                (a, b) => a == b,
+            };
+            assert!(close, "{number} {short:?} {whole:?}");
+        }
         let mut same = short;
         same.first_slip = whole.first_slip;
+        (same.everything_slides, same.held_to) = (whole.everything_slides, whole.held_to);
         assert_eq!(same, whole, "row {number}: {verdict}");
         // The words of the columns appear in the sentence.
         let words = verdict.to_string();
@@ -115,6 +119,54 @@ fn random_fingers_in_the_plane() {
 #[test]
 fn random_fingers_in_space() {
     random_fingers::<3>(32);
+}
+
+/// Fingers whose contacts slide one after another before the load is lost, or the whole load is on: most of them go the way of slips.
+fn sliding_fingers<const C: usize>(random: &mut Random, count: usize) -> Row<C> {
+    let stiffness = 10.0_f64.powf(4.0 + random.signed());
+    let mut contacts = Vec::new();
+    for k in 0..count {
+        let angle = std::f64::consts::TAU * k as f64 / count as f64 + 0.3 * random.signed();
+        let mut point = [0.0; C];
+        (point[0], point[1]) = (0.04 * angle.cos(), 0.04 * angle.sin());
+        let mut normal = point.map(|x| -x);
+        point[C - 1] += 0.015 * random.signed();
+        normal[C - 1] += 0.01 * random.signed();
+        let contact =
+            Contact::new(point, normal).series_stiffness(stiffness, stiffness * random.between(0.3, 1.2));
+        contacts.push(contact.friction(random.between(0.2, 0.9)).pressed_with(random.between(8.0, 12.0)));
+    }
+    let mut components = vec![0.0; 3 * (C - 1)];
+    components[..C].fill_with(|| random.signed());
+    components[C..].fill_with(|| 0.02 * random.signed());
+    let load = Wrench::from_components(&components);
+    let onset =
+        Grasp::new(contacts.iter().cloned()).and_then(|grasp| grasp.onset(Ramp::load(Wrench::ZERO, load)));
+    let factor = onset.ok().and_then(|onset| onset.factor()).unwrap_or(1.0);
+    (contacts, [Wrench::ZERO, load * (factor * random.between(0.9, 3.0))])
+}
+
+fn sliding<const C: usize>(seed: u64) {
+    let mut random = seeded(seed);
+    let [mut held, mut lost] = [0; 2];
+    for count in 2..=5 {
+        let rows: Vec<Row<C>> = (0..samples(20)).map(|_| sliding_fingers(&mut random, count)).collect();
+        for settings in [up_to_the_load(), Settings::default()] {
+            let found = check(&rows, &settings);
+            (held, lost) = (held + found[How::Slides as usize], lost + found[How::Lost as usize]);
+        }
+    }
+    assert_met(&[(held, 30), (lost, 40)]);
+}
+
+#[test]
+fn fingers_that_slide_in_the_plane() {
+    sliding::<2>(35);
+}
+
+#[test]
+fn fingers_that_slide_in_space() {
+    sliding::<3>(36);
 }
 
 /// Symmetric, degenerate and extreme rows: ties, free motions, nothing to put on, loose, lost at rest, far motions, numbers out of range.

@@ -22,9 +22,9 @@ use crate::search::{Found, FoundBy};
 /// The contact that stops sticking first, and the state there.
 pub(super) struct FirstToLeave {
     pub(super) factor: f64,
-    contact: usize,
+    pub(super) contact: usize,
     exit: Exit,
-    there: PieceState,
+    pub(super) there: PieceState,
 }
 
 /// The first contact that stops sticking along a ramp; `None` if this simple case does not apply.

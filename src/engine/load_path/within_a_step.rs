@@ -18,7 +18,7 @@ use crate::numerics::least;
 type Points = [SVector<f64, 3>; 4];
 
 /// A margin or a gap that must stay positive, along a step.
-struct Bounded {
+pub(super) struct Bounded {
     points: Points,
     /// The cone of a force; `None` where the first component counts.
     cone: Option<Coulomb>,
@@ -51,13 +51,7 @@ pub(super) fn first_dip(
             }
             _ => continue,
         };
-        let weight = cone.map_or(1.0, Coulomb::round_weight);
-        // A margin is violated where it is negative by more than this part of the error of a step.
-        let within_the_error = 0.02;
-        // Rounding of margins, relative to their size: the least violation that counts.
-        let rounded = 2e-13;
-        let nothing = (within_the_error * step_error).max(rounded) * size * weight;
-        let bounded = Bounded::new(values, rates.map(|rate| rate * length), cone, (weight, nothing));
+        let bounded = Bounded::new((values, rates.map(|rate| rate * length)), cone, (size, step_error));
         if let Some(part) = bounded.dip() {
             first = Some(first.map_or(part, |first| first.min(part)));
         }
@@ -72,12 +66,18 @@ fn along(value: f64) -> SVector<f64, 3> {
 }
 
 impl Bounded {
-    fn new(
-        [a, b]: [SVector<f64, 3>; 2],
-        [da, db]: [SVector<f64, 3>; 2],
+    /// The cubic through these values and changes at both ends.
+    pub(super) fn new(
+        ([a, b], [da, db]): ([SVector<f64, 3>; 2], [SVector<f64, 3>; 2]),
         cone: Option<Coulomb>,
-        (weight, nothing): (f64, f64),
+        (size, step_error): (f64, f64),
     ) -> Self {
+        let weight = cone.map_or(1.0, Coulomb::round_weight);
+        // A margin is violated where it is negative by more than this part of the error of a step.
+        let within_the_error = 0.02;
+        // Rounding of margins, relative to their size: the least violation that counts.
+        let rounded = 2e-13;
+        let nothing = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
         // The error of the cubic is the term of fourth order. It is estimated by that of third order, but by no less than this part of that of second
@@ -91,7 +91,7 @@ impl Bounded {
     }
 
     /// The part of the step at which the margin is violated; one half if that is undecided. `None` if the margin holds.
-    fn dip(&self) -> Option<f64> {
+    pub(super) fn dip(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
         // Maximum number of pieces that are examined before a step is refused as too long.
         for _ in 0..200 {

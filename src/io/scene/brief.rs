@@ -92,7 +92,7 @@ impl Setup<3> {
         let grasp = &self.grasp_asked(grasp, question)?;
         let labels = SceneNames(grasp);
         Ok(match &*self.meant(question)? {
-            Question::Hold { .. } => held_briefly(&grasp.hold_briefly(&question.ramp()?)?),
+            Question::Hold { .. } => held_briefly(&grasp.hold_briefly(&question.ramp()?)?.0),
             Question::Need(asked) => needed_briefly(&grasp.need(asked)?),
             Question::Improve(asked) => improved_briefly(&grasp.improve(&self.with_surfaces(grasp, asked))?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),

@@ -272,9 +272,10 @@ impl<const C: usize> Grasp<C> {
         Ok((outside(verdict), farthest))
     }
 
-    /// A verdict without states, proofs and the data that only its sentence needs.
-    pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<Verdict<C>, Error> {
-        Ok(outside(self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?.0))
+    /// A verdict without states, proofs and the data that only its sentence needs, with the largest ratio of a motion to its limit up to the loss.
+    pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<(Verdict<C>, f64), Error> {
+        let (verdict, farthest) = self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?;
+        Ok((outside(verdict), farthest))
     }
 
     /// The least friction margin at rest in the elastic trial state, relative to the largest force; `None` where nothing presses or resists.

@@ -74,7 +74,7 @@ fn held<const C: usize>(
                 let mut contacts = Vec::new();
                 let [base, load] = row(number, &mut contacts);
                 let grasp = Grasp::new(contacts)?.with(settings);
-                Ok(ShortVerdict::from(&grasp.hold_briefly(&Ramp::load(base, load))?))
+                Ok(ShortVerdict::from(&grasp.hold_briefly(&Ramp::load(base, load))?.0))
             }),
         });
     }

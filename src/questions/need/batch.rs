@@ -221,31 +221,31 @@ impl Asked {
         load: Wrench<C>,
     ) -> Result<Option<f64>, Error> {
         let ramp = Ramp::load(base, load);
-        let Some((mut multiple, is_too_far)) = lost_at(&grasp.hold_briefly(&ramp)?) else { return Ok(None) };
         if self.quantity == Quantity::Load {
-            return Ok(self.amount(multiple));
+            let lost = lost_at(&grasp.hold_briefly(&ramp)?.0);
+            return Ok(lost.and_then(|(multiple, _)| self.amount(multiple)));
         }
-        // A smaller squeeze makes all motions smaller.
-        if !is_too_far && multiple >= 1.0 {
-            return Ok(self.amount(multiple));
+        // With the squeeze that is sought the motions may be small where those at the given squeeze are not: the path to the loss has no limit on motions.
+        let (mut unlimited, small) = (self.settings, &self.settings.small_motions);
+        let wider = ANY_MOTION.min(MOST_LIMIT / small.rotation.max(small.slip));
+        unlimited.small_motions.rotation *= wider;
+        unlimited.small_motions.slip *= wider;
+        let (verdict, farthest) = grasp.with(&unlimited).hold_briefly(&ramp)?;
+        let lost = lost_at(&verdict).filter(|(_, is_too_far)| !is_too_far);
+        let Some(amount) = lost.and_then(|(multiple, _)| self.amount(multiple)) else { return Ok(None) };
+        // All motions are in proportion to the squeeze.
+        if farthest * wider * amount <= 1.0 - NEGLIGIBLE {
+            return Ok(Some(amount));
         }
-        if is_too_far {
-            // With the sought squeeze the motions may be small, so the loss is computed without a limit on motions.
-            let mut anyhow = self.settings;
-            (anyhow.small_motions.rotation, anyhow.small_motions.slip) = (ANY_MOTION, ANY_MOTION);
-            let Some((lost, false)) = lost_at(&grasp.with(&anyhow).hold_briefly(&ramp)?) else {
-                return Ok(None);
-            };
-            multiple = lost;
-        }
-        let Some(amount) = self.amount(multiple) else { return Ok(None) };
         let enough = grasp.squeezed(amount * (1.0 + BEYOND_STEPS))?.with(&self.settings.with_most_load(1.0));
-        Ok((enough.hold_briefly(&ramp)?.holds() == Some(true)).then_some(amount))
+        Ok((enough.hold_briefly(&ramp)?.0.holds() == Some(true)).then_some(amount))
     }
 }
 
-/// Limit of small motions that no motion reaches: 1e50 is the largest allowed.
-const ANY_MOTION: f64 = 1e50;
+/// Factor on the limits of small motions with which no motion reaches them.
+const ANY_MOTION: f64 = 1e40;
+/// The largest limit of small motions allowed.
+const MOST_LIMIT: f64 = 1e50;
 /// The trial squeeze exceeds the bound by this fraction: more than the error of steps along arcs, 1e-9 by default, but too little to make motions
 /// large.
 const BEYOND_STEPS: f64 = 1e-7;

@@ -1,0 +1,252 @@
+//! A load that is put on while contacts stick or slide, in the coordinates of their slips: for verdicts on many grasps.
+//!
+//! As long as no contact opens or closes, forces and motion are affine in the load factor λ and in the slips s_j; the columns are responses of the
+//! grasp in which everything sticks. A contact slips along its friction force,
+//!
+//! ```text
+//! F_i = F_i⁰ + λ F_i¹ + Σ_j R_ij s_j,     s_j' = γ_j p_j,     p_j = F_t,j / |F_t,j|
+//! ```
+//!
+//! and (γ, λ') is the null vector of the rates of all margins `μ F_n - |F_t|` of sliding contacts: one equation a sliding contact, where an
+//! [arc](super::arc) has one a coordinate. Whatever is not plain sailing gives no answer and is left to a path: an onset that does not begin from
+//! clear sticking, a slip that ends, a contact that opens, events that coincide, and several continuations.
+
+use nalgebra::SVector;
+
+use super::event::{Loss, LossKind};
+use super::first_to_leave::{FirstToLeave, first_to_leave};
+use super::onset_workspace::OnsetMemory;
+use super::pace::Pace;
+use super::ramp::Ramp;
+use super::slip_rates::Slips;
+use super::slip_steps::{GOES_ON, GROWS, SMALL};
+use super::trajectory::Trajectory;
+use crate::equilibrium::{CountedMotion, farthest};
+use crate::grasp::{Engine, Hold, Site};
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{PartialPivoting, Size, Square, Vector, chosen, largest, summed};
+use crate::prelude::*;
+use crate::search::Settings;
+
+/// The course of a load up to its end.
+pub(crate) struct InSlips {
+    /// Contacts that have slid, in order, and the factors from which they slide.
+    pub(crate) slid: Vec<(usize, f64)>,
+    /// The factor from which all contacts slide.
+    pub(crate) all_slide: Option<f64>,
+    /// The factor at the end.
+    pub(crate) factor: f64,
+    pub(crate) end: SlipEnd,
+    /// The largest ratio of a motion to its limit, at the ends of steps.
+    pub(crate) farthest: f64,
+}
+
+/// The end of a course.
+pub(crate) enum SlipEnd {
+    /// The largest load asked about is on.
+    Held,
+    /// This motion is no longer small.
+    TooFar(CountedMotion),
+    Lost(Box<Loss<3>>),
+}
+
+impl Engine {
+    /// The course of a load up to this factor; `None` where a path has to follow it.
+    pub(crate) fn in_slips(&self, ramp: &Ramp<3>, most: f64, settings: &Settings) -> Option<InSlips> {
+        let plain = |site: &Site| {
+            let closed = site.hold == Hold::Unilateral && site.springs.resists_tangentially();
+            closed && site.friction.has_edges() && site.kinetic.is_none() && site.polygon.is_none()
+        };
+        let plain = self.sites().iter().all(plain) && self.linkage().is_none() && self.vacuum().is_none();
+        settings.small_motions.check().ok()?;
+        if !plain || !settings.is_round(self.space()) && self.space().axes() > 2 {
+            return None;
+        }
+        let (base, rate) = (self.load_alone(&ramp.base, "").ok()?, self.inside(&ramp.direction, "").ok()?);
+        let mut memory = OnsetMemory::default();
+        ramp.offset_changes_into(self, &mut memory.change).ok()?;
+        let segment = memory.segment(self, settings, Trajectory::Straight { from: base, rate });
+        let FirstToLeave { factor, contact, there, .. } = first_to_leave(&segment, &mut memory)?;
+        let (piece, problem) = (segment.problem.trial(), segment.problem);
+        let none = vec![SVector::zeros(); problem.len()];
+        let largest = largest(&there.forces, &SVector::norm);
+        let parts = vec![memory.base, memory.rate];
+        let small = settings.small_motions;
+        let mut slips = Slips {
+            grasp: self,
+            problem,
+            piece,
+            parts,
+            sliding: Vec::new(),
+            none,
+            largest,
+            most,
+            unit: 1.0,
+            small,
+        };
+        let (start, begins) = ([1.0, 0.0], vec![1.0, factor]);
+        let far = slips.far(&start).max(slips.far(&begins));
+        if factor >= most || far > 1.0 - NEGLIGIBLE {
+            return None;
+        }
+        let mut path =
+            InSlips { slid: Vec::new(), all_slide: None, factor, end: SlipEnd::Held, farthest: far };
+        slips.run((begins, contact), ramp, settings.step_error, &mut path)?;
+        Some(path)
+    }
+}
+/// Most steps: a course that needs more is followed by a path, which has implicit ones.
+const MOST_STEPS: usize = 64;
+/// Most sliding contacts whose combinations are all looked at where they cannot slide together.
+const MOST_COMBINED: usize = 4;
+
+impl Slips<'_> {
+    /// Puts the load on from where this contact leaves. `None` where a path has to follow.
+    fn run(
+        &mut self,
+        (mut at, first): (Vec<f64>, usize),
+        ramp: &Ramp<3>,
+        tolerance: f64,
+        path: &mut InSlips,
+    ) -> Option<()> {
+        let (mut arrives, mut pace, mut rates) = (Some(first), Pace::new(), Vec::new());
+        loop {
+            if let Some(contact) = arrives.take() {
+                path.factor = at[1];
+                path.slid.push((contact, at[1]));
+                if let Some(loss) = self.begins_to_slide(contact, &mut at, &mut rates, ramp)? {
+                    path.end = SlipEnd::Lost(Box::new(loss));
+                    return Some(());
+                }
+                if self.sliding.len() == self.none.len() {
+                    path.all_slide = Some(at[1]);
+                }
+                pace = pace.at_node();
+            }
+            let length = pace.length.unwrap_or_else(|| self.first_length(&at, &rates));
+            if pace.steps > MOST_STEPS {
+                return None;
+            }
+            let end = self.step((&at, &rates), length);
+            let missed = end.as_ref().map_or(f64::INFINITY, |end| end.error / tolerance);
+            let Some(end) = end.filter(|_| missed <= 1.0) else {
+                pace.refuse(length, missed);
+                continue;
+            };
+            let (end, event) = self.up_to_an_event((&at, &rates), end, tolerance)?;
+            pace.accept(end.length, end.error / tolerance, event.is_some());
+            (at, rates) = (end.at, end.rates);
+            path.farthest = path.farthest.max(1.0 - end.values[SMALL]);
+            path.factor = at[1];
+            let of_sliding = SMALL + 1 + 2 * self.sliding.len();
+            match event {
+                None => {}
+                Some(GOES_ON) => return Some(()),
+                Some(GROWS) => {
+                    let loss = self.loss(LossKind::Fold, at[1], &self.twist(&rates).normalize(), ramp);
+                    path.end = SlipEnd::Lost(Box::new(loss));
+                    return Some(());
+                }
+                Some(SMALL) => {
+                    path.end = SlipEnd::TooFar(*farthest(&self.motions(&at))?);
+                    return Some(());
+                }
+                Some(k) if k < of_sliding => return None,
+                Some(k) => arrives = self.sticking().nth(k - of_sliding),
+            }
+        }
+    }
+
+    /// Adds a contact that has come to its edge to those that slide, and sets their rates. The loss where nothing goes on, `None` where that is not
+    /// clear.
+    fn begins_to_slide(
+        &mut self,
+        contact: usize,
+        at: &mut Vec<f64>,
+        rates: &mut Vec<f64>,
+        ramp: &Ramp<3>,
+    ) -> Option<Option<Loss<3>>> {
+        self.sliding.push(contact);
+        for axis in 1..3 {
+            let mut offsets = self.none.clone();
+            if axis < self.grasp.space().axes() {
+                offsets[contact][axis] = -1.0;
+            }
+            self.parts.push(self.piece.solve_roughly(&offsets, &Vector::zeros()));
+            at.push(0.0);
+        }
+        self.unit = 1.0;
+        let (count, directions) = (self.sliding.len(), self.directions(at));
+        let margins = self.margin_rates(&directions);
+        let all = (1 << count) - 1;
+        let slips = slid(&margins, all)?;
+        let clear = NEGLIGIBLE * largest(&slips, &|slip| slip.abs());
+        if slips.iter().any(|slip| slip.abs() <= clear) {
+            return None;
+        }
+        *rates = vec![0.0, 1.0];
+        let along = |(slip, p): (&f64, &SVector<f64, 3>)| [p[1] * slip, p[2] * slip];
+        rates.extend(slips.iter().zip(&directions).flat_map(along));
+        if slips.iter().all(|slip| *slip > 0.0) {
+            // Arclength weighs motion and load equally at the beginning.
+            self.unit = summed(&slips, &|slip| slip * slip).sqrt();
+            rates.iter_mut().for_each(|rate| *rate *= core::f64::consts::FRAC_1_SQRT_2);
+            return Some(None);
+        }
+        // The rates of margins are at least zero, and zero where a contact slips: any other combination would be another continuation.
+        let holds = |combination: usize| {
+            let slips = slid(&margins, combination)?;
+            let mut holds = slips.iter().all(|slip| *slip >= -clear);
+            for i in 0..count {
+                let terms = (0..=count).map(|j| margins[(i, j)] * if j == 0 { 1.0 } else { slips[j - 1] });
+                let (sum, size) = terms.fold((0.0, 0.0), |(sum, size), x| (sum + x, size + f64::abs(x)));
+                holds &= sum >= -NEGLIGIBLE * size;
+            }
+            Some(holds)
+        };
+        if count > MOST_COMBINED || (0..all).any(|combination| holds(combination) != Some(false)) {
+            return None;
+        }
+        let along: f64 = slips.iter().sum();
+        if along.abs() <= NEGLIGIBLE * summed(&slips, &|slip| slip.abs()) {
+            return None;
+        }
+        // The rates balance the load, but slip against friction: the reversed motion slips along it.
+        let twist = self.twist(rates);
+        let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
+        Some(Some(self.loss(LossKind::Corner, at[1], &motion, ramp)))
+    }
+    fn loss(&self, kind: LossKind, fraction: f64, motion: &Vector, ramp: &Ramp<3>) -> Loss<3> {
+        let (contacts, drives) = self.grasp.sites_apart(self.sliding.clone());
+        let loss = Loss {
+            leg: 0,
+            fraction,
+            load: ramp.load_at(fraction),
+            kind,
+            contacts,
+            drives,
+            motion: None,
+            jumped: Vec::new(),
+            against: None,
+            leaves: None,
+        };
+        loss.leaving(self.grasp, Some(motion))
+    }
+}
+/// The slips of the contacts of this combination that keep their margins at zero while the factor grows by one; those of the others are zero.
+fn slid(margins: &Square, combination: usize) -> Option<Vec<f64>> {
+    let mut slips = vec![0.0; margins.size().count() - 1];
+    let chosen = chosen(slips.len(), &|i| combination >> i & 1 == 1);
+    if chosen.is_empty() {
+        return Some(slips);
+    }
+    let size = Size::of(chosen.len());
+    let mut matrix = Square::zeros(size);
+    for (a, i) in chosen.iter().enumerate() {
+        chosen.iter().enumerate().for_each(|(b, j)| matrix[(a, b)] = margins[(*i, j + 1)]);
+    }
+    let side = Vector::from_fn(size, |a| -margins[(chosen[a], 0)]);
+    let x = PartialPivoting::new(&matrix)?.solve(&side);
+    chosen.iter().zip(x.iter()).for_each(|(i, x)| slips[*i] = *x);
+    Some(slips)
+}
