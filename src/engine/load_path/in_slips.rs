@@ -97,8 +97,8 @@ impl Engine {
 }
 /// Most steps: a course that needs more is followed by a path, which has implicit ones.
 const MOST_STEPS: usize = 64;
-/// Most sliding contacts whose combinations are all looked at where they cannot slide together.
-const MOST_COMBINED: usize = 4;
+/// Most sliding contacts: with more, a stage of an arc takes less time, which solves one equation a coordinate.
+const MOST_SLIDING: usize = 6;
 
 impl Slips<'_> {
     /// Puts the load on from where this contact leaves. `None` where a path has to follow.
@@ -166,6 +166,9 @@ impl Slips<'_> {
         rates: &mut Vec<f64>,
         ramp: &Ramp<3>,
     ) -> Option<Option<Loss<3>>> {
+        if self.sliding.len() == MOST_SLIDING {
+            return None;
+        }
         self.sliding.push(contact);
         for axis in 1..3 {
             let mut offsets = self.none.clone();
@@ -178,8 +181,7 @@ impl Slips<'_> {
         self.unit = 1.0;
         let (count, directions) = (self.sliding.len(), self.directions(at));
         let margins = self.margin_rates(&directions);
-        let all = (1 << count) - 1;
-        let slips = slid(&margins, all)?;
+        let slips = slid(&margins, &chosen(count, &|_| true))?;
         let clear = NEGLIGIBLE * largest(&slips, &|slip| slip.abs());
         if slips.iter().any(|slip| slip.abs() <= clear) {
             return None;
@@ -195,7 +197,7 @@ impl Slips<'_> {
         }
         // The rates of margins are at least zero, and zero where a contact slips: any other combination would be another continuation.
         let holds = |combination: usize| {
-            let slips = slid(&margins, combination)?;
+            let slips = slid(&margins, &chosen(count, &|i| combination >> i & 1 == 1))?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);
             for i in 0..count {
                 let terms = (0..=count).map(|j| margins[(i, j)] * if j == 0 { 1.0 } else { slips[j - 1] });
@@ -204,7 +206,7 @@ impl Slips<'_> {
             }
             Some(holds)
         };
-        if count > MOST_COMBINED || (0..all).any(|combination| holds(combination) != Some(false)) {
+        if (0..(1 << count) - 1).any(|others| holds(others) != Some(false)) {
             return None;
         }
         let along: f64 = slips.iter().sum();
@@ -233,10 +235,9 @@ impl Slips<'_> {
         loss.leaving(self.grasp, Some(motion))
     }
 }
-/// The slips of the contacts of this combination that keep their margins at zero while the factor grows by one; those of the others are zero.
-fn slid(margins: &Square, combination: usize) -> Option<Vec<f64>> {
+/// The slips of the chosen contacts that keep their margins at zero while the factor grows by one; those of the others are zero.
+fn slid(margins: &Square, chosen: &[usize]) -> Option<Vec<f64>> {
     let mut slips = vec![0.0; margins.size().count() - 1];
-    let chosen = chosen(slips.len(), &|i| combination >> i & 1 == 1);
     if chosen.is_empty() {
         return Some(slips);
     }

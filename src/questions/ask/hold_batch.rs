@@ -1,7 +1,7 @@
 //! Verdicts on many grasps, on all cores.
 //!
 //! Most verdicts of a batch say that everything sticks, and screening knows that: the first slip lies beyond the whole load, and the object turns
-//! within the limit of small motions. All other verdicts follow their load.
+//! within the limit of small motions. All other verdicts follow their load, in the coordinates of slips where contacts only stick or slide.
 
 use core::ops::Range;
 
@@ -21,7 +21,9 @@ impl<const C: usize> Grasp<C> {
     ///
     /// With [`Settings::most_load`] at 1, where nothing is followed beyond the whole load, verdicts on grasps of two to 64 points under which
     /// everything sticks take a few microseconds; see [`screening`](crate::screening) for the contacts. Such a verdict has the factor of the
-    /// first slip from there, equal to that of [`Self::hold`] but for rounding. Any other verdict takes as long as [`Self::hold`].
+    /// first slip from there, equal to that of [`Self::hold`] but for rounding. Where contacts slide one after another, and none opens or sticks again,
+    /// a verdict takes some ten times as long, and its factors differ from those of [`Self::hold`] by the error of steps,
+    /// [`Settings::step_error`]. Any other verdict takes as long as [`Self::hold`].
     ///
     /// The verdicts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
     ///

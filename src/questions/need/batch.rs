@@ -1,7 +1,7 @@
 //! Needed amounts of many grasps, on all cores.
 //!
 //! Where everything must stick, the first slip of screening is the answer: the greatest multiple of the load, and its inverse is the least multiple
-//! of the squeeze if nothing but squeeze and load acts. Where the object must be held, one path to the loss gives both in the same way. All other
+//! of the squeeze if nothing but squeeze and load acts. Where the object must be held, one course to the loss gives both in the same way. All other
 //! rows are searched as by [`Grasp::need`].
 
 use core::ops::Range;
@@ -59,8 +59,8 @@ impl<const C: usize> Grasp<C> {
     /// [`Self::need`], without sentences, windows and safe amounts.
     ///
     /// The quantity is [`Quantity::Squeeze`] or [`Quantity::Load`], the demand that everything [sticks](Demand::Sticks) or that the object is
-    /// [held](Demand::Held). Amounts with which everything sticks take a few microseconds, amounts with which the object is held a path up to its
-    /// loss, and all others as long as [`Self::need`]. The amounts agree with those of [`Self::need`] to the error of steps along arcs.
+    /// [held](Demand::Held). Amounts with which everything sticks take a few microseconds, amounts with which the object is held one course of the load
+    /// up to its loss, as in [`Self::hold_batch`], and all others as long as [`Self::need`]. The amounts agree with those of [`Self::need`] to the error of steps along arcs.
     ///
     /// The amounts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
     ///
