@@ -151,16 +151,16 @@ def hold_batch(
 ) -> Verdicts:
     """Whether each of many grasps holds a load that is put on from rest; see :meth:`Grasp.hold`.
 
-    Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows under which everything sticks take a few microseconds;
-    any other row is followed as by :meth:`Grasp.hold`, which takes some 50 µs to a few milliseconds. The verdict of each row is that of
-    :meth:`Grasp.hold`, the first slip of the quick rows up to rounding. Their bits do not depend on the number of threads.
+    Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows under which everything sticks take a few microseconds,
+    rows in which contacts slide and none opens some ten to a hundred. Any other row is followed as by :meth:`Grasp.hold`, which takes some 50 µs to
+    a few milliseconds. The verdict of each row is that of :meth:`Grasp.hold`, its factors up to the error of steps along arcs. Their bits do not depend on the number of threads.
 
     :param load: load that grows from 0 on top of the base, N and N m, shape (..., c) or (..., d).
     :param base: load at rest; zero unless given.
     :param kinetic_friction: coefficients while contacts slide, at most those at rest, which they are unless given.
     :param soft: pads in place of the points, as in :meth:`Grasp.spatial`, the same for all grasps.
     :param beyond: follow every load beyond the whole of it, up to ``most_load`` of the settings, for the loads at which it is lost and from which
-        everything slides. This takes as long as :meth:`Grasp.hold` for every row.
+        everything slides. No row is then as quick as where everything sticks.
 
     All other parameters are as in :meth:`Grasp.planar`, with axes of the batch in front.
     """
@@ -198,7 +198,7 @@ def need_batch(
 ) -> Amounts:
     """The least multiple of the squeeze with which each of many grasps holds its load, or the greatest multiple of the load; see :meth:`Grasp.need`.
 
-    With ``sticks`` everything must stick, and a row takes a few microseconds. Otherwise contacts may slide, and a row takes one path of its load
+    With ``sticks`` everything must stick, and a row takes a few microseconds. Otherwise contacts may slide, and a row takes one course of its load
     up to the loss. Rows in which a base load, a clearance or a limit of small motions counts are searched as by :meth:`Grasp.need`.
 
     :param quantity: ``"squeeze"`` or ``"load"``.
