@@ -95,6 +95,7 @@ impl Engine {
         Some(path)
     }
 }
+
 /// Most steps: a course that needs more is followed by a path, which has implicit ones.
 const MOST_STEPS: usize = 64;
 /// Most sliding contacts: with more, a stage of an arc takes less time, which solves one equation a coordinate.
@@ -114,8 +115,9 @@ impl Slips<'_> {
             if let Some(contact) = arrives.take() {
                 path.factor = at[1];
                 path.slid.push((contact, at[1]));
-                if let Some(loss) = self.begins_to_slide(contact, &mut at, &mut rates, ramp)? {
-                    path.end = SlipEnd::Lost(Box::new(loss));
+                let end = self.begins_to_slide(contact, &mut at, &mut rates, ramp)?;
+                if !matches!(end, SlipEnd::Held) {
+                    path.end = end;
                     return Some(());
                 }
                 if self.sliding.len() == self.none.len() {
@@ -143,8 +145,7 @@ impl Slips<'_> {
                 None => {}
                 Some(GOES_ON) => return Some(()),
                 Some(GROWS) => {
-                    let loss = self.loss(LossKind::Fold, at[1], &self.twist(&rates).normalize(), ramp);
-                    path.end = SlipEnd::Lost(Box::new(loss));
+                    path.end = self.lost_by(LossKind::Fold, at[1], &self.twist(&rates).normalize(), ramp);
                     return Some(());
                 }
                 Some(SMALL) => {
@@ -157,15 +158,15 @@ impl Slips<'_> {
         }
     }
 
-    /// Adds a contact that has come to its edge to those that slide, and sets their rates. The loss where nothing goes on, `None` where that is not
-    /// clear.
+    /// Adds a contact that has come to its edge to those that slide, and sets their rates. Held where they slide on from here, lost where nothing goes
+    /// on, `None` where that is not clear.
     fn begins_to_slide(
         &mut self,
         contact: usize,
         at: &mut Vec<f64>,
         rates: &mut Vec<f64>,
         ramp: &Ramp<3>,
-    ) -> Option<Option<Loss<3>>> {
+    ) -> Option<SlipEnd> {
         if self.sliding.len() == MOST_SLIDING {
             return None;
         }
@@ -192,8 +193,10 @@ impl Slips<'_> {
         if slips.iter().all(|slip| *slip > 0.0) {
             // Arclength weighs motion and load equally at the beginning.
             self.unit = summed(&slips, &|slip| slip * slip).sqrt();
-            rates.iter_mut().for_each(|rate| *rate *= core::f64::consts::FRAC_1_SQRT_2);
-            return Some(None);
+            for rate in rates.iter_mut() {
+                *rate *= core::f64::consts::FRAC_1_SQRT_2;
+            }
+            return Some(SlipEnd::Held);
         }
         // The rates of margins are at least zero, and zero where a contact slips: any other combination would be another continuation.
         let holds = |combination: usize| {
@@ -216,9 +219,9 @@ impl Slips<'_> {
         // The rates balance the load, but slip against friction: the reversed motion slips along it.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
-        Some(Some(self.loss(LossKind::Corner, at[1], &motion, ramp)))
+        Some(self.lost_by(LossKind::Corner, at[1], &motion, ramp))
     }
-    fn loss(&self, kind: LossKind, fraction: f64, motion: &Vector, ramp: &Ramp<3>) -> Loss<3> {
+    fn lost_by(&self, kind: LossKind, fraction: f64, motion: &Vector, ramp: &Ramp<3>) -> SlipEnd {
         let (contacts, drives) = self.grasp.sites_apart(self.sliding.clone());
         let loss = Loss {
             leg: 0,
@@ -232,7 +235,7 @@ impl Slips<'_> {
             against: None,
             leaves: None,
         };
-        loss.leaving(self.grasp, Some(motion))
+        SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion))))
     }
 }
 /// The slips of the chosen contacts that keep their margins at zero while the factor grows by one; those of the others are zero.
