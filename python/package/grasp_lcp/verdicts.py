@@ -151,16 +151,17 @@ def hold_batch(
 ) -> Verdicts:
     """Whether each of many grasps holds a load that is applied from rest; see :meth:`Grasp.hold`.
 
-    Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows in which everything sticks take a few microseconds;
-    the load of any other row is followed as by :meth:`Grasp.hold`, in some 50 µs to a few milliseconds. The verdict of each row is that of
-    :meth:`Grasp.hold`; first slips of the quick rows may differ by rounding. The bits do not depend on the number of threads.
+    Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows in which everything sticks take a few microseconds,
+    rows in which contacts slide and none opens ten to a hundred. The load of any other row is followed as by :meth:`Grasp.hold`, in some 50 µs to
+    a few milliseconds. The verdict of each row is that of :meth:`Grasp.hold`; its factors may differ by the error of steps along arcs. The bits do not
+    depend on the number of threads.
 
     :param load: load that grows from 0 on top of the base, N and N m, shape (..., c) or (..., d).
     :param base: load at rest; zero unless given.
     :param kinetic_friction: coefficients of friction while contacts slide, at most ``friction``, which is the default.
     :param soft: pads in place of the points, as in :meth:`Grasp.spatial`, the same for all grasps.
     :param beyond: follow every load beyond the whole of it, up to ``most_load`` of the settings, for the loads at which it is lost and from which
-        everything slides. This takes as long as :meth:`Grasp.hold` for every row.
+        everything slides. No row is then as quick as where everything sticks.
 
     All other parameters are as in :meth:`Grasp.planar`, with axes of the batch in front.
     """

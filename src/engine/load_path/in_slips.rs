@@ -95,10 +95,11 @@ impl Engine {
         Some(path)
     }
 }
+
 /// Most steps: a course that needs more is followed by a path, which has implicit ones.
 const MOST_STEPS: usize = 64;
-/// Most sliding contacts whose combinations are all looked at where they cannot slide together.
-const MOST_COMBINED: usize = 4;
+/// Most sliding contacts: with more, a stage of an arc takes less time, which solves one equation a coordinate.
+const MOST_SLIDING: usize = 6;
 
 impl Slips<'_> {
     /// Puts the load on from where this contact leaves. `None` where a path has to follow.
@@ -114,8 +115,9 @@ impl Slips<'_> {
             if let Some(contact) = arrives.take() {
                 path.factor = at[1];
                 path.slid.push((contact, at[1]));
-                if let Some(loss) = self.begins_to_slide(contact, &mut at, &mut rates, ramp)? {
-                    path.end = SlipEnd::Lost(Box::new(loss));
+                let end = self.begins_to_slide(contact, &mut at, &mut rates, ramp)?;
+                if !matches!(end, SlipEnd::Held) {
+                    path.end = end;
                     return Some(());
                 }
                 if self.sliding.len() == self.none.len() {
@@ -143,8 +145,7 @@ impl Slips<'_> {
                 None => {}
                 Some(GOES_ON) => return Some(()),
                 Some(GROWS) => {
-                    let loss = self.loss(LossKind::Fold, at[1], &self.twist(&rates).normalize(), ramp);
-                    path.end = SlipEnd::Lost(Box::new(loss));
+                    path.end = self.lost_by(LossKind::Fold, at[1], &self.twist(&rates).normalize(), ramp);
                     return Some(());
                 }
                 Some(SMALL) => {
@@ -157,15 +158,18 @@ impl Slips<'_> {
         }
     }
 
-    /// Adds a contact that has come to its edge to those that slide, and sets their rates. The loss where nothing goes on, `None` where that is not
-    /// clear.
+    /// Adds a contact that has come to its edge to those that slide, and sets their rates. Held where they slide on from here, lost where nothing goes
+    /// on, `None` where that is not clear.
     fn begins_to_slide(
         &mut self,
         contact: usize,
         at: &mut Vec<f64>,
         rates: &mut Vec<f64>,
         ramp: &Ramp<3>,
-    ) -> Option<Option<Loss<3>>> {
+    ) -> Option<SlipEnd> {
+        if self.sliding.len() == MOST_SLIDING {
+            return None;
+        }
         self.sliding.push(contact);
         for axis in 1..3 {
             let mut offsets = self.none.clone();
@@ -178,8 +182,7 @@ impl Slips<'_> {
         self.unit = 1.0;
         let (count, directions) = (self.sliding.len(), self.directions(at));
         let margins = self.margin_rates(&directions);
-        let all = (1 << count) - 1;
-        let slips = slid(&margins, all)?;
+        let slips = slid(&margins, &chosen(count, &|_| true))?;
         let clear = NEGLIGIBLE * largest(&slips, &|slip| slip.abs());
         if slips.iter().any(|slip| slip.abs() <= clear) {
             return None;
@@ -190,12 +193,14 @@ impl Slips<'_> {
         if slips.iter().all(|slip| *slip > 0.0) {
             // Arclength weighs motion and load equally at the beginning.
             self.unit = summed(&slips, &|slip| slip * slip).sqrt();
-            rates.iter_mut().for_each(|rate| *rate *= core::f64::consts::FRAC_1_SQRT_2);
-            return Some(None);
+            for rate in rates.iter_mut() {
+                *rate *= core::f64::consts::FRAC_1_SQRT_2;
+            }
+            return Some(SlipEnd::Held);
         }
         // The rates of margins are at least zero, and zero where a contact slips: any other combination would be another continuation.
         let holds = |combination: usize| {
-            let slips = slid(&margins, combination)?;
+            let slips = slid(&margins, &chosen(count, &|i| combination >> i & 1 == 1))?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);
             for i in 0..count {
                 let terms = (0..=count).map(|j| margins[(i, j)] * if j == 0 { 1.0 } else { slips[j - 1] });
@@ -204,7 +209,7 @@ impl Slips<'_> {
             }
             Some(holds)
         };
-        if count > MOST_COMBINED || (0..all).any(|combination| holds(combination) != Some(false)) {
+        if (0..(1 << count) - 1).any(|others| holds(others) != Some(false)) {
             return None;
         }
         let along: f64 = slips.iter().sum();
@@ -214,9 +219,9 @@ impl Slips<'_> {
         // The rates balance the load, but slip against friction: the reversed motion slips along it.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
-        Some(Some(self.loss(LossKind::Corner, at[1], &motion, ramp)))
+        Some(self.lost_by(LossKind::Corner, at[1], &motion, ramp))
     }
-    fn loss(&self, kind: LossKind, fraction: f64, motion: &Vector, ramp: &Ramp<3>) -> Loss<3> {
+    fn lost_by(&self, kind: LossKind, fraction: f64, motion: &Vector, ramp: &Ramp<3>) -> SlipEnd {
         let (contacts, drives) = self.grasp.sites_apart(self.sliding.clone());
         let loss = Loss {
             leg: 0,
@@ -230,13 +235,12 @@ impl Slips<'_> {
             against: None,
             leaves: None,
         };
-        loss.leaving(self.grasp, Some(motion))
+        SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion))))
     }
 }
-/// The slips of the contacts of this combination that keep their margins at zero while the factor grows by one; those of the others are zero.
-fn slid(margins: &Square, combination: usize) -> Option<Vec<f64>> {
+/// The slips of the chosen contacts that keep their margins at zero while the factor grows by one; those of the others are zero.
+fn slid(margins: &Square, chosen: &[usize]) -> Option<Vec<f64>> {
     let mut slips = vec![0.0; margins.size().count() - 1];
-    let chosen = chosen(slips.len(), &|i| combination >> i & 1 == 1);
     if chosen.is_empty() {
         return Some(slips);
     }

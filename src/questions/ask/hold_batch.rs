@@ -1,7 +1,7 @@
 //! Verdicts on many grasps, on all cores.
 //!
 //! In most rows of a batch everything sticks, and screening shows that: the first slip lies beyond the whole load, and the rotation stays within the
-//! limit of small motions. Only the other rows follow the path of their load.
+//! limit of small motions. All other rows follow their load, in the coordinates of slips where contacts only stick or slide.
 
 use core::ops::Range;
 
@@ -21,7 +21,8 @@ impl<const C: usize> Grasp<C> {
     ///
     /// With [`Settings::most_load`] at 1 no load beyond the whole load is followed. A row of two to 64 points in which everything sticks then takes a
     /// few microseconds; [`screening`](crate::screening) says which contacts it supports. The factor of the first slip comes from screening and equals
-    /// that of [`Self::hold`] up to rounding. Any other row takes as long as [`Self::hold`].
+    /// that of [`Self::hold`] up to rounding. Where contacts slide one after another, and none opens or sticks again, a row takes some ten times as long,
+    /// and its factors differ from those of [`Self::hold`] by the error of steps, [`Settings::step_error`]. Any other row takes as long as [`Self::hold`].
     ///
     /// The verdicts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
     ///

@@ -26,6 +26,7 @@
 
 mod caught;
 mod face;
+mod in_slips;
 mod left_out;
 mod loss;
 mod put_on;

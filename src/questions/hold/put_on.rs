@@ -7,8 +7,8 @@ use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, Wrench};
 use crate::load_path::{
-    Beyond, Change, ContactChange, Departure, EndOfSmallMotions, Event, InSlips, Leaving, Leg, LoadPath,
-    Loss, LossKind, Onset, PathEnd, Ramp, SlipEnd,
+    Beyond, Change, ContactChange, Departure, EndOfSmallMotions, Event, Leaving, Leg, LoadPath, Loss,
+    LossKind, Onset, PathEnd, Ramp,
 };
 use crate::object::Load;
 use crate::proofs::nothing_near;
@@ -49,11 +49,16 @@ impl Engine {
             let (what, allowed) = ("most_load of the settings", "more than 0 and at most 1e50");
             return Err(Error::Argument { what, value: settings.most_load, allowed });
         }
-        if extent == Extent::Brief
-            && let Some(verdict) = self.held_in_slips(ramp, settings)
-        {
-            return Ok(verdict);
-        }
+        let brief = if extent == Extent::Brief { self.held_in_slips(ramp, settings) } else { None };
+        brief.map_or_else(|| self.held_on_a_path(ramp, settings, extent), Ok)
+    }
+
+    fn held_on_a_path(
+        &self,
+        ramp: &Ramp<3>,
+        settings: &Settings,
+        extent: Extent,
+    ) -> Result<(Verdict<3>, f64), Error> {
         // Onset and path share the state at rest, which with many bodies takes most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
@@ -135,48 +140,6 @@ impl Engine {
         verdict.caught = Caught::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, farthest))
-    }
-
-    /// A brief verdict from a path in the coordinates of slips; `None` if only a path in states of contacts can decide.
-    fn held_in_slips(&self, ramp: &Ramp<3>, settings: &Settings) -> Option<(Verdict<3>, f64)> {
-        let InSlips { slid, all_slide, factor, end, farthest } =
-            self.in_slips(ramp, settings.most_load.max(1.0), settings)?;
-        let (contact, first) = *slid.first()?;
-        // At factors that differ from 1 by less than this, rounding would decide.
-        let is_clear = |factor: f64| (factor - 1.0).abs() > NEGLIGIBLE;
-        if !(is_clear(first) && (is_clear(factor) || matches!(end, SlipEnd::Held))) {
-            return None;
-        }
-        let parts = self.wholes();
-        let (open, would_pull, give_way) = (Vec::new(), Vec::new(), Vec::new());
-        let slide = parts.with(&|i| i == contact);
-        let lost = match &end {
-            SlipEnd::Held => None,
-            SlipEnd::TooFar(motion) => {
-                Some(self.gone_too_far(factor, &self.too_far(motion), None, all_slide.is_some()))
-            }
-            SlipEnd::Lost(loss) => Some(self.lost(factor, loss, None)),
-        };
-        let holding = match lost {
-            Some(_) if factor < 1.0 => Holding::Lost,
-            _ if first > 1.0 => Holding::Sticks,
-            _ => Holding::Slides {
-                contacts: parts.with(&|i| slid.iter().any(|(k, from)| *k == i && *from < 1.0)),
-            },
-        };
-        let verdict = Verdict {
-            base: ramp.base,
-            load: ramp.direction,
-            holding,
-            first_slip: Some(FirstSlip { factor: first, slide, open, would_pull, give_way }),
-            caught: Vec::new(),
-            held_to: factor,
-            everything_slides: all_slide,
-            left_out: None,
-            lost,
-            state: None,
-        };
-        Some((verdict, farthest))
     }
 
     /// The conclusion where the path ended before the whole load was applied.

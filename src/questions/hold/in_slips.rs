@@ -1,0 +1,52 @@
+//! The brief verdict on a load whose path is followed in the coordinates of slips.
+
+use super::verdict::{FirstSlip, Holding, Verdict};
+use crate::grasp::Engine;
+use crate::load_path::{InSlips, Ramp, SlipEnd};
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::prelude::*;
+use crate::search::Settings;
+
+impl Engine {
+    /// A brief verdict from a path in the coordinates of slips; `None` if only a path in the states of contacts can decide.
+    pub(super) fn held_in_slips(&self, ramp: &Ramp<3>, settings: &Settings) -> Option<(Verdict<3>, f64)> {
+        let InSlips { slid, all_slide, factor, end, farthest } =
+            self.in_slips(ramp, settings.most_load.max(1.0), settings)?;
+        let (contact, first) = *slid.first()?;
+        // At factors that differ from 1 by less than this, rounding would decide.
+        let is_clear = |factor: f64| (factor - 1.0).abs() > NEGLIGIBLE;
+        if !(is_clear(first) && (is_clear(factor) || matches!(end, SlipEnd::Held))) {
+            return None;
+        }
+        let parts = self.wholes();
+        let (open, would_pull, give_way) = (Vec::new(), Vec::new(), Vec::new());
+        let slide = parts.with(&|i| i == contact);
+        let lost = match &end {
+            SlipEnd::Held => None,
+            SlipEnd::TooFar(motion) => {
+                Some(self.gone_too_far(factor, &self.too_far(motion), None, all_slide.is_some()))
+            }
+            SlipEnd::Lost(loss) => Some(self.lost(factor, loss, None)),
+        };
+        let holding = match lost {
+            Some(_) if factor < 1.0 => Holding::Lost,
+            _ if first > 1.0 => Holding::Sticks,
+            _ => Holding::Slides {
+                contacts: parts.with(&|i| slid.iter().any(|(k, from)| *k == i && *from < 1.0)),
+            },
+        };
+        let verdict = Verdict {
+            base: ramp.base,
+            load: ramp.direction,
+            holding,
+            first_slip: Some(FirstSlip { factor: first, slide, open, would_pull, give_way }),
+            caught: Vec::new(),
+            held_to: factor,
+            everything_slides: all_slide,
+            left_out: None,
+            lost,
+            state: None,
+        };
+        Some((verdict, farthest))
+    }
+}
